@@ -1,0 +1,51 @@
+# One function for every folder under roomcast/: a static library, and the tests that sit beside its sources.
+#
+#   roomcast_library(codec
+#     SOURCES depth_encoder.cpp ...        # headers need not be listed
+#     TESTS depth_encoder_test.cpp ...     # one test program per folder: roomcast_codec_test
+#     LINK roomcast::core PkgConfig::VPX)
+#
+# Tests named *_gl_test.cpp need a GL 4.5 context; they get a program and the CTest label "gl" of their own.
+
+add_library(roomcast_flags INTERFACE)
+target_include_directories(roomcast_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(roomcast_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(ROOMCAST_SANITIZE)
+  target_compile_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE}
+    -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE})
+endif()
+
+function(roomcast_test target label)
+  add_executable(${target} ${ARGN})
+  gtest_discover_tests(${target} TEST_PREFIX "${target}." DISCOVERY_TIMEOUT 30
+    PROPERTIES LABELS ${label} TIMEOUT 60)
+endfunction()
+
+function(roomcast_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;LINK" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(roomcast_${name} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+  else()
+    add_library(roomcast_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(roomcast::${name} ALIAS roomcast_${name})
+  target_link_libraries(roomcast_${name} ${scope} roomcast_flags ${ARG_LINK})
+  if(NOT ROOMCAST_TESTS)
+    return()
+  endif()
+  set(gl_tests ${ARG_TESTS})
+  list(FILTER gl_tests INCLUDE REGEX "_gl_test\\.cpp$")
+  list(FILTER ARG_TESTS EXCLUDE REGEX "_gl_test\\.cpp$")
+  if(ARG_TESTS)
+    roomcast_test(roomcast_${name}_test unit ${ARG_TESTS})
+    target_link_libraries(roomcast_${name}_test PRIVATE roomcast_${name} GTest::gmock GTest::gtest_main)
+  endif()
+  if(gl_tests)
+    roomcast_test(roomcast_${name}_gl_test gl ${gl_tests})
+    target_link_libraries(roomcast_${name}_gl_test PRIVATE roomcast_${name} GTest::gtest_main)
+  endif()
+endfunction()

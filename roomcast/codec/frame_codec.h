@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sensor frame (depth, registered colour, colour mask) <-> one payload of the wire. docs/spec/codec.md.
+// Depth and colour of one instant are one payload: they arrive together or not at all. No I/O, no threads.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::codec {
+
+struct FrameEncoderOptions {
+  int width = 0, height = 0;      // of the depth grid; both 16..4096
+  double fps = 30;                // nominal, for rate control
+  int color_kbit_per_s = 900;     // target of the colour stream
+  int temporal_layers = 2;        // 1 or 2; layer 1 frames can be dropped without harm to others
+  /// kInvalidArgument with the field that is wrong.
+  [[nodiscard]] Status check() const;
+};
+
+struct EncodedFrameInfo {
+  bool key = false;        // can be decoded alone
+  std::uint8_t layer = 0;  // 0: later frames may need it; 1: none do
+};
+
+class FrameEncoder {
+ public:
+  static Result<std::unique_ptr<FrameEncoder>> create(const FrameEncoderOptions& options);
+  virtual ~FrameEncoder() = default;
+
+  /// Appends the payload to `out`. `color` and `color_seen` are in the depth grid; both may be empty views (no
+  /// colour in this frame). The first frame, and any with `want_key`, is a key frame.
+  virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
+                                          bool want_key, std::vector<std::uint8_t>& out) = 0;
+};
+
+struct DecodedFrame {
+  DepthImage depth_mm;   // bit for bit what was encoded (lossless mode)
+  ColorImage color;      // empty when the frame carries none
+  MaskImage color_seen;  // 255 where `color` is to be believed
+};
+
+class FrameDecoder {
+ public:
+  /// `width` x `height` as the roster says; a payload of another size is refused.
+  static Result<std::unique_ptr<FrameDecoder>> create(int width, int height);
+  virtual ~FrameDecoder() = default;
+
+  /// kMalformed for hostile or damaged bytes, kUnsupported for sections or codecs of a later version; `out` is then
+  /// unchanged or partly filled, and the next key frame recovers. Memory and time are bounded by the picture size.
+  virtual Status decode(std::span<const std::uint8_t> payload, DecodedFrame& out) = 0;
+};
+
+}  // namespace roomcast::codec

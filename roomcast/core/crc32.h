@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// CRC-32 (ISO-HDLC, as in PNG, zlib, IEEE 802.3): reflected polynomial 0xEDB88320.
+// Used to compare pictures across processes and languages, not against malice.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace roomcast {
+
+/// CRC of `bytes`; pass the CRC of what went before to go on.
+[[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before = 0);
+
+}  // namespace roomcast

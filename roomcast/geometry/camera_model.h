@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pinhole camera with Brown-Conrady distortion (Brown 1966; the model of OpenCV and of camera.json).
+// Pixel centres are at integer coordinates. Optical frame: x right, y down, z forward, metres.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast {
+
+struct CameraIntrinsics {
+  int width = 0, height = 0;              // pixels
+  double fx = 0, fy = 0, cx = 0, cy = 0;  // pixels
+  double k1 = 0, k2 = 0, k3 = 0;          // radial
+  double p1 = 0, p2 = 0;                  // tangential
+
+  /// kInvalidArgument with the offending field unless sizes are 1..kMaxImageSide, focal lengths positive, all finite.
+  [[nodiscard]] Status check() const;
+  friend bool operator==(const CameraIntrinsics&, const CameraIntrinsics&) = default;
+};
+
+/// No image from outside is larger than this in either direction.
+inline constexpr int kMaxImageSide = 8192;
+
+/// An RGB-D sensor as calibrated by its maker (or by the rig's author).
+struct SensorCalibration {
+  CameraIntrinsics depth;
+  CameraIntrinsics color;
+  RigidTransform color_from_depth;
+  /// True where colour pictures come already resampled into the depth grid (`color` then equals `depth`).
+  bool color_is_registered = false;
+};
+
+/// Normalised image coordinates (x/z, y/z) -> distorted ones. Source: Brown 1966, as written in OpenCV's calib3d.
+[[nodiscard]] Eigen::Vector2d distort(const CameraIntrinsics& camera, const Eigen::Vector2d& xy);
+
+/// The inverse of `distort`, by Newton's method, to better than 1e-6 of a pixel; nothing where the model folds
+/// over (far outside the picture of strongly distorted lenses).
+[[nodiscard]] std::optional<Eigen::Vector2d> undistort(const CameraIntrinsics& camera,
+                                                       const Eigen::Vector2d& distorted_xy);
+
+/// A point in front of the camera -> pixel coordinates (which may lie outside the picture); nothing for z <= 0.
+[[nodiscard]] std::optional<Eigen::Vector2d> project(const CameraIntrinsics& camera,
+                                                     const Eigen::Vector3d& point_m);
+
+/// Pixel coordinates and z in metres -> point.
+[[nodiscard]] std::optional<Eigen::Vector3d> unproject(const CameraIntrinsics& camera,
+                                                       const Eigen::Vector2d& pixel, double z_m);
+
+/// For every pixel the undistorted (x/z, y/z); NaN where there is none. Built once per camera.
+[[nodiscard]] Image<Eigen::Vector2f> ray_table(const CameraIntrinsics& camera);
+
+}  // namespace roomcast

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// A rotation and a translation in metres: `a_from_b * point_in_b == point_in_a`.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast {
+
+struct RigidTransform {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
+
+  [[nodiscard]] Eigen::Vector3d operator*(const Eigen::Vector3d& point_m) const {
+    return rotation * point_m + translation_m;
+  }
+  [[nodiscard]] RigidTransform operator*(const RigidTransform& other) const {
+    return {rotation * other.rotation, rotation * other.translation_m + translation_m};
+  }
+  [[nodiscard]] RigidTransform inverse() const {
+    return {rotation.transpose(), -(rotation.transpose() * translation_m)};
+  }
+};
+
+/// Row-major 4x4, as in rig.json, camera.json and on the wire.
+[[nodiscard]] std::array<double, 16> row_major_from_transform(const RigidTransform& transform);
+
+/// Fails (kMalformed) unless there are 16 finite numbers, the last row is 0 0 0 1, and the rotation is one to
+/// within 1e-3 (files round). The rotation returned is exactly orthonormal: the nearest one.
+[[nodiscard]] Result<RigidTransform> transform_from_row_major(std::span<const double> row_major);
+
+/// The pose of an optical frame (x right, y down, z forward) at `eye_m` looking at `target_m`, world y up.
+/// Looking straight up or down, the picture's top is towards world -z.
+[[nodiscard]] RigidTransform world_from_optical_looking_at(const Eigen::Vector3d& eye_m,
+                                                           const Eigen::Vector3d& target_m);
+
+}  // namespace roomcast
