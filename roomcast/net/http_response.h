@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// HttpResponse: what is answered to a GET. The body is shared, so that a file in memory is never
+// copied.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace roomcast::net {
+
+struct HttpResponse {
+  int status = 200;
+  std::string content_type = "text/plain; charset=utf-8";
+  std::shared_ptr<const std::string> body;  // null = empty
+  /// Quoted, as in the header; empty = none. A request that has it already is answered with 304.
+  std::string etag;
+  std::string cache_control = "no-cache";
+  std::vector<std::pair<std::string, std::string>> headers;  // besides those that the server sets
+};
+
+/// A short plain-text answer.
+[[nodiscard]] inline HttpResponse text_response(int status, std::string text) {
+  return {.status = status,
+          .content_type = "text/plain; charset=utf-8",
+          .body = std::make_shared<const std::string>(std::move(text)),
+          .etag = {},
+          .cache_control = "no-store",
+          .headers = {}};
+}
+
+}  // namespace roomcast::net

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// HttpServer: one listening port for the page, the few plain HTTP answers, and the WebSocket.
+// GET and HEAD only. A WebSocket is accepted when path, version, subprotocol and Origin are right
+// (docs/spec/wire.md section 1).
+// Threading: lives on the one thread that runs its io_context; all callbacks come from there.
+// Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server handshake); parsing by Boost.Beast.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+#include "roomcast/net/http_response.h"
+#include "roomcast/net/websocket_connection.h"
+
+namespace roomcast::net {
+
+struct HttpServerOptions {
+  std::string address = "127.0.0.1";  // a numeric IPv4 or IPv6 address; "0.0.0.0" for all
+  std::uint16_t port = 7600;          // 0 = any free one, see HttpServer::port()
+
+  /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
+  /// it.
+  std::function<std::optional<HttpResponse>(std::string_view path)> on_get;
+
+  /// A WebSocket is open, and is started with the handler that this returns. Null refuses it
+  /// (closed with 1013).
+  std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>)>
+      on_websocket;
+  std::string websocket_path = "/ws";
+  std::string subprotocol = "roomcast.v1";
+
+  std::size_t max_message_bytes = 16 * 1024;  // of a new WebSocket; its handler may change it
+  std::size_t max_connections = 1024;       // open sockets of all kinds; more are turned away (503)
+  std::size_t max_header_bytes = 8 * 1024;  // of a request
+  std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
+  std::chrono::milliseconds response_within{60'000};  // a whole answer
+  ConnectionTimings websocket_timings;
+};
+
+class ServerState;
+
+class HttpServer {
+ public:
+  /// Listens at once, serves when `io` runs. Errors: kInvalidArgument (not an address),
+  /// kUnavailable (port in use, or not allowed).
+  static Result<std::unique_ptr<HttpServer>> listen(boost::asio::io_context& io,
+                                                    HttpServerOptions options, LogSink log = {});
+  /// As stop().
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const;
+  /// Sockets of all kinds that are open now.
+  [[nodiscard]] std::size_t connection_count() const;
+
+  /// Listens no more and closes all connections, WebSockets with 1001. They end while `io` goes on
+  /// running.
+  void stop();
+
+ private:
+  explicit HttpServer(std::shared_ptr<ServerState> state);
+  std::shared_ptr<ServerState> state_;  // shared with what is still open
+};
+
+}  // namespace roomcast::net

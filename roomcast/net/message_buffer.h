@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// MessageBuffer: the bytes of one message, with headroom in front so that a WebSocket header can be
+// put there without moving the payload. Filled by the reader or by an encoder, then read, changed
+// in place, or sealed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace roomcast::net {
+
+class MessageBuffer {
+ public:
+  /// The longest WebSocket header: 2 bytes, 8 of length, 4 of mask.
+  static constexpr std::size_t kHeadroom = 14;
+
+  /// Empty; allocates nothing.
+  MessageBuffer() = default;
+  /// A copy of `payload`.
+  explicit MessageBuffer(std::span<const std::uint8_t> payload) { append(payload); }
+
+  [[nodiscard]] std::span<std::uint8_t> payload() {
+    return std::span(storage_).subspan(storage_.empty() ? 0 : kHeadroom);
+  }
+  [[nodiscard]] std::span<const std::uint8_t> payload() const {
+    return std::span(storage_).subspan(storage_.empty() ? 0 : kHeadroom);
+  }
+  [[nodiscard]] std::size_t size() const { return payload().size(); }
+  [[nodiscard]] bool empty() const { return payload().empty(); }
+
+  void append(std::span<const std::uint8_t> bytes) {
+    auto& storage = appendable();
+    storage.insert(storage.end(), bytes.begin(), bytes.end());
+  }
+
+  /// For encoders that append to a vector: the payload's bytes so far, after kHeadroom bytes that
+  /// must stay.
+  [[nodiscard]] std::vector<std::uint8_t>& appendable() {
+    if (storage_.empty()) storage_.resize(kHeadroom);
+    return storage_;
+  }
+
+  /// Room for a payload of this size without another allocation.
+  void reserve(std::size_t payload_size) { appendable().reserve(kHeadroom + payload_size); }
+
+  /// The memory as it is, headroom included; empty when nothing was ever put in. Leaves the buffer
+  /// empty.
+  [[nodiscard]] std::vector<std::uint8_t> release() && { return std::exchange(storage_, {}); }
+
+ private:
+  std::vector<std::uint8_t> storage_;  // kHeadroom bytes, then the payload; or nothing at all
+};
+
+}  // namespace roomcast::net

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// WebSocketConnection: one open WebSocket, after the handshake, server or client side.
+//
+// It owns every byte that goes out: messages, pings, pongs and the close frame leave in one order,
+// each whole. It has no queue of its own: when the socket can take more it asks its handler for the
+// next message, so whoever makes messages decides, at the last moment, what is worth sending. A
+// peer that does not read costs no memory beyond the few messages that are being written.
+//
+// Threading: lives on the one thread that runs its io_context; all calls come from there, and so do
+// the handler's. Source: RFC 6455; TCP_NOTSENT_LOWAT after "Prioritization Only Works When There's
+// Pending Data to Prioritize".
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/net/outgoing_frames.h"
+#include "roomcast/net/sealed_message.h"
+#include "roomcast/net/websocket_frame.h"
+#include "roomcast/net/websocket_reader.h"
+
+namespace roomcast::net {
+
+/// Why a connection ended. `code` is kAbnormal when it broke without a close frame from either
+/// side.
+struct CloseReason {
+  std::uint16_t code = close_code::kAbnormal;
+  std::string sentence;
+  bool by_peer = false;
+};
+
+/// What a connection needs from the layer above.
+class ConnectionHandler {
+ public:
+  virtual ~ConnectionHandler() = default;
+
+  /// A whole message from the peer. Not called once close() or on_closed() has been called.
+  virtual void on_message(MessageBuffer message) = 0;
+
+  /// The socket can take more: the next message (sealed without a mask), or null when there is
+  /// nothing to say now; then call wake() when there is. Not called once close() or on_closed() has
+  /// been called.
+  virtual SealedMessagePtr next_message() = 0;
+
+  /// It is over. Called once, never from within a call to the connection; nothing is called after
+  /// it.
+  virtual void on_closed(const CloseReason& reason) = 0;
+};
+
+struct ConnectionTimings {
+  std::chrono::milliseconds ping_after{5'000};      // of silence from the peer
+  std::chrono::milliseconds give_up_after{15'000};  // of silence from the peer
+  std::chrono::milliseconds close_within{
+      2'000};  // from close() to the end, agreed by the peer or not
+};
+
+struct ConnectionOptions {
+  WebSocketRole role = WebSocketRole::kServer;
+  std::size_t max_message_bytes = 16 * 1024;
+  ConnectionTimings timings;
+  /// Held as long as the socket is open; for counting open connections. May be null.
+  std::shared_ptr<void> lease;
+};
+
+struct ConnectionCounters {
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t messages_in = 0;
+  std::uint64_t messages_out = 0;  // handed to the socket; the last ones may still be on their way
+};
+
+class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnection> {
+ public:
+  using Socket = boost::asio::ip::tcp::socket;
+
+  /// `socket` is connected and the handshake is done; `received` came after it in the same read.
+  WebSocketConnection(Socket socket, ConnectionOptions options,
+                      std::span<const std::uint8_t> received);
+  WebSocketConnection(const WebSocketConnection&) = delete;
+  WebSocketConnection& operator=(const WebSocketConnection&) = delete;
+
+  /// Begins to read and write. Once. The handler is let go after on_closed().
+  void start(std::shared_ptr<ConnectionHandler> handler);
+
+  /// next_message() has something to give. Cheap; calls of one turn of the event loop become one
+  /// write.
+  void wake();
+
+  /// Sends the rest of the message being written, then `last` if given, then a close frame. The
+  /// reason is cut to kMaxCloseReason bytes. Only the first call counts; no effect on a connection
+  /// that is closed.
+  void close(std::uint16_t code, std::string sentence);
+  void close_after(SealedMessagePtr last, std::uint16_t code, std::string sentence);
+
+  /// Holds from the next frame on.
+  void set_max_message_bytes(std::size_t bytes) { reader_.set_max_message_bytes(bytes); }
+
+  /// "127.0.0.1:50312"
+  [[nodiscard]] const std::string& peer_address() const { return peer_address_; }
+  [[nodiscard]] const ConnectionCounters& counters() const { return counters_; }
+  /// Bytes taken from the handler that the kernel has not taken yet.
+  [[nodiscard]] std::size_t unwritten_bytes() const { return outgoing_.unwritten_bytes(); }
+  /// close() was called, or the peer closed, or the connection broke.
+  [[nodiscard]] bool closing() const { return stage_ != Stage::kOpen; }
+
+ private:
+  enum class Stage {
+    kOpen,
+    kClosing,    // a close frame is on its way out, or is out; the peer's has not come
+    kAnswering,  // the peer's close frame has come; ours is on its way out
+    kDraining,   // nothing more to write; waiting for the peer to end the TCP connection
+    kClosed,
+  };
+
+  void read();
+  void on_read(boost::system::error_code error, std::size_t size);
+  void take(std::span<const std::uint8_t> bytes);
+  void take_event(MessageBuffer message);
+  void take_event(Ping ping);
+  void take_event(Pong) {}
+  void take_event(PeerClose close);
+  void take_event(Violation violation);
+  void take_event(NeedsMoreBytes) {}
+  void resize_read_buffer(std::size_t last_read);
+
+  void schedule_write();
+  void write();
+  void pull();
+  [[nodiscard]] SealedMessagePtr for_wire(SealedMessagePtr message) const;
+  void push_control(Opcode opcode, std::span<const std::uint8_t> payload);
+  void wait_until_writable();
+  void on_all_written();
+
+  void begin_close(Stage stage, SealedMessagePtr last, std::uint16_t code,
+                   const std::string& sentence);
+  void check_silence();
+  void broke(boost::system::error_code error);
+  void report(CloseReason reason);
+  void shut(CloseReason reason);
+
+  Socket socket_;
+  boost::asio::steady_timer timer_;
+  ConnectionOptions options_;
+  std::string peer_address_;
+  std::shared_ptr<ConnectionHandler> handler_;
+  ConnectionCounters counters_;
+  Stage stage_ = Stage::kOpen;
+
+  WebSocketReader reader_;
+  std::vector<std::uint8_t> read_buffer_;
+  std::size_t received_before_start_ = 0;
+  std::chrono::steady_clock::time_point last_heard_{};
+  bool ping_sent_ = false;
+
+  OutgoingFrames outgoing_;
+  std::optional<Ping> unanswered_ping_;  // only the newest must be answered
+  bool write_scheduled_ = false;
+  bool waiting_until_writable_ = false;
+  std::size_t pull_limit_bytes_ = 0;
+
+  CloseReason reason_;  // of our own close, reported when it is done
+};
+
+}  // namespace roomcast::net

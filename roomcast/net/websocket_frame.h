@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pieces of a WebSocket frame: opcodes, close codes, header and masking. Pure functions over
+// bytes. Source: RFC 6455 sections 5.2 (framing), 5.3 (masking), 7.4 (close codes).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace roomcast::net {
+
+/// Who we are on a connection. A client masks what it sends, a server does not.
+enum class WebSocketRole { kServer, kClient };
+
+enum class Opcode : std::uint8_t {
+  kContinuation = 0x0,
+  kText = 0x1,
+  kBinary = 0x2,
+  kClose = 0x8,
+  kPing = 0x9,
+  kPong = 0xA,
+};
+
+namespace close_code {
+inline constexpr std::uint16_t kNormal = 1000;
+inline constexpr std::uint16_t kGoingAway = 1001;
+inline constexpr std::uint16_t kProtocolError = 1002;
+inline constexpr std::uint16_t kUnsupportedData = 1003;
+inline constexpr std::uint16_t kNoCode = 1005;  // never sent: the peer's close frame had no code
+inline constexpr std::uint16_t kAbnormal =
+    1006;  // never sent: the connection broke without a close frame
+inline constexpr std::uint16_t kInvalidText = 1007;
+inline constexpr std::uint16_t kPolicy = 1008;
+inline constexpr std::uint16_t kTooLarge = 1009;
+inline constexpr std::uint16_t kTryAgainLater = 1013;
+}  // namespace close_code
+
+/// May a close frame carry this code? (RFC 6455 section 7.4 and the IANA registry)
+[[nodiscard]] bool may_be_sent(std::uint16_t close_code);
+
+/// Payload of a ping, pong or close frame.
+inline constexpr std::size_t kMaxControlPayload = 125;
+/// Reason of a close frame: what is left after the code.
+inline constexpr std::size_t kMaxCloseReason = kMaxControlPayload - 2;
+inline constexpr std::size_t kMaxFrameHeader = 14;
+
+using MaskKey = std::array<std::uint8_t, 4>;
+
+/// A whole message's or control frame's header (FIN set; we never send fragments).
+struct FrameHeader {
+  std::array<std::uint8_t, kMaxFrameHeader> bytes{};
+  std::size_t size = 0;
+  [[nodiscard]] std::span<const std::uint8_t> view() const { return std::span(bytes).first(size); }
+};
+[[nodiscard]] FrameHeader make_frame_header(Opcode opcode, std::uint64_t payload_size,
+                                            std::optional<MaskKey> mask = std::nullopt);
+
+/// `to[i] = from[i] ^ key[(phase + i) % 4]`; the same both ways. `to` and `from` are equally long
+/// and are the same memory or do not overlap. `phase`: how many bytes of the frame's payload came
+/// before.
+void mask_copy(std::span<std::uint8_t> to, std::span<const std::uint8_t> from, MaskKey key,
+               std::size_t phase);
+
+/// The reason as it may be sent: cut to kMaxCloseReason bytes at a character's border.
+[[nodiscard]] std::string_view cut_close_reason(std::string_view reason);
+
+}  // namespace roomcast::net

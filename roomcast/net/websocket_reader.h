@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// WebSocketReader: takes bytes as they arrive, gives messages, pings, pongs and closes. Pure: no
+// sockets, no time. Binary messages only, fragments joined, no extensions. Memory follows the bytes
+// that have arrived, never a length that was only announced, and never exceeds the message limit.
+// Source: RFC 6455 sections 5 (framing) and 7 (closing). Everything it forbids is refused with its
+// close code.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "roomcast/net/message_buffer.h"
+#include "roomcast/net/websocket_frame.h"
+
+namespace roomcast::net {
+
+/// All bytes were taken and nothing is complete.
+struct NeedsMoreBytes {};
+struct Ping {
+  std::string payload;
+};
+struct Pong {
+  std::string payload;
+};
+/// The peer's close frame. No bytes after it are looked at.
+struct PeerClose {
+  std::uint16_t code = close_code::kNoCode;
+  std::string reason;
+};
+/// The peer broke the rules: `code` is what to close with, `sentence` says why. Nothing can be read
+/// any more.
+struct Violation {
+  std::uint16_t code = close_code::kProtocolError;
+  std::string sentence;
+};
+/// MessageBuffer: a whole binary message, unmasked.
+using ReaderEvent = std::variant<NeedsMoreBytes, MessageBuffer, Ping, Pong, PeerClose, Violation>;
+
+class WebSocketReader {
+ public:
+  /// A server demands masked frames, a client unmasked ones.
+  WebSocketReader(WebSocketRole role, std::size_t max_message_bytes)
+      : role_(role), max_message_bytes_(max_message_bytes) {}
+
+  /// The next event; takes what it used off the front of `bytes`. Call until NeedsMoreBytes. After
+  /// PeerClose or Violation it gives NeedsMoreBytes for ever and discards.
+  [[nodiscard]] ReaderEvent next(std::span<const std::uint8_t>& bytes);
+
+  /// Holds from the next frame header on.
+  void set_max_message_bytes(std::size_t bytes) { max_message_bytes_ = bytes; }
+
+  /// Bytes of the frame in progress that are announced and have not come. For sizing the next read.
+  [[nodiscard]] std::uint64_t missing_bytes() const { return missing_; }
+
+ private:
+  enum class State { kHeader, kPayload, kDone };
+
+  bool fill_header(std::span<const std::uint8_t>& bytes);
+  [[nodiscard]] std::size_t header_size() const;
+  [[nodiscard]] std::string header_fault() const;
+  ReaderEvent begin_frame();
+  ReaderEvent take_payload(std::span<const std::uint8_t>& bytes);
+  ReaderEvent end_frame();
+  ReaderEvent end_control();
+  ReaderEvent end_close();
+  ReaderEvent refuse(std::uint16_t code, std::string sentence);
+
+  WebSocketRole role_;
+  std::size_t max_message_bytes_;
+  State state_ = State::kHeader;
+
+  std::array<std::uint8_t, kMaxFrameHeader> header_{};
+  std::size_t header_filled_ = 0;
+
+  Opcode opcode_ = Opcode::kBinary;  // of the frame in progress
+  bool final_ = false;
+  MaskKey mask_{};
+  std::size_t phase_ = 0;      // payload bytes of this frame already taken
+  std::uint64_t missing_ = 0;  // payload bytes of this frame still to come
+
+  bool in_message_ = false;  // a fragmented message has begun and not ended
+  MessageBuffer message_;
+  std::array<std::uint8_t, kMaxControlPayload> control_{};
+};
+
+}  // namespace roomcast::net
