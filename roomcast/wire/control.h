@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Control messages <-> bytes, and what is legal in them: docs/spec/wire.md §3 and §4,
+// control.proto. What comes out of `decode_control` has been checked: names, sizes, numbers and
+// matrices can be used as they are.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::wire {
+
+enum class Sender { kClient, kHub };  // the limits differ
+
+/// Appends the whole message (preamble included) to `out`.
+void encode_control(const pb::Control& control, std::vector<std::uint8_t>& out);
+
+/// kMalformed, kTooLarge or kUnsupported, with a sentence for whoever sent it. A message kind of a
+/// later version decodes to a Control without content.
+[[nodiscard]] Result<pb::Control> decode_control(std::span<const std::uint8_t> message,
+                                                 Sender sender);
+
+}  // namespace roomcast::wire

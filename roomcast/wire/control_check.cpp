@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/wire/control_check.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "roomcast/wire/limits.h"
+#include "roomcast/wire/name_check.h"
+
+namespace roomcast::wire {
+namespace {
+
+Error malformed(std::string sentence) {
+  return {ErrorCode::kMalformed, std::move(sentence)};
+}
+
+template <class... Numbers>
+bool all_finite(Numbers... numbers) {
+  return (std::isfinite(numbers) && ...);
+}
+
+Status check_fps(double fps) {
+  if (!(fps > 0 && fps <= kMaxFps))
+    return malformed("a frame rate is more than 0 and at most 240 per second");
+  return {};
+}
+
+/// Row-major rigid 4x4. A millimetre and a milliradian of rounding are forgiven; scaling and
+/// mirroring are not.
+Status check_rigid(const google::protobuf::RepeatedField<double>& m, const char* what) {
+  const auto fault = [&](const char* reason) {
+    return malformed(std::string(what) + " " + reason);
+  };
+  if (m.size() != 16) return fault("has to have 16 numbers");
+  for (const double number : m) {
+    if (!std::isfinite(number) || std::abs(number) > kMaxPosition_m)
+      return fault("holds a number that makes no sense");
+  }
+  if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
+    return fault("has to end with the row 0 0 0 1");
+  const auto dot = [&](int a, int b) {
+    return m[a] * m[b] + m[a + 4] * m[b + 4] + m[a + 8] * m[b + 8];
+  };
+  constexpr double kTolerance = 2e-3;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = a; b < 3; ++b) {
+      if (std::abs(dot(a, b) - (a == b ? 1 : 0)) > kTolerance)
+        return fault("is not a rotation and a translation");
+    }
+  }
+  const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) -
+                             m[1] * (m[4] * m[10] - m[6] * m[8]) +
+                             m[2] * (m[4] * m[9] - m[5] * m[8]);
+  if (determinant < 0) return fault("mirrors: a rotation does not");
+  return {};
+}
+
+Status check_intrinsics(const pb::Intrinsics& camera, unsigned min_side, unsigned max_side,
+                        const char* what) {
+  const auto side_ok = [&](unsigned side) { return side >= min_side && side <= max_side; };
+  if (!side_ok(camera.width()) || !side_ok(camera.height())) {
+    return malformed(std::string(what) + " pictures are " + std::to_string(min_side) + " to " +
+                     std::to_string(max_side) + " pixels wide and high");
+  }
+  const bool finite = all_finite(camera.fx(), camera.fy(), camera.cx(), camera.cy(), camera.k1(),
+                                 camera.k2(), camera.k3(), camera.p1(), camera.p2());
+  if (!finite || camera.fx() <= 0 || camera.fy() <= 0) {
+    return malformed(std::string(what) +
+                     " intrinsics need positive focal lengths and finite numbers");
+  }
+  return {};
+}
+
+Status check_calibration(const pb::Calibration& calibration) {
+  if (auto s = check_intrinsics(calibration.depth(), kMinDepthSide, kMaxDepthSide, "depth"); !s)
+    return s;
+  if (auto s = check_intrinsics(calibration.color(), 1, kMaxImageSide, "colour"); !s) return s;
+  return check_rigid(calibration.color_from_depth(), "color_from_depth");
+}
+
+Status check_sensor_role(const pb::SensorRole& sensor) {
+  if (auto s = check_fps(sensor.fps()); !s) return s;
+  if (auto s = check_calibration(sensor.calibration()); !s) return s;
+  if (sensor.world_from_depth().empty()) return {};
+  return check_rigid(sensor.world_from_depth(), "world_from_depth");
+}
+
+Status check_join(const pb::Join& join) {
+  if (auto s = check_name(join.room(), "room"); !s) return s;
+  if (auto s = check_name(join.name(), "client"); !s) return s;
+  switch (join.role_case()) {
+    case pb::Join::kSensor:
+      if (join.name().empty()) return malformed("a sensor needs a name");
+      return check_sensor_role(join.sensor());
+    case pb::Join::kViewer:
+      return {};
+    case pb::Join::ROLE_NOT_SET:
+      break;
+  }
+  return malformed("a Join says whether it is a sensor's or a viewer's");
+}
+
+Status check_pose(const pb::Pose& pose) {
+  const double norm2 =
+      pose.qx() * pose.qx() + pose.qy() * pose.qy() + pose.qz() * pose.qz() + pose.qw() * pose.qw();
+  const auto in_range = [](float metres) {
+    return std::abs(metres) <= kMaxPosition_m;
+  };  // false for NaN
+  if (!in_range(pose.x()) || !in_range(pose.y()) || !in_range(pose.z()))
+    return malformed("a pose is out of range");
+  if (!(std::abs(norm2 - 1) < 0.01))
+    return malformed("a pose's quaternion has to have unit length");
+  return {};
+}
+
+Status check_viewer_pose(const pb::ViewerPose& pose) {
+  if (!pose.has_head()) return malformed("a viewer's pose has a head");
+  for (const pb::Pose* part : {&pose.head(), pose.has_left_hand() ? &pose.left_hand() : nullptr,
+                               pose.has_right_hand() ? &pose.right_hand() : nullptr}) {
+    if (part == nullptr) continue;
+    if (auto s = check_pose(*part); !s) return s;
+  }
+  return {};
+}
+
+Status check_roster(const pb::Roster& roster) {
+  if (roster.sensors_size() > int{kMaxSensors} || roster.viewers_size() > int{kMaxViewers}) {
+    return Error{ErrorCode::kTooLarge, "a roster lists more sensors or viewers than a room holds"};
+  }
+  for (const auto& sensor : roster.sensors()) {
+    if (sensor.id() > std::numeric_limits<std::uint16_t>::max())
+      return malformed("a sensor's id has 16 bits");
+    if (auto s = check_name(sensor.name(), "sensor"); !s) return s;
+    if (auto s = check_calibration(sensor.calibration()); !s) return s;
+    if (auto s = check_rigid(sensor.world_from_depth(), "world_from_depth"); !s) return s;
+    if (auto s = check_fps(sensor.fps()); !s) return s;
+  }
+  for (const auto& viewer : roster.viewers()) {
+    if (auto s = check_name(viewer.name(), "viewer"); !s) return s;
+  }
+  return {};
+}
+
+Status check_welcome(const pb::Welcome& welcome) {
+  if (welcome.sensor_id() > std::numeric_limits<std::uint16_t>::max())
+    return malformed("a sensor's id has 16 bits");
+  if (welcome.start_pose().empty()) return {};
+  return check_rigid(welcome.start_pose(), "start_pose");
+}
+
+Status check_viewer_poses(const pb::ViewerPoses& message) {
+  if (message.poses_size() > int{kMaxViewers}) {
+    return Error{ErrorCode::kTooLarge, "more poses than a room holds viewers"};
+  }
+  for (const auto& pose : message.poses()) {
+    if (auto s = check_viewer_pose(pose); !s) return s;
+  }
+  return {};
+}
+
+Status check_key_request(const pb::KeyRequest& request) {
+  if (request.sensor_id() > std::numeric_limits<std::uint16_t>::max())
+    return malformed("a sensor's id has 16 bits");
+  return {};
+}
+
+Status check_stats(const pb::ViewerStats& stats) {
+  if (!all_finite(stats.shown_fps(), stats.latency_ms()))
+    return malformed("a viewer's statistics are finite numbers");
+  return {};
+}
+
+}  // namespace
+
+Status check_control(const pb::Control& control) {
+  switch (control.message_case()) {
+    case pb::Control::kJoin:
+      return check_join(control.join());
+    case pb::Control::kWelcome:
+      return check_welcome(control.welcome());
+    case pb::Control::kRoster:
+      return check_roster(control.roster());
+    case pb::Control::kKeyRequest:
+      return check_key_request(control.key_request());
+    case pb::Control::kViewerPose:
+      return check_viewer_pose(control.viewer_pose());
+    case pb::Control::kViewerPoses:
+      return check_viewer_poses(control.viewer_poses());
+    case pb::Control::kViewerStats:
+      return check_stats(control.viewer_stats());
+    case pb::Control::kClockPing:
+    case pb::Control::kClockPong:
+    case pb::Control::kError:
+    case pb::Control::MESSAGE_NOT_SET:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace roomcast::wire

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/wire/control_check.h"
+
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::wire {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+void set_identity(google::protobuf::RepeatedField<double>& matrix) {
+  matrix.Clear();
+  for (int i = 0; i < 16; ++i) matrix.Add(i % 5 == 0 ? 1 : 0);
+}
+
+void set_camera(pb::Intrinsics& camera, unsigned width, unsigned height) {
+  camera.set_width(width);
+  camera.set_height(height);
+  camera.set_fx(365);
+  camera.set_fy(365);
+  camera.set_cx(width / 2.0);
+  camera.set_cy(height / 2.0);
+}
+
+void set_calibration(pb::Calibration& calibration) {
+  set_camera(*calibration.mutable_depth(), 512, 424);
+  set_camera(*calibration.mutable_color(), 1920, 1080);
+  set_identity(*calibration.mutable_color_from_depth());
+}
+
+pb::Control sensor_join() {
+  pb::Control control;
+  control.mutable_join()->set_name("s0");
+  auto& sensor = *control.mutable_join()->mutable_sensor();
+  sensor.set_fps(30);
+  set_calibration(*sensor.mutable_calibration());
+  set_identity(*sensor.mutable_world_from_depth());
+  return control;
+}
+
+pb::SensorRole& role(pb::Control& control) {
+  return *control.mutable_join()->mutable_sensor();
+}
+
+struct JoinFault {
+  const char* what;
+  std::function<void(pb::Control&)> spoil;
+};
+
+class FaultyJoin : public testing::TestWithParam<JoinFault> {};
+
+TEST_P(FaultyJoin, is_refused) {
+  auto control = sensor_join();
+  ASSERT_TRUE(check_control(control).ok());
+  GetParam().spoil(control);
+  const auto status = check_control(control);
+  ASSERT_FALSE(status.ok());
+  EXPECT_FALSE(status.error().message.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FaultyJoin,
+    testing::Values(
+        JoinFault{"no_name", [](auto& c) { c.mutable_join()->clear_name(); }},
+        JoinFault{"long_name",
+                  [](auto& c) { c.mutable_join()->set_name(std::string(kMaxNameBytes + 1, 'a')); }},
+        JoinFault{"long_room",
+                  [](auto& c) { c.mutable_join()->set_room(std::string(kMaxNameBytes + 1, 'a')); }},
+        JoinFault{"no_role", [](auto& c) { c.mutable_join()->clear_role(); }},
+        JoinFault{"no_fps", [](auto& c) { role(c).set_fps(0); }},
+        JoinFault{"fps_above_limit", [](auto& c) { role(c).set_fps(kMaxFps + 1); }},
+        JoinFault{"fps_not_a_number", [](auto& c) { role(c).set_fps(kNan); }},
+        JoinFault{"no_calibration", [](auto& c) { role(c).clear_calibration(); }},
+        JoinFault{"depth_too_small",
+                  [](auto& c) {
+                    role(c).mutable_calibration()->mutable_depth()->set_width(kMinDepthSide - 1);
+                  }},
+        JoinFault{"depth_too_large",
+                  [](auto& c) {
+                    role(c).mutable_calibration()->mutable_depth()->set_height(kMaxDepthSide + 1);
+                  }},
+        JoinFault{"color_too_large",
+                  [](auto& c) {
+                    role(c).mutable_calibration()->mutable_color()->set_width(kMaxImageSide + 1);
+                  }},
+        JoinFault{"focal_length",
+                  [](auto& c) { role(c).mutable_calibration()->mutable_color()->set_fy(0); }},
+        JoinFault{"distortion_infinite",
+                  [](auto& c) { role(c).mutable_calibration()->mutable_depth()->set_k3(1 / 0.0); }},
+        JoinFault{"matrix_short",
+                  [](auto& c) { role(c).mutable_world_from_depth()->RemoveLast(); }},
+        JoinFault{"matrix_scaled", [](auto& c) { role(c).set_world_from_depth(5, 1.1); }},
+        JoinFault{"matrix_mirrored", [](auto& c) { role(c).set_world_from_depth(5, -1); }},
+        JoinFault{"matrix_not_a_number", [](auto& c) { role(c).set_world_from_depth(3, kNan); }},
+        JoinFault{"matrix_last_row", [](auto& c) { role(c).set_world_from_depth(12, 1); }},
+        JoinFault{"position_far_away",
+                  [](auto& c) { role(c).set_world_from_depth(3, kMaxPosition_m * 2); }}),
+    [](const auto& test) { return test.param.what; });
+
+TEST(ControlCheck, a_sensor_need_not_know_where_it_is) {
+  auto control = sensor_join();
+  role(control).clear_world_from_depth();
+  EXPECT_TRUE(check_control(control).ok());
+}
+
+TEST(ControlCheck, a_viewer_needs_no_name) {
+  pb::Control control;
+  control.mutable_join()->mutable_viewer();
+  EXPECT_TRUE(check_control(control).ok());
+}
+
+pb::Control viewer_pose() {
+  pb::Control control;
+  control.mutable_viewer_pose()->mutable_head()->set_qw(1);
+  return control;
+}
+
+TEST(ControlCheck, poses_need_a_head_a_unit_quaternion_and_a_place_in_reach) {
+  EXPECT_TRUE(check_control(viewer_pose()).ok());
+  auto headless = viewer_pose();
+  headless.mutable_viewer_pose()->clear_head();
+  EXPECT_FALSE(check_control(headless).ok());
+  auto scaled = viewer_pose();
+  scaled.mutable_viewer_pose()->mutable_left_hand()->set_qw(2);
+  EXPECT_FALSE(check_control(scaled).ok());
+  auto nowhere = viewer_pose();
+  nowhere.mutable_viewer_pose()->mutable_head()->set_y(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(check_control(nowhere).ok());
+}
+
+TEST(ControlCheck, a_roster_is_bounded_and_its_entries_are_checked) {
+  pb::Control control;
+  auto& sensor = *control.mutable_roster()->add_sensors();
+  sensor.set_name("s0");
+  sensor.set_fps(30);
+  set_calibration(*sensor.mutable_calibration());
+  set_identity(*sensor.mutable_world_from_depth());
+  EXPECT_TRUE(check_control(control).ok());
+  sensor.set_id(70'000);
+  EXPECT_FALSE(check_control(control).ok());
+  sensor.set_id(1);
+  for (std::size_t i = 0; i < kMaxViewers; ++i) control.mutable_roster()->add_viewers();
+  EXPECT_TRUE(check_control(control).ok());
+  control.mutable_roster()->add_viewers();
+  EXPECT_FALSE(check_control(control).ok());
+}
+
+TEST(ControlCheck, ids_and_statistics_are_checked) {
+  pb::Control key_request;
+  key_request.mutable_key_request()->set_sensor_id(65'536);
+  EXPECT_FALSE(check_control(key_request).ok());
+  pb::Control stats;
+  stats.mutable_viewer_stats()->set_latency_ms(std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(check_control(stats).ok());
+}
+
+}  // namespace
+}  // namespace roomcast::wire

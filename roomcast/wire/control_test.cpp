@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/wire/control.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::wire {
+namespace {
+
+pb::Control ping(std::uint64_t client_ns) {
+  pb::Control control;
+  control.mutable_clock_ping()->set_client_ns(client_ns);
+  return control;
+}
+
+std::vector<std::uint8_t> message_of(const pb::Control& control) {
+  std::vector<std::uint8_t> message;
+  encode_control(control, message);
+  return message;
+}
+
+TEST(Control, what_was_written_is_read) {
+  const auto message = message_of(ping(77));
+  EXPECT_EQ(*message_type(message), MessageType::kControl);
+  const auto control = decode_control(message, Sender::kClient);
+  ASSERT_TRUE(control.ok()) << control.error().message;
+  EXPECT_EQ(control->clock_ping().client_ns(), 77u);
+}
+
+TEST(Control, encoding_appends_after_what_is_there) {
+  std::vector<std::uint8_t> bytes = {1, 2, 3};
+  encode_control(ping(1), bytes);
+  EXPECT_EQ(bytes[0], 1);
+  EXPECT_TRUE(decode_control(std::span(bytes).subspan(3), Sender::kClient).ok());
+}
+
+TEST(Control, a_message_kind_of_a_later_version_has_no_content) {
+  auto message = message_of(ping(1));
+  message.resize(kPreambleBytes);
+  message.insert(message.end(), {0xFA, 0x01, 0x00});  // field 31, length-delimited, empty
+  const auto control = decode_control(message, Sender::kHub);
+  ASSERT_TRUE(control.ok());
+  EXPECT_EQ(control->message_case(), pb::Control::MESSAGE_NOT_SET);
+}
+
+TEST(Control, truncated_protobuf_is_refused) {
+  auto message = message_of(ping(1));
+  message.pop_back();
+  const auto control = decode_control(message, Sender::kClient);
+  ASSERT_FALSE(control.ok());
+  EXPECT_EQ(control.error().code, ErrorCode::kMalformed);
+}
+
+TEST(Control, a_frame_is_not_a_control_message) {
+  std::vector<std::uint8_t> message(kFrameHeaderBytes);
+  write_frame_header({}, std::span(message).first<kFrameHeaderBytes>());
+  EXPECT_FALSE(decode_control(message, Sender::kClient).ok());
+}
+
+TEST(Control, clients_may_say_less_than_the_hub) {
+  pb::Control control;
+  control.mutable_error()->set_sentence(std::string(kMaxControlFromClientBytes, 'x'));
+  const auto message = message_of(control);
+  const auto from_client = decode_control(message, Sender::kClient);
+  ASSERT_FALSE(from_client.ok());
+  EXPECT_EQ(from_client.error().code, ErrorCode::kTooLarge);
+  EXPECT_TRUE(decode_control(message, Sender::kHub).ok());
+}
+
+TEST(Control, the_hub_has_a_limit_too) {
+  pb::Control control;
+  control.mutable_error()->set_sentence(std::string(kMaxControlFromHubBytes, 'x'));
+  EXPECT_FALSE(decode_control(message_of(control), Sender::kHub).ok());
+}
+
+}  // namespace
+}  // namespace roomcast::wire

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/wire/frame_header.h"
+
+#include <string>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::wire {
+namespace {
+
+// Offsets of docs/spec/wire.md §2.
+constexpr std::size_t kHeaderLengthAt = 4, kFlagsAt = 6, kSensorAt = 8, kLayerAt = 10,
+                      kCodecAt = 11, kSeqAt = 12, kSetAt = 16, kCaptureAt = 24, kClockErrorAt = 32,
+                      kBaseSeqAt = 36, kPayloadLengthAt = 40, kReservedAt = 44;
+constexpr std::uint16_t kFlagKey = 1, kFlagLast = 2;
+
+template <class T>
+T load(std::span<const std::uint8_t> bytes, std::size_t at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < sizeof(T); ++i) value |= std::uint64_t{bytes[at + i]} << (8 * i);
+  return static_cast<T>(value);
+}
+
+template <class T>
+void store(std::span<std::uint8_t> bytes, std::size_t at, T value) {
+  for (std::size_t i = 0; i < sizeof(T); ++i) {
+    bytes[at + i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
+  }
+}
+
+FrameHeader load_header(std::span<const std::uint8_t> message) {
+  const auto flags = load<std::uint16_t>(message, kFlagsAt);
+  FrameHeader header;
+  header.key = (flags & kFlagKey) != 0;
+  header.last = (flags & kFlagLast) != 0;
+  header.sensor = SensorId{load<std::uint16_t>(message, kSensorAt)};
+  header.layer = message[kLayerAt];
+  header.codec = message[kCodecAt];
+  header.seq = load<std::uint32_t>(message, kSeqAt);
+  header.set = SetId{load<std::uint64_t>(message, kSetAt)};
+  header.capture_time = RoomTime(nanoseconds(load<std::int64_t>(message, kCaptureAt)));
+  header.clock_error_us = load<std::uint32_t>(message, kClockErrorAt);
+  header.base_seq = load<std::uint32_t>(message, kBaseSeqAt);
+  header.payload_length = load<std::uint32_t>(message, kPayloadLengthAt);
+  header.header_length = load<std::uint16_t>(message, kHeaderLengthAt);
+  return header;
+}
+
+Status check_header(const FrameHeader& header, std::size_t message_bytes) {
+  const auto malformed = [](std::string what) {
+    return Error{ErrorCode::kMalformed, std::move(what)};
+  };
+  if (header.header_length < kFrameHeaderBytes)
+    return malformed("a frame header is at least 48 bytes long");
+  if (std::size_t{header.header_length} + header.payload_length != message_bytes) {
+    return malformed("a frame's header and payload lengths do not add up to its message's length");
+  }
+  if (header.layer > kMaxLayer) return malformed("a frame's temporal layer is at most 7");
+  if (header.key && header.base_seq != header.seq) {
+    return malformed("a key frame needs no other frame: its base_seq equals its seq");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<MessageType> message_type(std::span<const std::uint8_t> message) {
+  if (message.size() < kPreambleBytes || load<std::uint16_t>(message, 0) != kMagic) {
+    return Error{ErrorCode::kMalformed, "this is not a roomcast message"};
+  }
+  if (message[2] != kVersion) {
+    return Error{ErrorCode::kUnsupported, "roomcast version " + std::to_string(message[2]) +
+                                              " is not understood here, only version 1"};
+  }
+  const auto type = static_cast<MessageType>(message[3]);
+  if (type != MessageType::kFrame && type != MessageType::kControl) {
+    return Error{ErrorCode::kUnsupported,
+                 "message type " + std::to_string(message[3]) + " is unknown"};
+  }
+  return type;
+}
+
+Result<FrameHeader> parse_frame(std::span<const std::uint8_t> message) {
+  const auto type = message_type(message);
+  if (!type) return type.error();
+  if (*type != MessageType::kFrame)
+    return Error{ErrorCode::kMalformed, "this message is not a frame"};
+  if (message.size() > kMaxFrameBytes) {
+    return Error{ErrorCode::kTooLarge, "a frame is at most 2 MiB, header included"};
+  }
+  if (message.size() < kFrameHeaderBytes) {
+    return Error{ErrorCode::kMalformed, "a frame message ends inside its header"};
+  }
+  const FrameHeader header = load_header(message);
+  if (auto status = check_header(header, message.size()); !status) return status.error();
+  return header;
+}
+
+void write_preamble(MessageType type, std::span<std::uint8_t, kPreambleBytes> out) {
+  store(out, 0, kMagic);
+  out[2] = kVersion;
+  out[3] = static_cast<std::uint8_t>(type);
+}
+
+void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
+  write_preamble(MessageType::kFrame, out.first<kPreambleBytes>());
+  store(out, kHeaderLengthAt, static_cast<std::uint16_t>(kFrameHeaderBytes));
+  store(out, kFlagsAt,
+        static_cast<std::uint16_t>((header.key ? kFlagKey : 0) | (header.last ? kFlagLast : 0)));
+  store(out, kSensorAt, header.sensor.value);
+  out[kLayerAt] = header.layer;
+  out[kCodecAt] = header.codec;
+  store(out, kSeqAt, header.seq);
+  store(out, kSetAt, header.set.value);
+  store(out, kCaptureAt, header.capture_time.time_since_epoch().count());
+  store(out, kClockErrorAt, header.clock_error_us);
+  store(out, kBaseSeqAt, header.base_seq);
+  store(out, kPayloadLengthAt, header.payload_length);
+  store(out, kReservedAt, std::uint32_t{0});
+}
+
+void stamp_frame_set(std::span<std::uint8_t> message, SetId set, bool last) {
+  ROOMCAST_ASSERT(message.size() >= kFrameHeaderBytes);
+  const auto flags = load<std::uint16_t>(message, kFlagsAt);
+  store(message, kFlagsAt,
+        static_cast<std::uint16_t>(last ? flags | kFlagLast : flags & ~kFlagLast));
+  store(message, kSetAt, set.value);
+}
+
+}  // namespace roomcast::wire

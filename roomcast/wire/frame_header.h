@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fixed part of every message: docs/spec/wire.md §1 and §2. Little-endian bytes in, plain
+// structs out. Nothing here allocates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::wire {
+
+inline constexpr std::uint16_t kMagic = 0x4352;  // "RC"
+inline constexpr std::uint8_t kVersion = 1;
+inline constexpr std::size_t kPreambleBytes = 4;  // magic, version, type
+inline constexpr std::size_t kFrameHeaderBytes = 48;
+inline constexpr std::uint32_t kClockErrorUnknown = 0xFFFFFFFF;
+
+enum class MessageType : std::uint8_t { kFrame = 1, kControl = 2 };
+
+/// What a message is, from its first four bytes. kMalformed: not roomcast. kUnsupported: another
+/// version or type.
+[[nodiscard]] Result<MessageType> message_type(std::span<const std::uint8_t> message);
+
+struct FrameHeader {
+  bool key = false;   // decodable alone
+  bool last = false;  // of its frame set; written by the hub
+  SensorId sensor;
+  std::uint8_t layer = 0;  // temporal layer; 0 is needed by later frames
+  std::uint8_t codec = 1;
+  std::uint32_t seq = 0;  // of the sensor's frames since it joined, modulo 2^32
+  SetId set;              // written by the hub
+  RoomTime capture_time{};
+  std::uint32_t clock_error_us = kClockErrorUnknown;
+  std::uint32_t base_seq = 0;  // the layer-0 frame that this one needs; its own seq in a key frame
+  std::uint32_t payload_length = 0;
+  std::uint16_t header_length = kFrameHeaderBytes;  // a later version's may be longer
+
+  friend bool operator==(const FrameHeader&, const FrameHeader&) = default;
+};
+
+/// Checks a whole frame message (header and payload) as the spec asks, before anything is allocated
+/// for it. kMalformed, kTooLarge or kUnsupported, with a sentence for whoever sent it.
+[[nodiscard]] Result<FrameHeader> parse_frame(std::span<const std::uint8_t> message);
+
+/// `header.header_length` is written as kFrameHeaderBytes.
+void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
+
+/// Writes what only the hub knows into a message that `parse_frame` has accepted.
+void stamp_frame_set(std::span<std::uint8_t> message, SetId set, bool last);
+
+/// Magic, version and type.
+void write_preamble(MessageType type, std::span<std::uint8_t, kPreambleBytes> out);
+
+}  // namespace roomcast::wire

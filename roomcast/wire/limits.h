@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every limit of roomcast.v1 in one place; docs/spec/wire.md §4 is the table for people,
+// limits_test.cpp and the tests of the code that enforces them are the proof.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace roomcast::wire {
+
+// Messages.
+inline constexpr std::size_t kMaxFrameBytes = 2u << 20;               // header and payload
+inline constexpr std::size_t kMaxControlFromClientBytes = 16u << 10;  // with the 4 bytes in front
+inline constexpr std::size_t kMaxControlFromHubBytes = 256u << 10;
+
+// Connections.
+inline constexpr std::chrono::seconds kJoinDeadline{5};
+inline constexpr std::size_t kMaxUnjoinedConnections = 64;
+inline constexpr std::size_t kMaxSensors = 32;
+inline constexpr std::size_t kMaxViewers = 512;
+inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
+
+// What they may say.
+inline constexpr std::size_t kMaxNameBytes = 64;
+inline constexpr unsigned kMaxImageSide = 8192;
+inline constexpr unsigned kMinDepthSide = 16;
+inline constexpr unsigned kMaxDepthSide = 4096;
+inline constexpr double kMaxFps = 240;
+inline constexpr int kMaxPosesPerSecond = 60;
+inline constexpr double kMaxPosition_m = 10'000;
+inline constexpr unsigned kMaxLayer = 7;
+
+// Frame sets.
+inline constexpr std::size_t kMaxQueuedSets = 2;  // per viewer, of which no byte has been written
+inline constexpr std::chrono::milliseconds kSetDeadline{50};
+inline constexpr std::chrono::seconds kSensorSilent{1};
+inline constexpr std::chrono::seconds kMaxCaptureAhead{1};
+
+// Pace.
+inline constexpr std::chrono::milliseconds kKeyRequestInterval{500};  // per sensor
+inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers
+
+}  // namespace roomcast::wire

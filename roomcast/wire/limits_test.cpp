@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of docs/spec/wire.md §4, once more: who changes a limit changes the wire and has to
+// mean it.
+#include "roomcast/wire/limits.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::wire {
+namespace {
+
+TEST(Limits, are_those_of_the_spec) {
+  using namespace std::chrono_literals;
+  EXPECT_EQ(kMaxFrameBytes, 2'097'152u);
+  EXPECT_EQ(kMaxControlFromClientBytes, 16'384u);
+  EXPECT_EQ(kMaxControlFromHubBytes, 262'144u);
+  EXPECT_EQ(kJoinDeadline, 5s);
+  EXPECT_EQ(kMaxUnjoinedConnections, 64u);
+  EXPECT_EQ(kMaxSensors, 32u);
+  EXPECT_EQ(kMaxViewers, 512u);
+  EXPECT_EQ(kMaxQueuedControlMessages, 64u);
+  EXPECT_EQ(kMaxNameBytes, 64u);
+  EXPECT_EQ(kMaxImageSide, 8192u);
+  EXPECT_EQ(kMinDepthSide, 16u);
+  EXPECT_EQ(kMaxDepthSide, 4096u);
+  EXPECT_EQ(kMaxFps, 240);
+  EXPECT_EQ(kMaxPosesPerSecond, 60);
+  EXPECT_EQ(kMaxQueuedSets, 2u);
+  EXPECT_EQ(kSetDeadline, 50ms);
+  EXPECT_EQ(kSensorSilent, 1s);
+  EXPECT_EQ(kMaxCaptureAhead, 1s);
+  EXPECT_EQ(kKeyRequestInterval, 500ms);
+  EXPECT_EQ(kPoseInterval, 50ms);
+}
+
+}  // namespace
+}  // namespace roomcast::wire
