@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Builds the three parts: native programs, the wasm decoder, the page. Sourced after steps.sh.
+
+readonly kib_per_job=$((1536 * 1024))  # what one compiler may need
+
+# As many compilers at once as there are cores and as memory allows.
+job_count() {
+  local cores available_kib jobs
+  cores=$(nproc)
+  available_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
+  jobs=$((available_kib / kib_per_job))
+  ((jobs > cores)) && jobs=$cores
+  ((jobs < 1)) && jobs=1
+  printf '%d\n' "$jobs"
+}
+
+# build_preset NAME: configure and build one preset of CMakePresets.json.
+build_preset() {
+  if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+  cd "$root"
+  cmake --preset "$1"
+  cmake --build --preset "$1" --parallel "$(job_count)"
+}
+
+# npm ci empties node_modules first, so it runs only when the lock file (or node) is not the one it last ran for.
+install_web_packages() {
+  local stamp=node_modules/.roomcast-installed wanted
+  cd "$root/web"
+  wanted="$(sha256sum <package-lock.json) node $(node --version)"
+  if [[ -f $stamp && $(<"$stamp") == "$wanted" ]]; then
+    printf 'node_modules is up to date.\n'
+    return
+  fi
+  npm ci --no-audit --no-fund
+  printf '%s\n' "$wanted" >"$stamp"
+}
+
+build_web() {
+  cd "$root/web"
+  npm run build
+}

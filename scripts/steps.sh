@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Says what a script is doing while it works. Sourced by scripts/setup, demo, test and format.
+#
+#   plan 3                               three steps will follow
+#   step "Build the hub" make hub        runs it, its output goes to a log, one line says what and how long
+#   fail "One sentence."                 ends the script with that sentence
+#
+# A step that fails ends the script with one sentence, the path of its log and the log's last lines.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+logs=$root/build/logs
+script_name=scripts/$(basename "$0")
+step_count=0
+step_number=0
+
+readonly quiet_seconds=20    # without a terminal, a line this often shows that the step is alive
+readonly shown_log_lines=25  # of a step that failed
+
+plan() {
+  step_count=$1
+  mkdir -p "$logs"
+}
+
+fail() {
+  printf '%s: %s\n' "$script_name" "$*" >&2
+  exit 1
+}
+
+say() { printf '      %s\n' "$*"; }
+
+# Repeats the elapsed time until it is killed or the script is gone. `read -t` on a pipe that stays silent waits
+# without a child process.
+show_elapsed() {
+  local title=$1 log=$2 pause=$quiet_seconds silent
+  [[ -t 1 ]] && pause=1
+  exec {silent}<> <(:)
+  until read -r -t "$pause" -u "$silent" || ! kill -0 $$ 2>/dev/null; do
+    if [[ -t 1 ]]; then
+      printf '\r%s %d s' "$title" $((SECONDS - started))
+    else
+      say "$((SECONDS - started)) s: $(tail -n 1 "$log" | cut -c 1-100)"
+    fi
+  done
+}
+
+# run_step NAME COMMAND...: leaves the command's status in $step_status and the path of its log in $step_log.
+# The command may be a function; it runs in a subshell under `set -e`. (Were this function's own status the result, it
+# would be called in an `if`, and there bash ignores `set -e` all the way down.)
+run_step() {
+  local name=$1 started=$SECONDS ticker title
+  shift
+  step_number=$((step_number + 1))
+  title="[$step_number/$step_count] $name ..."
+  step_log=$logs/$(basename "$script_name")-$step_number.log
+  : >"$step_log"
+  if [[ -t 1 ]]; then printf '%s' "$title"; else printf '%s\n' "$title"; fi
+  show_elapsed "$title" "$step_log" &
+  ticker=$!
+  set +e
+  (set -e; "$@") >"$step_log" 2>&1
+  step_status=$?
+  kill "$ticker" 2>/dev/null
+  wait "$ticker" 2>/dev/null
+  set -e
+  if [[ -t 1 ]]; then printf '\r%s ' "$title"; else printf '      '; fi
+  if ((step_status == 0)); then printf 'done'; else printf 'failed'; fi
+  printf ', %d s\n' $((SECONDS - started))
+}
+
+show_end_of_log() {
+  tail -n "$shown_log_lines" "$step_log" | sed 's/^/  | /' >&2
+}
+
+# step NAME COMMAND...: as run_step, and a failure ends the script.
+step() {
+  run_step "$@"
+  ((step_status == 0)) && return
+  show_end_of_log
+  fail "\"$1\" failed; the lines above are the end of ${step_log#"$root"/}."
+}

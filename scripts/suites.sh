@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Runs test suites one after the other, counts what each of them says of itself, and sums up. Sourced after steps.sh.
+
+passed=0
+failed=0
+skipped=0
+skipped_tests=()
+
+# Each reader turns a suite's own report into: passed failed skipped.
+read_junit() {
+  awk -F '"' '
+    /^[ \t]*tests="/ {tests = $2} /^[ \t]*failures="/ {failures = $2}
+    /^[ \t]*skipped="/ {skipped = $2} /^[ \t]*disabled="/ {disabled = $2}
+    /<testcase / {exit}
+    END {if (tests != "") print tests - failures - skipped - disabled, failures + 0, skipped + disabled}' "$1"
+}
+
+read_tap() {
+  awk '
+    /^# pass / {passed += $3; seen = 1} /^# (fail|cancelled) / {failed += $3}
+    /^# (skipped|todo) / {skipped += $3}
+    END {if (seen) print passed + 0, failed + 0, skipped + 0}' "$1"
+}
+
+# GoogleTest prints "file:line: Skipped" and the reason on the next line; CTest keeps both in its report.
+skipped_in_junit() {
+  awk '
+    /<testcase / {split($0, part, "\""); name = part[2]}
+    reason_follows {print name ": " $0; reason_follows = 0}
+    /: Skipped$/ {reason_follows = 1}' "$1"
+}
+
+skipped_in_tap() {
+  sed -n 's/^ *ok [0-9]* - \(.*\) # SKIP *\(.*\)$/\1: \2/p' "$1"
+}
+
+# suite NAME KIND REPORT COMMAND...: KIND is junit or tap. An empty REPORT means that the suite prints it.
+# A suite that ends badly without a failed test of its own (it crashed, or never began) counts as one failure.
+suite() {
+  local name=$1 kind=$2 report=$3 counts=() lines=()
+  shift 3
+  run_step "$name" "$@"
+  report=${report:-$step_log}
+  if [[ -f $report ]]; then
+    read -r -a counts < <("read_$kind" "$report") || true
+    mapfile -t lines < <("skipped_in_$kind" "$report")
+    skipped_tests+=("${lines[@]}")
+  fi
+  ((${#counts[@]} == 3)) || counts=(0 0 0)
+  if ((step_status != 0 && counts[1] == 0)); then counts[1]=1; fi
+  say "${counts[0]} passed, ${counts[1]} failed, ${counts[2]} skipped"
+  if ((counts[1] > 0)); then
+    show_end_of_log
+    say "the whole log: ${step_log#"$root"/}"
+  fi
+  passed=$((passed + counts[0]))
+  failed=$((failed + counts[1]))
+  skipped=$((skipped + counts[2]))
+}
+
+# The last line is read by machines: "N passed, N failed, N skipped".
+sum_up() {
+  if ((${#skipped_tests[@]} > 0)); then
+    printf '\nskipped:\n'
+    printf '  %s\n' "${skipped_tests[@]}"
+  fi
+  printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
+  ((passed > 0 && failed == 0))
+}
