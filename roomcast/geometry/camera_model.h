@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pinhole camera with Brown-Conrady distortion (Brown 1966; the model of OpenCV and of camera.json).
-// Pixel centres are at integer coordinates. Optical frame: x right, y down, z forward, metres.
+// Pinhole camera with Brown-Conrady distortion (Brown 1966; the model of OpenCV and of
+// camera.json). Pixel centres are at integer coordinates. Optical frame: x right, y down, z
+// forward, metres.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,8 @@ struct CameraIntrinsics {
   double k1 = 0, k2 = 0, k3 = 0;          // radial
   double p1 = 0, p2 = 0;                  // tangential
 
-  /// kInvalidArgument with the offending field unless sizes are 1..kMaxImageSide, focal lengths positive, all finite.
+  /// kInvalidArgument with the offending field unless sizes are 1..kMaxImageSide, focal lengths
+  /// positive, all finite.
   [[nodiscard]] Status check() const;
   friend bool operator==(const CameraIntrinsics&, const CameraIntrinsics&) = default;
 };
@@ -32,19 +34,23 @@ struct SensorCalibration {
   CameraIntrinsics depth;
   CameraIntrinsics color;
   RigidTransform color_from_depth;
-  /// True where colour pictures come already resampled into the depth grid (`color` then equals `depth`).
+  /// True where colour pictures come already resampled into the depth grid (`color` then equals
+  /// `depth`).
   bool color_is_registered = false;
 };
 
-/// Normalised image coordinates (x/z, y/z) -> distorted ones. Source: Brown 1966, as written in OpenCV's calib3d.
+/// Normalised image coordinates (x/z, y/z) -> distorted ones. Source: Brown 1966, as written in
+/// OpenCV's calib3d.
 [[nodiscard]] Eigen::Vector2d distort(const CameraIntrinsics& camera, const Eigen::Vector2d& xy);
 
-/// The inverse of `distort`, by Newton's method, to better than 1e-6 of a pixel; nothing where the model folds
-/// over (far outside the picture of strongly distorted lenses).
+/// The inverse of `distort`, by Newton's method, to better than 1e-6 of a pixel; nothing where the
+/// model folds over (far outside the picture of strongly distorted lenses).
 [[nodiscard]] std::optional<Eigen::Vector2d> undistort(const CameraIntrinsics& camera,
                                                        const Eigen::Vector2d& distorted_xy);
 
-/// A point in front of the camera -> pixel coordinates (which may lie outside the picture); nothing for z <= 0.
+/// A point in front of the camera -> pixel coordinates (which may lie outside the picture); nothing
+/// for z <= 0, nor where the lens model folds over (its formula would put points from far outside
+/// into the picture).
 [[nodiscard]] std::optional<Eigen::Vector2d> project(const CameraIntrinsics& camera,
                                                      const Eigen::Vector3d& point_m);
 

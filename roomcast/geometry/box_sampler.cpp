@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/geometry/box_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#include "roomcast/core/assert.h"
+
+namespace roomcast {
+namespace {
+
+constexpr int kSteps =
+    64;  // positions per pixel; kLargestBox^2 * kSteps^2 * 255 must fit into 32 bits
+
+/// Where a square begins along one axis: first pixel, and the share of it (in steps) that is left
+/// out.
+struct Start {
+  int pixel;
+  unsigned left_out;
+};
+
+template <int N>
+Start start_of(float center, int side) {
+  const float first = center - 0.5F * static_cast<float>(N - 1);
+  const float clamped = std::clamp(first, 0.0F, static_cast<float>(side - N));
+  const int steps = static_cast<int>(clamped * kSteps + 0.5F);
+  const int pixel = std::min(steps / kSteps, side - N - 1);
+  return {pixel, static_cast<unsigned>(steps - pixel * kSteps)};
+}
+
+/// Sums of N + 1 pixels down each of the (N + 1) * 3 bytes of a row, first and last weighted.
+template <int N>
+void vertical_sums(const std::uint8_t* top, std::ptrdiff_t row_bytes, unsigned left_out,
+                   std::uint32_t* sums) {
+  constexpr int kBytes = (N + 1) * 3;
+  const std::uint8_t* const bottom = top + N * row_bytes;
+  std::uint16_t middle[kBytes] = {};
+  for (int row = 1; row < N; ++row) {
+    const std::uint8_t* const bytes = top + row * row_bytes;
+    for (int i = 0; i < kBytes; ++i) middle[i] = static_cast<std::uint16_t>(middle[i] + bytes[i]);
+  }
+  for (int i = 0; i < kBytes; ++i) {
+    sums[i] = (kSteps - left_out) * top[i] + kSteps * middle[i] + left_out * bottom[i];
+  }
+}
+
+template <int N>
+Rgb8 sample(ColorView picture, float u, float v) {
+  const Start x = start_of<N>(u, picture.width);
+  const Start y = start_of<N>(v, picture.height);
+  std::uint32_t column[(N + 1) * 3];
+  vertical_sums<N>(&picture.at(x.pixel, y.pixel).r, picture.stride * 3, y.left_out, column);
+  constexpr std::uint32_t kArea = N * N * kSteps * kSteps;
+  std::uint8_t rgb[3];
+  for (int channel = 0; channel < 3; ++channel) {
+    std::uint32_t sum =
+        (kSteps - x.left_out) * column[channel] + x.left_out * column[N * 3 + channel] + kArea / 2;
+    for (int i = 1; i < N; ++i) sum += kSteps * column[i * 3 + channel];
+    rgb[channel] = static_cast<std::uint8_t>(sum / kArea);
+  }
+  return {rgb[0], rgb[1], rgb[2]};
+}
+
+template <int N>
+void sample_row(ColorView picture, const float* u, const float* v, const std::uint8_t* take,
+                int count, Rgb8* color) {
+  for (int i = 0; i < count; ++i) {
+    color[i] = take[i] != 0 ? sample<N>(picture, u[i], v[i]) : Rgb8{};
+  }
+}
+
+template <std::size_t... I>
+constexpr std::array<SampleRow, sizeof...(I)> samplers(std::index_sequence<I...>) {
+  return {sample_row<static_cast<int>(I) + 1>...};
+}
+
+}  // namespace
+
+SampleRow box_sampler(int size, int picture_width, int picture_height) {
+  ROOMCAST_ASSERT(picture_width >= 2 && picture_height >= 2);
+  static constexpr auto kSamplers = samplers(std::make_index_sequence<kLargestBox>());
+  const int fitting = std::min({size, kLargestBox, picture_width - 1, picture_height - 1});
+  return kSamplers[static_cast<std::size_t>(std::max(fitting, 1) - 1)];
+}
+
+}  // namespace roomcast

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/geometry/registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace roomcast {
+namespace {
+
+// A look-up in the occlusion grid sees surfaces up to two cells away. On a slanted surface those
+// lie nearer by up to two steps between neighbouring depth pixels along each axis; they must not
+// hide their own neighbours.
+constexpr int kReach = 2;
+constexpr int kSteepest = 8;  // the allowance for that is at most 1/8 of the depth
+constexpr int kLargestCell = 64;
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+Error invalid(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message)};
+}
+
+Status check_options(const RegistrationOptions& options) {
+  for (const double margin : {options.occlusion_margin_m, options.occlusion_margin_per_m}) {
+    if (!std::isfinite(margin) || margin < 0) {
+      return invalid("occlusion margins must be finite and not negative");
+    }
+  }
+  return {};
+}
+
+Status check_calibration(const SensorCalibration& calibration) {
+  for (const CameraIntrinsics* camera : {&calibration.depth, &calibration.color}) {
+    if (Status status = camera->check(); !status.ok()) return status;
+    if (camera->width < 2 || camera->height < 2) {
+      return invalid("registration needs pictures of at least 2x2 pixels");
+    }
+  }
+  if (calibration.color_is_registered && !same_size(calibration.color, calibration.depth)) {
+    return invalid("colour that is registered to depth must have the size of depth");
+  }
+  return {};
+}
+
+int cell_size(const ColorProjection& projection) {
+  const int size = static_cast<int>(std::ceil(projection.spacing().largest));
+  return std::clamp(size, 1, kLargestCell);
+}
+
+int box_size(const ColorProjection& projection) {
+  return static_cast<int>(std::lround(projection.spacing().typical));
+}
+
+void copy_where_depth(DepthView depth_mm, ColorView color, RegisteredColor& out) {
+  for (int y = 0; y < depth_mm.height; ++y) {
+    for (int x = 0; x < depth_mm.width; ++x) {
+      const bool seen = depth_mm.at(x, y) != 0;
+      out.color.at(x, y) = seen ? color.at(x, y) : Rgb8{};
+      out.seen.at(x, y) = seen ? 255 : 0;
+    }
+  }
+}
+
+/// The smaller of two consecutive steps of depth along an axis; 0 at a peak or in a pit, which is
+/// no slope.
+int slope(int step_before, int step_after) {
+  const bool same_direction = (step_before ^ step_after) >= 0;
+  return same_direction ? std::min(std::abs(step_before), std::abs(step_after)) : 0;
+}
+
+}  // namespace
+
+Result<Registration> Registration::create(const SensorCalibration& calibration,
+                                          const RegistrationOptions& options) {
+  if (Status status = check_options(options); !status.ok()) return status.error();
+  if (Status status = check_calibration(calibration); !status.ok()) return status.error();
+  return Registration(calibration, options);
+}
+
+Registration::Registration(const SensorCalibration& calibration, const RegistrationOptions& options)
+    : depth_width_(calibration.depth.width),
+      depth_height_(calibration.depth.height),
+      color_width_(calibration.color.width),
+      color_height_(calibration.color.height),
+      copy_only_(calibration.color_is_registered),
+      options_(options),
+      projection_(calibration),
+      grid_(color_width_, color_height_, cell_size(projection_)),
+      sample_row_(box_sampler(box_size(projection_), color_width_, color_height_)) {
+  const auto count =
+      static_cast<std::size_t>(depth_width_) * static_cast<std::size_t>(depth_height_);
+  for (auto* buffer : {&u_, &v_, &z_m_, &occluder_limit_m_}) buffer->resize(count);
+  cells_.resize(count);
+}
+
+Status Registration::check_sizes(DepthView depth_mm, ColorView color) const {
+  if (depth_mm.width != depth_width_ || depth_mm.height != depth_height_) {
+    return invalid("depth is " + size_text(depth_mm.width, depth_mm.height) +
+                   " but the calibration is for " + size_text(depth_width_, depth_height_));
+  }
+  if (color.width != color_width_ || color.height != color_height_) {
+    return invalid("colour is " + size_text(color.width, color.height) +
+                   " but the calibration is for " + size_text(color_width_, color_height_));
+  }
+  return {};
+}
+
+Status Registration::run(DepthView depth_mm, ColorView color, RegisteredColor& out) {
+  if (Status status = check_sizes(depth_mm, color); !status.ok()) return status;
+  if (out.color.width() != depth_width_ || out.color.height() != depth_height_) {
+    out.color.resize(depth_width_, depth_height_);
+  }
+  if (out.seen.width() != depth_width_ || out.seen.height() != depth_height_) {
+    out.seen.resize(depth_width_, depth_height_);
+  }
+  if (copy_only_) {
+    copy_where_depth(depth_mm, color, out);
+    return {};
+  }
+  project_surfaces(depth_mm);
+  sample_visible(color, out);
+  return {};
+}
+
+void Registration::project_surfaces(DepthView depth_mm) {
+  grid_.clear();
+  for (int y = 0; y < depth_height_; ++y) {
+    const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+    const ProjectedRow row{&u_[start], &v_[start], &z_m_[start]};
+    projection_.project_row(depth_mm.row(y), y, row);
+    grid_.splat_row(row.u, row.v, row.z_m, depth_width_, &cells_[start]);
+    limit_occluders(depth_mm, y);
+  }
+  grid_.finish();
+}
+
+void Registration::limit_occluders(DepthView depth_mm, int y) {
+  const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+  const std::uint16_t* const here = depth_mm.row(y);
+  // Rows between which the steps are taken; at the border the one step there is stands for both.
+  const int before = std::max(y - 1, 0), after = std::min(y + 1, depth_height_ - 1);
+  const std::uint16_t* const above = depth_mm.row(before);
+  const std::uint16_t* const above_to = depth_mm.row(before + 1);
+  const std::uint16_t* const below = depth_mm.row(after);
+  const std::uint16_t* const below_from = depth_mm.row(after - 1);
+  const float* const z_m = &z_m_[start];
+  float* const __restrict limit_m = &occluder_limit_m_[start];
+  const float margin_m = static_cast<float>(options_.occlusion_margin_m);
+  const float keep = 1 - static_cast<float>(options_.occlusion_margin_per_m);
+  const auto limit_at = [&](int x, int left, int right) {
+    const int across = slope(here[left + 1] - here[left], here[right] - here[right - 1]);
+    const int down = slope(above_to[x] - above[x], below[x] - below_from[x]);
+    const int allowance_mm = std::min(kReach * (across + down), here[x] / kSteepest);
+    limit_m[x] = z_m[x] * keep - margin_m - 0.001F * static_cast<float>(allowance_mm);
+  };
+  limit_at(0, 0, 1);
+  for (int x = 1; x < depth_width_ - 1; ++x) limit_at(x, x - 1, x + 1);
+  limit_at(depth_width_ - 1, depth_width_ - 2, depth_width_ - 1);
+}
+
+void Registration::sample_visible(ColorView color, RegisteredColor& out) const {
+  for (int y = 0; y < depth_height_; ++y) {
+    const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+    std::uint8_t* const seen = &out.seen.at(0, y);
+    for (int x = 0; x < depth_width_; ++x) {
+      const std::size_t i = start + static_cast<std::size_t>(x);
+      seen[x] = grid_.nearest_m(cells_[i]) < occluder_limit_m_[i] ? 0 : 255;
+    }
+    sample_row_(color, &u_[start], &v_[start], seen, depth_width_, &out.color.at(0, y));
+  }
+}
+
+}  // namespace roomcast
