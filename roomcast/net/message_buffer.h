@@ -32,8 +32,8 @@ class MessageBuffer {
   [[nodiscard]] bool empty() const { return payload().empty(); }
 
   void append(std::span<const std::uint8_t> bytes) {
-    auto& storage = appendable();
-    storage.insert(storage.end(), bytes.begin(), bytes.end());
+    if (storage_.empty()) reserve(bytes.size());
+    storage_.insert(storage_.end(), bytes.begin(), bytes.end());
   }
 
   /// For encoders that append to a vector: the payload's bytes so far, after kHeadroom bytes that
@@ -44,7 +44,10 @@ class MessageBuffer {
   }
 
   /// Room for a payload of this size without another allocation.
-  void reserve(std::size_t payload_size) { appendable().reserve(kHeadroom + payload_size); }
+  void reserve(std::size_t payload_size) {
+    storage_.reserve(kHeadroom + payload_size);
+    if (storage_.empty()) storage_.resize(kHeadroom);
+  }
 
   /// The memory as it is, headroom included; empty when nothing was ever put in. Leaves the buffer
   /// empty.

@@ -30,8 +30,7 @@ class OutgoingFrames {
   /// The socket took this many bytes off the front.
   void wrote(std::size_t bytes);
 
-  /// Lets go of every frame of which no byte has been written.
-  void drop_unbegun();
+  void clear();
 
  private:
   std::deque<SealedMessagePtr> frames_;

@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <boost/asio/ip/tcp.hpp>
@@ -95,9 +96,9 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   /// write.
   void wake();
 
-  /// Sends the rest of the message being written, then `last` if given, then a close frame. The
-  /// reason is cut to kMaxCloseReason bytes. Only the first call counts; no effect on a connection
-  /// that is closed.
+  /// Sends what was already taken from the handler, then `last` if given, then a close frame. Not
+  /// more than ConnectionTimings::close_within is spent on it. The reason is cut to kMaxCloseReason
+  /// bytes. Only the first call counts; no effect on a connection that the peer has closed.
   void close(std::uint16_t code, std::string sentence);
   void close_after(SealedMessagePtr last, std::uint16_t code, std::string sentence);
 
@@ -113,37 +114,45 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   [[nodiscard]] bool closing() const { return stage_ != Stage::kOpen; }
 
  private:
+  using ErrorCode = boost::system::error_code;
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
   enum class Stage {
     kOpen,
-    kClosing,    // a close frame is on its way out, or is out; the peer's has not come
-    kAnswering,  // the peer's close frame has come; ours is on its way out
-    kDraining,   // nothing more to write; waiting for the peer to end the TCP connection
+    kClosing,    // our close frame is on its way; the peer's answer has not come
+    kAnswering,  // nothing more will be read; our close frame is on its way
+    kDraining,   // all is written; the peer still has to end its side of the TCP connection
     kClosed,
   };
 
   void read();
-  void on_read(boost::system::error_code error, std::size_t size);
+  void on_read(ErrorCode error, std::size_t size);
   void take(std::span<const std::uint8_t> bytes);
+  void take_event(NeedsMoreBytes) {}
   void take_event(MessageBuffer message);
   void take_event(Ping ping);
-  void take_event(Pong) {}
-  void take_event(PeerClose close);
+  void take_event(const Pong&) {}
+  void take_event(const PeerClose& close);
   void take_event(Violation violation);
-  void take_event(NeedsMoreBytes) {}
-  void resize_read_buffer(std::size_t last_read);
 
   void schedule_write();
   void write();
+  bool refill();
   void pull();
-  [[nodiscard]] SealedMessagePtr for_wire(SealedMessagePtr message) const;
-  void push_control(Opcode opcode, std::span<const std::uint8_t> payload);
+  void on_wrote(std::size_t size, std::size_t offered);
   void wait_until_writable();
-  void on_all_written();
+  void push_control(Opcode opcode, std::span<const std::uint8_t> payload);
+  void push_message(SealedMessagePtr message);
+  void push_close(std::uint16_t code, std::string_view reason);
 
-  void begin_close(Stage stage, SealedMessagePtr last, std::uint16_t code,
-                   const std::string& sentence);
-  void check_silence();
-  void broke(boost::system::error_code error);
+  void watch_silence();
+  void on_silence_timer();
+  void bound_closing();
+  void heard_from_peer();
+
+  void on_write_failed();
+  void on_all_written();
+  void on_broken(ErrorCode error);
   void report(CloseReason reason);
   void shut(CloseReason reason);
 
@@ -154,20 +163,21 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   std::shared_ptr<ConnectionHandler> handler_;
   ConnectionCounters counters_;
   Stage stage_ = Stage::kOpen;
+  CloseReason reason_;  // of our own closing, reported when it is done
 
   WebSocketReader reader_;
   std::vector<std::uint8_t> read_buffer_;
-  std::size_t received_before_start_ = 0;
-  std::chrono::steady_clock::time_point last_heard_{};
+  std::vector<std::uint8_t> received_before_start_;
+  SteadyTime last_heard_{};
   bool ping_sent_ = false;
 
   OutgoingFrames outgoing_;
-  std::optional<Ping> unanswered_ping_;  // only the newest must be answered
+  std::optional<Ping> unanswered_ping_;  // only the newest need be answered
   bool write_scheduled_ = false;
+  bool write_failed_ = false;
   bool waiting_until_writable_ = false;
-  std::size_t pull_limit_bytes_ = 0;
-
-  CloseReason reason_;  // of our own close, reported when it is done
+  bool handler_is_dry_ = false;  // next_message() gave nothing, and wake() was not called since
+  std::size_t pull_limit_bytes_;
 };
 
 }  // namespace roomcast::net

@@ -9,8 +9,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "roomcast/net/message_buffer.h"
@@ -59,15 +61,17 @@ class WebSocketReader {
  private:
   enum class State { kHeader, kPayload, kDone };
 
-  bool fill_header(std::span<const std::uint8_t>& bytes);
+  bool fill_header(std::span<const std::uint8_t>& bytes, std::size_t size);
   [[nodiscard]] std::size_t header_size() const;
-  [[nodiscard]] std::string header_fault() const;
-  ReaderEvent begin_frame();
-  ReaderEvent take_payload(std::span<const std::uint8_t>& bytes);
-  ReaderEvent end_frame();
-  ReaderEvent end_control();
-  ReaderEvent end_close();
-  ReaderEvent refuse(std::uint16_t code, std::string sentence);
+  [[nodiscard]] std::optional<Violation> fault_in_first_two_bytes() const;
+  [[nodiscard]] std::optional<Violation> fault_in_order(Opcode opcode, bool final) const;
+  [[nodiscard]] std::uint64_t announced_length() const;
+  [[nodiscard]] std::optional<Violation> begin_frame();
+  bool take_payload(std::span<const std::uint8_t>& bytes);
+  [[nodiscard]] std::span<std::uint8_t> destination(std::size_t size);
+  [[nodiscard]] std::optional<ReaderEvent> end_frame();
+  [[nodiscard]] ReaderEvent end_close(std::string_view payload);
+  [[nodiscard]] ReaderEvent refuse(Violation violation);
 
   WebSocketRole role_;
   std::size_t max_message_bytes_;

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/http_session.h"
+
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/span_body.hpp>
+#include <boost/beast/http/write.hpp>
+
+namespace roomcast::net {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+
+namespace {
+
+/// For reading what the peer still sends after our last word, so that it is not lost to a TCP
+/// reset.
+constexpr std::chrono::milliseconds kGoodbyeWithin{1'000};
+
+constexpr std::string_view kContentSecurityPolicy =
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self' ws: wss:; "
+    "worker-src 'self' blob:; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'";
+
+beast::string_view text(std::string_view view) {
+  return {view.data(), view.size()};
+}
+
+std::string_view path_of(beast::string_view target) {
+  const std::string_view whole(target.data(), target.size());
+  return whole.substr(0, whole.find('?'));
+}
+
+bool has_it_already(const RequestHeader& request, std::string_view etag) {
+  if (etag.empty()) return false;
+  const auto known = request[http::field::if_none_match];
+  return known == "*" ||
+         std::string_view(known.data(), known.size()).find(etag) != std::string_view::npos;
+}
+
+template <class Message>
+void set_fields(Message& message, const HttpResponse& response, bool keep_alive) {
+  message.keep_alive(keep_alive);
+  message.set(http::field::server, "roomcast");
+  message.set(http::field::cache_control, response.cache_control);
+  message.set("X-Content-Type-Options", "nosniff");
+  message.set("Content-Security-Policy", text(kContentSecurityPolicy));
+  if (!response.etag.empty()) message.set(http::field::etag, response.etag);
+  for (const auto& [name, value] : response.headers) message.set(name, value);
+}
+
+std::size_t size_of(const HttpResponse& response) {
+  return response.body == nullptr ? 0 : response.body->size();
+}
+
+/// Header only: the answer to HEAD, and 304.
+std::shared_ptr<EmptyResponse> without_body(const HttpResponse& response, bool keep_alive) {
+  auto message = std::make_shared<EmptyResponse>(static_cast<http::status>(response.status), 11);
+  set_fields(*message, response, keep_alive);
+  if (message->result() == http::status::not_modified) return message;
+  message->set(http::field::content_type, response.content_type);
+  message->content_length(size_of(response));
+  return message;
+}
+
+using BodyResponse = http::response<http::span_body<const char>>;
+
+std::shared_ptr<BodyResponse> with_body(const HttpResponse& response, bool keep_alive) {
+  auto message = std::make_shared<BodyResponse>(static_cast<http::status>(response.status), 11);
+  set_fields(*message, response, keep_alive);
+  message->set(http::field::content_type, response.content_type);
+  message->content_length(size_of(response));
+  if (response.body != nullptr) {
+    message->body() = beast::span<const char>(response.body->data(), response.body->size());
+  }
+  return message;
+}
+
+/// Handler of a WebSocket that is closed as soon as it is open.
+class TurnedAway final : public ConnectionHandler {
+ public:
+  void on_message(MessageBuffer) override {}
+  SealedMessagePtr next_message() override { return nullptr; }
+  void on_closed(const CloseReason&) override {}
+};
+
+}  // namespace
+
+HttpSession::HttpSession(asio::ip::tcp::socket socket,
+                         std::shared_ptr<const HttpServerOptions> options,
+                         std::shared_ptr<OpenConnections::Lease> lease)
+    : stream_(std::move(socket)),
+      options_(std::move(options)),
+      lease_(std::move(lease)),
+      buffer_(options_->max_header_bytes + 1) {}
+
+void HttpSession::start() {
+  lease_->end_with([weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->abort();
+  });
+  read_request();
+}
+
+void HttpSession::read_request() {
+  parser_.emplace();
+  parser_->header_limit(static_cast<std::uint32_t>(options_->max_header_bytes));
+  stream_.expires_after(options_->header_within);
+  http::async_read_header(
+      stream_, buffer_, *parser_,
+      [self = shared_from_this()](ErrorCode error, std::size_t) { self->on_header(error); });
+}
+
+void HttpSession::on_header(ErrorCode error) {
+  if (!stream_.socket().is_open()) return;  // ended while this was under way
+  if (error) return answer_fault(error);
+  answer_request();
+}
+
+/// A request that cannot be understood gets an answer; a connection that is gone or too slow gets
+/// none.
+void HttpSession::answer_fault(ErrorCode error) {
+  if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+    return send(text_response(431, "The request header is larger than the limit of " +
+                                       std::to_string(options_->max_header_bytes) + " bytes.\n"),
+                false);
+  }
+  const bool is_http_fault =
+      error.category() == http::make_error_code(http::error::bad_method).category();
+  if (!is_http_fault || error == http::error::end_of_stream ||
+      error == http::error::partial_message) {
+    return abort();
+  }
+  send(text_response(400, "This is not an HTTP request: " + error.message() + ".\n"), false);
+}
+
+void HttpSession::answer_request() {
+  const auto& request = parser_->get();
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+    HttpResponse response = text_response(405, "Only GET and HEAD are answered here.\n");
+    response.headers = {{"Allow", "GET, HEAD"}};
+    return send(std::move(response), false);
+  }
+  if (parser_->chunked() || parser_->content_length().value_or(0) != 0) {
+    return send(text_response(400, "A request must not have a body here.\n"), false);
+  }
+  const std::string_view path = path_of(request.target());
+  if (path == options_->websocket_path) return upgrade();
+  send(response_for(path), request.keep_alive());
+}
+
+HttpResponse HttpSession::response_for(std::string_view path) const {
+  if (options_->on_get) {
+    if (auto response = options_->on_get(path)) return *std::move(response);
+  }
+  return text_response(404, "There is nothing at this address.\n");
+}
+
+void HttpSession::send(HttpResponse response, bool keep_alive) {
+  const auto& request = parser_->get();
+  if (response.status == 200 && has_it_already(request, response.etag)) response.status = 304;
+  if (response.status == 304 || request.method() == http::verb::head) {
+    return write(without_body(response, keep_alive), keep_alive);
+  }
+  auto message = with_body(response, keep_alive);
+  write(std::move(message), keep_alive, std::move(response.body));
+}
+
+/// `viewed` is what the message's body points into; it lives as long as the write.
+template <class Message>
+void HttpSession::write(std::shared_ptr<Message> message, bool keep_alive,
+                        std::shared_ptr<const std::string> viewed) {
+  stream_.expires_after(options_->response_within);
+  auto& to_write = *message;
+  http::async_write(
+      stream_, to_write,
+      [self = shared_from_this(), message = std::move(message), viewed = std::move(viewed),
+       keep_alive](ErrorCode error, std::size_t) { self->on_written(error, keep_alive); });
+}
+
+void HttpSession::on_written(ErrorCode error, bool keep_alive) {
+  if (error || !stream_.socket().is_open()) return abort();
+  if (keep_alive) return read_request();
+  ErrorCode ignored;
+  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  stream_.expires_after(kGoodbyeWithin);
+  say_goodbye();
+}
+
+/// Reads until the peer has closed its side too, or time is up.
+void HttpSession::say_goodbye() {
+  stream_.async_read_some(asio::buffer(discarded_),
+                          [self = shared_from_this()](ErrorCode error, std::size_t) {
+                            if (error) return self->abort();
+                            self->say_goodbye();
+                          });
+}
+
+void HttpSession::upgrade() {
+  const auto& request = parser_->get();
+  if (auto refusal = refuse_upgrade(request, options_->subprotocol)) {
+    return send(*std::move(refusal), false);
+  }
+  auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
+  stream_.expires_after(options_->response_within);
+  http::async_write(stream_, *response,
+                    [self = shared_from_this(), response](ErrorCode error, std::size_t) {
+                      if (error || !self->stream_.socket().is_open()) return self->abort();
+                      self->become_websocket();
+                    });
+}
+
+void HttpSession::become_websocket() {
+  stream_.expires_never();
+  const auto received = buffer_.cdata();
+  ConnectionOptions connection_options;
+  connection_options.role = WebSocketRole::kServer;
+  connection_options.max_message_bytes = options_->max_message_bytes;
+  connection_options.timings = options_->websocket_timings;
+  connection_options.lease = lease_;
+  auto connection = std::make_shared<WebSocketConnection>(
+      stream_.release_socket(), std::move(connection_options),
+      std::span(static_cast<const std::uint8_t*>(received.data()), received.size()));
+  lease_->end_with([weak = std::weak_ptr(connection)] {
+    if (const auto open = weak.lock()) open->close(close_code::kGoingAway, "The hub stops.");
+  });
+  lease_.reset();
+
+  auto handler = options_->on_websocket ? options_->on_websocket(connection) : nullptr;
+  if (handler != nullptr) return connection->start(std::move(handler));
+  connection->close(close_code::kTryAgainLater, "No more connections are taken.");
+  connection->start(std::make_shared<TurnedAway>());
+}
+
+void HttpSession::abort() {
+  stream_.close();
+}
+
+}  // namespace roomcast::net

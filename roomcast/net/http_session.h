@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// HttpSession: one accepted socket, from its first byte until it is closed or has become a
+// WebSocket. Answers one request after another (keep-alive); everything is bounded in size and
+// time. Threading: lives on its io_context's thread.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+
+#include "roomcast/net/http_response.h"
+#include "roomcast/net/http_server.h"
+#include "roomcast/net/open_connections.h"
+#include "roomcast/net/websocket_handshake.h"
+
+namespace roomcast::net {
+
+class HttpSession : public std::enable_shared_from_this<HttpSession> {
+ public:
+  HttpSession(boost::asio::ip::tcp::socket socket, std::shared_ptr<const HttpServerOptions> options,
+              std::shared_ptr<OpenConnections::Lease> lease);
+
+  void start();
+
+ private:
+  using Parser = boost::beast::http::request_parser<boost::beast::http::empty_body>;
+  using ErrorCode = boost::beast::error_code;
+
+  void read_request();
+  void on_header(ErrorCode error);
+  void answer_fault(ErrorCode error);
+  void answer_request();
+  [[nodiscard]] HttpResponse response_for(std::string_view path) const;
+
+  void send(HttpResponse response, bool keep_alive);
+  template <class Message>
+  void write(std::shared_ptr<Message> message, bool keep_alive,
+             std::shared_ptr<const std::string> viewed = nullptr);
+  void on_written(ErrorCode error, bool keep_alive);
+  void say_goodbye();
+
+  void upgrade();
+  void become_websocket();
+  void abort();
+
+  boost::beast::tcp_stream stream_;
+  std::shared_ptr<const HttpServerOptions> options_;
+  std::shared_ptr<OpenConnections::Lease> lease_;
+  boost::beast::flat_buffer buffer_;
+  std::optional<Parser> parser_;
+  std::array<char, 1024> discarded_{};
+};
+
+}  // namespace roomcast::net

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/sealed_message.h"
+
+#include <algorithm>
+
+#include "roomcast/core/assert.h"
+
+namespace roomcast::net {
+
+namespace {
+
+bool is_control(Opcode opcode) {
+  return static_cast<std::uint8_t>(opcode) >= 0x8;
+}
+
+}  // namespace
+
+SealedMessagePtr seal(MessageBuffer&& message, Opcode opcode, std::optional<MaskKey> mask) {
+  ROOMCAST_ASSERT(!is_control(opcode) || message.size() <= kMaxControlPayload);
+  message.reserve(0);  // gives an empty buffer its headroom
+  const auto payload = message.payload();
+  if (mask) mask_copy(payload, payload, *mask, 0);
+  const FrameHeader header = make_frame_header(opcode, payload.size(), mask);
+  const std::size_t start = MessageBuffer::kHeadroom - header.size;
+  auto storage = std::move(message).release();
+  std::ranges::copy(header.view(), storage.begin() + static_cast<std::ptrdiff_t>(start));
+  return std::make_shared<const SealedMessage>(SealedMessage::Private{}, std::move(storage), start);
+}
+
+SealedMessagePtr seal_masked_copy(const SealedMessage& message, MaskKey mask) {
+  return seal(MessageBuffer(message.payload()), Opcode::kBinary, mask);
+}
+
+}  // namespace roomcast::net

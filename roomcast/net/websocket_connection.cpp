@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/websocket_connection.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+#include <variant>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/post.hpp>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/net/random_bytes.h"
+#include "roomcast/net/socket_tuning.h"
+
+namespace roomcast::net {
+
+namespace asio = boost::asio;
+
+namespace {
+
+/// Idle connections keep a small read buffer; one that receives large messages gets the large one.
+constexpr std::size_t kMinReadBuffer = 4 * 1024;
+constexpr std::size_t kMaxReadBuffer = 64 * 1024;
+
+/// Bytes taken from the handler for one write. A socket that could not take all is offered one
+/// message at a time, so that what waits does so where it can still be replaced; one that can is
+/// offered more and more.
+constexpr std::size_t kCongestedPull = 1;
+constexpr std::size_t kFirstPull = 16 * 1024;
+constexpr std::size_t kMaxPull = 256 * 1024;
+
+std::string address_of(const asio::ip::tcp::socket& socket) {
+  boost::system::error_code error;
+  const auto endpoint = socket.remote_endpoint(error);
+  if (error) return "unknown";
+  std::ostringstream text;
+  text << endpoint;
+  return text.str();
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+WebSocketConnection::WebSocketConnection(Socket socket, ConnectionOptions options,
+                                         std::span<const std::uint8_t> received)
+    : socket_(std::move(socket)),
+      timer_(socket_.get_executor()),
+      options_(std::move(options)),
+      peer_address_(address_of(socket_)),
+      reader_(options_.role, options_.max_message_bytes),
+      received_before_start_(received.begin(), received.end()),
+      pull_limit_bytes_(kMaxPull) {
+  tune_for_live_streams(socket_);
+}
+
+void WebSocketConnection::start(std::shared_ptr<ConnectionHandler> handler) {
+  ROOMCAST_ASSERT(handler != nullptr && handler_ == nullptr);
+  handler_ = std::move(handler);
+  last_heard_ = std::chrono::steady_clock::now();
+  if (stage_ == Stage::kOpen) watch_silence();
+  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+    self->take(std::exchange(self->received_before_start_, {}));
+    self->read();
+  });
+  schedule_write();
+}
+
+void WebSocketConnection::wake() {
+  handler_is_dry_ = false;
+  schedule_write();
+}
+
+void WebSocketConnection::close(std::uint16_t code, std::string sentence) {
+  close_after(nullptr, code, std::move(sentence));
+}
+
+void WebSocketConnection::close_after(SealedMessagePtr last, std::uint16_t code,
+                                      std::string sentence) {
+  if (stage_ != Stage::kOpen) return;
+  stage_ = Stage::kClosing;
+  if (last != nullptr) push_message(std::move(last));
+  push_close(code, sentence);
+  reason_ = {code, std::move(sentence), false};
+  bound_closing();
+}
+
+// ---- reading
+
+void WebSocketConnection::read() {
+  if (stage_ == Stage::kClosed) return;
+  const auto wanted = static_cast<std::size_t>(
+      std::clamp<std::uint64_t>(reader_.missing_bytes(), kMinReadBuffer, kMaxReadBuffer));
+  if (read_buffer_.size() < wanted) read_buffer_ = std::vector<std::uint8_t>(wanted);
+  socket_.async_read_some(asio::buffer(read_buffer_),
+                          [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                            self->on_read(error, size);
+                          });
+}
+
+void WebSocketConnection::on_read(ErrorCode error, std::size_t size) {
+  if (stage_ == Stage::kClosed) return;
+  if (error) return on_broken(error);
+  heard_from_peer();
+  take(std::span(read_buffer_).first(size));
+  read();
+}
+
+void WebSocketConnection::take(std::span<const std::uint8_t> bytes) {
+  counters_.bytes_in += bytes.size();
+  while (!bytes.empty() && stage_ != Stage::kClosed) {
+    ReaderEvent event = reader_.next(bytes);
+    std::visit([this](auto&& what) { take_event(std::move(what)); }, std::move(event));
+  }
+}
+
+void WebSocketConnection::take_event(MessageBuffer message) {
+  ++counters_.messages_in;
+  if (stage_ == Stage::kOpen) handler_->on_message(std::move(message));
+}
+
+void WebSocketConnection::take_event(Ping ping) {
+  if (stage_ != Stage::kOpen) return;
+  unanswered_ping_ = std::move(ping);
+  schedule_write();
+}
+
+void WebSocketConnection::take_event(const PeerClose& close) {
+  const bool ours_is_on_its_way = stage_ == Stage::kClosing;
+  stage_ = Stage::kAnswering;
+  if (ours_is_on_its_way) return schedule_write();
+  reason_ = {close.code, close.reason, true};
+  push_close(close.code == close_code::kNoCode ? close_code::kNormal : close.code, "");
+  bound_closing();
+  report(reason_);
+}
+
+void WebSocketConnection::take_event(Violation violation) {
+  const bool ours_is_on_its_way = stage_ == Stage::kClosing;
+  stage_ = Stage::kAnswering;  // the reader has stopped: no answer will be understood
+  if (ours_is_on_its_way) return schedule_write();
+  push_close(violation.code, violation.sentence);
+  reason_ = {violation.code, std::move(violation.sentence), false};
+  bound_closing();
+}
+
+// ---- writing
+
+void WebSocketConnection::schedule_write() {
+  if (write_scheduled_ || waiting_until_writable_) return;
+  write_scheduled_ = true;
+  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+    self->write_scheduled_ = false;
+    self->write();
+  });
+}
+
+void WebSocketConnection::write() {
+  const bool ended = stage_ == Stage::kDraining || stage_ == Stage::kClosed;
+  if (ended || waiting_until_writable_ || write_failed_) return;
+  if (outgoing_.empty() && !refill()) return;
+  if (outgoing_.empty()) return on_all_written();
+  ErrorCode error;
+  const auto& buffers = outgoing_.gather();
+  const std::size_t offered = asio::buffer_size(buffers);
+  const std::size_t size = socket_.write_some(buffers, error);
+  if (error && error != asio::error::would_block) return on_write_failed();
+  on_wrote(size, offered);
+}
+
+/// Everything is written: what comes next? False: nothing before the socket is writable.
+bool WebSocketConnection::refill() {
+  if (pull_limit_bytes_ < kMaxPull && !is_writable_now(socket_)) {
+    wait_until_writable();
+    return false;
+  }
+  if (unanswered_ping_ && stage_ == Stage::kOpen) {
+    push_control(Opcode::kPong, bytes_of(unanswered_ping_->payload));
+    unanswered_ping_.reset();
+  }
+  pull();
+  return true;
+}
+
+void WebSocketConnection::pull() {
+  while (stage_ == Stage::kOpen && handler_ != nullptr && !handler_is_dry_ &&
+         outgoing_.count() < OutgoingFrames::kMaxGather &&
+         outgoing_.unwritten_bytes() < pull_limit_bytes_) {
+    handler_is_dry_ = true;  // before the call, which may call wake()
+    SealedMessagePtr message = handler_->next_message();
+    if (message == nullptr) return;
+    handler_is_dry_ = false;
+    if (stage_ == Stage::kOpen) push_message(std::move(message));
+  }
+}
+
+void WebSocketConnection::on_wrote(std::size_t size, std::size_t offered) {
+  counters_.bytes_out += size;
+  outgoing_.wrote(size);
+  if (size < offered) {
+    pull_limit_bytes_ = kCongestedPull;
+    return wait_until_writable();
+  }
+  pull_limit_bytes_ = std::clamp(2 * pull_limit_bytes_, kFirstPull, kMaxPull);
+  const bool more = !outgoing_.empty() || unanswered_ping_ || !handler_is_dry_;
+  if (more || stage_ != Stage::kOpen) schedule_write();
+}
+
+void WebSocketConnection::wait_until_writable() {
+  waiting_until_writable_ = true;
+  socket_.async_wait(Socket::wait_write, [self = shared_from_this()](ErrorCode error) {
+    self->waiting_until_writable_ = false;
+    if (error || self->stage_ == Stage::kClosed) return;
+    self->heard_from_peer();  // there is room again, so it has acknowledged something
+    self->write();
+  });
+}
+
+void WebSocketConnection::push_control(Opcode opcode, std::span<const std::uint8_t> payload) {
+  std::optional<MaskKey> mask;
+  if (options_.role == WebSocketRole::kClient) fill_with_random_bytes(mask.emplace());
+  outgoing_.push(seal(MessageBuffer(payload), opcode, mask));
+}
+
+void WebSocketConnection::push_message(SealedMessagePtr message) {
+  ++counters_.messages_out;
+  if (options_.role == WebSocketRole::kServer) return outgoing_.push(std::move(message));
+  MaskKey mask{};
+  fill_with_random_bytes(mask);
+  outgoing_.push(seal_masked_copy(*message, mask));
+}
+
+void WebSocketConnection::push_close(std::uint16_t code, std::string_view reason) {
+  ROOMCAST_ASSERT(may_be_sent(code));
+  const std::array code_bytes = {static_cast<std::uint8_t>(code >> 8),
+                                 static_cast<std::uint8_t>(code)};
+  MessageBuffer payload(code_bytes);
+  payload.append(bytes_of(cut_close_reason(reason)));
+  push_control(Opcode::kClose, payload.payload());
+  schedule_write();
+}
+
+// ---- time
+
+void WebSocketConnection::heard_from_peer() {
+  last_heard_ = std::chrono::steady_clock::now();
+  ping_sent_ = false;
+}
+
+void WebSocketConnection::watch_silence() {
+  const auto& timings = options_.timings;
+  const SteadyTime now = std::chrono::steady_clock::now();
+  const SteadyTime next_look =
+      ping_sent_ ? now + timings.ping_after : last_heard_ + timings.ping_after;
+  timer_.expires_at(std::min(next_look, last_heard_ + timings.give_up_after));
+  timer_.async_wait([self = shared_from_this()](ErrorCode error) {
+    if (!error && self->stage_ == Stage::kOpen) self->on_silence_timer();
+  });
+}
+
+void WebSocketConnection::on_silence_timer() {
+  const auto silence = std::chrono::steady_clock::now() - last_heard_;
+  if (silence >= options_.timings.give_up_after) {
+    return shut(
+        {close_code::kAbnormal, "Nothing was heard from the other side for too long.", false});
+  }
+  if (silence >= options_.timings.ping_after && !ping_sent_) {
+    ping_sent_ = true;
+    // While something is being written, that is the question: it goes on only if the peer
+    // acknowledges.
+    if (outgoing_.empty()) push_control(Opcode::kPing, {});
+    schedule_write();
+  }
+  watch_silence();
+}
+
+void WebSocketConnection::bound_closing() {
+  timer_.expires_after(options_.timings.close_within);
+  timer_.async_wait([self = shared_from_this()](ErrorCode error) {
+    if (!error) self->shut(self->reason_);
+  });
+}
+
+// ---- the end
+
+/// The peer may have said why before it went, so the reader has the last word.
+void WebSocketConnection::on_write_failed() {
+  write_failed_ = true;
+  outgoing_.clear();
+  if (stage_ != Stage::kOpen) return;
+  reason_ = {close_code::kAbnormal, "The connection was lost.", true};
+  bound_closing();
+}
+
+void WebSocketConnection::on_all_written() {
+  if (stage_ != Stage::kAnswering) return;
+  stage_ = Stage::kDraining;
+  ErrorCode ignored;
+  socket_.shutdown(Socket::shutdown_send, ignored);
+  report(reason_);
+}
+
+void WebSocketConnection::on_broken(ErrorCode error) {
+  if (stage_ != Stage::kOpen) return shut(reason_);
+  shut({close_code::kAbnormal,
+        error == asio::error::eof ? "The connection ended without a goodbye."
+                                  : "The connection was lost: " + error.message() + ".",
+        true});
+}
+
+void WebSocketConnection::report(CloseReason reason) {
+  if (const auto handler = std::exchange(handler_, nullptr)) handler->on_closed(reason);
+}
+
+void WebSocketConnection::shut(CloseReason reason) {
+  if (stage_ == Stage::kClosed) return;
+  stage_ = Stage::kClosed;
+  ErrorCode ignored;
+  timer_.cancel();
+  socket_.close(ignored);
+  outgoing_.clear();
+  options_.lease.reset();
+  report(std::move(reason));
+}
+
+}  // namespace roomcast::net

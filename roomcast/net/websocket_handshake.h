@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules of the WebSocket handshake, on parsed HTTP headers; no sockets.
+// Source: RFC 6455 sections 4.1 (client) and 4.2 (server); docs/spec/wire.md section 1 for Origin.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/fields.hpp>
+#include <boost/beast/http/message.hpp>
+
+#include "roomcast/net/http_response.h"
+
+namespace roomcast::net {
+
+using RequestHeader = boost::beast::http::header<true, boost::beast::http::fields>;
+using ResponseHeader = boost::beast::http::header<false, boost::beast::http::fields>;
+using EmptyRequest = boost::beast::http::request<boost::beast::http::empty_body>;
+using EmptyResponse = boost::beast::http::response<boost::beast::http::empty_body>;
+
+/// Sec-WebSocket-Accept for this Sec-WebSocket-Key.
+[[nodiscard]] std::string accept_for(std::string_view key);
+/// A fresh Sec-WebSocket-Key.
+[[nodiscard]] std::string random_key();
+
+/// Does this GET ask for a WebSocket at all?
+[[nodiscard]] bool asks_for_websocket(const RequestHeader& request);
+/// The answer that refuses the upgrade, with a sentence; nothing when the request is right.
+[[nodiscard]] std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
+                                                         std::string_view subprotocol);
+/// 101 for a request that refuse_upgrade() let pass.
+[[nodiscard]] EmptyResponse make_upgrade(const RequestHeader& request,
+                                         std::string_view subprotocol);
+
+[[nodiscard]] EmptyRequest make_upgrade_request(std::string_view host_and_port,
+                                                std::string_view path, std::string_view key,
+                                                std::string_view subprotocol);
+/// What is wrong with a 101 answer to make_upgrade_request(), as the end of a sentence ("... speaks
+/// no roomcast.v1"); nothing when it is right.
+[[nodiscard]] std::optional<std::string> fault_in_upgrade(const ResponseHeader& response,
+                                                          std::string_view key,
+                                                          std::string_view subprotocol);
+
+/// Is a page from `origin` the page that this very host serves? Both as in the headers.
+[[nodiscard]] bool is_same_host(std::string_view origin, std::string_view host);
+
+}  // namespace roomcast::net
