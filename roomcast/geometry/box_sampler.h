@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads colour averaged over a square of N x N pixels centred anywhere between pixels: the exact
 // area average, so that taking few pixels out of a large picture does not alias. N = 1 is bilinear
-// interpolation. Positions are kept to 1/64 of a pixel. Thread-safe (no state).
+// interpolation. Positions are kept to 1/32 of a pixel. Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
