@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/gl_object.h"
+
+namespace roomcast {
+
+GLuint GlBufferKind::create() {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  return name;
+}
+void GlBufferKind::destroy(GLuint name) {
+  glDeleteBuffers(1, &name);
+}
+
+GLuint GlFramebufferKind::create() {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  return name;
+}
+void GlFramebufferKind::destroy(GLuint name) {
+  glDeleteFramebuffers(1, &name);
+}
+
+GLuint GlVertexArrayKind::create() {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  return name;
+}
+void GlVertexArrayKind::destroy(GLuint name) {
+  glDeleteVertexArrays(1, &name);
+}
+
+GLuint GlTextureKind::create() {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  return name;
+}
+void GlTextureKind::destroy(GLuint name) {
+  glDeleteTextures(1, &name);
+}
+
+GlTexture make_texture(GLenum internal_format, int width, int height) {
+  GlTexture texture = GlTexture::create();
+  glTextureStorage2D(texture.name(), 1, internal_format, width, height);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+GlBuffer make_buffer(GLsizeiptr bytes) {
+  GlBuffer buffer = GlBuffer::create();
+  glNamedBufferStorage(buffer.name(), bytes, nullptr, 0);
+  return buffer;
+}
+
+}  // namespace roomcast

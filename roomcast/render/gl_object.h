@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// GL names with an owner. Each type holds one name, can be moved but not copied, and deletes it at
+// the end. A default-constructed one holds nothing. The context must be current for making and for
+// deleting.
+#pragma once
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace roomcast {
+
+template <class Kind>
+class GlObject {
+ public:
+  GlObject() = default;
+  explicit GlObject(GLuint name) : name_(name) {}
+  ~GlObject() {
+    if (name_ != 0) Kind::destroy(name_);
+  }
+  GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(name_, other.name_);
+    return *this;
+  }
+
+  static GlObject create() { return GlObject(Kind::create()); }
+
+  [[nodiscard]] GLuint name() const { return name_; }
+
+ private:
+  GLuint name_ = 0;
+};
+
+struct GlBufferKind {
+  static GLuint create();
+  static void destroy(GLuint name);
+};
+struct GlFramebufferKind {
+  static GLuint create();
+  static void destroy(GLuint name);
+};
+struct GlVertexArrayKind {
+  static GLuint create();
+  static void destroy(GLuint name);
+};
+struct GlTextureKind {
+  static GLuint create();  // GL_TEXTURE_2D
+  static void destroy(GLuint name);
+};
+
+using GlBuffer = GlObject<GlBufferKind>;
+using GlFramebuffer = GlObject<GlFramebufferKind>;
+using GlVertexArray = GlObject<GlVertexArrayKind>;
+using GlTexture = GlObject<GlTextureKind>;
+
+/// A 2D texture of fixed size and one level, read by texelFetch: nearest, no wrap. Its content is
+/// undefined. (Integer textures with any other filter are incomplete and read as zero without an
+/// error.)
+[[nodiscard]] GlTexture make_texture(GLenum internal_format, int width, int height);
+
+/// A buffer of fixed size that the CPU does not touch. Its content is undefined.
+[[nodiscard]] GlBuffer make_buffer(GLsizeiptr bytes);
+
+}  // namespace roomcast

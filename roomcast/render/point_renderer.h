@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a sensor's surface as square points (the paper's rendering), each as large on the screen as
+// its depth pixel is on the surface, so that a surface seen from about where its sensor stands has
+// no holes. Draws into the bound framebuffer; needs the GL context it was made with.
+#pragma once
+
+#include "roomcast/render/gl_program.h"
+#include "roomcast/render/sensor_surface.h"
+#include "roomcast/render/surface_view.h"
+
+namespace roomcast {
+
+class PointRenderer {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<PointRenderer> create();
+
+  void draw(const SensorSurface& surface, const SurfaceView& view) const;
+
+ private:
+  explicit PointRenderer(GlProgram program);
+
+  GlProgram program_;
+  GlVertexArray no_attributes_;  // a core context draws nothing without one
+};
+
+}  // namespace roomcast

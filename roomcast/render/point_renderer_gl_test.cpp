@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "roomcast/render/point_renderer.h"
+#include "roomcast/render/room_fixture.h"
+
+namespace roomcast {
+namespace {
+
+using Eigen::Vector3d;
+
+const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
+const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
+
+using PointTest = RoomTest;
+
+// Width in pixels of what is drawn in the middle row.
+int width_drawn(const Picture& picture) {
+  int count = 0;
+  for (int x = 0; x < picture.color.width(); ++x) {
+    if (picture.color.at(x, picture.color.height() / 2) != kNothing) ++count;
+  }
+  return count;
+}
+
+// OpenGL drops a point whose middle lies outside the picture, though it would still reach into it.
+void expect_red_but_at_the_border(const Picture& picture, int point_px) {
+  for (int y = point_px; y < picture.color.height() - point_px; ++y) {
+    for (int x = point_px; x < picture.color.width() - point_px; ++x) {
+      ASSERT_EQ(picture.color.at(x, y), kRed) << x << "," << y << " of points " << point_px;
+    }
+  }
+}
+
+TEST_F(PointTest, a_wall_has_no_holes_when_one_goes_nearer) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  for (const double distance_m : {1.5, 1.0, 0.4}) {
+    const RigidTransform nearer =
+        world_from_optical_looking_at(kAhead + Vector3d(0, 0, distance_m), kAhead);
+    const Picture picture = draw(eye_of(kLens, nearer), RenderMode::kPoints);
+    expect_red_but_at_the_border(picture, static_cast<int>(std::ceil(2 / distance_m)));
+  }
+}
+
+TEST_F(PointTest, a_wall_seen_at_45_degrees_has_no_holes) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  const RigidTransform aside = world_from_optical_looking_at(kAhead + Vector3d(1, 0, 1), kAhead);
+  const Picture picture = draw(eye_of(pinhole(32, 24, 60), aside), RenderMode::kPoints);
+  EXPECT_EQ(picture.color, ColorImage(32, 24, kRed));
+}
+
+TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
+  SensorPictures pictures = wall(kLens, 0, kRed);
+  pictures.depth_mm.at(32, 24) = 2000;
+  add(kFirst, kLens, kPose, pictures);
+  const CameraIntrinsics fine = pinhole(640, 480, 600);  // ten pixels to one of the sensor's
+  const double overlap = 1.4;
+  EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPose), RenderMode::kPoints)), 10 * overlap, 1);
+
+  const RigidTransform back = world_from_optical_looking_at(Vector3d(0, 1.5, 2), kAhead);
+  EXPECT_NEAR(width_drawn(draw(eye_of(fine, back), RenderMode::kPoints)), 5 * overlap, 1);
+}
+
+}  // namespace
+}  // namespace roomcast

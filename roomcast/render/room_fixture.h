@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests that draw rooms: a renderer, and what it drew, on a plain background.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/room_renderer.h"
+#include "roomcast/render/synthetic_sensor.h"
+
+namespace roomcast {
+
+inline constexpr Rgb8 kNothing = {3, 3, 3};
+inline constexpr SensorId kFirst{1}, kSecond{2};
+
+struct Picture {
+  ColorImage color;
+  Image<std::int32_t> sensors;
+};
+
+class RoomTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (HasFatalFailure()) return;
+    Result<RoomRenderer> made = RoomRenderer::create();
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    room_ = std::move(made).value();
+    look_.background = kNothing;
+    look_.floor_grid = false;
+    ASSERT_TRUE(room_->set_look(look_).ok());
+  }
+
+  void TearDown() override {
+    room_.reset();
+    GlTest::TearDown();
+  }
+
+  void add(SensorId id, const CameraIntrinsics& lens, const RigidTransform& world_from_depth,
+           const SensorPictures& pictures) {
+    const Status placed = room_->set_sensor(id, lens, world_from_depth);
+    ASSERT_TRUE(placed.ok()) << placed.error().message;
+    const Status shown = room_->upload(id, pictures.depth_mm, pictures.color, pictures.seen);
+    ASSERT_TRUE(shown.ok()) << shown.error().message;
+  }
+
+  Picture draw(const ViewCamera& camera, RenderMode mode) {
+    Result<OffscreenTarget> target = OffscreenTarget::create(camera.width, camera.height);
+    EXPECT_TRUE(target.ok());
+    const Status drawn = room_->draw(camera, *target, mode);
+    EXPECT_TRUE(drawn.ok());
+    return {target->read_color(), target->read_sensors()};
+  }
+
+  std::optional<RoomRenderer> room_;
+  RoomLook look_;
+};
+
+/// The eye of an ideal pinhole camera: same place, same picture.
+inline ViewCamera eye_of(const CameraIntrinsics& lens, const RigidTransform& world_from_optical) {
+  ViewCamera camera;
+  camera.world_from_view = world_from_optical * optical_from_view();
+  camera.vertical_fov_rad = 2 * std::atan(0.5 * lens.height / lens.fy);
+  camera.width = lens.width;
+  camera.height = lens.height;
+  return camera;
+}
+
+}  // namespace roomcast

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws the surfaces of all sensors of a room in one world, from any eye.
+// Single-threaded; needs a current OpenGL 4.5 context (EglContext) for its whole life.
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/render/floor_grid.h"
+#include "roomcast/render/mesh_renderer.h"
+#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/point_renderer.h"
+#include "roomcast/render/sensor_surface.h"
+#include "roomcast/render/surface_mesh.h"
+#include "roomcast/render/view_camera.h"
+
+namespace roomcast {
+
+enum class RenderMode { kPoints, kMesh };
+
+struct RoomLook {
+  Rgb8 background = {24, 26, 30};
+  bool floor_grid = true;
+  Rgb8 floor_line = {150, 160, 175};
+  SurfaceMeshOptions mesh;
+
+  /// As SurfaceMeshOptions::check.
+  [[nodiscard]] Status check() const { return mesh.check(); }
+};
+
+/// More sensors than this are refused: each holds some ten megabytes of the graphics card's memory.
+inline constexpr std::size_t kMaxRenderedSensors = 64;
+
+class RoomRenderer {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<RoomRenderer> create();
+
+  /// Adds a sensor, or gives it another pose. It keeps its pictures unless its lens is another one.
+  /// Fails as SensorSurface::create does; kTooLarge beyond kMaxRenderedSensors; kInvalidArgument
+  /// for a pose that is not finite. On failure nothing has changed.
+  Status set_sensor(SensorId id, const CameraIntrinsics& depth,
+                    const RigidTransform& world_from_depth);
+
+  /// The sensor's newest pictures. kNotFound without a set_sensor before it; else as
+  /// SensorSurface::upload.
+  Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen);
+
+  /// Nothing happens when there is no such sensor.
+  void remove(SensorId id);
+
+  /// Fails as RoomLook::check does, changing nothing.
+  Status set_look(const RoomLook& look);
+
+  /// A new picture in all of `target`. kInvalidArgument when the camera is not legal or not of the
+  /// target's size.
+  Status draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode);
+
+ private:
+  struct Sensor {
+    SensorSurface surface;
+    RigidTransform world_from_depth;
+    SurfaceMesh mesh;
+  };
+
+  RoomRenderer(PointRenderer points, SurfaceMesher mesher, MeshRenderer meshes, FloorGrid floor);
+  void draw_sensors(const ViewCamera& camera, RenderMode mode);
+
+  PointRenderer points_;
+  SurfaceMesher mesher_;
+  MeshRenderer meshes_;
+  FloorGrid floor_;
+  RoomLook look_;
+  std::map<SensorId, Sensor>
+      sensors_;  // in order, so that the same room always gives the same picture
+};
+
+}  // namespace roomcast

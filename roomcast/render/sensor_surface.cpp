@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/sensor_surface.h"
+
+#include <cmath>
+#include <string>
+
+namespace roomcast {
+namespace {
+
+// As in shaders/sensor_surface.glsl.
+enum TextureUnit : GLuint { kDepthUnit = 0, kRaysUnit = 1, kColorUnit = 2, kSeenUnit = 3 };
+constexpr float kNoRay = 1e6F;
+
+void clear(const GlTexture& texture, GLenum format, GLenum type) {
+  glClearTexImage(texture.name(), 0, format, type, nullptr);
+}
+
+template <class T>
+void replace(const GlTexture& texture, ImageView<const T> image, GLenum format, GLenum type) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(image.stride));
+  glTextureSubImage2D(texture.name(), 0, 0, 0, image.width, image.height, format, type, image.data);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+// GLSL need not know NaN, so "no ray" becomes a number of its own.
+Image<Eigen::Vector2f> rays_without_nan(const CameraIntrinsics& depth) {
+  Image<Eigen::Vector2f> rays = ray_table(depth);
+  Eigen::Vector2f* ray = rays.data();
+  for (std::size_t i = 0; i < rays.view().pixel_count(); ++i) {
+    if (!ray[i].allFinite()) ray[i] = Eigen::Vector2f::Constant(kNoRay);
+  }
+  return rays;
+}
+
+Error wrong_size(const char* picture, int width, int height, const CameraIntrinsics& wanted) {
+  const auto size = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
+  return Error{ErrorCode::kInvalidArgument, std::string("the ") + picture + " picture is " +
+                                                size(width, height) + " but the sensor's is " +
+                                                size(wanted.width, wanted.height)};
+}
+
+}  // namespace
+
+Result<SensorSurface> SensorSurface::create(const CameraIntrinsics& depth) {
+  if (Status legal = depth.check(); !legal) return std::move(legal).error();
+  if (static_cast<std::int64_t>(depth.width) * depth.height > kMaxSurfacePixels) {
+    return Error{ErrorCode::kTooLarge, "the sensor's depth picture has more than 4 million pixels"};
+  }
+  return SensorSurface(depth);
+}
+
+SensorSurface::SensorSurface(const CameraIntrinsics& depth)
+    : intrinsics_(depth),
+      depth_mm_(make_texture(GL_R16UI, depth.width, depth.height)),
+      rays_(make_texture(GL_RG32F, depth.width, depth.height)),
+      color_(make_texture(GL_RGB8, depth.width, depth.height)),
+      seen_(make_texture(GL_R8UI, depth.width, depth.height)) {
+  clear(depth_mm_, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
+  clear(color_, GL_RGB, GL_UNSIGNED_BYTE);
+  clear(seen_, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  const Image<Eigen::Vector2f> rays = rays_without_nan(depth);
+  replace<Eigen::Vector2f>(rays_, rays, GL_RG, GL_FLOAT);
+}
+
+Status SensorSurface::upload(DepthView depth_mm, ColorView color, MaskView seen) {
+  if (!same_size(depth_mm, intrinsics_)) {
+    return wrong_size("depth", depth_mm.width, depth_mm.height, intrinsics_);
+  }
+  if (!same_size(color, intrinsics_)) {
+    return wrong_size("colour", color.width, color.height, intrinsics_);
+  }
+  if (!same_size(seen, intrinsics_)) {
+    return wrong_size("mask", seen.width, seen.height, intrinsics_);
+  }
+  replace(depth_mm_, depth_mm, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
+  replace(color_, color, GL_RGB, GL_UNSIGNED_BYTE);
+  replace(seen_, seen, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  ++revision_;
+  return {};
+}
+
+void SensorSurface::bind() const {
+  glBindTextureUnit(kDepthUnit, depth_mm_.name());
+  glBindTextureUnit(kRaysUnit, rays_.name());
+  glBindTextureUnit(kColorUnit, color_.name());
+  glBindTextureUnit(kSeenUnit, seen_.name());
+}
+
+}  // namespace roomcast

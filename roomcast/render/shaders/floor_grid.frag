@@ -1,0 +1,18 @@
+// Thin lines every metre that fade with distance.
+
+layout(location = 1) uniform vec3 eye;
+layout(location = 2) uniform float reach_m;
+layout(location = 3) uniform vec4 line;  // colour and strength
+
+in vec2 floor_xz;
+layout(location = 0) out vec4 picture;
+
+void main() {
+  vec2 pixel_m = max(fwidth(floor_xz), vec2(1.0e-6));
+  vec2 off_line_px = abs(fract(floor_xz - 0.5) - 0.5) / pixel_m;
+  vec2 coverage = clamp(1.2 - off_line_px, 0.0, 1.0);
+  // Where lines come closer than a few pixels they would flicker: let them go.
+  coverage *= clamp(0.25 / pixel_m - 1.0, 0.0, 1.0);
+  float fade = clamp(1.0 - distance(eye.xz, floor_xz) / reach_m, 0.0, 1.0);
+  picture = vec4(line.rgb, line.a * max(coverage.x, coverage.y) * fade);
+}

@@ -1,0 +1,9 @@
+// Vertices of the depth grid, pulled from the pictures; surface_mesh.comp decides which ones make triangles.
+
+out vec3 tint;
+
+void main() {
+  ivec2 pixel = pixel_of(gl_VertexID);
+  tint = tint_at(pixel);
+  gl_Position = clip_position(pixel, point_in_view(pixel, z_at(pixel)));
+}
