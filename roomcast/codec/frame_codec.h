@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor frame (depth, registered colour, colour mask) <-> one payload of the wire. docs/spec/codec.md.
-// Depth and colour of one instant are one payload: they arrive together or not at all. No I/O, no threads.
+// One sensor frame (depth, registered colour, colour mask) <-> one payload of the wire.
+// docs/spec/codec.md. Depth and colour of one instant are one payload: they arrive together or not
+// at all. No I/O, no threads.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@
 namespace roomcast::codec {
 
 struct FrameEncoderOptions {
-  int width = 0, height = 0;      // of the depth grid; both 16..4096
-  double fps = 30;                // nominal, for rate control
-  int color_kbit_per_s = 900;     // target of the colour stream
-  int temporal_layers = 2;        // 1 or 2; layer 1 frames can be dropped without harm to others
+  int width = 0, height = 0;   // of the depth grid; both 16..4096
+  double fps = 30;             // nominal, for rate control
+  int color_kbit_per_s = 900;  // target of the colour stream
+  int temporal_layers = 2;     // 1 or 2; layer 1 frames can be dropped without harm to others
   /// kInvalidArgument with the field that is wrong.
   [[nodiscard]] Status check() const;
 };
@@ -32,8 +33,9 @@ class FrameEncoder {
   static Result<std::unique_ptr<FrameEncoder>> create(const FrameEncoderOptions& options);
   virtual ~FrameEncoder() = default;
 
-  /// Appends the payload to `out`. `color` and `color_seen` are in the depth grid; both may be empty views (no
-  /// colour in this frame). The first frame, and any with `want_key`, is a key frame.
+  /// Appends the payload to `out`. `color` and `color_seen` are in the depth grid; both may be
+  /// empty views (no colour in this frame). The first frame, and any with `want_key`, is a key
+  /// frame.
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
 };
@@ -50,8 +52,9 @@ class FrameDecoder {
   static Result<std::unique_ptr<FrameDecoder>> create(int width, int height);
   virtual ~FrameDecoder() = default;
 
-  /// kMalformed for hostile or damaged bytes, kUnsupported for sections or codecs of a later version; `out` is then
-  /// unchanged or partly filled, and the next key frame recovers. Memory and time are bounded by the picture size.
+  /// kMalformed for hostile or damaged bytes, kUnsupported for sections or codecs of a later
+  /// version; `out` is then unchanged or partly filled, and the next key frame recovers. Memory and
+  /// time are bounded by the picture size.
   virtual Status decode(std::span<const std::uint8_t> payload, DecodedFrame& out) = 0;
 };
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides which neighbouring contexts share a frequency table: those whose own table costs more
+// than it saves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "roomcast/codec/side_information.h"
+
+namespace roomcast::codec {
+
+using TokenCounts = std::array<std::uint32_t, kTokenCount>;
+
+/// Fills `tables` and `table_of_context` of `side`. At least one count must not be 0.
+void merge_tables(const std::array<TokenCounts, kContextCount>& counts, SideInformation& side);
+
+}  // namespace roomcast::codec
