@@ -28,11 +28,11 @@ enum class MessageType : std::uint8_t { kFrame = 1, kControl = 2 };
 struct FrameHeader {
   bool key = false;   // decodable alone
   bool last = false;  // of its frame set; written by the hub
-  SensorId sensor;
+  SensorId sensor{};
   std::uint8_t layer = 0;  // temporal layer; 0 is needed by later frames
   std::uint8_t codec = 1;
   std::uint32_t seq = 0;  // of the sensor's frames since it joined, modulo 2^32
-  SetId set;              // written by the hub
+  SetId set{};            // written by the hub
   RoomTime capture_time{};
   std::uint32_t clock_error_us = kClockErrorUnknown;
   std::uint32_t base_seq = 0;  // the layer-0 frame that this one needs; its own seq in a key frame

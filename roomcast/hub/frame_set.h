@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// FrameSet: the frames of all sensors for one instant of a room, ready to be written to any number
+// of viewers. Threading: immutable once shared.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/net/sealed_message.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::hub {
+
+struct SetFrame {
+  wire::FrameHeader header;
+  net::SealedMessagePtr message;  // header and payload, WebSocket header included
+};
+
+struct FrameSet {
+  SetId id;
+  std::vector<SetFrame> frames;  // in order of arrival; of a sensor that catches up more than one
+};
+
+using FrameSetPtr = std::shared_ptr<const FrameSet>;
+
+}  // namespace roomcast::hub

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/frame_set_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+nanoseconds period_of(double fps) {
+  return nanoseconds(fps > 0 ? static_cast<std::int64_t>(std::llround(1e9 / fps)) : 0);
+}
+
+}  // namespace
+
+void FrameSetBuilder::add_sensor(SensorId sensor, double fps) {
+  sensors_[sensor] = {.fps = fps, .last = {}};
+  follow_rate();
+}
+
+void FrameSetBuilder::remove_sensor(SensorId sensor) {
+  sensors_.erase(sensor);
+  follow_rate();
+}
+
+double FrameSetBuilder::fps() const {
+  double highest = 0;
+  for (const auto& [id, sensor] : sensors_) highest = std::max(highest, sensor.fps);
+  return highest;
+}
+
+// Another rate counts other slots: what waits is closed, and everyone starts anew.
+void FrameSetBuilder::follow_rate() {
+  const nanoseconds period = period_of(fps());
+  if (period == period_) return;
+  while (!open_.empty()) close_oldest();
+  newest_closed_.reset();
+  for (auto& [id, sensor] : sensors_) sensor.last.reset();
+  period_ = period;
+}
+
+FrameSetBuilder::Slot FrameSetBuilder::natural_slot(RoomTime capture) const {
+  const double periods = static_cast<double>(capture.time_since_epoch().count()) /
+                         static_cast<double>(period_.count());
+  return static_cast<Slot>(std::floor(periods + 0.5));
+}
+
+// A frame that is late for its set travels with the next one. Two frames that fall into one set
+// because the sensor's phase lies on the border between two are spread over both. A sensor that
+// catches up, after a stall of its network for example, may have several frames in a set: leaving
+// one out would cost a key frame.
+std::optional<FrameSetBuilder::Slot> FrameSetBuilder::assign_slot(const Sensor& sensor,
+                                                                  RoomTime capture) const {
+  const Slot natural = natural_slot(capture);
+  const Slot slot = newest_closed_ ? std::max(natural, *newest_closed_ + 1) : natural;
+  if (!sensor.last || sensor.last->slot < slot) return slot;
+  const bool on_border =
+      sensor.last->slot == natural && natural_slot(sensor.last->capture_time) == natural;
+  if (on_border) return natural + 1;
+  if (sensor.last->frames_in_slot >= kMaxFramesOfSensorInSet) return std::nullopt;
+  return sensor.last->slot;
+}
+
+bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuffer message,
+                                RoomTime now) {
+  const auto found = sensors_.find(header.sensor);
+  ROOMCAST_ASSERT(found != sensors_.end());
+  Sensor& sensor = found->second;
+  const auto slot = assign_slot(sensor, header.capture_time);
+  if (!slot) return false;
+  const bool joins_own = sensor.last && sensor.last->slot == *slot;
+  const std::size_t frames_in_slot = joins_own ? sensor.last->frames_in_slot + 1 : 1;
+  sensor.last = Sensor::Delivery{*slot, frames_in_slot, header.capture_time, now};
+  const auto [set, is_new] = open_.try_emplace(*slot);
+  if (is_new) set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
+  set->second.frames.push_back({header, std::move(message)});
+  if (open_.size() > kMaxOpenSets) close_oldest();
+  return true;
+}
+
+// By its own rate, does this sensor's next frame belong to this slot or an earlier one?
+bool FrameSetBuilder::is_due(const Sensor& sensor, Slot slot, RoomTime now) const {
+  if (!sensor.last || now - sensor.last->arrival > wire::kSensorSilent) return false;
+  return sensor.last->slot < slot &&
+         natural_slot(sensor.last->capture_time + period_of(sensor.fps)) <= slot;
+}
+
+bool FrameSetBuilder::is_complete(Slot slot, RoomTime now) const {
+  return std::none_of(sensors_.begin(), sensors_.end(),
+                      [&](const auto& entry) { return is_due(entry.second, slot, now); });
+}
+
+void FrameSetBuilder::close_oldest() {
+  auto node = open_.extract(open_.begin());
+  auto set = std::make_shared<FrameSet>();
+  set->id = SetId{next_set_id_++};
+  auto& frames = node.mapped().frames;
+  for (Pending& pending : frames) {
+    pending.header.set = set->id;
+    pending.header.last = &pending == &frames.back();
+    wire::stamp_frame_set(pending.message.payload(), set->id, pending.header.last);
+    set->frames.push_back({pending.header, net::seal(std::move(pending.message))});
+  }
+  newest_closed_ = node.key();
+  closed_.push_back(std::move(set));
+}
+
+std::vector<FrameSetPtr> FrameSetBuilder::take_closed(RoomTime now) {
+  while (!open_.empty()) {
+    const auto& [slot, set] = *open_.begin();
+    if (now < set.deadline && !is_complete(slot, now)) break;
+    close_oldest();
+  }
+  return std::exchange(closed_, {});
+}
+
+std::optional<RoomTime> FrameSetBuilder::next_deadline() const {
+  if (open_.empty()) return std::nullopt;
+  return open_.begin()->second.deadline;
+}
+
+}  // namespace roomcast::hub

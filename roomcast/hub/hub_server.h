@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// HubServer: a Room on a port. One event loop, one thread: sockets, timers and the room's state all
+// live there. Threading: open() and run() on one thread; port() from any.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::hub {
+
+struct HubOptions {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 7600;  // 0: any free one
+  std::string room = "room";
+  std::optional<std::filesystem::path>
+      web_directory;  // the page to serve; without it "/" says how to get one
+  LogSink log;
+};
+
+class HubServer {
+ public:
+  /// Listens at once; clients are served once run() runs. kUnavailable: the port is in use.
+  /// kInvalidArgument: not an address. kNotFound: no page in the web directory.
+  static Result<std::unique_ptr<HubServer>> open(HubOptions options);
+  ~HubServer();
+
+  [[nodiscard]] std::uint16_t port() const;
+
+  /// Serves until `stop` is requested, then closes all connections in good order.
+  void run(std::stop_token stop);
+
+ private:
+  class Loop;
+  explicit HubServer(std::unique_ptr<Loop> loop);
+  std::unique_ptr<Loop> loop_;
+};
+
+}  // namespace roomcast::hub

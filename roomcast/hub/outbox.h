@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outbox: what waits to be written to one connection. Control messages go first; then frame sets,
+// at most kMaxQueuedSets of which no byte has been written: when another comes the oldest goes, so
+// a slow viewer loses its own frames and delays nobody. Frames that the receiver could not decode,
+// because a frame they need was left out, are left out too. docs/spec/wire.md §2 (last paragraph)
+// and §3 "Back-pressure". Pure.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/frame_set.h"
+#include "roomcast/net/sealed_message.h"
+
+namespace roomcast::hub {
+
+class Outbox {
+ public:
+  /// False when kMaxQueuedControlMessages wait already: the receiver has to be cut off.
+  [[nodiscard]] bool push_control(net::SealedMessagePtr message);
+  void push_set(FrameSetPtr set);
+
+  /// What to write next; null when there is nothing.
+  [[nodiscard]] net::SealedMessagePtr next();
+
+  /// The sensor starts anew: only its key frames can be decoded now.
+  void forget(SensorId sensor);
+
+  /// Sensors of which frames had to be left out, and which should send a key frame. Each once per
+  /// gap.
+  [[nodiscard]] std::vector<SensorId> take_key_needs();
+
+  [[nodiscard]] std::uint64_t dropped_sets() const { return dropped_sets_; }
+
+ private:
+  struct QueuedSet {
+    FrameSetPtr set;
+    std::size_t next_frame = 0;
+  };
+  struct Chain {
+    bool broken = true;          // nothing to build on: only a key frame helps
+    std::uint32_t base_seq = 0;  // the newest layer-0 frame that was delivered
+    bool key_asked = false;
+  };
+
+  [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
+
+  std::deque<net::SealedMessagePtr> control_;
+  std::deque<QueuedSet> sets_;
+  std::unordered_map<SensorId, Chain> chains_;
+  std::vector<SensorId> key_needs_;
+  std::uint64_t dropped_sets_ = 0;
+};
+
+}  // namespace roomcast::hub

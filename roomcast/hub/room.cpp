@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+// Told apart by people with red-green blindness too: Okabe and Ito's palette without black and
+// grey.
+constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
+                                                        0x0072B2, 0xD55E00, 0xCC79A7};
+
+// A sensor that nobody has placed is shown standing beside the others rather than not at all.
+Matrix4 guessed_place(SensorId id) {
+  constexpr double kSpacing_m = 3, kHeight_m = 1.2;
+  // Optical axes to world: x right, y down -> -y, z forward -> -z.
+  return {1, 0, 0, kSpacing_m * id.value, 0, -1, 0, kHeight_m, 0, 0, -1, 0, 0, 0, 0, 1};
+}
+
+pb::Control welcome_message(const std::string& room, const std::string& hub_version) {
+  pb::Control control;
+  control.mutable_welcome()->set_room(room);
+  control.mutable_welcome()->set_hub_version(hub_version);
+  return control;
+}
+
+}  // namespace
+
+Room::Room(std::string name, std::string hub_version)
+    : name_(std::move(name)), hub_version_(std::move(hub_version)) {}
+
+RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
+  ROOMCAST_ASSERT(!sensor_of_.contains(from) && !viewers_.contains(from));
+  if (!join.room().empty() && join.room() != name_) {
+    return refuse(from, pb::ERROR_NO_SUCH_ROOM,
+                  "this hub has no room \"" + join.room() + "\", only \"" + name_ + "\"", now);
+  }
+  RoomActions out;
+  if (join.has_sensor()) {
+    join_sensor(from, join, now, out);
+  } else {
+    join_viewer(from, join, now, out);
+  }
+  return out;
+}
+
+void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
+  Sensor* sensor = known_or_new_sensor(join.name());
+  if (sensor == nullptr) {
+    out = refuse(from, pb::ERROR_ROOM_FULL,
+                 "this room knows " + std::to_string(wire::kMaxSensors) + " sensors already", now);
+    return;
+  }
+  if (sensor->connection) {
+    sensor_of_.erase(*sensor->connection);
+    out.push_back(Disconnect{*sensor->connection, pb::ERROR_REPLACED,
+                             "sensor \"" + sensor->name + "\" has joined again from elsewhere"});
+  }
+  sensor->connection = from;
+  sensor->description = join.sensor();
+  sensor->key_pace = {};  // its first frame is a key frame anyway
+  place(*sensor, join.sensor());
+  sensor_of_[from] = sensor->id.value;
+  sets_.remove_sensor(sensor->id);
+  sets_.add_sensor(sensor->id, join.sensor().fps());
+
+  pb::Control welcome = welcome_message(name_, hub_version_);
+  welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
+  out.push_back(AcceptConnection{from, true});
+  out.push_back(SendControl{{from}, std::move(welcome)});
+  out.push_back(RestartSensor{viewer_connections(), sensor->id});
+  announce(out);
+  send_closed_sets(now, out);
+}
+
+void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
+  if (viewers_.size() >= wire::kMaxViewers) {
+    out = refuse(from, pb::ERROR_ROOM_FULL,
+                 "this room holds " + std::to_string(wire::kMaxViewers) + " viewers and is full",
+                 now);
+    return;
+  }
+  pb::Control welcome = welcome_message(name_, hub_version_);
+  const Matrix4 pose = next_start_pose();
+  welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
+  welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
+
+  for (auto& [connection, other] : viewers_) other.pose_is_news = other.pose.has_value();
+  viewers_[from] = {.id = ViewerId{next_viewer_id_},
+                    .name = join.name(),
+                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
+                    .pose = {}};
+  ++next_viewer_id_;
+  out.push_back(AcceptConnection{from, false});
+  out.push_back(SendControl{{from}, std::move(welcome)});
+  announce(out);
+  for (Sensor& sensor : sensors_) {
+    if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
+  }
+}
+
+Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
+  const auto known = std::find_if(sensors_.begin(), sensors_.end(),
+                                  [&](const Sensor& s) { return s.name == name; });
+  if (known != sensors_.end()) return &*known;
+  if (sensors_.size() >= wire::kMaxSensors) return nullptr;
+  const SensorId id{static_cast<std::uint16_t>(sensors_.size())};
+  sensors_.push_back({.id = id,
+                      .name = name,
+                      .connection = {},
+                      .description = {},
+                      .world_from_depth = guessed_place(id),
+                      .key_pace = {}});
+  return &sensors_.back();
+}
+
+void Room::place(Sensor& sensor, const pb::SensorRole& role) {
+  if (role.world_from_depth().empty()) return;  // keeps what the room knows
+  std::copy(role.world_from_depth().begin(), role.world_from_depth().end(),
+            sensor.world_from_depth.begin());
+  sensor.placement = pb::PLACEMENT_GIVEN;
+}
+
+RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
+  RoomActions out;
+  const auto viewer = viewers_.find(from);
+  switch (message.message_case()) {
+    case pb::Control::kClockPing: {
+      pb::Control pong;
+      pong.mutable_clock_pong()->set_client_ns(message.clock_ping().client_ns());
+      pong.mutable_clock_pong()->set_hub_ns(
+          static_cast<std::uint64_t>(now.time_since_epoch().count()));
+      out.push_back(SendControl{{from}, std::move(pong)});
+      return out;
+    }
+    case pb::Control::kKeyRequest:
+      if (viewer == viewers_.end()) break;
+      return key_needed(SensorId{static_cast<std::uint16_t>(message.key_request().sensor_id())},
+                        now);
+    case pb::Control::kViewerPose:
+      if (viewer == viewers_.end()) break;
+      set_pose(viewer->second, message.viewer_pose(), now);
+      return out;
+    case pb::Control::kViewerStats:
+      if (viewer == viewers_.end()) break;
+      return out;
+    case pb::Control::MESSAGE_NOT_SET:
+      return out;  // of a later version
+    default:
+      break;
+  }
+  return refuse(from, pb::ERROR_UNEXPECTED,
+                "this control message may not be sent to a hub by this kind of client", now);
+}
+
+RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
+                        net::MessageBuffer message, RoomTime now) {
+  const auto found = sensor_of_.find(from);
+  if (found == sensor_of_.end()) {
+    return refuse(from, pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames", now);
+  }
+  Sensor& sensor = sensors_[found->second];
+  if (header.sensor != sensor.id) {
+    return refuse(
+        from, pb::ERROR_UNEXPECTED,
+        "this frame carries the id of another sensor than " + std::to_string(sensor.id.value), now);
+  }
+  if (header.capture_time > now + wire::kMaxCaptureAhead) {
+    return refuse(from, pb::ERROR_MALFORMED,
+                  "this frame was captured in the future: synchronise the clock first", now);
+  }
+  if (header.key) sensor.key_pace.key_frame_came();
+  RoomActions out;
+  if (!sets_.add_frame(header, std::move(message), now)) return out;
+  send_closed_sets(now, out);
+  return out;
+}
+
+RoomActions Room::key_needed(SensorId id, RoomTime now) {
+  RoomActions out;
+  if (id.value >= sensors_.size())
+    return out;  // a viewer with an old roster, or a joker: nothing to do
+  Sensor& sensor = sensors_[id.value];
+  if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
+  return out;
+}
+
+RoomActions Room::leave(ConnectionId from, RoomTime now) {
+  RoomActions out;
+  if (const auto found = sensor_of_.find(from); found != sensor_of_.end()) {
+    Sensor& sensor = sensors_[found->second];
+    sensor.connection.reset();
+    sets_.remove_sensor(sensor.id);
+    sensor_of_.erase(found);
+    announce(out);
+    send_closed_sets(now, out);
+  } else if (viewers_.erase(from) > 0) {
+    announce(out);
+  }
+  return out;
+}
+
+RoomActions Room::tick(RoomTime now) {
+  RoomActions out;
+  send_closed_sets(now, out);
+  for (Sensor& sensor : sensors_) {
+    if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
+  }
+  if (now >= next_poses_) send_poses(now, out);
+  return out;
+}
+
+std::optional<RoomTime> Room::next_tick() const {
+  std::optional<RoomTime> next = sets_.next_deadline();
+  const auto consider = [&](std::optional<RoomTime> time) {
+    if (time && (!next || *time < *next)) next = time;
+  };
+  for (const Sensor& sensor : sensors_) {
+    if (sensor.connection) consider(sensor.key_pace.next());
+  }
+  const bool news = std::any_of(viewers_.begin(), viewers_.end(),
+                                [](const auto& v) { return v.second.pose_is_news; });
+  if (news) consider(next_poses_);
+  return next;
+}
+
+void Room::set_pose(Viewer& viewer, const pb::ViewerPose& pose, RoomTime now) {
+  if (now - viewer.pose_window_begin >= std::chrono::seconds(1)) {
+    viewer.pose_window_begin = now;
+    viewer.poses_in_window = 0;
+  }
+  if (++viewer.poses_in_window > wire::kMaxPosesPerSecond) return;
+  viewer.pose = pose;
+  viewer.pose->set_viewer_id(viewer.id.value);
+  viewer.pose_is_news = true;
+}
+
+void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
+  pb::Control request;
+  request.mutable_key_request()->set_sensor_id(sensor.id.value);
+  out.push_back(SendControl{{*sensor.connection}, std::move(request)});
+}
+
+void Room::send_closed_sets(RoomTime now, RoomActions& out) {
+  for (FrameSetPtr& set : sets_.take_closed(now)) {
+    if (!viewers_.empty()) out.push_back(SendSet{viewer_connections(), std::move(set)});
+  }
+}
+
+// One message for all: a viewer skips its own pose.
+void Room::send_poses(RoomTime now, RoomActions& out) {
+  pb::Control control;
+  for (auto& [connection, viewer] : viewers_) {
+    if (std::exchange(viewer.pose_is_news, false))
+      *control.mutable_viewer_poses()->add_poses() = *viewer.pose;
+  }
+  if (!control.has_viewer_poses()) return;
+  next_poses_ = now + wire::kPoseInterval;
+  out.push_back(SendControl{viewer_connections(), std::move(control)});
+}
+
+void Room::announce(RoomActions& out) {
+  ++roster_revision_;
+  if (viewers_.empty()) return;
+  pb::Control control;
+  *control.mutable_roster() = roster();
+  out.push_back(SendControl{viewer_connections(), std::move(control)});
+}
+
+std::vector<ConnectionId> Room::viewer_connections() const {
+  std::vector<ConnectionId> connections;
+  connections.reserve(viewers_.size());
+  for (const auto& [connection, viewer] : viewers_) connections.push_back(connection);
+  return connections;
+}
+
+pb::Roster Room::roster() const {
+  pb::Roster roster;
+  roster.set_revision(roster_revision_);
+  roster.set_fps(sets_.fps());
+  for (const Sensor& sensor : sensors_) {
+    auto& entry = *roster.add_sensors();
+    entry.set_id(sensor.id.value);
+    entry.set_name(sensor.name);
+    entry.set_online(sensor.connection.has_value());
+    *entry.mutable_calibration() = sensor.description.calibration();
+    entry.mutable_world_from_depth()->Assign(sensor.world_from_depth.begin(),
+                                             sensor.world_from_depth.end());
+    entry.set_placement(sensor.placement);
+    entry.set_fps(sensor.description.fps());
+  }
+  for (const auto& [connection, viewer] : viewers_) {
+    auto& entry = *roster.add_viewers();
+    entry.set_id(viewer.id.value);
+    entry.set_name(viewer.name);
+    entry.set_color_rgb(viewer.color_rgb);
+  }
+  return roster;
+}
+
+Matrix4 Room::next_start_pose() const {
+  std::vector<Matrix4> placed;
+  for (const Sensor& sensor : sensors_) {
+    if (sensor.placement != pb::PLACEMENT_UNPLACED) placed.push_back(sensor.world_from_depth);
+  }
+  if (placed.empty()) {
+    for (const Sensor& sensor : sensors_) placed.push_back(sensor.world_from_depth);
+  }
+  return start_pose(placed, viewers_.size());
+}
+
+RoomActions Room::refuse(ConnectionId from, pb::ErrorCode code, std::string sentence,
+                         RoomTime now) {
+  RoomActions out = leave(from, now);
+  out.push_back(Disconnect{from, code, std::move(sentence)});
+  return out;
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Room: who is in it and who gets what. A pure state machine: an event and the time go in, actions
+// come out (the paper's Algorithm 2: ids, forwarding, time-aligned frames, joins and leaves in any
+// order). docs/spec/wire.md §3.
+//
+// A sensor's name is its identity: it leaves and comes back with the same id and pose. Viewers are
+// new each time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/frame_set_builder.h"
+#include "roomcast/hub/key_request_pace.h"
+#include "roomcast/hub/room_action.h"
+#include "roomcast/hub/start_pose.h"
+#include "roomcast/net/message_buffer.h"
+#include "roomcast/wire/control.pb.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::hub {
+
+class Room {
+ public:
+  Room(std::string name, std::string hub_version);
+
+  // Events. Messages have passed wire::decode_control or wire::parse_frame.
+
+  /// The first message of a connection has come.
+  [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, RoomTime now);
+  /// Any later control message.
+  [[nodiscard]] RoomActions control(ConnectionId from, const wire::pb::Control& message,
+                                    RoomTime now);
+  [[nodiscard]] RoomActions frame(ConnectionId from, const wire::FrameHeader& header,
+                                  net::MessageBuffer message, RoomTime now);
+  /// A viewer's frames of this sensor had to be left out; it needs a key frame to go on.
+  [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
+  /// A connection ended by itself.
+  [[nodiscard]] RoomActions leave(ConnectionId from, RoomTime now);
+  /// Time has passed.
+  [[nodiscard]] RoomActions tick(RoomTime now);
+
+  /// When `tick` should be called next, if nothing happens before.
+  [[nodiscard]] std::optional<RoomTime> next_tick() const;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::size_t online_sensor_count() const { return sensor_of_.size(); }
+  [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
+
+ private:
+  struct Sensor {
+    SensorId id;
+    std::string name;
+    std::optional<ConnectionId> connection;  // while online
+    wire::pb::SensorRole description;        // as last joined
+    wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
+    Matrix4 world_from_depth{};
+    KeyRequestPace key_pace;
+  };
+  struct Viewer {
+    ViewerId id;
+    std::string name;
+    std::uint32_t color_rgb = 0;
+    std::optional<wire::pb::ViewerPose> pose;
+    bool pose_is_news = false;
+    RoomTime pose_window_begin{};
+    int poses_in_window = 0;
+  };
+
+  void join_sensor(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
+  void join_viewer(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
+  Sensor* known_or_new_sensor(const std::string& name);
+  void place(Sensor& sensor, const wire::pb::SensorRole& role);
+  void set_pose(Viewer& viewer, const wire::pb::ViewerPose& pose, RoomTime now);
+  void ask_for_key(const Sensor& sensor, RoomActions& out);
+  void send_closed_sets(RoomTime now, RoomActions& out);
+  void send_poses(RoomTime now, RoomActions& out);
+  void announce(RoomActions& out);
+  [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
+  [[nodiscard]] wire::pb::Roster roster() const;
+  [[nodiscard]] Matrix4 next_start_pose() const;
+  [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
+                                   std::string sentence, RoomTime now);
+
+  const std::string name_;
+  const std::string hub_version_;
+  std::vector<Sensor> sensors_;                              // all that were ever here, by id
+  std::unordered_map<ConnectionId, std::size_t> sensor_of_;  // online ones: index into sensors_
+  std::unordered_map<ConnectionId, Viewer> viewers_;
+  FrameSetBuilder sets_;
+  std::uint32_t next_viewer_id_ = 1;
+  std::uint32_t roster_revision_ = 0;
+  RoomTime next_poses_{};
+};
+
+}  // namespace roomcast::hub

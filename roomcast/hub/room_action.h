@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a Room wants done. The room itself touches no socket and no clock; whoever drives it carries
+// these out in order.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/frame_set.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+struct SendControl {
+  std::vector<ConnectionId> to;
+  wire::pb::Control message;
+};
+
+struct SendSet {
+  std::vector<ConnectionId> to;
+  FrameSetPtr set;
+};
+
+/// The sensor starts anew: what these viewers were sent of it is nothing to build on.
+struct RestartSensor {
+  std::vector<ConnectionId> to;
+  SensorId sensor;
+};
+
+/// This connection was accepted; frames may come from it if it is a sensor's.
+struct AcceptConnection {
+  ConnectionId connection;
+  bool is_sensor = false;
+};
+
+/// The room knows this connection no more. Tell it why and close it.
+struct Disconnect {
+  ConnectionId connection;
+  wire::pb::ErrorCode code = wire::pb::ERROR_UNSPECIFIED;
+  std::string sentence;
+};
+
+using RoomAction = std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect>;
+using RoomActions = std::vector<RoomAction>;
+
+}  // namespace roomcast::hub

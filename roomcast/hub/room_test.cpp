@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+namespace pb = wire::pb;
+
+RoomTime at(nanoseconds since_start) {
+  return RoomTime(1h + since_start);
+}
+
+Matrix4 pose_at(double x) {
+  return {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
+
+pb::Join sensor_join(const std::string& name,
+                     std::optional<Matrix4> world_from_depth = pose_at(1)) {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_sensor()->set_fps(30);
+  join.mutable_sensor()->mutable_calibration()->mutable_depth()->set_width(512);
+  if (world_from_depth) {
+    join.mutable_sensor()->mutable_world_from_depth()->Assign(world_from_depth->begin(),
+                                                              world_from_depth->end());
+  }
+  return join;
+}
+
+pb::Join viewer_join(const std::string& name = "") {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_viewer();
+  return join;
+}
+
+template <class T>
+std::vector<T> all(const RoomActions& actions) {
+  std::vector<T> found;
+  for (const auto& action : actions) {
+    if (const auto* match = std::get_if<T>(&action)) found.push_back(*match);
+  }
+  return found;
+}
+
+/// Control messages of one kind, with whom they go to.
+std::vector<SendControl> messages(const RoomActions& actions, pb::Control::MessageCase kind) {
+  auto found = all<SendControl>(actions);
+  std::erase_if(found,
+                [&](const SendControl& send) { return send.message.message_case() != kind; });
+  return found;
+}
+
+pb::Roster newest_roster(const RoomActions& actions) {
+  const auto rosters = messages(actions, pb::Control::kRoster);
+  return rosters.empty() ? pb::Roster() : rosters.back().message.roster();
+}
+
+class RoomTest : public testing::Test {
+ protected:
+  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s) {
+    const ConnectionId connection{next_connection++};
+    actions = room.join(connection, join, at(now));
+    return connection;
+  }
+
+  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
+                    bool key = true) {
+    wire::FrameHeader header{.key = key, .sensor = sensor, .capture_time = at(captured)};
+    std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+    wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+    return room.frame(from, header, net::MessageBuffer(bytes), at(arrived));
+  }
+
+  Room room{"lab", "test"};
+  RoomActions actions;  // of the last enter()
+  std::uint64_t next_connection = 1;
+};
+
+TEST_F(RoomTest, sensors_get_ids_in_order_of_their_first_coming) {
+  const auto first = enter(sensor_join("left"));
+  EXPECT_THAT(all<AcceptConnection>(actions), testing::SizeIs(1));
+  EXPECT_EQ(messages(actions, pb::Control::kWelcome)[0].to, std::vector{first});
+  EXPECT_EQ(messages(actions, pb::Control::kWelcome)[0].message.welcome().sensor_id(), 0u);
+  enter(sensor_join("right"));
+  EXPECT_EQ(messages(actions, pb::Control::kWelcome)[0].message.welcome().sensor_id(), 1u);
+  EXPECT_EQ(room.online_sensor_count(), 2u);
+}
+
+TEST_F(RoomTest, a_sensor_that_comes_back_has_the_same_id_and_pose) {
+  enter(viewer_join());
+  const auto left = enter(sensor_join("left", pose_at(7)));
+  enter(sensor_join("right"));
+  const auto roster_without = newest_roster(room.leave(left, at(1s)));
+  EXPECT_FALSE(roster_without.sensors(0).online());
+  EXPECT_EQ(roster_without.sensors(0).world_from_depth(3), 7);
+  enter(sensor_join("left", std::nullopt), 2s);
+  const auto roster = newest_roster(actions);
+  EXPECT_TRUE(roster.sensors(0).online());
+  EXPECT_EQ(roster.sensors(0).name(), "left");
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_GIVEN);
+}
+
+TEST_F(RoomTest, a_sensor_that_joins_twice_replaces_its_old_connection) {
+  const auto old_connection = enter(sensor_join("left"));
+  const auto new_connection = enter(sensor_join("left"));
+  const auto disconnected = all<Disconnect>(actions);
+  ASSERT_EQ(disconnected.size(), 1u);
+  EXPECT_EQ(disconnected[0].connection, old_connection);
+  EXPECT_EQ(disconnected[0].code, pb::ERROR_REPLACED);
+  EXPECT_EQ(room.online_sensor_count(), 1u);
+  EXPECT_THAT(room.leave(old_connection, at(1s)), IsEmpty())
+      << "the old connection's end changes nothing";
+  EXPECT_TRUE(all<Disconnect>(frame(new_connection, SensorId{0}, 1s, 1s)).empty());
+}
+
+TEST_F(RoomTest, a_sensor_without_a_pose_is_shown_but_not_called_placed) {
+  enter(viewer_join());
+  enter(sensor_join("left", std::nullopt));
+  const auto roster = newest_roster(actions);
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_UNPLACED);
+  EXPECT_EQ(roster.sensors(0).world_from_depth_size(), 16);
+}
+
+TEST_F(RoomTest, a_viewer_is_welcomed_with_a_place_and_the_roster) {
+  enter(sensor_join("left"));
+  const auto viewer = enter(viewer_join("Ada"));
+  const auto welcome = messages(actions, pb::Control::kWelcome);
+  ASSERT_EQ(welcome.size(), 1u);
+  EXPECT_EQ(welcome[0].message.welcome().room(), "lab");
+  EXPECT_EQ(welcome[0].message.welcome().start_pose_size(), 16);
+  const auto roster = newest_roster(actions);
+  EXPECT_EQ(roster.sensors(0).name(), "left");
+  EXPECT_EQ(roster.viewers(0).name(), "Ada");
+  EXPECT_EQ(messages(actions, pb::Control::kRoster)[0].to, std::vector{viewer});
+  EXPECT_EQ(roster.fps(), 30);
+}
+
+TEST_F(RoomTest, rosters_go_to_all_viewers_and_their_revision_grows) {
+  const auto a = enter(viewer_join());
+  const auto first = newest_roster(actions).revision();
+  const auto b = enter(viewer_join());
+  EXPECT_THAT(messages(actions, pb::Control::kRoster)[0].to, UnorderedElementsAre(a, b));
+  EXPECT_GT(newest_roster(actions).revision(), first);
+  const auto after = newest_roster(room.leave(a, at(1s)));
+  EXPECT_EQ(after.viewers_size(), 1);
+}
+
+TEST_F(RoomTest, a_late_viewer_makes_all_sensors_send_key_frames) {
+  const auto left = enter(sensor_join("left"));
+  const auto right = enter(sensor_join("right"));
+  enter(viewer_join());
+  std::vector<ConnectionId> asked;
+  for (const auto& request : messages(actions, pb::Control::kKeyRequest))
+    asked.push_back(request.to[0]);
+  EXPECT_THAT(asked, UnorderedElementsAre(left, right));
+}
+
+TEST_F(RoomTest, key_requests_are_paced_and_none_is_forgotten) {
+  enter(sensor_join("left"));
+  enter(viewer_join(), 0ms);
+  EXPECT_EQ(messages(actions, pb::Control::kKeyRequest).size(), 1u);
+  EXPECT_THAT(room.key_needed(SensorId{0}, at(100ms)), IsEmpty());
+  EXPECT_EQ(room.next_tick(), at(500ms));
+  EXPECT_EQ(messages(room.tick(at(500ms)), pb::Control::kKeyRequest).size(), 1u);
+  EXPECT_THAT(room.key_needed(SensorId{99}, at(2s)), IsEmpty())
+      << "an unknown sensor is nobody's problem";
+}
+
+TEST_F(RoomTest, a_frame_reaches_all_viewers_as_a_set) {
+  const auto sensor = enter(sensor_join("left"));
+  const auto a = enter(viewer_join());
+  const auto b = enter(viewer_join());
+  const auto sets = all<SendSet>(frame(sensor, SensorId{0}, 0ms, 5ms));
+  ASSERT_EQ(sets.size(), 1u);
+  EXPECT_THAT(sets[0].to, UnorderedElementsAre(a, b));
+  EXPECT_EQ(sets[0].set->frames.size(), 1u);
+}
+
+TEST_F(RoomTest, a_set_that_waits_is_sent_by_the_clock) {
+  const auto left = enter(sensor_join("left"));
+  const auto right = enter(sensor_join("right"));
+  enter(viewer_join());
+  frame(left, SensorId{0}, 0ms, 0ms);
+  frame(right, SensorId{1}, 0ms, 0ms);
+  frame(left, SensorId{0}, 33ms, 34ms);
+  EXPECT_THAT(all<SendSet>(frame(left, SensorId{0}, 67ms, 68ms)), IsEmpty());
+  EXPECT_EQ(room.next_tick(), at(118ms));
+  EXPECT_THAT(all<SendSet>(room.tick(at(118ms))), testing::SizeIs(1));
+}
+
+TEST_F(RoomTest, frames_from_strangers_or_under_another_id_or_from_the_future_end_the_connection) {
+  const auto sensor = enter(sensor_join("left"));
+  const auto viewer = enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(frame(viewer, SensorId{0}, 0s, 0s))[0].code, pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(all<Disconnect>(frame(sensor, SensorId{1}, 0s, 0s))[0].code, pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(room.online_sensor_count(), 0u);
+  const auto again = enter(sensor_join("left"));
+  EXPECT_EQ(
+      all<Disconnect>(frame(again, SensorId{0}, 0s + wire::kMaxCaptureAhead + 1ms, 0s))[0].code,
+      pb::ERROR_MALFORMED);
+}
+
+TEST_F(RoomTest, clock_pings_are_answered_with_room_time) {
+  const auto sensor = enter(sensor_join("left"));
+  pb::Control ping;
+  ping.mutable_clock_ping()->set_client_ns(5);
+  const auto pong = messages(room.control(sensor, ping, at(2s)), pb::Control::kClockPong);
+  ASSERT_EQ(pong.size(), 1u);
+  EXPECT_EQ(pong[0].message.clock_pong().client_ns(), 5u);
+  EXPECT_EQ(pong[0].message.clock_pong().hub_ns(),
+            static_cast<std::uint64_t>(at(2s).time_since_epoch().count()));
+}
+
+pb::Control pose_message(float x) {
+  pb::Control control;
+  control.mutable_viewer_pose()->set_viewer_id(12345);  // a lie; the hub knows better
+  control.mutable_viewer_pose()->mutable_head()->set_x(x);
+  return control;
+}
+
+TEST_F(RoomTest, poses_are_relayed_under_the_senders_id_at_most_20_times_a_second) {
+  const auto a = enter(viewer_join());
+  const auto b = enter(viewer_join());
+  EXPECT_THAT(room.control(a, pose_message(1), at(10ms)), IsEmpty());
+  EXPECT_THAT(room.control(a, pose_message(2), at(20ms)), IsEmpty());
+  const auto sent = messages(room.tick(at(30ms)), pb::Control::kViewerPoses);
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_THAT(sent[0].to, UnorderedElementsAre(a, b));
+  ASSERT_EQ(sent[0].message.viewer_poses().poses_size(), 1);
+  EXPECT_EQ(sent[0].message.viewer_poses().poses(0).viewer_id(), 1u);
+  EXPECT_EQ(sent[0].message.viewer_poses().poses(0).head().x(), 2);
+  EXPECT_EQ(room.next_tick(), std::nullopt);
+  EXPECT_THAT(room.control(a, pose_message(3), at(40ms)), IsEmpty());
+  EXPECT_THAT(room.tick(at(41ms)), IsEmpty());
+  EXPECT_EQ(room.next_tick(), at(80ms));
+}
+
+TEST_F(RoomTest, a_new_viewer_learns_where_those_stand_who_do_not_move) {
+  const auto a = enter(viewer_join());
+  EXPECT_THAT(room.control(a, pose_message(1), at(0ms)), IsEmpty());
+  EXPECT_EQ(room.tick(at(0ms)).size(), 1u);
+  enter(viewer_join(), 1s);
+  EXPECT_EQ(messages(room.tick(at(1s)), pb::Control::kViewerPoses).size(), 1u);
+}
+
+TEST_F(RoomTest, poses_beyond_the_limit_are_dropped) {
+  const auto a = enter(viewer_join());
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_THAT(room.control(a, pose_message(static_cast<float>(i)), at(100ms)), IsEmpty());
+  }
+  const auto sent = messages(room.tick(at(200ms)), pb::Control::kViewerPoses);
+  EXPECT_EQ(sent[0].message.viewer_poses().poses(0).head().x(), wire::kMaxPosesPerSecond - 1);
+}
+
+TEST_F(RoomTest, messages_of_the_wrong_role_end_the_connection) {
+  const auto sensor = enter(sensor_join("left"));
+  EXPECT_EQ(all<Disconnect>(room.control(sensor, pose_message(1), at(0s)))[0].code,
+            pb::ERROR_UNEXPECTED);
+  const auto viewer = enter(viewer_join());
+  pb::Control roster;
+  roster.mutable_roster();
+  EXPECT_EQ(all<Disconnect>(room.control(viewer, roster, at(0s)))[0].code, pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(room.viewer_count(), 0u);
+}
+
+TEST_F(RoomTest, an_unknown_kind_of_message_is_ignored) {
+  const auto viewer = enter(viewer_join());
+  EXPECT_THAT(room.control(viewer, pb::Control(), at(0s)), IsEmpty());
+}
+
+TEST_F(RoomTest, another_rooms_guest_is_turned_away) {
+  auto join = viewer_join();
+  join.set_room("kitchen");
+  enter(join);
+  EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_NO_SUCH_ROOM);
+  join.set_room("lab");
+  enter(join);
+  EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
+}
+
+TEST_F(RoomTest, a_room_holds_so_many_sensors_and_viewers_and_no_more) {
+  for (std::size_t i = 0; i < wire::kMaxSensors; ++i) enter(sensor_join("s" + std::to_string(i)));
+  EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
+  enter(sensor_join("one more"));
+  EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_ROOM_FULL);
+  for (std::size_t i = 0; i < wire::kMaxViewers; ++i) enter(viewer_join());
+  EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
+  enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_ROOM_FULL);
+}
+
+}  // namespace
+}  // namespace roomcast::hub

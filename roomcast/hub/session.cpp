@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/session.h"
+
+#include <utility>
+
+#include "roomcast/hub/control_message.h"
+#include "roomcast/wire/control.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+pb::ErrorCode wire_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kTooLarge:
+      return pb::ERROR_TOO_LARGE;
+    case ErrorCode::kUnsupported:
+      return pb::ERROR_UNSUPPORTED;
+    default:
+      return pb::ERROR_MALFORMED;
+  }
+}
+
+std::uint16_t close_code_of(pb::ErrorCode code) {
+  switch (code) {
+    case pb::ERROR_TOO_LARGE:
+      return net::close_code::kTooLarge;
+    case pb::ERROR_ROOM_FULL:
+    case pb::ERROR_TOO_SLOW:
+      return net::close_code::kTryAgainLater;
+    case pb::ERROR_SHUTTING_DOWN:
+      return net::close_code::kGoingAway;
+    default:
+      return net::close_code::kPolicy;
+  }
+}
+
+}  // namespace
+
+Session::Session(ConnectionId id, std::shared_ptr<net::WebSocketConnection> connection,
+                 SessionEvents& hub)
+    : id_(id), connection_(std::move(connection)), hub_(hub) {}
+
+void Session::on_message(net::MessageBuffer message) {
+  const auto type = wire::message_type(message.payload());
+  if (!type) return refuse(type.error());
+  if (*type == wire::MessageType::kFrame) return take_frame(std::move(message));
+  take_control(message.payload());
+}
+
+void Session::take_frame(net::MessageBuffer message) {
+  if (!is_sensor_) {
+    return disconnect(pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames");
+  }
+  const auto header = wire::parse_frame(message.payload());
+  if (!header) return refuse(header.error());
+  hub_.on_frame(id_, *header, std::move(message));
+}
+
+void Session::take_control(std::span<const std::uint8_t> message) {
+  const auto control = wire::decode_control(message, wire::Sender::kClient);
+  if (!control) return refuse(control.error());
+  if (control->has_join() == has_joined_) {
+    return disconnect(pb::ERROR_UNEXPECTED, has_joined_
+                                                ? "this connection has joined already"
+                                                : "the first message of a connection is Join");
+  }
+  if (control->has_join()) return hub_.on_join(id_, control->join());
+  hub_.on_control(id_, *control);
+}
+
+net::SealedMessagePtr Session::next_message() {
+  auto message = outbox_.next();
+  if (auto sensors = outbox_.take_key_needs(); !sensors.empty()) hub_.on_key_needs(sensors);
+  return message;
+}
+
+void Session::on_closed(const net::CloseReason& reason) {
+  hub_.on_left(id_, reason);
+}
+
+void Session::accept(bool is_sensor) {
+  has_joined_ = true;
+  is_sensor_ = is_sensor;
+  if (is_sensor) connection_->set_max_message_bytes(wire::kMaxFrameBytes);
+}
+
+bool Session::send_control(net::SealedMessagePtr message) {
+  if (!outbox_.push_control(std::move(message))) return false;
+  connection_->wake();
+  return true;
+}
+
+void Session::send_set(FrameSetPtr set) {
+  outbox_.push_set(std::move(set));
+  connection_->wake();
+}
+
+void Session::disconnect(pb::ErrorCode code, const std::string& sentence) {
+  pb::Control control;
+  control.mutable_error()->set_code(code);
+  control.mutable_error()->set_sentence(sentence);
+  connection_->close_after(sealed_control(control), close_code_of(code), sentence);
+}
+
+void Session::refuse(const Error& error) {
+  disconnect(wire_code(error.code), error.message);
+}
+
+}  // namespace roomcast::hub
