@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomSnapshot: all that a viewer needs to draw a room at one moment. Threading: immutable once shared.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast {
+
+/// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same object.
+struct SensorPicture {
+  std::uint32_t seq = 0;
+  SetId set{};
+  RoomTime capture_time{};
+  codec::DecodedFrame frame;
+};
+
+struct RoomSensor {
+  SensorId id{};
+  std::string name;
+  bool online = false;
+  bool placed = false;  // false: world_from_depth is a guess, so that there is something to see
+  double fps = 0;
+  SensorCalibration calibration;
+  RigidTransform world_from_depth;
+  std::shared_ptr<const SensorPicture> picture;  // null before its first frame
+};
+
+struct RoomSnapshot {
+  std::uint64_t revision = 0;  // grows with every change
+  bool connected = false;
+  std::string problem;  // why not, for a person
+  std::string room;
+  std::optional<RigidTransform> start_pose;  // world_from_viewer; viewer frame x right, y up, -z forward
+  std::vector<RoomSensor> sensors;           // by id
+  SetId newest_set{};
+  std::uint64_t sets_received = 0;
+  std::uint64_t bytes_received = 0;
+};
+
+}  // namespace roomcast
