@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameSource: anything that gives depth and colour of one sensor, frame by frame: a recording, the simulator, a
-// camera. Everything above sees only this, so every feature works without hardware.
+// FrameSource: anything that gives depth and colour of one sensor, frame by frame: a recording, the
+// simulator, a camera. Everything above sees only this, so every feature works without hardware.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,12 @@ struct SensorDescription {
 /// Depth and colour of one instant. Reused from frame to frame by the caller.
 struct CapturedFrame {
   DepthImage depth_mm;
-  ColorImage color;            // full resolution; empty when the sensor has no colour for this frame
-  std::uint64_t index = 0;     // counts this source's frames; the recording's frame number for recordings
-  nanoseconds device_time{};   // the sensor's own timestamp, untouched (another clock than the host's)
-  HostTime capture_time{};     // the instant of capture on this host's clock
+  ColorImage color;  // full resolution; empty when the sensor has no colour for this frame
+  std::uint64_t index =
+      0;  // counts this source's frames; the recording's frame number for recordings
+  nanoseconds
+      device_time{};        // the sensor's own timestamp, untouched (another clock than the host's)
+  HostTime capture_time{};  // the instant of capture on this host's clock
 };
 
 enum class Pace {
@@ -43,8 +45,9 @@ class FrameSource {
   virtual ~FrameSource() = default;
   [[nodiscard]] virtual const SensorDescription& description() const = 0;
 
-  /// Waits for the next frame and fills `frame` (its memory is used again). True: a frame. False: the source has
-  /// ended, or `stop` was requested. Errors: kMalformed / kNotFound with the file and what is wrong with it.
+  /// Waits for the next frame and fills `frame` (its memory is used again). True: a frame. False:
+  /// the source has ended, or `stop` was requested. Errors: kMalformed / kNotFound with the file
+  /// and what is wrong with it.
   [[nodiscard]] virtual Result<bool> next(CapturedFrame& frame, std::stop_token stop) = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // RigWriter: writes a recording of several sensors as a rig folder, frame by frame (docs: data
-// layout in source/rig_description.h). What is on disk can be played at any moment: pictures appear
+// layout in source/rig_json.h). What is on disk can be played at any moment: pictures appear
 // whole (written under another name, then renamed), and the lists name only pictures that are
 // there. Depth in millimetres, timestamps in nanoseconds of the sensor's own clock.
 // Single-threaded.
@@ -50,11 +50,14 @@ class RigWriter {
 
  private:
   struct Progress {
-    std::int64_t last_index = -1;
-    std::vector<std::int64_t> dropped;
+    bool started = false;
+    std::uint64_t next_index = 0;
+    std::vector<std::uint64_t> dropped;
   };
   RigWriter(std::filesystem::path directory, double fps, std::vector<RigSensor> sensors,
             RigWriterOptions options);
+  [[nodiscard]] static Status check_index(const Progress& progress, std::uint64_t index);
+  static void note_written(Progress& progress, std::uint64_t index);
   [[nodiscard]] Status write_cameras() const;
   [[nodiscard]] Status write_rig_json() const;
 

@@ -13,13 +13,14 @@ namespace roomcast {
 
 struct SourceOptions {
   Pace pace = Pace::kRealTime;
-  bool loop = true;             // recordings start again at their end
-  double sim_fps = 15;          // sim: frames per second
-  int sim_sensor_count = 3;     // sim: how many sensors stand around the room
-  std::uint64_t sim_seed = 1;   // sim: noise and furniture
+  bool loop = true;            // recordings start again at their end
+  double sim_fps = 15;         // sim: frames per second
+  int sim_sensor_count = 3;    // sim: how many sensors stand around the room
+  std::uint64_t sim_seed = 1;  // sim: noise and furniture
 };
 
-/// kInvalidArgument for a SPEC that names no kind we have (the message lists them); else the kind's own errors.
+/// kInvalidArgument for a SPEC that names no kind we have (the message lists them); else the kind's
+/// own errors.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_source(const std::string& spec,
                                                                const SourceOptions& options = {});
 

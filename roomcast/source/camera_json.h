@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// camera.json: the cameras of one recorded sensor.
+//
+//   {"depth": {"width", "height", "fx", "fy", "cx", "cy", "k1", "k2", "k3", "p1", "p2"},
+//    "color": {the same} or absent,
+//    "color_from_depth": [16 numbers, row-major],  "color_is_registered": false,
+//    "depth_scale_to_metre": 0.001,  "invalid_depth": [0]}
+//
+// Lens terms may be left out (0). A flat form, common for single recordings, is read too: "width",
+// "height", "depth_intrinsics", "colour_registered_to_depth", and "colour_intrinsics" or
+// "colour_intrinsics_estimated" with "depth_to_colour_translation_m", or "colour_tf_recorded" with
+// "translation_m" and "rotation_xyzw". Pixels, metres. Thread-safe (no state).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/camera_model.h"
+
+namespace roomcast {
+
+struct RecordedCamera {
+  SensorCalibration calibration;  // without colour: `color` equals `depth` and counts as registered
+  bool has_color = true;
+  double depth_scale_to_metre = 0.001;  // of the values in the depth pictures
+  std::vector<std::uint16_t> invalid_depth = {0};
+};
+
+/// kNotFound when the file is missing; kMalformed, naming file and field, for anything that is not
+/// as above.
+[[nodiscard]] Result<RecordedCamera> read_camera_json(const std::filesystem::path& path);
+
+/// The first form, for depth in millimetres with 0 as invalid.
+[[nodiscard]] std::string camera_json_text(const SensorCalibration& calibration);
+
+}  // namespace roomcast

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// PNG bytes <-> rows of pixels, through libpng. libpng reports errors by longjmp; it ends here.
+// Thread-safe (no state).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomcast/core/image.h"
+
+namespace roomcast {
+
+/// Decodes a 16-bit grey PNG of exactly the size of `depth`. Returns what is wrong, or an empty
+/// string.
+[[nodiscard]] std::string decode_depth_png(std::span<const std::uint8_t> bytes,
+                                           ImageView<std::uint16_t> depth);
+/// Decodes any PNG of exactly the size of `color`, dropping alpha. Returns what is wrong, or an
+/// empty string.
+[[nodiscard]] std::string decode_color_png(std::span<const std::uint8_t> bytes,
+                                           ImageView<Rgb8> color);
+
+/// Appends a PNG file. Returns what is wrong, or an empty string.
+[[nodiscard]] std::string encode_depth_png(DepthView depth, std::vector<std::uint8_t>& bytes);
+[[nodiscard]] std::string encode_color_png(ColorView color, std::vector<std::uint8_t>& bytes);
+
+}  // namespace roomcast

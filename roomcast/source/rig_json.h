@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// rig.json: the sensors of a recording made by several.
+//
+//   {"version": 1, "fps": 30,
+//    "sensors": [{"id": "s0", "path": "s0", "world_from_depth": [16 numbers, row-major] or null,
+//                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23]}, ...]}
+//
+// Each sensor's folder `path` (inside the rig's) holds camera.json, depth.txt, rgb.txt, depth/*.png
+// and rgb/*.jpg, the lists in the layout of the TUM RGB-D benchmark: a timestamp in seconds and a
+// file per line.
+//   clock_offset_s  a sensor's stamps minus true time
+//   rate_ppm        by how much its frames come faster than `fps`; its stamps already show that
+//   drop            numbers of frames that were lost; they have no files and no lines
+// Metres, seconds. Thread-safe (no state).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast {
+
+inline constexpr std::size_t kMaxRigSensors = 32;
+inline constexpr std::size_t kMaxSensorNameBytes = 64;
+inline constexpr double kMaxFps = 240;
+
+struct RigSensorEntry {
+  std::string id;
+  std::filesystem::path path;  // relative to the rig
+  std::optional<RigidTransform> world_from_depth;
+  double clock_offset_s = 0;
+  double rate_ppm = 0;
+  std::vector<std::uint64_t> drop;
+};
+
+struct RigDescription {
+  double fps = 30;
+  std::string source;  // what made it, for people
+  std::vector<RigSensorEntry> sensors;
+};
+
+/// kNotFound when the file is missing; kUnsupported for another version; kMalformed, naming file
+/// and field, for anything that is not as above, double ids, and paths that lead out of the rig.
+[[nodiscard]] Result<RigDescription> read_rig_json(const std::filesystem::path& path);
+
+[[nodiscard]] std::string rig_json_text(const RigDescription& rig);
+
+/// Whether a sensor may have this name: 1..64 bytes without control characters.
+[[nodiscard]] bool is_sensor_name(const std::string& name);
+
+/// Whether a relative path stays inside the folder that it starts from.
+[[nodiscard]] bool stays_inside(const std::filesystem::path& path);
+
+}  // namespace roomcast

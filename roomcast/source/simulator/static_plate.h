@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fixed camera sees of the empty room, traced once: everything that stands still costs nothing per frame.
+// z is along the optical axis in metres; pixels that see nothing have z = 0.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "roomcast/core/image.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/source/simulator/ray_scene.h"
+#include "roomcast/source/simulator/room.h"
+
+namespace roomcast::sim {
+
+/// A camera at its place, with its lens worked out per pixel.
+struct PlacedCamera {
+  CameraIntrinsics intrinsics;
+  RigidTransform world_from_camera;
+  Image<Eigen::Vector2f> rays;  // (x/z, y/z) per pixel
+
+  PlacedCamera(const CameraIntrinsics& of, const RigidTransform& at);
+};
+
+struct DepthPlate {
+  Image<float> z_m;
+  Image<float> facing;    // cosine between the surface's normal and the way back to the camera
+  Image<float> infrared;  // share of the camera's light that the surface returns
+};
+
+struct ColorPlate {
+  Image<float> z_m;
+  ColorImage color;
+};
+
+[[nodiscard]] DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera);
+
+/// Lit, shadowed, and smoothed where the picture has edges.
+[[nodiscard]] ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera);
+
+}  // namespace roomcast::sim

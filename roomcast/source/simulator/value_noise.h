@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repeatable randomness: integer hashes and smooth noise made of them. The same arguments always give the same
+// value, on every thread and in every process. Lengths in metres.
+// The bit mixer is the finaliser of MurmurHash3 (public domain); value noise: Perlin 1985, with lattice values in
+// place of gradients.
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+namespace roomcast::sim {
+
+[[nodiscard]] constexpr std::uint32_t mix_bits(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x85ebca6bU;
+  x ^= x >> 13;
+  x *= 0xc2b2ae35U;
+  return x ^ (x >> 16);
+}
+
+/// One hash of two numbers; chain it for more.
+[[nodiscard]] constexpr std::uint32_t hash_of(std::uint32_t a, std::uint32_t b) {
+  return mix_bits(a + 0x9e3779b9U * mix_bits(b + 0x7f4a7c15U));
+}
+
+/// 0 <= value < 1.
+[[nodiscard]] constexpr float unit_from_hash(std::uint32_t hash) {
+  return static_cast<float>(hash >> 8) * (1.0F / 16777216.0F);
+}
+
+/// Smooth, -1..1, lattice spacing 1.
+[[nodiscard]] float value_noise(const Eigen::Vector2f& at, std::uint32_t seed);
+
+/// Octaves of value noise from `wavelength_m` down, each half as long and half as strong, about -1..1. Octaves finer
+/// than `footprint_m` (the width of what one pixel sees) are faded out, so that far surfaces do not shimmer.
+[[nodiscard]] float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves,
+                                  float footprint_m, std::uint32_t seed);
+
+}  // namespace roomcast::sim
