@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A payload's sections: found, checked, written. docs/spec/codec.md §1.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::codec {
+
+enum class SectionKind : std::uint8_t { kDepth = 1, kColor = 2, kColorMask = 3 };
+
+inline constexpr std::uint8_t kLosslessDepth = 1;
+inline constexpr std::uint8_t kVp9Color = 1;
+inline constexpr std::uint8_t kAdaptiveMask = 1;
+
+inline constexpr std::size_t kSectionHeaderLength = 8;
+inline constexpr int kLeastGridSide = 16, kMostGridSide = 4096;
+
+/// Longer payloads are refused. Depth noise of 16 bits takes 2.5 bytes a pixel.
+[[nodiscard]] constexpr std::size_t max_payload_length(int width, int height) {
+  return 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 65536;
+}
+
+/// Bytes of each section within a payload; colour and its mask are both there or not.
+struct PayloadSections {
+  std::span<const std::uint8_t> depth;
+  std::span<const std::uint8_t> color;
+  std::span<const std::uint8_t> color_mask;
+  bool has_color = false;
+};
+
+/// kTooLarge, kMalformed, or kUnsupported for a kind or codec that this version does not know.
+[[nodiscard]] Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload,
+                                                     int width, int height);
+
+/// Appends a section's header. The section's bytes are appended by the caller, who then calls
+/// `end_section`.
+[[nodiscard]] std::size_t begin_section(SectionKind kind, std::uint8_t codec,
+                                        std::vector<std::uint8_t>& out);
+/// `begin` as returned by begin_section.
+void end_section(std::size_t begin, std::vector<std::uint8_t>& out);
+
+}  // namespace roomcast::codec

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// A page cannot print or exit: a broken promise of our own code stops the module with a WebAssembly
+// trap.
+#include "roomcast/core/assert.h"
+
+namespace roomcast {
+
+void assertion_failed(const char*, const char*, int) noexcept {
+  __builtin_trap();
+}
+
+}  // namespace roomcast
