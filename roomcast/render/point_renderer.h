@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws a sensor's surface as square points (the paper's rendering), each as large on the screen as
-// its depth pixel is on the surface, so that a surface seen from about where its sensor stands has
-// no holes. Draws into the bound framebuffer; needs the GL context it was made with.
+// the surface between it and its neighbours, so that there are few holes. Draws into the bound
+// framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include "roomcast/render/gl_program.h"
