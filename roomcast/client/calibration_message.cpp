@@ -8,7 +8,8 @@
 namespace roomcast {
 namespace {
 
-static_assert(kMaxImageSide == wire::kMaxImageSide, "what a source may give, the wire must be able to carry");
+static_assert(kMaxImageSide == wire::kMaxImageSide,
+              "what a source may give, the wire must be able to carry");
 
 void write_intrinsics(const CameraIntrinsics& camera, wire::pb::Intrinsics& message) {
   message.set_width(static_cast<unsigned>(camera.width));
@@ -37,7 +38,8 @@ Result<CameraIntrinsics> read_intrinsics(const wire::pb::Intrinsics& message) {
   camera.k3 = message.k3();
   camera.p1 = message.p1();
   camera.p2 = message.p2();
-  if (auto status = camera.check(); !status) return Error{ErrorCode::kMalformed, status.error().message};
+  if (auto status = camera.check(); !status)
+    return Error{ErrorCode::kMalformed, status.error().message};
   return camera;
 }
 
@@ -63,13 +65,15 @@ Result<SensorCalibration> calibration_from_message(const wire::pb::Calibration& 
   return SensorCalibration{*depth, *color, *color_from_depth, message.color_is_registered()};
 }
 
-void write_transform(const RigidTransform& transform, google::protobuf::RepeatedField<double>& row_major) {
+void write_transform(const RigidTransform& transform,
+                     google::protobuf::RepeatedField<double>& row_major) {
   const auto numbers = row_major_from_transform(transform);
   row_major.Assign(numbers.begin(), numbers.end());
 }
 
 Result<RigidTransform> read_transform(const google::protobuf::RepeatedField<double>& row_major) {
-  return transform_from_row_major(std::span(row_major.data(), static_cast<std::size_t>(row_major.size())));
+  return transform_from_row_major(
+      std::span(row_major.data(), static_cast<std::size_t>(row_major.size())));
 }
 
 }  // namespace roomcast

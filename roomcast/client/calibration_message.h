@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calibrations and transforms: geometry's types <-> the wire's messages. The one place where the two meet.
+// Calibrations and transforms: geometry's types <-> the wire's messages. The one place where the
+// two meet.
 #pragma once
 
 #include <google/protobuf/repeated_field.h>
@@ -14,10 +15,13 @@ namespace roomcast {
 [[nodiscard]] wire::pb::Calibration message_from_calibration(const SensorCalibration& calibration);
 
 /// kMalformed where the message's numbers are no camera or no transform.
-[[nodiscard]] Result<SensorCalibration> calibration_from_message(const wire::pb::Calibration& message);
+[[nodiscard]] Result<SensorCalibration> calibration_from_message(
+    const wire::pb::Calibration& message);
 
-void write_transform(const RigidTransform& transform, google::protobuf::RepeatedField<double>& row_major);
+void write_transform(const RigidTransform& transform,
+                     google::protobuf::RepeatedField<double>& row_major);
 /// kMalformed unless these are the 16 numbers of a rigid transform.
-[[nodiscard]] Result<RigidTransform> read_transform(const google::protobuf::RepeatedField<double>& row_major);
+[[nodiscard]] Result<RigidTransform> read_transform(
+    const google::protobuf::RepeatedField<double>& row_major);
 
 }  // namespace roomcast

@@ -15,9 +15,9 @@ void ClockSync::add(HostTime sent, RoomTime hub, HostTime received) {
 std::optional<ClockEstimate> ClockSync::estimate() const {
   if (count_ == 0) return std::nullopt;
   const auto end = exchanges_.begin() + static_cast<std::ptrdiff_t>(std::min(count_, kWindow));
-  const auto quickest = std::min_element(exchanges_.begin(), end, [](const Exchange& a, const Exchange& b) {
-    return a.round_trip < b.round_trip;
-  });
+  const auto quickest = std::min_element(
+      exchanges_.begin(), end,
+      [](const Exchange& a, const Exchange& b) { return a.round_trip < b.round_trip; });
   return ClockEstimate{quickest->room_minus_host, (quickest->round_trip + nanoseconds(1)) / 2};
 }
 

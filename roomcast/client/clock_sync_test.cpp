@@ -10,10 +10,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-HostTime host(nanoseconds t) { return HostTime(t); }
-RoomTime room(nanoseconds t) { return RoomTime(t); }
+HostTime host(nanoseconds t) {
+  return HostTime(t);
+}
+RoomTime room(nanoseconds t) {
+  return RoomTime(t);
+}
 
-TEST(ClockSync, knows_nothing_before_the_first_exchange) { EXPECT_FALSE(ClockSync().estimate().has_value()); }
+TEST(ClockSync, knows_nothing_before_the_first_exchange) {
+  EXPECT_FALSE(ClockSync().estimate().has_value());
+}
 
 TEST(ClockSync, an_even_way_there_and_back_gives_the_offset) {
   ClockSync sync;
@@ -37,7 +43,8 @@ TEST(ClockSync, the_shortest_round_trip_is_believed) {
 TEST(ClockSync, old_exchanges_are_forgotten) {
   ClockSync sync;
   sync.add(host(0ms), room(1s), host(0ms));
-  for (std::size_t i = 0; i < ClockSync::kWindow; ++i) sync.add(host(0ms), room(2s + 5ms), host(10ms));
+  for (std::size_t i = 0; i < ClockSync::kWindow; ++i)
+    sync.add(host(0ms), room(2s + 5ms), host(10ms));
   EXPECT_EQ(sync.estimate()->room_minus_host, 2s);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomSnapshot: all that a viewer needs to draw a room at one moment. Threading: immutable once shared.
+// RoomSnapshot: all that a viewer needs to draw a room at one moment. Threading: immutable once
+// shared.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@
 
 namespace roomcast {
 
-/// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same object.
+/// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same
+/// object.
 struct SensorPicture {
   std::uint32_t seq = 0;
   SetId set{};
@@ -40,8 +42,9 @@ struct RoomSnapshot {
   bool connected = false;
   std::string problem;  // why not, for a person
   std::string room;
-  std::optional<RigidTransform> start_pose;  // world_from_viewer; viewer frame x right, y up, -z forward
-  std::vector<RoomSensor> sensors;           // by id
+  std::optional<RigidTransform>
+      start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
+  std::vector<RoomSensor> sensors;  // by id
   SetId newest_set{};
   std::uint64_t sets_received = 0;
   std::uint64_t bytes_received = 0;

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/hub_link.h"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "roomcast/wire/control.h"
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast {
+namespace {
+
+namespace pb = wire::pb;
+using namespace std::chrono_literals;
+
+constexpr auto kFirstRetry = 250ms, kLastRetry = 4'000ms;
+constexpr int kQuickPings = 5;
+constexpr auto kQuickPing = 20ms;
+// Random distances, because a ping in step with the frames always waits behind one.
+constexpr auto kShortestPing = 300ms, kLongestPing = 700ms;
+
+/// Trying again would not help: the same join would be refused again, or would throw out whoever
+/// replaced us.
+bool is_final(pb::ErrorCode code) {
+  return code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
+         code != pb::ERROR_SHUTTING_DOWN;
+}
+
+net::SealedMessagePtr sealed(const pb::Control& control) {
+  net::MessageBuffer buffer;
+  wire::encode_control(control, buffer.appendable());
+  return net::seal(std::move(buffer));
+}
+
+}  // namespace
+
+// Outlives the link when the link goes first: it then reports to nobody.
+class HubLink::Connection final : public net::ConnectionHandler {
+ public:
+  Connection(std::shared_ptr<net::WebSocketConnection> socket, HubLink& link)
+      : socket_(std::move(socket)), link_(&link) {}
+
+  void on_message(net::MessageBuffer message) override {
+    if (link_ != nullptr) link_->take(std::move(message));
+  }
+  net::SealedMessagePtr next_message() override {
+    if (!control_.empty()) {
+      auto message = std::move(control_.front());
+      control_.pop_front();
+      return message;
+    }
+    return link_ != nullptr ? link_->events_.next_frame() : nullptr;
+  }
+  void on_closed(const net::CloseReason& reason) override {
+    if (link_ != nullptr) link_->on_ended(reason);
+  }
+
+  void send(const pb::Control& control) {
+    if (control_.size() >= wire::kMaxQueuedControlMessages) return;
+    control_.push_back(sealed(control));
+    socket_->wake();
+  }
+  void wake() { socket_->wake(); }
+  void part() {
+    link_ = nullptr;
+    socket_->close(net::close_code::kNormal, "left");
+  }
+
+ private:
+  std::shared_ptr<net::WebSocketConnection> socket_;
+  HubLink* link_;
+  std::deque<net::SealedMessagePtr> control_;
+};
+
+HubLink::HubLink(boost::asio::io_context& io, net::HubUrl hub, pb::Join join, HubLinkEvents& events)
+    : io_(io),
+      hub_(std::move(hub)),
+      join_(std::move(join)),
+      events_(events),
+      retry_timer_(io),
+      ping_timer_(io),
+      random_(std::random_device{}()) {}
+
+HubLink::~HubLink() {
+  stop();
+}
+
+void HubLink::start() {
+  connect();
+}
+
+void HubLink::stop() {
+  stopped_ = true;
+  retry_timer_.cancel();
+  ping_timer_.cancel();
+  if (attempt_) std::exchange(attempt_, nullptr)->cancel();
+  if (connection_) std::exchange(connection_, nullptr)->part();
+}
+
+void HubLink::wake() {
+  if (connection_) connection_->wake();
+}
+
+void HubLink::send(const pb::Control& message) {
+  if (connection_) connection_->send(message);
+}
+
+void HubLink::connect() {
+  net::ClientOptions options;
+  options.max_message_bytes = wire::kMaxFrameBytes;
+  attempt_ = net::connect(io_, hub_, options,
+                          [this](auto connection) { on_connected(std::move(connection)); });
+}
+
+void HubLink::on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection) {
+  attempt_.reset();
+  if (!connection) {
+    if (connection.error().code == ErrorCode::kUnsupported) return give_up(connection.error());
+    return retry_later(connection.error());
+  }
+  clock_sync_ = {};
+  pings_sent_ = 0;
+  refusal_.reset();
+  connection_ = std::make_shared<Connection>(*connection, *this);
+  (*connection)->start(connection_);
+  pb::Control control;
+  *control.mutable_join() = join_;
+  connection_->send(control);
+}
+
+void HubLink::on_ended(const net::CloseReason& reason) {
+  connection_.reset();
+  ping_timer_.cancel();
+  const std::string sentence = refusal_ ? "the hub says: " + refusal_->message
+                                        : "the connection to the hub ended: " + reason.sentence;
+  const Error error{ErrorCode::kClosed, sentence};
+  if (refusal_ && refusal_is_final_) return give_up(error);
+  retry_later(error);
+}
+
+void HubLink::give_up(const Error& reason) {
+  stopped_ = true;
+  events_.on_down(reason, true);
+}
+
+void HubLink::retry_later(const Error& reason) {
+  const auto doubled = kFirstRetry * (1 << std::min(failed_attempts_++, 4));
+  const auto jitter = std::chrono::milliseconds(random_() % 100);
+  retry_timer_.expires_after(std::min<std::chrono::milliseconds>(doubled, kLastRetry) + jitter);
+  retry_timer_.async_wait([this](boost::system::error_code error) {
+    if (!error && !stopped_) connect();
+  });
+  events_.on_down(reason, false);  // last: it may call stop()
+}
+
+void HubLink::ping_later() {
+  const std::chrono::milliseconds wait =
+      pings_sent_ < kQuickPings
+          ? std::chrono::milliseconds(kQuickPing)
+          : kShortestPing +
+                std::chrono::milliseconds(random_() % (kLongestPing - kShortestPing).count());
+  ping_timer_.expires_after(wait);
+  ping_timer_.async_wait([this](boost::system::error_code error) {
+    if (!error && connection_) ping();
+  });
+}
+
+void HubLink::ping() {
+  ++pings_sent_;
+  pb::Control control;
+  control.mutable_clock_ping()->set_client_ns(
+      static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
+  send(control);
+  ping_later();
+}
+
+void HubLink::take(net::MessageBuffer message) {
+  const auto type = wire::message_type(message.payload());
+  if (type && *type == wire::MessageType::kFrame) return events_.on_frame(std::move(message));
+  take_control(message.payload());
+}
+
+void HubLink::take_control(std::span<const std::uint8_t> message) {
+  const auto control = wire::decode_control(message, wire::Sender::kHub);
+  if (!control) return;  // of a later version, or damaged: nothing that we could act on
+  switch (control->message_case()) {
+    case pb::Control::kWelcome:
+      failed_attempts_ = 0;
+      events_.on_welcome(control->welcome());
+      return ping();
+    case pb::Control::kClockPong:
+      return take_pong(control->clock_pong());
+    case pb::Control::kError:
+      refusal_ = Error{ErrorCode::kClosed, control->error().sentence()};
+      refusal_is_final_ = is_final(control->error().code());
+      return;
+    default:
+      events_.on_control(*control);
+  }
+}
+
+void HubLink::take_pong(const pb::ClockPong& pong) {
+  const HostTime sent{nanoseconds(static_cast<std::int64_t>(pong.client_ns()))};
+  const RoomTime hub{nanoseconds(static_cast<std::int64_t>(pong.hub_ns()))};
+  clock_sync_.add(sent, hub, clock_.now());
+  if (const auto estimate = clock_sync_.estimate()) events_.on_clock(*estimate);
+}
+
+}  // namespace roomcast

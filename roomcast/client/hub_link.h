@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// HubLink: a client's connection to its hub: joins, keeps the clock, and comes back when the
+// connection breaks, until the hub refuses it for good. What sensors and viewers have in common.
+// Threading: lives on one io_context; everything, the events too, happens on the thread that runs
+// it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/client/clock_sync.h"
+#include "roomcast/core/clock.h"
+#include "roomcast/core/result.h"
+#include "roomcast/net/hub_url.h"
+#include "roomcast/net/websocket_client.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast {
+
+class HubLinkEvents {
+ public:
+  virtual ~HubLinkEvents() = default;
+  /// A new connection: everything starts anew.
+  virtual void on_welcome(const wire::pb::Welcome& welcome) = 0;
+  /// Any other message that the link does not deal with itself.
+  virtual void on_control(const wire::pb::Control& message) = 0;
+  virtual void on_frame(net::MessageBuffer message) = 0;
+  /// The next frame to send, null for none; asked again after wake().
+  virtual net::SealedMessagePtr next_frame() = 0;
+  /// A better idea of room time.
+  virtual void on_clock(const ClockEstimate& estimate) = 0;
+  /// No connection now. `final`: and there will be none, the hub said why; else the link goes on
+  /// trying.
+  virtual void on_down(const Error& reason, bool final) = 0;
+};
+
+class HubLink {
+ public:
+  HubLink(boost::asio::io_context& io, net::HubUrl hub, wire::pb::Join join, HubLinkEvents& events);
+  ~HubLink();
+  HubLink(const HubLink&) = delete;
+  HubLink& operator=(const HubLink&) = delete;
+
+  void start();
+  /// Leaves in good order; the io_context runs out of work when it is done.
+  void stop();
+  /// next_frame() has something.
+  void wake();
+  /// Dropped when there is no connection, or when too many wait.
+  void send(const wire::pb::Control& message);
+
+ private:
+  class Connection;
+
+  void connect();
+  void on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection);
+  void on_ended(const net::CloseReason& reason);
+  void retry_later(const Error& reason);
+  void ping_later();
+  void ping();
+  void take(net::MessageBuffer message);
+  void take_control(std::span<const std::uint8_t> message);
+  void take_pong(const wire::pb::ClockPong& pong);
+  void give_up(const Error& reason);
+
+  boost::asio::io_context& io_;
+  const net::HubUrl hub_;
+  const wire::pb::Join join_;
+  HubLinkEvents& events_;
+  SteadyClock clock_;
+  ClockSync clock_sync_;
+  std::shared_ptr<Connection> connection_;  // null while there is none
+  std::shared_ptr<net::ConnectAttempt> attempt_;
+  boost::asio::steady_timer retry_timer_;
+  boost::asio::steady_timer ping_timer_;
+  std::minstd_rand random_;
+  int failed_attempts_ = 0;
+  int pings_sent_ = 0;            // on this connection
+  std::optional<Error> refusal_;  // what the hub said before it closed
+  bool refusal_is_final_ = false;
+  bool stopped_ = false;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/publisher.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+
+#include "roomcast/client/calibration_message.h"
+#include "roomcast/client/hub_link.h"
+#include "roomcast/net/sealed_message.h"
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast {
+namespace {
+
+constexpr std::size_t kMaxUnsentFrames =
+    2;  // one being written, one ready: more would only add delay
+
+wire::pb::Join join_message(const PublisherOptions& options) {
+  wire::pb::Join join;
+  join.set_room(options.room);
+  join.set_name(options.name);
+  auto& sensor = *join.mutable_sensor();
+  sensor.set_fps(options.fps);
+  *sensor.mutable_calibration() = message_from_calibration(options.calibration);
+  if (options.world_from_depth)
+    write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
+  return join;
+}
+
+std::uint32_t clock_error_us(nanoseconds error) {
+  const auto us = (error.count() + 999) / 1000;
+  return us < wire::kClockErrorUnknown ? static_cast<std::uint32_t>(us) : wire::kClockErrorUnknown;
+}
+
+}  // namespace
+
+class Publisher::Link final : public HubLinkEvents {
+ public:
+  Link(net::HubUrl hub, PublisherOptions options)
+      : options_(std::move(options)), link_(io_, std::move(hub), join_message(options_), *this) {
+    link_.start();
+    thread_ = std::jthread([this] { io_.run(); });
+  }
+  ~Link() override {
+    boost::asio::post(io_, [this] {
+      link_.stop();
+      work_.reset();
+    });
+    thread_.join();
+  }
+
+  /// Waits until welcomed, or until the first attempt has failed.
+  Status wait_for_welcome() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return shared_.session > 0 || shared_.down; });
+    if (shared_.session > 0 || (options_.wait_for_hub && !shared_.failure)) return {};
+    return *shared_.down;
+  }
+
+  std::optional<Turn> next_turn() {
+    std::lock_guard lock(mutex_);
+    const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxUnsentFrames;
+    if (!may_send) {
+      ++shared_.stats.frames_skipped;
+      return std::nullopt;
+    }
+    return Turn{shared_.session, std::exchange(shared_.want_key, false)};
+  }
+
+  std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
+                                   HostTime capture_time, net::MessageBuffer message);
+
+  std::optional<Error> failure() const {
+    std::lock_guard lock(mutex_);
+    return shared_.failure;
+  }
+  PublisherStats stats() const {
+    std::lock_guard lock(mutex_);
+    return shared_.stats;
+  }
+
+  void on_welcome(const wire::pb::Welcome& welcome) override;
+  void on_control(const wire::pb::Control& message) override;
+  void on_frame(net::MessageBuffer) override {}  // a hub sends a sensor none
+  net::SealedMessagePtr next_frame() override;
+  void on_clock(const ClockEstimate& estimate) override;
+  void on_down(const Error& reason, bool final) override;
+
+ private:
+  struct Shared {
+    std::uint64_t session = 0;  // counts welcomes
+    SensorId sensor{};
+    bool connected = false;
+    bool want_key = false;
+    std::optional<ClockEstimate> clock;
+    std::size_t unsent = 0;
+    std::optional<Error> down;     // why there is no connection at the moment
+    std::optional<Error> failure;  // why there never will be
+    PublisherStats stats;
+  };
+  /// Of one session, for the publishing thread alone.
+  struct Sequence {
+    std::uint64_t session = 0;
+    std::uint32_t next_seq = 0;
+    std::optional<std::uint32_t> base_seq;
+  };
+
+  std::optional<wire::FrameHeader> make_header(const Turn& turn,
+                                               const codec::EncodedFrameInfo& info,
+                                               HostTime capture_time);
+  void enqueue(std::uint64_t session, net::SealedMessagePtr message);
+
+  PublisherOptions options_;
+  Sequence sequence_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Shared shared_;
+
+  // The network thread's own.
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+      io_.get_executor()};
+  std::deque<net::SealedMessagePtr> unsent_;
+  HubLink link_;
+  std::jthread thread_;
+};
+
+void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
+  unsent_.clear();
+  {
+    std::lock_guard lock(mutex_);
+    ++shared_.session;
+    shared_.sensor = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
+    shared_.connected = true;
+    shared_.want_key = true;
+    shared_.clock.reset();
+    shared_.unsent = 0;
+    shared_.down.reset();
+  }
+  changed_.notify_all();
+  if (options_.log)
+    options_.log(LogLevel::kInfo,
+                 "joined room \"" + welcome.room() + "\" as \"" + options_.name + "\"");
+}
+
+void Publisher::Link::on_control(const wire::pb::Control& message) {
+  if (!message.has_key_request()) return;
+  std::lock_guard lock(mutex_);
+  shared_.want_key = true;
+}
+
+net::SealedMessagePtr Publisher::Link::next_frame() {
+  if (unsent_.empty()) return nullptr;
+  auto message = std::move(unsent_.front());
+  unsent_.pop_front();
+  std::lock_guard lock(mutex_);
+  --shared_.unsent;
+  ++shared_.stats.frames_sent;
+  shared_.stats.bytes_sent += message->size();
+  return message;
+}
+
+void Publisher::Link::on_clock(const ClockEstimate& estimate) {
+  std::lock_guard lock(mutex_);
+  shared_.clock = estimate;
+}
+
+void Publisher::Link::on_down(const Error& reason, bool final) {
+  bool is_news = false;
+  {
+    std::lock_guard lock(mutex_);
+    is_news = std::exchange(shared_.connected, false);
+    shared_.down = reason;
+    if (final) shared_.failure = reason;
+  }
+  changed_.notify_all();
+  if (is_news && !final && options_.log)
+    options_.log(LogLevel::kWarning, reason.message + "; trying again");
+}
+
+std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
+                                                              const codec::EncodedFrameInfo& info,
+                                                              HostTime capture_time) {
+  if (sequence_.session != turn.session)
+    sequence_ = {.session = turn.session, .next_seq = 0, .base_seq = {}};
+  if (!info.key && !sequence_.base_seq) return std::nullopt;
+  wire::FrameHeader header;
+  header.key = info.key;
+  header.layer = info.layer;
+  header.seq = sequence_.next_seq;
+  header.base_seq = info.key ? header.seq : *sequence_.base_seq;
+  std::lock_guard lock(mutex_);
+  if (!shared_.connected || shared_.session != turn.session || !shared_.clock) return std::nullopt;
+  header.sensor = shared_.sensor;
+  header.capture_time = shared_.clock->room_time(capture_time);
+  header.clock_error_us = clock_error_us(shared_.clock->error);
+  ++shared_.unsent;
+  ++sequence_.next_seq;
+  if (info.layer == 0) sequence_.base_seq = header.seq;
+  return header;
+}
+
+std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
+                                                             const codec::EncodedFrameInfo& info,
+                                                             HostTime capture_time,
+                                                             net::MessageBuffer message) {
+  const auto bytes = message.payload();
+  auto header =
+      bytes.size() <= wire::kMaxFrameBytes ? make_header(turn, info, capture_time) : std::nullopt;
+  if (!header) {
+    std::lock_guard lock(mutex_);
+    shared_.want_key = true;  // this frame is lost, and later ones may build on it
+    ++shared_.stats.frames_skipped;
+    return std::nullopt;
+  }
+  header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
+  wire::write_frame_header(*header, bytes.first<wire::kFrameHeaderBytes>());
+  boost::asio::post(
+      io_, [this, session = turn.session, sealed = net::seal(std::move(message))]() mutable {
+        enqueue(session, std::move(sealed));
+      });
+  return Published{header->seq, header->capture_time};
+}
+
+void Publisher::Link::enqueue(std::uint64_t session, net::SealedMessagePtr message) {
+  {
+    std::lock_guard lock(mutex_);
+    if (session != shared_.session || !shared_.connected) return;
+  }
+  unsent_.push_back(std::move(message));
+  link_.wake();
+}
+
+Publisher::Publisher(std::unique_ptr<Link> link) : link_(std::move(link)) {}
+Publisher::~Publisher() = default;
+
+Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
+  auto hub = net::parse_hub_url(options.hub_url);
+  if (!hub) return hub.error();
+  auto link = std::make_unique<Link>(std::move(*hub), std::move(options));
+  if (auto status = link->wait_for_welcome(); !status) return status.error();
+  return std::unique_ptr<Publisher>(new Publisher(std::move(link)));
+}
+
+std::optional<Publisher::Turn> Publisher::next_turn() {
+  return link_->next_turn();
+}
+
+net::MessageBuffer Publisher::begin_frame() {
+  net::MessageBuffer message;
+  message.appendable().resize(net::MessageBuffer::kHeadroom + wire::kFrameHeaderBytes);
+  return message;
+}
+
+std::optional<Publisher::Published> Publisher::publish(const Turn& turn,
+                                                       const codec::EncodedFrameInfo& info,
+                                                       HostTime capture_time,
+                                                       net::MessageBuffer message) {
+  return link_->publish(turn, info, capture_time, std::move(message));
+}
+
+std::optional<Error> Publisher::failure() const {
+  return link_->failure();
+}
+PublisherStats Publisher::stats() const {
+  return link_->stats();
+}
+
+}  // namespace roomcast

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/room_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/client/calibration_message.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast {
+
+void RoomState::welcome(const wire::pb::Welcome& welcome) {
+  room_.connected = true;
+  room_.problem.clear();
+  room_.room = welcome.room();
+  if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;
+  decoding_.clear();  // nothing of an earlier connection can be built on
+}
+
+void RoomState::disconnected(std::string problem) {
+  room_.connected = false;
+  room_.problem = std::move(problem);
+}
+
+Status RoomState::roster(const wire::pb::Roster& roster) {
+  for (const auto& entry : roster.sensors()) {
+    if (auto status = update_sensor(entry); !status) return status;
+  }
+  return {};
+}
+
+Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
+  auto calibration = calibration_from_message(entry.calibration());
+  if (!calibration) return calibration.error();
+  auto world_from_depth = read_transform(entry.world_from_depth());
+  if (!world_from_depth) return world_from_depth.error();
+  const SensorId id{static_cast<std::uint16_t>(entry.id())};
+  auto known = std::find_if(room_.sensors.begin(), room_.sensors.end(),
+                            [&](const RoomSensor& s) { return s.id == id; });
+  if (known == room_.sensors.end()) {
+    known = room_.sensors.emplace(known);
+    known->id = id;
+  }
+  const bool another_grid = known->calibration.depth.width != calibration->depth.width ||
+                            known->calibration.depth.height != calibration->depth.height;
+  known->name = entry.name();
+  known->online = entry.online();
+  known->placed = entry.placement() != wire::pb::PLACEMENT_UNPLACED;
+  known->fps = entry.fps();
+  known->calibration = *calibration;
+  known->world_from_depth = *world_from_depth;
+  if (another_grid) {
+    known->picture.reset();
+    decoding_.erase(id);
+  }
+  return {};
+}
+
+Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> message) {
+  const auto header = wire::parse_frame(message);
+  if (!header) return header.error();
+  const auto sensor = std::find_if(room_.sensors.begin(), room_.sensors.end(),
+                                   [&](const RoomSensor& s) { return s.id == header->sensor; });
+  if (sensor == room_.sensors.end()) {
+    return Error{ErrorCode::kMalformed, "a frame came of a sensor that is not in the roster"};
+  }
+  room_.bytes_received += message.size();
+  SensorDecoding& decoding = decoding_[header->sensor];
+  if (!decoding.chain.may_decode(*header)) return FrameOutcome::kNeedsKey;
+  if (!decoding.decoder) {
+    auto decoder = codec::FrameDecoder::create(sensor->calibration.depth.width,
+                                               sensor->calibration.depth.height);
+    if (!decoder) return decoder.error();
+    decoding.decoder = std::move(*decoder);
+  }
+  auto picture = free_picture(decoding);
+  if (auto status =
+          decoding.decoder->decode(message.subspan(header->header_length), picture->frame);
+      !status) {
+    decoding.chain.broke();
+    return FrameOutcome::kNeedsKey;
+  }
+  decoding.chain.decoded(*header);
+  picture->seq = header->seq;
+  picture->set = header->set;
+  picture->capture_time = header->capture_time;
+  sensor->picture = std::move(picture);
+  room_.newest_set = std::max(room_.newest_set, header->set);
+  if (!header->last) return FrameOutcome::kDecoded;
+  ++room_.sets_received;
+  return FrameOutcome::kSetComplete;
+}
+
+std::shared_ptr<SensorPicture> RoomState::free_picture(SensorDecoding& decoding) {
+  for (const auto& picture : decoding.pool) {
+    if (picture.use_count() == 1) return picture;
+  }
+  return decoding.pool.emplace_back(std::make_shared<SensorPicture>());
+}
+
+std::shared_ptr<const RoomSnapshot> RoomState::snapshot() {
+  ++room_.revision;
+  return std::make_shared<const RoomSnapshot>(room_);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/subscriber.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+
+#include "roomcast/client/hub_link.h"
+#include "roomcast/client/room_state.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast {
+namespace {
+
+wire::pb::Join join_message(const SubscriberOptions& options) {
+  wire::pb::Join join;
+  join.set_room(options.room);
+  join.set_name(options.name);
+  join.mutable_viewer();
+  return join;
+}
+
+}  // namespace
+
+class Subscriber::Link final : public HubLinkEvents {
+ public:
+  Link(net::HubUrl hub, SubscriberOptions options)
+      : options_(std::move(options)), link_(io_, std::move(hub), join_message(options_), *this) {
+    link_.start();
+    thread_ = std::jthread([this] { io_.run(); });
+  }
+  ~Link() override {
+    boost::asio::post(io_, [this] {
+      link_.stop();
+      work_.reset();
+    });
+    thread_.join();
+  }
+
+  /// Waits until welcomed, or until the first attempt has failed.
+  Status wait_for_welcome() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return newest_->revision > 0; });
+    if (newest_->connected) return {};
+    return *down_;
+  }
+
+  std::shared_ptr<const RoomSnapshot> snapshot() const {
+    std::lock_guard lock(mutex_);
+    return newest_;
+  }
+  std::shared_ptr<const RoomSnapshot> wait_newer(std::uint64_t revision,
+                                                 std::chrono::milliseconds timeout) const {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, timeout, [&] { return newest_->revision > revision || failure_; });
+    return newest_;
+  }
+  std::optional<Error> failure() const {
+    std::lock_guard lock(mutex_);
+    return failure_;
+  }
+
+  void on_welcome(const wire::pb::Welcome& welcome) override {
+    state_.welcome(welcome);
+    offer_snapshot();
+  }
+  void on_control(const wire::pb::Control& message) override;
+  void on_frame(net::MessageBuffer message) override;
+  net::SealedMessagePtr next_frame() override { return nullptr; }
+  void on_clock(const ClockEstimate&) override {}
+  void on_down(const Error& reason, bool final) override;
+
+ private:
+  void offer_snapshot();
+  void ask_for_key(std::span<const std::uint8_t> frame);
+  void warn(const std::string& sentence) const {
+    if (options_.log) options_.log(LogLevel::kWarning, sentence);
+  }
+
+  SubscriberOptions options_;
+
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::shared_ptr<const RoomSnapshot> newest_ = std::make_shared<const RoomSnapshot>();
+  std::optional<Error> down_;
+  std::optional<Error> failure_;
+
+  // The network thread's own.
+  RoomState state_;
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+      io_.get_executor()};
+  HubLink link_;
+  std::jthread thread_;
+};
+
+void Subscriber::Link::on_control(const wire::pb::Control& message) {
+  if (!message.has_roster()) return;
+  if (auto status = state_.roster(message.roster()); !status) warn(status.error().message);
+  offer_snapshot();
+}
+
+void Subscriber::Link::on_frame(net::MessageBuffer message) {
+  const auto outcome = state_.frame(message.payload());
+  if (!outcome) return warn(outcome.error().message);
+  if (*outcome == RoomState::FrameOutcome::kNeedsKey) return ask_for_key(message.payload());
+  if (*outcome == RoomState::FrameOutcome::kSetComplete) offer_snapshot();
+}
+
+void Subscriber::Link::ask_for_key(std::span<const std::uint8_t> frame) {
+  const auto header = wire::parse_frame(frame);
+  if (!header) return;
+  wire::pb::Control control;
+  control.mutable_key_request()->set_sensor_id(header->sensor.value);
+  link_.send(control);
+}
+
+void Subscriber::Link::on_down(const Error& reason, bool final) {
+  const bool is_news = snapshot()->connected;
+  state_.disconnected(reason.message);
+  {
+    std::lock_guard lock(mutex_);
+    down_ = reason;
+    if (final) failure_ = reason;
+  }
+  if (is_news && !final) warn(reason.message + "; trying again");
+  offer_snapshot();
+}
+
+void Subscriber::Link::offer_snapshot() {
+  auto snapshot = state_.snapshot();
+  {
+    std::lock_guard lock(mutex_);
+    newest_ = std::move(snapshot);
+  }
+  changed_.notify_all();
+}
+
+Subscriber::Subscriber(std::unique_ptr<Link> link) : link_(std::move(link)) {}
+Subscriber::~Subscriber() = default;
+
+Result<std::unique_ptr<Subscriber>> Subscriber::open(SubscriberOptions options) {
+  auto hub = net::parse_hub_url(options.hub_url);
+  if (!hub) return hub.error();
+  auto link = std::make_unique<Link>(std::move(*hub), std::move(options));
+  if (auto status = link->wait_for_welcome(); !status) return status.error();
+  return std::unique_ptr<Subscriber>(new Subscriber(std::move(link)));
+}
+
+std::shared_ptr<const RoomSnapshot> Subscriber::snapshot() const {
+  return link_->snapshot();
+}
+
+std::shared_ptr<const RoomSnapshot> Subscriber::wait_newer(
+    std::uint64_t revision, std::chrono::milliseconds timeout) const {
+  return link_->wait_newer(revision, timeout);
+}
+
+std::optional<Error> Subscriber::failure() const {
+  return link_->failure();
+}
+
+}  // namespace roomcast

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Subscriber: a viewer's way to the room: decodes what comes and offers the newest whole frame set.
+// Frames are decoded on the network's thread: a machine that cannot decode fast enough reads more
+// slowly, and the hub then leaves out whole sets for it. Threading: thread-safe.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "roomcast/client/room_snapshot.h"
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast {
+
+struct SubscriberOptions {
+  std::string hub_url;
+  std::string room;  // empty: the hub's only one
+  std::string name;  // shown to others; may be empty
+  LogSink log;
+};
+
+class Subscriber {
+ public:
+  /// Connects and joins. Errors as Publisher::open.
+  static Result<std::unique_ptr<Subscriber>> open(SubscriberOptions options);
+  ~Subscriber();
+
+  /// Never null.
+  [[nodiscard]] std::shared_ptr<const RoomSnapshot> snapshot() const;
+
+  /// Waits until there is a snapshot newer than `revision`, or until `timeout`; gives the newest.
+  [[nodiscard]] std::shared_ptr<const RoomSnapshot> wait_newer(
+      std::uint64_t revision, std::chrono::milliseconds timeout) const;
+
+  /// Why it is over for good, once it is.
+  [[nodiscard]] std::optional<Error> failure() const;
+
+ private:
+  class Link;
+  explicit Subscriber(std::unique_ptr<Link> link);
+  std::unique_ptr<Link> link_;
+};
+
+}  // namespace roomcast
