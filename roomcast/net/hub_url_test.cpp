@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/hub_url.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace roomcast::net {
+namespace {
+
+std::string parsed(std::string_view text) {
+  const auto url = parse_hub_url(text);
+  return url ? to_string(*url) : "refused";
+}
+
+TEST(HubUrl, fills_in_what_is_left_out) {
+  EXPECT_EQ(parsed("ws://hub.example:80/ws"), "ws://hub.example:80/ws");
+  EXPECT_EQ(parsed("ws://hub.example"), "ws://hub.example:7600/ws");
+  EXPECT_EQ(parsed("http://hub.example:7601"), "ws://hub.example:7601/ws");
+  EXPECT_EQ(parsed("http://hub.example:7601/"), "ws://hub.example:7601/ws");
+  EXPECT_EQ(parsed("127.0.0.1:7600"), "ws://127.0.0.1:7600/ws");
+  EXPECT_EQ(parsed("localhost"), "ws://localhost:7600/ws");
+  EXPECT_EQ(parsed("WS://localhost"), "ws://localhost:7600/ws");
+  EXPECT_EQ(parsed("ws://proxy.example/rooms/ws"), "ws://proxy.example:7600/rooms/ws");
+}
+
+TEST(HubUrl, reads_ipv6_addresses_in_brackets) {
+  EXPECT_EQ(parsed("ws://[::1]:8000"), "ws://[::1]:8000/ws");
+  EXPECT_EQ(parsed("[fe80::1%eth0]"), "ws://[fe80::1%eth0]:7600/ws");
+  EXPECT_EQ(parse_hub_url("[::1]")->host, "::1");
+}
+
+TEST(HubUrl, refuses_what_is_no_address) {
+  for (const std::string_view text :
+       {"",           "ws://",     "ws://:7600",  "host:",  "host:0",
+        "host:65536", "host:-1",   "host:76x",    "a b",    "ws://user@host",
+        "ftp://host", "ws://[::1", "ws://[::1]x", "[]",     "::1",
+        "host/p?q",   "host/#x",   "host/a b",    "ho\nst", "host:7600\r\nX: y"}) {
+    const auto url = parse_hub_url(text);
+    ASSERT_FALSE(url.ok()) << text;
+    EXPECT_EQ(url.error().code, ErrorCode::kInvalidArgument) << text;
+  }
+}
+
+TEST(HubUrl, refuses_overlong_parts) {
+  EXPECT_FALSE(parse_hub_url(std::string(254, 'a')).ok());
+  EXPECT_FALSE(parse_hub_url("host/" + std::string(2000, 'a')).ok());
+}
+
+TEST(HubUrl, says_that_encryption_is_not_there_yet) {
+  for (const std::string_view text : {"wss://hub.example", "https://hub.example"}) {
+    const auto url = parse_hub_url(text);
+    ASSERT_FALSE(url.ok());
+    EXPECT_EQ(url.error().code, ErrorCode::kUnsupported);
+    EXPECT_NE(url.error().message.find("ws://"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace roomcast::net
