@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/vp9_color_encoder.h"
+
+#include <cmath>
+
+#include <vpx/vp8cx.h>
+#include <vpx/vpx_encoder.h>
+
+namespace roomcast::codec {
+namespace {
+
+constexpr int kSpeed = 8;  // the fastest but one: research on 512x424 saw no gain below
+constexpr unsigned kLeastQuantizer = 4, kMostQuantizer = 56;
+constexpr int kCyclicRefresh = 3;        // spreads the quality of still parts over frames
+constexpr int kMostKeyFrameShare = 900;  // percent of the bits of a mean frame
+constexpr unsigned kBaseLayerPercent = 60;
+
+constexpr vpx_enc_frame_flags_t kOnlyLastFrame =
+    VP8_EFLAG_NO_REF_GF | VP8_EFLAG_NO_REF_ARF | VP8_EFLAG_NO_UPD_GF | VP8_EFLAG_NO_UPD_ARF;
+constexpr vpx_enc_frame_flags_t kLeavesNoTrace = VP8_EFLAG_NO_UPD_LAST | VP8_EFLAG_NO_UPD_ENTROPY;
+
+void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
+  config.ss_number_layers = 1;
+  config.ts_number_layers = static_cast<unsigned>(options.temporal_layers);
+  if (options.temporal_layers == 1) return;
+  // Without it a frame uses motion and probabilities of the one before, which may have been left
+  // out.
+  config.g_error_resilient = VPX_ERROR_RESILIENT_DEFAULT;
+  config.temporal_layering_mode = VP9E_TEMPORAL_LAYERING_MODE_BYPASS;
+  config.ts_periodicity = 2;
+  config.ts_layer_id[1] = 1;
+  config.ts_rate_decimator[0] = 2;
+  config.ts_rate_decimator[1] = 1;
+  config.layer_target_bitrate[0] = config.rc_target_bitrate * kBaseLayerPercent / 100;
+  config.layer_target_bitrate[1] = config.rc_target_bitrate;
+  config.ts_target_bitrate[0] = config.layer_target_bitrate[0];
+  config.ts_target_bitrate[1] = config.layer_target_bitrate[1];
+}
+
+bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
+  if (vpx_codec_enc_config_default(vpx_codec_vp9_cx(), &config, 0) != VPX_CODEC_OK) return false;
+  config.g_w = static_cast<unsigned>(options.width);
+  config.g_h = static_cast<unsigned>(options.height);
+  config.g_timebase = {1000, static_cast<int>(std::lround(options.fps * 1000))};
+  config.g_threads = 1;
+  config.g_pass = VPX_RC_ONE_PASS;
+  config.g_lag_in_frames = 0;
+  config.kf_mode = VPX_KF_DISABLED;  // key frames come when asked for
+  config.rc_end_usage = VPX_CBR;
+  config.rc_target_bitrate = static_cast<unsigned>(options.color_kbit_per_s);
+  config.rc_min_quantizer = kLeastQuantizer;
+  config.rc_max_quantizer = kMostQuantizer;
+  config.rc_dropframe_thresh = 0;  // depth goes out anyway
+  config.rc_resize_allowed = 0;
+  set_layers(options, config);
+  return true;
+}
+
+bool apply_controls(vpx_codec_ctx_t& context, bool layered) {
+  bool ok = vpx_codec_control(&context, VP8E_SET_CPUUSED, kSpeed) == VPX_CODEC_OK;
+  ok &= vpx_codec_control(&context, VP9E_SET_AQ_MODE, kCyclicRefresh) == VPX_CODEC_OK;
+  ok &= vpx_codec_control(&context, VP9E_SET_TILE_COLUMNS, 0) == VPX_CODEC_OK;
+  ok &= vpx_codec_control(&context, VP8E_SET_MAX_INTRA_BITRATE_PCT, kMostKeyFrameShare) ==
+        VPX_CODEC_OK;
+  ok &= vpx_codec_control(&context, VP9E_SET_COLOR_SPACE, VPX_CS_BT_709) == VPX_CODEC_OK;
+  ok &= vpx_codec_control(&context, VP9E_SET_COLOR_RANGE, VPX_CR_STUDIO_RANGE) == VPX_CODEC_OK;
+  if (layered) ok &= vpx_codec_control(&context, VP9E_SET_SVC, 1) == VPX_CODEC_OK;
+  return ok;
+}
+
+vpx_image_t wrap(I420Image& image) {
+  vpx_image_t wrapped;
+  vpx_img_wrap(&wrapped, VPX_IMG_FMT_I420, static_cast<unsigned>(image.y.width()),
+               static_cast<unsigned>(image.y.height()), 1, image.y.data());
+  Image<std::uint8_t>* const planes[] = {&image.y, &image.cb, &image.cr};
+  for (int i = 0; i < 3; ++i) {
+    wrapped.planes[i] = planes[i]->data();
+    wrapped.stride[i] = planes[i]->width();
+  }
+  wrapped.cs = VPX_CS_BT_709;
+  wrapped.range = VPX_CR_STUDIO_RANGE;
+  return wrapped;
+}
+
+}  // namespace
+
+struct Vp9ColorEncoder::Codec {
+  vpx_codec_ctx_t context{};
+  bool open = false;
+  Codec() = default;
+  Codec(const Codec&) = delete;
+  Codec& operator=(const Codec&) = delete;
+  ~Codec() {
+    if (open) vpx_codec_destroy(&context);
+  }
+};
+
+Vp9ColorEncoder::Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec)
+    : options_(options), codec_(std::move(codec)) {
+  input_.resize(options.width, options.height);
+  chroma_seen_.resize(input_.cb.width(), input_.cb.height());
+}
+
+Vp9ColorEncoder::~Vp9ColorEncoder() = default;
+
+Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
+    const FrameEncoderOptions& options) {
+  const Error failure{ErrorCode::kUnavailable,
+                      "libvpx could not start a VP9 encoder of this size and rate."};
+  vpx_codec_enc_cfg_t config;
+  if (!make_config(options, config)) return failure;
+  auto codec = std::make_unique<Codec>();
+  if (vpx_codec_enc_init(&codec->context, vpx_codec_vp9_cx(), &config, 0) != VPX_CODEC_OK) {
+    return failure;
+  }
+  codec->open = true;
+  if (!apply_controls(codec->context, options.temporal_layers > 1)) return failure;
+  return std::unique_ptr<Vp9ColorEncoder>(new Vp9ColorEncoder(options, std::move(codec)));
+}
+
+Result<EncodedFrameInfo> Vp9ColorEncoder::encode(ColorView color, MaskView seen, bool want_key,
+                                                 std::vector<std::uint8_t>& out) {
+  const bool key = want_key || frame_count_ == 0;
+  convert_seen(color, seen, input_);
+  if (key) fill_unseen(seen);
+  frames_since_key_ = key ? 0 : frames_since_key_ + 1;
+  const bool droppable = options_.temporal_layers > 1 && frames_since_key_ % 2 == 1;
+
+  vpx_enc_frame_flags_t flags = key ? VPX_EFLAG_FORCE_KF : kOnlyLastFrame;
+  if (droppable) flags |= kLeavesNoTrace;
+  if (options_.temporal_layers > 1) {
+    vpx_svc_layer_id_t layer{};
+    layer.temporal_layer_id = droppable;
+    layer.temporal_layer_id_per_spatial[0] = droppable;
+    vpx_codec_control(&codec_->context, VP9E_SET_SVC_LAYER_ID, &layer);
+  }
+  const vpx_image_t image = wrap(input_);
+  if (vpx_codec_encode(&codec_->context, &image, frame_count_++, 1, flags, VPX_DL_REALTIME) !=
+      VPX_CODEC_OK) {
+    return Error{ErrorCode::kUnavailable, "libvpx failed to encode a colour picture."};
+  }
+  EncodedFrameInfo info{false, static_cast<std::uint8_t>(droppable)};
+  vpx_codec_iter_t position = nullptr;
+  while (const vpx_codec_cx_pkt_t* packet = vpx_codec_get_cx_data(&codec_->context, &position)) {
+    if (packet->kind != VPX_CODEC_CX_FRAME_PKT) continue;
+    const auto* bytes = static_cast<const std::uint8_t*>(packet->data.frame.buf);
+    out.insert(out.end(), bytes, bytes + packet->data.frame.sz);
+    info.key = (packet->data.frame.flags & VPX_FRAME_IS_KEY) != 0;
+  }
+  return info;
+}
+
+void Vp9ColorEncoder::fill_unseen(MaskView seen) {
+  for (int y = 0; y < chroma_seen_.height(); ++y) {
+    const int y0 = 2 * y, y1 = std::min(y0 + 1, seen.height - 1);
+    for (int x = 0; x < chroma_seen_.width(); ++x) {
+      const int x0 = 2 * x, x1 = std::min(x0 + 1, seen.width - 1);
+      chroma_seen_.at(x, y) = seen.at(x0, y0) | seen.at(x1, y0) | seen.at(x0, y1) | seen.at(x1, y1);
+    }
+  }
+  hole_fill_.fill(input_.y.view(), seen);
+  hole_fill_.fill(input_.cb.view(), chroma_seen_);
+  hole_fill_.fill(input_.cr.view(), chroma_seen_);
+}
+
+}  // namespace roomcast::codec
