@@ -13,11 +13,12 @@ namespace roomcast::net {
 struct HttpResponse {
   int status = 200;
   std::string content_type = "text/plain; charset=utf-8";
-  std::shared_ptr<const std::string> body;  // null = empty
+  std::shared_ptr<const std::string> body = {};  // null = empty
   /// Quoted, as in the header; empty = none. A request that has it already is answered with 304.
-  std::string etag;
+  std::string etag = {};
   std::string cache_control = "no-cache";
-  std::vector<std::pair<std::string, std::string>> headers;  // besides those that the server sets
+  std::vector<std::pair<std::string, std::string>> headers =
+      {};  // besides those that the server sets
 };
 
 /// A short plain-text answer.

@@ -32,12 +32,12 @@ struct HttpServerOptions {
 
   /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
   /// it.
-  std::function<std::optional<HttpResponse>(std::string_view path)> on_get;
+  std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
 
   /// A WebSocket is open, and is started with the handler that this returns. Null refuses it
   /// (closed with 1013).
   std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>)>
-      on_websocket;
+      on_websocket = {};
   std::string websocket_path = "/ws";
   std::string subprotocol = "roomcast.v1";
 
@@ -46,7 +46,8 @@ struct HttpServerOptions {
   std::size_t max_header_bytes = 8 * 1024;  // of a request
   std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
   std::chrono::milliseconds response_within{60'000};  // a whole answer
-  ConnectionTimings websocket_timings;
+  std::chrono::milliseconds goodbye_within{1'000};    // from our last word to the closed socket
+  ConnectionTimings websocket_timings = {};
 };
 
 class ServerState;

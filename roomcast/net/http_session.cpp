@@ -21,10 +21,6 @@ namespace http = boost::beast::http;
 
 namespace {
 
-/// For reading what the peer still sends after our last word, so that it is not lost to a TCP
-/// reset.
-constexpr std::chrono::milliseconds kGoodbyeWithin{1'000};
-
 constexpr std::string_view kContentSecurityPolicy =
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self' ws: wss:; "
     "worker-src 'self' blob:; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'";
@@ -189,16 +185,19 @@ void HttpSession::on_written(ErrorCode error, bool keep_alive) {
   if (keep_alive) return read_request();
   ErrorCode ignored;
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
-  stream_.expires_after(kGoodbyeWithin);
-  say_goodbye();
+  stream_.expires_after(options_->goodbye_within);
+  say_goodbye(std::chrono::steady_clock::now() + options_->goodbye_within);
 }
 
-/// Reads until the peer has closed its side too, or time is up.
-void HttpSession::say_goodbye() {
+/// Reads on until the peer has closed its side too, so that our last word is not lost to a TCP
+/// reset. The stream's own timer never fires while there is always something to read, hence
+/// `until`.
+void HttpSession::say_goodbye(std::chrono::steady_clock::time_point until) {
+  if (std::chrono::steady_clock::now() >= until) return abort();
   stream_.async_read_some(asio::buffer(discarded_),
-                          [self = shared_from_this()](ErrorCode error, std::size_t) {
+                          [self = shared_from_this(), until](ErrorCode error, std::size_t) {
                             if (error) return self->abort();
-                            self->say_goodbye();
+                            self->say_goodbye(until);
                           });
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,7 +46,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void write(std::shared_ptr<Message> message, bool keep_alive,
              std::shared_ptr<const std::string> viewed = nullptr);
   void on_written(ErrorCode error, bool keep_alive);
-  void say_goodbye();
+  void say_goodbye(std::chrono::steady_clock::time_point until);
 
   void upgrade();
   void become_websocket();

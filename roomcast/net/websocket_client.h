@@ -22,7 +22,7 @@ struct ClientOptions {
   std::string subprotocol = "roomcast.v1";
   std::size_t max_message_bytes = std::size_t{2} << 20;
   std::chrono::milliseconds connect_within{5'000};  // name, TCP and handshake together
-  ConnectionTimings timings;
+  ConnectionTimings timings = {};
 };
 
 /// Called once, never from within connect(). The connection is open and waits for start().

@@ -67,9 +67,9 @@ struct ConnectionTimings {
 struct ConnectionOptions {
   WebSocketRole role = WebSocketRole::kServer;
   std::size_t max_message_bytes = 16 * 1024;
-  ConnectionTimings timings;
+  ConnectionTimings timings = {};
   /// Held as long as the socket is open; for counting open connections. May be null.
-  std::shared_ptr<void> lease;
+  std::shared_ptr<void> lease = {};
 };
 
 struct ConnectionCounters {
