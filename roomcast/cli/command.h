@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What main() and the subcommands share: each adds itself to the command line and says what to run.
+// Exit codes: 0 done, 1 failed, 2 wrong usage; a command that fails says why in one sentence on
+// stderr.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::cli {
+
+/// The command that was chosen, with its options bound; returns the exit code.
+using Command = std::function<int()>;
+
+inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
+
+/// Prints "roomcast NAME: sentence" when it failed. kInvalidArgument is wrong usage.
+int finish(std::string_view name, const Status& status);
+
+/// Lines "roomcast NAME: ..." on stderr, warnings and errors only unless `verbose`.
+LogSink stderr_log(std::string_view name, bool verbose);
+
+void add_demo_command(CLI::App& app, Command& chosen);
+void add_hub_command(CLI::App& app, Command& chosen);
+void add_sensor_command(CLI::App& app, Command& chosen);
+void add_view_command(CLI::App& app, Command& chosen);
+void add_simulate_command(CLI::App& app, Command& chosen);
+void add_info_command(CLI::App& app, Command& chosen);
+void add_bench_command(CLI::App& app, Command& chosen);
+
+}  // namespace roomcast::cli

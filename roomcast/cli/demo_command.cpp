@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast demo: a hub, its sensors and the page in one process, over real loopback connections.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/sensor_feed.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/web_directory.h"
+#include "roomcast/client/subscriber.h"
+#include "roomcast/hub/hub_server.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using Feeds = std::vector<std::unique_ptr<SensorFeed>>;
+
+struct DemoOptions {
+  int sensors = 3;
+  std::string scene;
+  std::string rig;
+  std::vector<std::string> sources;
+  double sim_fps = 15;
+  int port = 7600;
+  std::string web;
+  bool headless = false;
+  double seconds = 0;
+  bool verbose = false;
+};
+
+/// The sources that the options name, one per sensor.
+Result<std::vector<std::string>> source_specs(const DemoOptions& options) {
+  std::vector<std::string> specs = options.sources;
+  if (!options.rig.empty()) {
+    auto names = rig_sensor_names(options.rig);
+    if (!names) return names.error();
+    for (const auto& name : *names) specs.push_back("rig:" + options.rig + "#" + name);
+  }
+  if (!specs.empty()) return specs;
+  for (int i = 0; i < options.sensors; ++i) {
+    specs.push_back((options.scene.empty() ? "sim" : "sim:" + options.scene) + "#" +
+                    std::to_string(i));
+  }
+  return specs;
+}
+
+Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::string>& specs,
+                          std::uint16_t port, const std::stop_token& stop) {
+  StatusLine line;
+  Feeds feeds;
+  SourceOptions source_options;
+  source_options.sim_fps = options.sim_fps;
+  source_options.sim_sensor_count = options.sensors;
+  for (const auto& spec : specs) {
+    if (stop.stop_requested()) break;
+    line.show(fmt::format("starting sensor {} of {}: {}", feeds.size() + 1, specs.size(), spec));
+    auto source = open_source(spec, source_options);
+    if (!source) return source.error();
+    SensorFeedOptions feed_options;
+    feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
+    feed_options.log = stderr_log("demo", options.verbose);
+    auto feed = SensorFeed::start(std::move(*source), std::move(feed_options));
+    if (!feed) return feed.error();
+    feeds.push_back(std::move(*feed));
+  }
+  return feeds;
+}
+
+struct Totals {
+  std::uint64_t frames = 0;
+  std::uint64_t bytes = 0;
+};
+
+Totals totals_of(const Feeds& feeds) {
+  Totals totals;
+  for (const auto& feed : feeds) {
+    const SensorFeedStats stats = feed->stats();
+    totals.frames += stats.frames_sent;
+    totals.bytes += stats.bytes_sent;
+  }
+  return totals;
+}
+
+Status first_failure(const Feeds& feeds) {
+  for (const auto& feed : feeds) {
+    if (auto result = feed->result(); result && !*result) return *result;
+  }
+  return {};
+}
+
+/// Runs until stopped, until the time is up (0: never), or until a sensor fails.
+Status show_room(const Feeds& feeds, double seconds, const std::stop_token& stop) {
+  StatusLine line;
+  Totals before;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int tenths = 1; !stop.stop_requested(); ++tenths) {
+    std::this_thread::sleep_for(100ms);
+    if (auto failure = first_failure(feeds); !failure) return failure;
+    if (seconds > 0 &&
+        std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds))
+      break;
+    if (tenths % 10 != 0) continue;
+    const Totals now = totals_of(feeds);
+    line.show(fmt::format(
+        "{} sensors, {:.1f} frames/s each, {:.2f} MB/s in all   (Ctrl-C stops)", feeds.size(),
+        static_cast<double>(now.frames - before.frames) / static_cast<double>(feeds.size()),
+        static_cast<double>(now.bytes - before.bytes) / 1e6));
+    before = now;
+  }
+  return {};
+}
+
+/// Without a browser: a viewer in this process receives the room, and what it got is reported.
+Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
+                  const std::stop_token& stop) {
+  auto viewer = Subscriber::open(
+      {.hub_url = fmt::format("ws://127.0.0.1:{}", port), .room = {}, .name = "demo", .log = {}});
+  if (!viewer) return viewer.error();
+  const auto begin = std::chrono::steady_clock::now();
+  if (auto status = show_room(feeds, seconds > 0 ? seconds : 10, stop); !status) return status;
+  const auto room = (*viewer)->snapshot();
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::size_t seen = 0;
+  for (const auto& sensor : room->sensors) seen += sensor.picture != nullptr;
+  fmt::print("received {} of {} sensors, {:.1f} frame sets/s, {:.2f} MB/s\n", seen, feeds.size(),
+             static_cast<double>(room->sets_received) / elapsed,
+             static_cast<double>(room->bytes_received) / elapsed / 1e6);
+  if (seen == feeds.size()) return {};
+  return Error{ErrorCode::kUnavailable, "not every sensor's picture arrived"};
+}
+
+Status run_demo(const DemoOptions& options) {
+  StopOnSignal stop;
+  const auto specs = source_specs(options);
+  if (!specs) return specs.error();
+
+  hub::HubOptions hub_options;
+  hub_options.port = static_cast<std::uint16_t>(options.port);
+  hub_options.room = options.rig.empty() ? "demo" : "recording";
+  hub_options.web_directory = find_web_directory(options.web);
+  hub_options.log = stderr_log("demo", options.verbose);
+  auto hub = hub::HubServer::open(std::move(hub_options));
+  if (!hub) return hub.error();
+  const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
+
+  auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());
+  if (!feeds) return feeds.error();
+  if (stop.token().stop_requested()) return {};
+  fmt::print("roomcast demo: open http://127.0.0.1:{}/\n", (*hub)->port());
+  std::fflush(stdout);
+  return options.headless ? watch_room(*feeds, (*hub)->port(), options.seconds, stop.token())
+                          : show_room(*feeds, options.seconds, stop.token());
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<DemoOptions>();
+  CLI::App* command =
+      app.add_subcommand("demo", "Hub, sensors and page in one: open the address it prints");
+  command->add_option("--sensors", options->sensors, "Simulated sensors")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_option("--scene", options->scene, "Simulated scene");
+  command->add_option("--fps", options->sim_fps, "Frames per second of simulated sensors")
+      ->check(CLI::Range(1.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--rig", options->rig, "Play this recorded rig instead");
+  command->add_option("--source", options->sources,
+                      "Play these sources instead: rig:DIR#s0, tum:DIR, sim[:scene][#n]");
+  command->add_option("--port", options->port, "Port of page and hub; 0 takes any free one")
+      ->check(CLI::Range(0, 65'535))
+      ->capture_default_str();
+  command->add_option("--web", options->web,
+                      "Folder of the built page (default: the one beside this program)");
+  command->add_flag(
+      "--headless", options->headless,
+      "No browser: receive the room in this process and report (10 s unless --seconds)");
+  command->add_option("--seconds", options->seconds, "Stop after this time")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
+  command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
+  command->callback(
+      [options, &chosen] { chosen = [options] { return finish("demo", run_demo(*options)); }; });
+}
+
+}  // namespace roomcast::cli

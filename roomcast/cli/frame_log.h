@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// FrameLog: one JSON line per frame sent, so that others can check what arrived:
+// {"seq":0,"capture_ns":1,"depth_crc32":2}. depth_crc32 is over the depth picture as little-endian
+// u16, row by row.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::cli {
+
+[[nodiscard]] std::uint32_t depth_crc32(DepthView depth_mm);
+
+class FrameLog {
+ public:
+  /// kUnavailable when the file cannot be written.
+  static Result<FrameLog> open(const std::filesystem::path& path);
+  void add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  explicit FrameLog(std::FILE* file) : file_(file) {}
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace roomcast::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// "127.0.0.1:7600", "[::1]:0", "0.0.0.0:7600": where a hub listens.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::cli {
+
+struct ListenAddress {
+  std::string address;
+  std::uint16_t port = 0;
+  bool loopback = false;  // reachable from this machine only
+};
+
+/// kInvalidArgument with what is wrong.
+[[nodiscard]] Result<ListenAddress> parse_listen_address(const std::string& text);
+
+}  // namespace roomcast::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast sensor: one sensor's frames into a room.
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/sensor_feed.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::cli {
+namespace {
+
+struct SensorCommandOptions {
+  std::string source;
+  SourceOptions source_options;
+  SensorFeedOptions feed;
+  std::string frame_log;
+  bool once = false;
+  bool verbose = false;
+};
+
+Status wait_for_end(const SensorFeed& feed, const std::string& name, const std::stop_token& stop) {
+  constexpr int kLooksPerSecond = 10;
+  StatusLine line;
+  SensorFeedStats before;
+  for (int look = 1; !stop.stop_requested(); ++look) {
+    if (auto result = feed.result()) return *result;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksPerSecond));
+    if (look % kLooksPerSecond != 0) continue;
+    const SensorFeedStats now = feed.stats();
+    line.show(fmt::format(
+        "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
+        static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent));
+    before = now;
+  }
+  return {};
+}
+
+Status run_sensor(SensorCommandOptions options) {
+  StopOnSignal stop;
+  options.source_options.loop = !options.once;
+  auto source = open_source(options.source, options.source_options);
+  if (!source) return source.error();
+  const std::string name =
+      options.feed.name.empty() ? (*source)->description().name : options.feed.name;
+  options.feed.log = stderr_log("sensor", options.verbose);
+  if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
+  auto feed = SensorFeed::start(std::move(*source), options.feed);
+  if (!feed) return feed.error();
+  return wait_for_end(**feed, name, stop.token());
+}
+
+}  // namespace
+
+void add_sensor_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<SensorCommandOptions>();
+  CLI::App* command = app.add_subcommand("sensor", "Send one sensor's depth and colour to a hub");
+  command->add_option("--source", options->source, "sim[:scene][#n], rig:DIR#s0, tum:DIR")
+      ->required();
+  command->add_option("--hub", options->feed.hub_url, "ws://HOST:PORT")->required();
+  command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
+  command->add_option("--name", options->feed.name,
+                      "Its name in the room (default: the source's); same name, same id and pose");
+  command
+      ->add_option("--fps", options->source_options.sim_fps,
+                   "Frames per second of a simulated sensor")
+      ->check(CLI::Range(1.0, 60.0))
+      ->capture_default_str();
+  command
+      ->add_option("--sensors", options->source_options.sim_sensor_count,
+                   "Simulated: how many stand around the room")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command
+      ->add_option("--color-kbit", options->feed.color_kbit_per_s,
+                   "Bit rate of the colour stream, kbit/s")
+      ->check(CLI::Range(50, 20'000))
+      ->capture_default_str();
+  command->add_flag("--once", options->once,
+                    "Stop at the end of a recording instead of starting again");
+  command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying when there is no hub yet");
+  command->add_option("--log-frames", options->frame_log,
+                      "Write one JSON line per frame sent: seq, capture_ns, depth_crc32");
+  command->add_flag("--verbose", options->verbose, "Say when it joins");
+  command->footer(
+      "Example:\n  roomcast sensor --source rig:recordings/lab#s0 --hub ws://127.0.0.1:7600");
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("sensor", run_sensor(*options)); };
+  });
+}
+
+}  // namespace roomcast::cli

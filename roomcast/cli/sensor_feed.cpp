@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/sensor_feed.h"
+
+#include <mutex>
+#include <utility>
+
+#include "roomcast/cli/frame_log.h"
+#include "roomcast/client/publisher.h"
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/geometry/registration.h"
+
+namespace roomcast::cli {
+namespace {
+
+PublisherOptions publisher_options(const SensorDescription& sensor, const SensorFeedOptions& feed) {
+  PublisherOptions options;
+  options.hub_url = feed.hub_url;
+  options.room = feed.room;
+  options.name = feed.name.empty() ? sensor.name : feed.name;
+  options.calibration = sensor.calibration;
+  options.world_from_depth = sensor.world_from_depth;
+  options.fps = sensor.fps;
+  options.wait_for_hub = feed.wait_for_hub;
+  options.log = feed.log;
+  return options;
+}
+
+codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
+                                           const SensorFeedOptions& feed) {
+  codec::FrameEncoderOptions options;
+  options.width = sensor.calibration.depth.width;
+  options.height = sensor.calibration.depth.height;
+  options.fps = sensor.fps;
+  options.color_kbit_per_s = feed.color_kbit_per_s;
+  return options;
+}
+
+}  // namespace
+
+class SensorFeed::Worker {
+ public:
+  Worker(std::unique_ptr<FrameSource> source, Registration registration,
+         std::unique_ptr<codec::FrameEncoder> encoder, std::optional<FrameLog> frame_log)
+      : source_(std::move(source)),
+        registration_(std::move(registration)),
+        encoder_(std::move(encoder)),
+        frame_log_(std::move(frame_log)) {}
+
+  void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
+
+  void run(const std::stop_token& stop) {
+    Status status;
+    while (status && !stop.stop_requested()) {
+      auto more = source_->next(captured_, stop);
+      if (!more) {
+        status = more.error();
+      } else if (!*more) {
+        break;
+      } else {
+        status = send_captured();
+      }
+      if (auto failure = publisher_->failure()) status = *failure;
+    }
+    std::lock_guard lock(mutex_);
+    result_ = std::move(status);
+  }
+
+  SensorFeedStats stats() const {
+    const PublisherStats sent = publisher_->stats();
+    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent};
+  }
+  std::optional<Status> result() const {
+    std::lock_guard lock(mutex_);
+    return result_;
+  }
+
+ private:
+  Status send_captured() {
+    const auto turn = publisher_->next_turn();
+    if (!turn) return {};
+    if (auto status = register_color(); !status) return status;
+    auto message = Publisher::begin_frame();
+    const auto info = encoder_->encode(captured_.depth_mm, registered_.color, registered_.seen,
+                                       turn->want_key, message.appendable());
+    if (!info) return info.error();
+    const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
+    if (sent && frame_log_) frame_log_->add(sent->seq, sent->capture_time, captured_.depth_mm);
+    return {};
+  }
+
+  Status register_color() {
+    if (!captured_.color.empty())
+      return registration_.run(captured_.depth_mm, captured_.color, registered_);
+    registered_.color.resize(0, 0);
+    registered_.seen.resize(0, 0);
+    return {};
+  }
+
+  std::unique_ptr<FrameSource> source_;
+  Registration registration_;
+  std::unique_ptr<codec::FrameEncoder> encoder_;
+  std::optional<FrameLog> frame_log_;
+  std::unique_ptr<Publisher> publisher_;
+  CapturedFrame captured_;      // used again from frame to frame
+  RegisteredColor registered_;  // likewise
+
+  mutable std::mutex mutex_;
+  std::optional<Status> result_;
+};
+
+SensorFeed::SensorFeed(std::unique_ptr<Worker> worker) : worker_(std::move(worker)) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { worker_->run(stop); });
+}
+
+SensorFeed::~SensorFeed() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSource> source,
+                                                      SensorFeedOptions options) {
+  const SensorDescription sensor = source->description();
+  auto registration = Registration::create(sensor.calibration);
+  if (!registration) return registration.error();
+  auto encoder = codec::FrameEncoder::create(encoder_options(sensor, options));
+  if (!encoder) return encoder.error();
+  std::optional<FrameLog> frame_log;
+  if (options.frame_log) {
+    auto opened = FrameLog::open(*options.frame_log);
+    if (!opened) return opened.error();
+    frame_log = std::move(*opened);
+  }
+  auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
+                                         std::move(*encoder), std::move(frame_log));
+  auto publisher = Publisher::open(publisher_options(sensor, options));
+  if (!publisher) return publisher.error();
+  worker->set_publisher(std::move(*publisher));
+  return std::unique_ptr<SensorFeed>(new SensorFeed(std::move(worker)));
+}
+
+SensorFeedStats SensorFeed::stats() const {
+  return worker_->stats();
+}
+std::optional<Status> SensorFeed::result() const {
+  return worker_->result();
+}
+
+}  // namespace roomcast::cli
