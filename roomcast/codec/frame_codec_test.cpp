@@ -13,8 +13,7 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 80;
 // Of 255, for smooth synthetic colour at the default rate: quantisation, and halved chroma at the
-// disc's rim. In the smallest pictures most pixels lie at the rim. (A picture one frame off differs
-// by 30 and more.)
+// disc's rim. In the smallest pictures most pixels lie at the rim.
 double most_color_rms(int width) {
   return width < 64 ? 25 : 12;
 }

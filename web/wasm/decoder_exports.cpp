@@ -75,6 +75,7 @@ ROOMCAST_EXPORT("decoder_create") Decoder* decoder_create(int width, int height)
   decoder->height = height;
   decoder->depth.resize(width, height);
   decoder->mask.resize(width, height);
+  decoder->payload.resize(1);  // so that even room for nothing has an address
   return decoder.release();
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast_codec.wasm against the golden frames that the native decoder is tested with. Run: node --test web/wasm/decoder.test.mjs
+// ROOMCAST_WASM says where the module is when it is not in build/wasm.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = new URL("../../", import.meta.url);
+const wasmFile = process.env.ROOMCAST_WASM ?? fileURLToPath(new URL("build/wasm/roomcast_codec.wasm", root));
+const golden = new URL("tests/golden/", root);
+
+function load() {
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(wasmFile)));
+  exports.__wasm_call_ctors();
+  return exports;
+}
+
+function crc32(bytes) {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  }
+  return ~crc >>> 0;
+}
+
+function decode(codec, decoder, payload) {
+  const at = codec.decoder_input(decoder, payload.length);
+  assert.notEqual(at, 0);
+  new Uint8Array(codec.memory.buffer, at, payload.length).set(payload);
+  return codec.decoder_decode(decoder, payload.length);
+}
+
+function errorOf(codec, decoder) {
+  const text = new Uint8Array(codec.memory.buffer, codec.decoder_error(decoder), codec.decoder_error_length(decoder));
+  return new TextDecoder().decode(text);
+}
+
+const frames = JSON.parse(readFileSync(new URL("frames.json", golden), "utf8"));
+const payloadOf = (frame) => readFileSync(new URL(frame.file, golden));
+
+for (const frame of frames) {
+  test(`${frame.file} decodes to what it was made from`, () => {
+    const codec = load();
+    const decoder = codec.decoder_create(frame.width, frame.height);
+    assert.equal(decode(codec, decoder, payloadOf(frame)), 0, errorOf(codec, decoder));
+    const pixels = frame.width * frame.height;
+    const depth = new Uint8Array(codec.memory.buffer, codec.decoder_depth(decoder), 2 * pixels);
+    assert.equal(crc32(depth), frame.depth_crc32);
+    const mask = codec.decoder_mask(decoder);
+    assert.equal(mask !== 0, frame.mask_crc32 !== undefined);
+    if (mask === 0) return;
+    assert.equal(crc32(new Uint8Array(codec.memory.buffer, mask, pixels)), frame.mask_crc32);
+    assert.equal(codec.decoder_color_offset(decoder), frame.color_offset);
+    assert.equal(codec.decoder_color_length(decoder), frame.color_length);
+    assert.equal(codec.decoder_color_is_key(decoder), frame.key ? 1 : 0);
+  });
+}
+
+test("damaged and cut payloads are refused or decoded, and the next good one decodes", () => {
+  const codec = load();
+  const frame = frames.find((f) => f.mask_crc32 !== undefined);
+  const good = payloadOf(frame);
+  const decoder = codec.decoder_create(frame.width, frame.height);
+  let refused = 0;
+  for (let i = 0; i < good.length; i += 7) {
+    assert.notEqual(decode(codec, decoder, good.subarray(0, i)), 0);
+    const flipped = Uint8Array.from(good);
+    flipped[i] ^= 1 << (i % 8);
+    if (decode(codec, decoder, flipped) !== 0) refused++;
+  }
+  assert.ok(refused > 0);
+  assert.notEqual(errorOf(codec, decoder), "");
+  assert.equal(decode(codec, decoder, good), 0);
+});
+
+test("sizes and lengths out of range are refused", () => {
+  const codec = load();
+  assert.equal(codec.decoder_create(15, 64), 0);
+  assert.equal(codec.decoder_create(64, 4097), 0);
+  assert.equal(codec.decoder_create(-1, -1), 0);
+  const decoder = codec.decoder_create(64, 64);
+  assert.equal(codec.decoder_input(decoder, 3 * 64 * 64 + 65536 + 1), 0);
+  assert.notEqual(codec.decoder_decode(decoder, 1000), 0);
+  codec.decoder_destroy(decoder);
+});
+
+test("memory does not grow from frame to frame", () => {
+  const codec = load();
+  const frame = frames.find((f) => f.mask_crc32 !== undefined);
+  const payload = payloadOf(frame);
+  const decoder = codec.decoder_create(frame.width, frame.height);
+  decode(codec, decoder, payload);
+  const before = codec.memory.buffer.byteLength;
+  for (let i = 0; i < 200; i++) assert.equal(decode(codec, decoder, payload), 0);
+  assert.equal(codec.memory.buffer.byteLength, before);
+});
