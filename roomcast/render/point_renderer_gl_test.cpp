@@ -68,6 +68,18 @@ TEST_F(PointTest, a_wall_that_its_sensor_sees_at_a_slant_has_no_holes) {
   EXPECT_EQ(picture.color, ColorImage(64, 48, kRed));
 }
 
+TEST_F(PointTest, a_lone_reading_is_drawn_only_when_it_has_a_color) {
+  SensorPictures pictures = wall(kLens, 3000, kRed);
+  pictures.depth_mm.at(20, 24) = 1000;
+  pictures.seen.at(20, 24) = 0;
+  pictures.depth_mm.at(40, 24) = 1000;
+  pictures.color.at(40, 24) = kBlue;
+  add(kFirst, kLens, kPose, pictures);
+  const ColorImage picture = draw(eye_of(kLens, kPose), RenderMode::kPoints).color;
+  EXPECT_EQ(picture.at(20, 24), kNothing);
+  EXPECT_EQ(picture.at(40, 24), kBlue);
+}
+
 TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
   SensorPictures pictures = wall(kLens, 0, kRed);
   pictures.depth_mm.at(32, 24) = 2000;
