@@ -14,6 +14,25 @@ int pitch_bytes(std::ptrdiff_t stride) {
   return static_cast<int>(stride * 3);
 }
 
+std::string decompress(tjhandle handle, std::span<const std::uint8_t> bytes,
+                       ImageView<Rgb8> color) {
+  int width = 0, height = 0, subsampling = 0, colorspace = 0;
+  if (tjDecompressHeader3(handle, bytes.data(), bytes.size(), &width, &height, &subsampling,
+                          &colorspace) != 0) {
+    return tjGetErrorStr2(handle);
+  }
+  if (width != color.width || height != color.height) {
+    return "its size is not the one in the calibration";
+  }
+  // Warnings are damage too: libjpeg goes on with grey where the file ends.
+  if (tjDecompress2(handle, bytes.data(), bytes.size(), &color.data->r, width,
+                    pitch_bytes(color.stride), height, TJPF_RGB,
+                    TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
+    return tjGetErrorStr2(handle);
+  }
+  return {};
+}
+
 }  // namespace
 
 JpegCodec::~JpegCodec() {
@@ -34,21 +53,12 @@ JpegCodec& JpegCodec::operator=(JpegCodec&& other) noexcept {
 std::string JpegCodec::decode(std::span<const std::uint8_t> bytes, ImageView<Rgb8> color) {
   if (decompressor_ == nullptr) decompressor_ = tjInitDecompress();
   if (decompressor_ == nullptr) return kNoMemory;
-  int width = 0, height = 0, subsampling = 0, colorspace = 0;
-  if (tjDecompressHeader3(decompressor_, bytes.data(), bytes.size(), &width, &height, &subsampling,
-                          &colorspace) != 0) {
-    return tjGetErrorStr2(decompressor_);
+  std::string problem = decompress(decompressor_, bytes, color);
+  if (!problem.empty()) {  // tables of a damaged picture would spoil the next one
+    tjDestroy(decompressor_);
+    decompressor_ = nullptr;
   }
-  if (width != color.width || height != color.height) {
-    return "its size is not the one in the calibration";
-  }
-  // Warnings are damage too: libjpeg goes on with grey where the file ends.
-  if (tjDecompress2(decompressor_, bytes.data(), bytes.size(), &color.data->r, width,
-                    pitch_bytes(color.stride), height, TJPF_RGB,
-                    TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
-    return tjGetErrorStr2(decompressor_);
-  }
-  return {};
+  return problem;
 }
 
 std::string JpegCodec::encode(ColorView color, int quality, std::vector<std::uint8_t>& bytes) {

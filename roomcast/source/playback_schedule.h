@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which frame of a recording comes next, and when. Arithmetic only: the caller has the clock.
+//
+// A looping recording is played as if it had begun when the host's clock began: the frame at
+// position p is due at p + k * loop_duration for every whole k. So sources that are opened at
+// different times, in different processes, show the same instants of the room. Played once, a
+// recording begins when it is opened. As fast as possible, it begins at host time 0 and every frame
+// comes. Single-threaded.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/source/frame_source.h"
+
+namespace roomcast {
+
+class PlaybackSchedule {
+ public:
+  /// `positions`: when each frame comes after the start of the loop, growing, spread over less than
+  /// `loop_duration`; one at least. `opened`: now.
+  PlaybackSchedule(std::vector<nanoseconds> positions, nanoseconds loop_duration, Pace pace,
+                   bool loop, HostTime opened);
+
+  struct Due {
+    std::size_t frame;
+    HostTime when;
+  };
+  /// The frame after the one given last. In real time, frames that a late caller missed are
+  /// skipped: of those that are due already, the newest comes. Nothing at the end.
+  [[nodiscard]] std::optional<Due> next(HostTime now);
+
+ private:
+  [[nodiscard]] HostTime when(std::int64_t number) const;
+  [[nodiscard]] std::int64_t first_not_before(HostTime time) const;
+
+  std::vector<nanoseconds> positions_;
+  nanoseconds loop_duration_;
+  Pace pace_;
+  bool loop_;
+  HostTime origin_;                   // when position 0 of round 0 is due
+  std::optional<std::int64_t> last_;  // frames are numbered on from round to round
+};
+
+}  // namespace roomcast

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/source_factory.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "roomcast/source/recording_source.h"
+#include "roomcast/source/rig_json.h"
+#include "roomcast/source/simulator/simulated_source.h"
+
+namespace roomcast {
+namespace {
+
+constexpr const char* kKinds =
+    "a source is sim[:scene][#sensor], rig:DIR#sensor or tum:DIR, for example sim:livingroom#0, "
+    "rig:house3#s0 or tum:kitchen";
+
+/// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
+/// '#'.
+struct Spec {
+  std::string kind, place, sensor;
+};
+
+Spec split(const std::string& text) {
+  const std::size_t kind_end = std::min(text.find_first_of(":#"), text.size());
+  Spec spec{text.substr(0, kind_end), {}, {}};
+  std::string rest = text.substr(kind_end);
+  const std::size_t hash = spec.kind == "tum" ? std::string::npos : rest.rfind('#');
+  if (hash != std::string::npos) {
+    spec.sensor = rest.substr(hash + 1);
+    rest.resize(hash);
+  }
+  if (!rest.empty()) spec.place = rest.substr(1);
+  return spec;
+}
+
+Error invalid(const std::string& text, const std::string& why) {
+  return {ErrorCode::kInvalidArgument, "\"" + text + "\" " + why + ": " + kKinds};
+}
+
+std::optional<int> sensor_index(const std::string& text) {
+  if (text.empty()) return 0;
+  int index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
+                                                 const SourceOptions& options) {
+  const Spec spec = split(text);
+  if (spec.kind == "sim") {
+    const auto index = sensor_index(spec.sensor);
+    if (!index) return invalid(text, "numbers its sensor wrongly");
+    return open_simulated_source(spec.place, *index, options);
+  }
+  if (spec.kind != "rig" && spec.kind != "tum") return invalid(text, "names no kind of source");
+  if (spec.place.empty()) return invalid(text, "names no folder");
+  if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, options);
+  return open_tum_source(spec.place, options);
+}
+
+Result<std::vector<std::string>> rig_sensor_names(const std::string& directory) {
+  const auto rig = read_rig_json(std::filesystem::path(directory) / "rig.json");
+  if (!rig.ok()) return rig.error();
+  std::vector<std::string> names;
+  for (const RigSensorEntry& sensor : rig->sensors) names.push_back(sensor.id);
+  return names;
+}
+
+}  // namespace roomcast
