@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/room_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast {
+
+Result<RoomView> RoomView::create() {
+  auto renderer = RoomRenderer::create();
+  if (!renderer) return renderer.error();
+  return RoomView(std::move(*renderer));
+}
+
+Status RoomView::show(const RoomSnapshot& room) {
+  for (const RoomSensor& sensor : room.sensors) {
+    if (auto status = show_sensor(sensor); !status) return status;
+  }
+  return {};
+}
+
+// A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
+// one.
+Status RoomView::show_sensor(const RoomSensor& sensor) {
+  if (!sensor.online || !sensor.picture) {
+    renderer_.remove(sensor.id);
+    uploaded_.erase(sensor.id);
+    return {};
+  }
+  if (auto status =
+          renderer_.set_sensor(sensor.id, sensor.calibration.depth, sensor.world_from_depth);
+      !status) {
+    return status;
+  }
+  auto& uploaded = uploaded_[sensor.id];
+  if (uploaded == sensor.picture) return {};
+  const codec::DecodedFrame& frame = sensor.picture->frame;
+  if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen);
+      !status)
+    return status;
+  uploaded = sensor.picture;
+  return {};
+}
+
+Status RoomView::draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode) {
+  return renderer_.draw(camera, target, mode);
+}
+
+RigidTransform world_from_start_view(const RoomSnapshot& room) {
+  return room.start_pose.value_or(world_from_view_looking_at({0, 1.6, 0}, {0, 1.2, -1}));
+}
+
+}  // namespace roomcast

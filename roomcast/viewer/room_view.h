@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomView: draws the room that a Subscriber receives. Keeps the renderer in step with the
+// snapshots and uploads only pictures that are new. Threading: the thread of its GL context.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "roomcast/client/room_snapshot.h"
+#include "roomcast/core/result.h"
+#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/room_renderer.h"
+#include "roomcast/render/view_camera.h"
+
+namespace roomcast {
+
+class RoomView {
+ public:
+  /// Needs a current GL context. Errors as RoomRenderer::create.
+  static Result<RoomView> create();
+
+  /// From now on this is what is drawn. Errors as RoomRenderer::set_sensor and upload.
+  Status show(const RoomSnapshot& room);
+
+  /// Errors as RoomRenderer::draw.
+  Status draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode);
+
+ private:
+  explicit RoomView(RoomRenderer renderer) : renderer_(std::move(renderer)) {}
+  Status show_sensor(const RoomSensor& sensor);
+
+  RoomRenderer renderer_;
+  std::unordered_map<SensorId, std::shared_ptr<const SensorPicture>> uploaded_;
+};
+
+/// Where a viewer of this room should stand if nobody says otherwise: where the hub put it.
+[[nodiscard]] RigidTransform world_from_start_view(const RoomSnapshot& room);
+
+}  // namespace roomcast
