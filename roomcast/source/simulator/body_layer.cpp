@@ -21,41 +21,14 @@ PixelBox joined(const PixelBox& a, const PixelBox& b) {
 
 PixelBox box_of_part(const BodyPart& part, const PlacedCamera& camera) {
   const float radius = std::max(part.shape.first_radius(), part.shape.second_radius());
-  return pixels_of_box(camera, part.world_from_local,
-                       {-radius, -part.shape.first_radius(), -radius},
-                       {radius, part.shape.length() + part.shape.second_radius(), radius});
+  return camera.pixels_of_box(part.world_from_local, {-radius, -part.shape.first_radius(), -radius},
+                              {radius, part.shape.length() + part.shape.second_radius(), radius});
 }
 
 }  // namespace
 
-PixelBox pixels_of_box(const PlacedCamera& camera, const Eigen::Affine3f& world_from_local,
-                       const Vector3f& low, const Vector3f& high) {
-  constexpr double kNearest_m = 0.1;
-  constexpr double kBulge = 3.0;  // pixels: straight edges bend a little under the lens
-  const RigidTransform camera_from_world = camera.world_from_camera.inverse();
-  const int width = camera.intrinsics.width;
-  const int height = camera.intrinsics.height;
-  Eigen::Vector2d least(width, height);
-  Eigen::Vector2d most(-1, -1);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3f local((corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
-                         (corner & 4) != 0 ? high.z() : low.z());
-    const Eigen::Vector3d seen = camera_from_world * (world_from_local * local).cast<double>();
-    if (seen.z() < kNearest_m) return {0, 0, width, height};
-    const auto pixel = project(camera.intrinsics, seen);
-    if (!pixel) return {0, 0, width, height};
-    least = least.cwiseMin(*pixel);
-    most = most.cwiseMax(*pixel);
-  }
-  const auto inside = [](double value, int limit) {
-    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(limit)));
-  };
-  return {inside(least.x() - kBulge, width), inside(least.y() - kBulge, height),
-          inside(most.x() + kBulge + 1.0, width), inside(most.y() + kBulge + 1.0, height)};
-}
-
-BodyLayer::BodyLayer(const CameraIntrinsics& camera)
-    : z_m_(camera.width, camera.height, kNowhere_m), part_(camera.width, camera.height, kNoPart) {}
+BodyLayer::BodyLayer(int width, int height)
+    : z_m_(width, height, kNowhere_m), part_(width, height, kNoPart) {}
 
 void BodyLayer::clear() {
   for (int y = box_.top; y < box_.bottom; ++y) {
@@ -76,12 +49,10 @@ void BodyLayer::draw_part(const BodyPart& part, std::uint8_t number, const Place
   if (box.empty()) return;
   box_ = joined(box_, box);
   // Rays go straight into the part's local frame; t stays what it is: z, because their z is 1.
-  const Eigen::Matrix3f local_rays =
-      part.local_from_world.linear() * camera.world_from_camera.rotation.cast<float>();
-  const Vector3f local_eye =
-      part.local_from_world * camera.world_from_camera.translation_m.cast<float>();
+  const Eigen::Matrix3f local_rays = part.local_from_world.linear() * camera.axes();
+  const Vector3f local_eye = part.local_from_world * camera.eye_m();
   for (int y = box.top; y < box.bottom; ++y) {
-    const Eigen::Vector2f* rays = camera.rays.view().row(y);
+    const Eigen::Vector2f* rays = camera.ray_row(y);
     float* z_row = z_m_.view().row(y);
     std::uint8_t* part_row = part_.view().row(y);
     for (int x = box.left; x < box.right; ++x) {
@@ -96,12 +67,12 @@ void BodyLayer::draw_part(const BodyPart& part, std::uint8_t number, const Place
 }
 
 BodyPoint body_point(const BodyPart& part, const PlacedCamera& camera, int x, int y, float z_m) {
-  const Vector3f direction =
-      camera.world_from_camera.rotation.cast<float>() * camera.rays.at(x, y).homogeneous();
+  const Vector3f direction = camera.direction(x, y);
   BodyPoint point;
-  point.position_m = camera.world_from_camera.translation_m.cast<float>() + z_m * direction;
+  point.position_m = camera.eye_m() + z_m * direction;
   const Vector3f local = part.local_from_world * point.position_m;
-  point.normal = (part.local_from_world.linear().transpose() * part.shape.normal_at(local)).normalized();
+  point.normal =
+      (part.local_from_world.linear().transpose() * part.shape.normal_at(local)).normalized();
   point.cloth_m = cloth_point(part, local);
   point.facing = -point.normal.dot(direction.normalized());
   return point;

@@ -30,7 +30,7 @@ PixelBox grown(const PixelBox& box, int width, int height) {
 constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
 struct Beside {
-  float z_m;        // the neighbour across the largest step; the pixel's own depth without one
+  float z_m;         // the neighbour across the largest step; the pixel's own depth without one
   bool person_near;  // the person is at this pixel or at a neighbour
 };
 
@@ -59,15 +59,12 @@ Vector3f body_light(const Room& room, const BodyPoint& point) {
   return light;
 }
 
-Vector3f body_srgb(const WalkingBody& body, const BodyLayer& layer, const PlacedCamera& camera, const Room& room,
-                   int x, int y) {
+Vector3f body_srgb(const WalkingBody& body, const BodyLayer& layer, const PlacedCamera& camera,
+                   const Room& room, const ClothAtlas& clothes, int x, int y) {
   const BodyPart& part = body.parts()[layer.part().at(x, y)];
-  const float z = layer.z_m().at(x, y);
-  const BodyPoint point = body_point(part, camera, x, y, z);
-  const Surface& cloth = worn(room.clothes, part.garment);
-  const float footprint = z / (static_cast<float>(camera.intrinsics.fx) * std::max(point.facing, 0.2F));
-  const Vector3f albedo = albedo_at(cloth, point.cloth_m, footprint);
-  return srgb_from_linear(light_leaving(cloth, albedo, body_light(room, point)));
+  const BodyPoint point = body_point(part, camera, x, y, layer.z_m().at(x, y));
+  const Vector3f albedo = clothes.at(part.garment, point.cloth_m);
+  return srgb_from_linear(albedo.cwiseProduct(body_light(room, point)));
 }
 
 /// Share of a pixel that the person covers, from how many of its neighbours they cover too.
@@ -88,12 +85,13 @@ struct Ball {
 
 /// The balls at the ends of the low limbs: what takes light away from the floor.
 int low_balls(const WalkingBody& body, std::array<Ball, 2U * WalkingBody::kMaxParts>& balls) {
+  constexpr float kLow_m = 0.5F;
   std::size_t count = 0;
   for (const BodyPart& part : body.parts()) {
     const Vector3f first = part.world_from_local.translation();
     const Vector3f second = part.world_from_local * Vector3f(0, part.shape.length(), 0);
-    if (first.y() < 1.0F) balls[count++] = {first, part.shape.first_radius()};
-    if (second.y() < 1.0F) balls[count++] = {second, part.shape.second_radius()};
+    if (first.y() < kLow_m) balls[count++] = {first, part.shape.first_radius()};
+    if (second.y() < kLow_m) balls[count++] = {second, part.shape.second_radius()};
   }
   return static_cast<int>(count);
 }
@@ -111,7 +109,8 @@ float light_left(std::span<const Ball> balls, const Vector3f& floor_m) {
 
 }  // namespace
 
-void put_body_depth(const BodyLayer& layer, const DepthPlate& plate, ImageView<std::uint16_t> depth_mm) {
+void put_body_depth(const BodyLayer& layer, const DepthPlate& plate,
+                    ImageView<std::uint16_t> depth_mm) {
   const PixelBox& box = layer.box();
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
@@ -121,16 +120,18 @@ void put_body_depth(const BodyLayer& layer, const DepthPlate& plate, ImageView<s
   }
 }
 
-void put_noisy_body_depth(const WalkingBody& body, const BodyLayer& layer, const PlacedCamera& camera,
-                          const DepthPlate& plate, const Clothes& clothes, const DepthNoise& noise,
-                          std::uint32_t key, ImageView<std::uint16_t> depth_mm) {
+void put_noisy_body_depth(const WalkingBody& body, const BodyLayer& layer,
+                          const PlacedCamera& camera, const DepthPlate& plate,
+                          const Clothes& clothes, const DepthNoise& noise, std::uint32_t key,
+                          ImageView<std::uint16_t> depth_mm) {
   if (layer.box().empty()) return;
   const PixelBox box = grown(layer.box(), depth_mm.width, depth_mm.height);
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       const Beside beside = look_beside(layer, plate.z_m, x, y);
       if (!beside.person_near) continue;
-      PerfectReading reading{plate.z_m.at(x, y), plate.facing.at(x, y), plate.infrared.at(x, y), beside.z_m};
+      PerfectReading reading{plate.z_m.at(x, y), plate.facing.at(x, y), plate.infrared.at(x, y),
+                             beside.z_m};
       if (body_in_front(layer, plate.z_m, x, y)) {
         const BodyPart& part = body.parts()[layer.part().at(x, y)];
         reading.z_m = layer.z_m().at(x, y);
@@ -145,17 +146,17 @@ void put_noisy_body_depth(const WalkingBody& body, const BodyLayer& layer, const
 
 void put_floor_shade(const WalkingBody& body, const PlacedCamera& camera, const ColorPlate& plate,
                      ImageView<Rgb8> color) {
-  constexpr float kReach_m = 0.8F;
+  constexpr float kReach_m = 0.6F;
   constexpr float kFloor_m = 0.03F;  // rugs too
   std::array<Ball, 2U * WalkingBody::kMaxParts> all_balls;
-  const std::span<const Ball> balls(all_balls.data(), static_cast<std::size_t>(low_balls(body, all_balls)));
+  const std::span<const Ball> balls(all_balls.data(),
+                                    static_cast<std::size_t>(low_balls(body, all_balls)));
   const Eigen::Affine3f at(Eigen::Translation3f{body.floor_point_m()});
-  const PixelBox box = pixels_of_box(camera, at, {-kReach_m, 0, -kReach_m}, {kReach_m, kFloor_m, kReach_m});
-  const Eigen::Matrix3f rotation = camera.world_from_camera.rotation.cast<float>();
-  const Vector3f eye = camera.world_from_camera.translation_m.cast<float>();
+  const PixelBox box =
+      camera.pixels_of_box(at, {-kReach_m, 0, -kReach_m}, {kReach_m, kFloor_m, kReach_m});
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
-      const Vector3f point = eye + plate.z_m.at(x, y) * (rotation * camera.rays.at(x, y).homogeneous());
+      const Vector3f point = camera.point(x, y, plate.z_m.at(x, y));
       const float away_m = (point - body.floor_point_m()).norm();
       if (point.y() > kFloor_m || away_m > kReach_m) continue;
       const float fade = std::clamp(2.0F - 2.0F * away_m / kReach_m, 0.0F, 1.0F);
@@ -169,12 +170,13 @@ void put_floor_shade(const WalkingBody& body, const PlacedCamera& camera, const 
 }
 
 void put_body_color(const WalkingBody& body, const BodyLayer& layer, const PlacedCamera& camera,
-                    const ColorPlate& plate, const Room& room, ImageView<Rgb8> color) {
+                    const ColorPlate& plate, const Room& room, const ClothAtlas& clothes,
+                    ImageView<Rgb8> color) {
   const PixelBox& box = layer.box();
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       if (!body_in_front(layer, plate.z_m, x, y)) continue;
-      const Vector3f srgb = body_srgb(body, layer, camera, room, x, y);
+      const Vector3f srgb = body_srgb(body, layer, camera, room, clothes, x, y);
       const float share = coverage(layer, plate.z_m, x, y);
       Rgb8& pixel = color.at(x, y);
       const Vector3f behind(pixel.r, pixel.g, pixel.b);

@@ -27,8 +27,8 @@ void add_frame(Room& room, const Affine3f& at, SurfaceIndex surface, const Vecto
 
 void add_centred_quad(Room& room, const Affine3f& at, SurfaceIndex surface, const Vector2f& size_m,
                       float out_m) {
-  add_quad(room.mesh, surface, at, {-0.5F * size_m.x(), -0.5F * size_m.y(), out_m}, {size_m.x(), 0, 0},
-           {0, size_m.y(), 0});
+  add_quad(room.mesh, surface, at, {-0.5F * size_m.x(), -0.5F * size_m.y(), out_m},
+           {size_m.x(), 0, 0}, {0, size_m.y(), 0});
 }
 
 void add_skirting(Room& room, SurfaceIndex surface) {
@@ -44,8 +44,9 @@ Affine3f on_wall(const Room& room, int wall, float along_m, float height_m) {
   constexpr float kQuarter = 0.5F * std::numbers::pi_v<float>;
   const float x = 0.5F * room.size_m.x();
   const float z = 0.5F * room.size_m.z();
-  const std::array<Vector3f, 4> point = {Vector3f(-x, height_m, along_m), Vector3f(x, height_m, along_m),
-                                         Vector3f(along_m, height_m, -z), Vector3f(along_m, height_m, z)};
+  const std::array<Vector3f, 4> point = {
+      Vector3f(-x, height_m, along_m), Vector3f(x, height_m, along_m),
+      Vector3f(along_m, height_m, -z), Vector3f(along_m, height_m, z)};
   const std::array<float, 4> yaw = {kQuarter, -kQuarter, 0.0F, 2.0F * kQuarter};
   const auto index = static_cast<std::size_t>(wall);
   return Affine3f(Eigen::Translation3f(point[index]) * AngleAxisf(yaw[index], Vector3f::UnitY()));
@@ -75,13 +76,16 @@ void add_window(Room& room, const Affine3f& on_wall, SurfaceIndex frame, const S
   const Vector2f size = view.size_m;
   add_centred_quad(room, on_wall, room.add(view), size, 0.01F);
   add_frame(room, on_wall, frame, size, 0.06F, 0.04F);
-  add_box(room.mesh, frame, on_wall, {-0.025F, -0.5F * size.y(), 0}, {0.025F, 0.5F * size.y(), 0.035F});
+  add_box(room.mesh, frame, on_wall, {-0.025F, -0.5F * size.y(), 0},
+          {0.025F, 0.5F * size.y(), 0.035F});
   const float sill = -0.5F * size.y() - 0.06F;
-  add_box(room.mesh, frame, on_wall, {-0.5F * size.x() - 0.1F, sill - 0.03F, 0}, {0.5F * size.x() + 0.1F, sill, 0.16F});
+  add_box(room.mesh, frame, on_wall, {-0.5F * size.x() - 0.1F, sill - 0.03F, 0},
+          {0.5F * size.x() + 0.1F, sill, 0.16F});
   const float drop = size.y() + 0.55F;
   for (const float side : {-1.0F, 1.0F}) {
     const float left = side < 0 ? -0.5F * size.x() - 0.38F : 0.5F * size.x() - 0.02F;
-    const Affine3f hung = on_wall * Eigen::Translation3f(left, 0.5F * size.y() + 0.18F - drop, 0.10F);
+    const Affine3f hung =
+        on_wall * Eigen::Translation3f(left, 0.5F * size.y() + 0.18F - drop, 0.10F);
     add_curtain(room.mesh, curtain, hung, {0.40F, drop}, 0.035F, 5);
   }
   add_box(room.mesh, frame, on_wall, {-0.5F * size.x() - 0.45F, 0.5F * size.y() + 0.17F, 0.09F},
@@ -89,8 +93,8 @@ void add_window(Room& room, const Affine3f& on_wall, SurfaceIndex frame, const S
 }
 
 void add_door(Room& room, const Affine3f& on_wall, SurfaceIndex wood, SurfaceIndex metal) {
-  const Affine3f middle = on_wall * Eigen::Translation3f(0, 1.0F, 0);
-  add_frame(room, middle, wood, {0.86F, 2.0F}, 0.07F, 0.03F);
+  const Affine3f middle = on_wall * Eigen::Translation3f(0, 1.035F, 0);
+  add_frame(room, middle, wood, {0.86F, 1.93F}, 0.07F, 0.03F);
   add_box(room.mesh, wood, on_wall, {-0.43F, 0, 0}, {0.43F, 2.0F, 0.015F});
   for (const float x : {-0.19F, 0.19F}) {
     for (const float y : {0.5F, 1.45F}) {
@@ -103,13 +107,15 @@ void add_door(Room& room, const Affine3f& on_wall, SurfaceIndex wood, SurfaceInd
 
 void add_radiator(Room& room, const Affine3f& on_wall, SurfaceIndex metal, float width_m) {
   for (float x = -0.5F * width_m; x < 0.5F * width_m; x += 0.065F) {
-    add_cushion(room.mesh, metal, on_wall, {x + 0.03F, 0.42F, 0.07F}, {0.027F, 0.29F, 0.045F}, 0.3F);
+    add_cushion(room.mesh, metal, on_wall, {x + 0.03F, 0.42F, 0.07F}, {0.027F, 0.29F, 0.045F},
+                0.3F);
   }
 }
 
 void add_clock(Room& room, const Affine3f& on_wall, SurfaceIndex rim, const Surface& dial) {
   const Affine3f facing = on_wall * AngleAxisf(0.5F * std::numbers::pi_v<float>, Vector3f::UnitX());
-  const std::array<Vector2f, 4> ring = {Vector2f(0.17F, 0), {0.17F, 0.035F}, {0.15F, 0.035F}, {0.15F, 0.012F}};
+  const std::array<Vector2f, 4> ring = {
+      Vector2f(0.17F, 0), {0.17F, 0.035F}, {0.15F, 0.035F}, {0.15F, 0.012F}};
   add_turned(room.mesh, rim, facing, ring);
   const std::array<Vector2f, 2> disc = {Vector2f(0.15F, 0.015F), {0, 0.015F}};
   add_turned(room.mesh, room.add(dial), facing, disc);

@@ -24,7 +24,8 @@ void add_legs(Room& room, const Affine3f& at, SurfaceIndex surface, const Vector
   }
 }
 
-Affine3f turned(const Affine3f& at, const Vector3f& shift_m, float yaw_rad, float pitch_rad = 0.0F) {
+Affine3f turned(const Affine3f& at, const Vector3f& shift_m, float yaw_rad,
+                float pitch_rad = 0.0F) {
   return at * Eigen::Translation3f(shift_m) * AngleAxisf(yaw_rad, Vector3f::UnitY()) *
          AngleAxisf(pitch_rad, Vector3f::UnitX());
 }
@@ -40,8 +41,10 @@ void add_table(Room& room, const Affine3f& at, SurfaceIndex wood, const Vector3f
   const float z = 0.5F * size_m.z();
   const float top = size_m.y();
   add_box(room.mesh, wood, at, {-x, top - 0.035F, -z}, {x, top, z});
-  add_box(room.mesh, wood, at, {-x + 0.06F, top - 0.11F, -z + 0.05F}, {x - 0.06F, top - 0.035F, -z + 0.07F});
-  add_box(room.mesh, wood, at, {-x + 0.06F, top - 0.11F, z - 0.07F}, {x - 0.06F, top - 0.035F, z - 0.05F});
+  add_box(room.mesh, wood, at, {-x + 0.06F, top - 0.11F, -z + 0.05F},
+          {x - 0.06F, top - 0.035F, -z + 0.07F});
+  add_box(room.mesh, wood, at, {-x + 0.06F, top - 0.11F, z - 0.07F},
+          {x - 0.06F, top - 0.035F, z - 0.05F});
   add_legs(room, at, wood, {x - 0.07F, z - 0.07F}, 0.06F, top - 0.035F);
 }
 
@@ -56,7 +59,8 @@ void add_chair(Room& room, const Affine3f& at, SurfaceIndex wood, SurfaceIndex s
   }
 }
 
-void add_sofa(Room& room, const Affine3f& at, SurfaceIndex cloth, SurfaceIndex wood, float width_m) {
+void add_sofa(Room& room, const Affine3f& at, SurfaceIndex cloth, SurfaceIndex wood,
+              float width_m) {
   const float x = 0.5F * width_m;
   add_legs(room, at, wood, {x - 0.1F, 0.33F}, 0.05F, 0.12F);
   add_cushion(room.mesh, cloth, at, {0, 0.22F, 0}, {x, 0.11F, 0.43F}, 0.2F);
@@ -68,7 +72,8 @@ void add_sofa(Room& room, const Affine3f& at, SurfaceIndex cloth, SurfaceIndex w
   const float seat_width = (width_m - 0.42F) / static_cast<float>(seats);
   for (int i = 0; i < seats; ++i) {
     const float middle = -x + 0.21F + seat_width * (static_cast<float>(i) + 0.5F);
-    add_cushion(room.mesh, cloth, at, {middle, 0.40F, 0.07F}, {0.495F * seat_width, 0.085F, 0.36F}, 0.35F);
+    add_cushion(room.mesh, cloth, at, {middle, 0.40F, 0.07F}, {0.495F * seat_width, 0.085F, 0.36F},
+                0.35F);
     add_cushion(room.mesh, cloth, turned(at, {middle, 0.66F, -0.21F}, 0, -0.18F), Vector3f::Zero(),
                 {0.485F * seat_width, 0.22F, 0.10F}, 0.5F);
   }
@@ -80,15 +85,17 @@ void add_throw_cushion(Room& room, const Affine3f& at, SurfaceIndex cloth, const
               Vector3f::Zero(), {0.21F, 0.21F, 0.075F}, 0.6F);
 }
 
-void add_book_row(Room& room, const Affine3f& at, float width_m, float height_m, std::uint32_t seed) {
-  constexpr std::array<std::uint32_t, 10> kCovers = {0x8c2f2b, 0x24476b, 0x2f5d3a, 0xc9a24a, 0xe6ddc8,
-                                                     0x4a3555, 0x1f1f24, 0xb8552f, 0x6d8f9c, 0xd9d4cc};
+void add_book_row(Room& room, const Affine3f& at, float width_m, float height_m,
+                  std::uint32_t seed) {
+  constexpr std::array<std::uint32_t, 10> kCovers = {0x8c2f2b, 0x24476b, 0x2f5d3a, 0xc9a24a,
+                                                     0xe6ddc8, 0x4a3555, 0x1f1f24, 0xb8552f,
+                                                     0x6d8f9c, 0xd9d4cc};
   float x = 0.0F;
   for (std::uint32_t i = 0; x < width_m - 0.03F; ++i) {
     const auto hash = hash_of(seed, i);
     const float thickness = std::min(0.018F + 0.035F * unit_from_hash(hash), width_m - x);
-    const float height = height_m * (0.68F + 0.27F * unit_from_hash(hash ^ 3U));
-    const float depth = 0.15F + 0.06F * unit_from_hash(hash ^ 5U);
+    const float height = height_m * (0.68F + 0.27F * nth_unit(hash, 3U));
+    const float depth = 0.15F + 0.06F * nth_unit(hash, 5U);
     if (hash % 11U != 0U) {  // now and then a gap
       Surface cover;
       cover.pattern = Pattern::kBookSpine;
@@ -123,7 +130,8 @@ void add_bookshelf(Room& room, const Affine3f& at, SurfaceIndex wood, const Vect
     if (i == shelves) break;
     const auto row_seed = hash_of(seed, static_cast<std::uint32_t>(i));
     const float filled = (size_m.x() - 0.06F) * (0.6F + 0.4F * unit_from_hash(row_seed));
-    add_book_row(room, turned(at, {-x + 0.03F, y, front - 0.04F}, 0), filled, pitch - 0.03F, row_seed);
+    add_book_row(room, turned(at, {-x + 0.03F, y, front - 0.04F}, 0), filled, pitch - 0.03F,
+                 row_seed);
   }
 }
 
@@ -131,8 +139,8 @@ void add_plant(Room& room, const Affine3f& at, std::uint32_t seed) {
   Surface pot;
   pot.base = linear_from_srgb(0xb5653f);
   pot.seed = seed;
-  const std::array<Vector2f, 6> profile = {
-      Vector2f(0, 0), {0.12F, 0}, {0.17F, 0.30F}, {0.185F, 0.30F}, {0.185F, 0.33F}, {0, 0.30F}};
+  const std::array<Vector2f, 6> profile = {Vector2f(0, 0),  {0.12F, 0},      {0.17F, 0.30F},
+                                           {0.185F, 0.30F}, {0.185F, 0.33F}, {0, 0.30F}};
   add_turned(room.mesh, room.add(pot), at, profile);
   Surface green;
   green.pattern = Pattern::kLeaf;
@@ -144,10 +152,10 @@ void add_plant(Room& room, const Affine3f& at, std::uint32_t seed) {
     const auto hash = hash_of(seed, i + 5U);
     green.seed = hash;
     const float stem = 0.34F + 0.55F * unit_from_hash(hash);
-    const float yaw = 2.4F * static_cast<float>(i) + unit_from_hash(hash ^ 2U);
-    const float size = 0.26F + 0.16F * unit_from_hash(hash ^ 4U);
+    const float yaw = 2.4F * static_cast<float>(i) + nth_unit(hash, 2U);
+    const float size = 0.26F + 0.16F * nth_unit(hash, 4U);
     add_leaf(room.mesh, room.add(green), turned(at, {0, stem, 0}, yaw), size, 0.42F * size,
-             0.5F + 0.9F * unit_from_hash(hash ^ 6U));
+             0.5F + 0.9F * nth_unit(hash, 6U));
   }
   const std::array<Vector2f, 2> stem_profile = {Vector2f(0.014F, 0.3F), {0.006F, 0.9F}};
   add_turned(room.mesh, room.add(green), at, stem_profile);
@@ -161,7 +169,8 @@ void add_floor_lamp(Room& room, const Affine3f& at, SurfaceIndex metal, SurfaceI
   add_turned(room.mesh, shade, at, cone);
 }
 
-void add_pendant_lamp(Room& room, const Vector3f& ceiling_point_m, SurfaceIndex cord, SurfaceIndex shade) {
+void add_pendant_lamp(Room& room, const Vector3f& ceiling_point_m, SurfaceIndex cord,
+                      SurfaceIndex shade) {
   const Affine3f at(Eigen::Translation3f{ceiling_point_m});
   const std::array<Vector2f, 4> wire = {
       Vector2f(0.004F, -0.30F), {0.004F, -0.02F}, {0.05F, -0.02F}, {0.05F, 0}};
@@ -181,9 +190,11 @@ void add_sideboard(Room& room, const Affine3f& at, SurfaceIndex wood, SurfaceInd
   const float width = size_m.x() / static_cast<float>(doors);
   for (int i = 0; i < doors; ++i) {
     const float left = -x + width * static_cast<float>(i);
-    add_box(room.mesh, wood, at, {left + 0.004F, 0.13F, z - 0.02F}, {left + width - 0.004F, size_m.y() - 0.01F, z});
+    add_box(room.mesh, wood, at, {left + 0.004F, 0.13F, z - 0.02F},
+            {left + width - 0.004F, size_m.y() - 0.01F, z});
     const float knob = left + (i % 2 == 0 ? width - 0.06F : 0.06F);
-    add_box(room.mesh, handles, at, {knob - 0.008F, 0.5F * size_m.y(), z}, {knob + 0.008F, 0.5F * size_m.y() + 0.12F, z + 0.02F});
+    add_box(room.mesh, handles, at, {knob - 0.008F, 0.5F * size_m.y(), z},
+            {knob + 0.008F, 0.5F * size_m.y() + 0.12F, z + 0.02F});
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kOpennessRays = 24;
+constexpr int kOpennessRays = 20;
 constexpr float kOpennessReach_m = 1.0F;
 constexpr float kGoldenAngle = 2.39996323F;
 
@@ -27,12 +27,11 @@ Tangents tangents_of(const Vector3f& normal) {
   return {first, normal.cross(first)};
 }
 
-Vector3f point_of_lamp(const Light& light, std::uint32_t dither) {
-  const float height = 2.0F * unit_from_hash(mix_bits(dither)) - 1.0F;
-  const float turn = 2.0F * std::numbers::pi_v<float> * unit_from_hash(mix_bits(dither + 1U));
-  const float ring = std::sqrt(std::max(0.0F, 1.0F - height * height));
-  return light.position_m +
-         light.radius_m * Vector3f(ring * std::cos(turn), height, ring * std::sin(turn));
+/// Golden-angle spiral on the unit disc; every prefix of it covers the disc.
+Eigen::Vector2f spiral_point(int number, float turn) {
+  const float radius = std::sqrt(std::fmod(0.1F + 0.618034F * static_cast<float>(number), 1.0F));
+  const float angle = kGoldenAngle * static_cast<float>(number) + turn;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 }  // namespace
@@ -54,16 +53,22 @@ Vector3f ambient_light(const Room& room, const LitPoint& at, float openness) {
   return room.ambient * (from_above * (0.18F + 0.82F * openness));
 }
 
-Vector3f shadowed_light(const Room& room, const RayScene& scene, const LitPoint& at, std::uint32_t dither) {
-  Vector3f sum = Vector3f::Zero();
+float share_of_lamp_seen(const RayScene& scene, const Light& light, const LitPoint& at,
+                         int ray_count, std::uint32_t dither) {
+  constexpr int kFirstRays = 4;
   const Vector3f lifted = at.position_m + 0.003F * at.normal;
-  for (std::size_t i = 0; i < room.lights.size(); ++i) {
-    const Vector3f arriving = light_from(room.lights[i], at);
-    if (arriving.maxCoeff() < 0.004F) continue;
-    const auto lamp_dither = dither + 16U * static_cast<std::uint32_t>(i);
-    if (!scene.blocked(lifted, point_of_lamp(room.lights[i], lamp_dither))) sum += arriving;
+  // Windows show their own plane; bulbs look like a disc from everywhere.
+  const Vector3f axis = light.facing.isZero() ? Vector3f(light.position_m - lifted) : light.facing;
+  const Tangents disc = tangents_of(axis.normalized());
+  const float turn = 2.0F * std::numbers::pi_v<float> * unit_from_hash(mix_bits(dither));
+  int seen = 0;
+  for (int i = 0; i < ray_count; ++i) {
+    if (i == kFirstRays && (seen == 0 || seen == kFirstRays)) return seen == 0 ? 0.0F : 1.0F;
+    const Eigen::Vector2f place = light.radius_m * spiral_point(i, turn);
+    const Vector3f target = light.position_m + place.x() * disc.first + place.y() * disc.second;
+    if (!scene.blocked(lifted, target)) ++seen;
   }
-  return sum;
+  return static_cast<float>(seen) / static_cast<float>(ray_count);
 }
 
 float openness_at(const RayScene& scene, const LitPoint& at) {
@@ -73,9 +78,9 @@ float openness_at(const RayScene& scene, const LitPoint& at) {
   for (int i = 0; i < kOpennessRays; ++i) {
     const float squared = (static_cast<float>(i) + 0.5F) / static_cast<float>(kOpennessRays);
     const float angle = kGoldenAngle * static_cast<float>(i);
-    const Vector3f direction = std::sqrt(1.0F - squared) * at.normal +
-                               std::sqrt(squared) * (std::cos(angle) * tangents.first +
-                                                     std::sin(angle) * tangents.second);
+    const Vector3f direction =
+        std::sqrt(1.0F - squared) * at.normal +
+        std::sqrt(squared) * (std::cos(angle) * tangents.first + std::sin(angle) * tangents.second);
     if (!scene.blocked(lifted, lifted + kOpennessReach_m * direction)) ++open;
   }
   return static_cast<float>(open) / static_cast<float>(kOpennessRays);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light arrives at a point of the room. Linear light per channel; Lambert's cosine law, inverse squares
-// softened near the lamp, and an ambient term scaled by how open the surroundings are. Thread-safe.
+// How much light arrives at a point of the room. Linear light per channel; Lambert's cosine law,
+// inverse squares softened near the lamp, and an ambient term scaled by how open the surroundings
+// are. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +24,13 @@ struct LitPoint {
 [[nodiscard]] Eigen::Vector3f light_from(const Light& light, const LitPoint& at);
 [[nodiscard]] Eigen::Vector3f ambient_light(const Room& room, const LitPoint& at, float openness);
 
-/// All lamps, each blocked by what stands in between. `dither` picks the point of the lamp that is looked at.
-[[nodiscard]] Eigen::Vector3f shadowed_light(const Room& room, const RayScene& scene, const LitPoint& at,
-                                             std::uint32_t dither);
+/// Share of the lamp's face that can be seen from the point, by rays to `ray_count` places spread
+/// over it; the dither turns the spread. Asks fewer where the first four agree.
+[[nodiscard]] float share_of_lamp_seen(const RayScene& scene, const Light& light,
+                                       const LitPoint& at, int ray_count, std::uint32_t dither);
 
-/// Share of the directions around the normal, weighted by their cosine, that are free for the first metre.
+/// Share of the directions around the normal, weighted by their cosine, that are free for the first
+/// metre.
 [[nodiscard]] float openness_at(const RayScene& scene, const LitPoint& at);
 
 /// What leaves a surface that gets `arriving` light.

@@ -23,10 +23,11 @@ void add_walls(Room& room, std::uint32_t seed) {
   shell.floor = room.add(painted(Pattern::kPlanks, 0xa9763f, 0x7d4f27, 0x2a1a0e, seed));
   shell.ceiling = room.add(painted(Pattern::kPlaster, 0xe9e6de, 0, 0, seed + 1U, 0.6F));
   shell.skirting = room.add(painted(Pattern::kPlain, 0xf1eee6, 0, 0, seed + 2U));
-  shell.walls = {room.add(painted(Pattern::kWallpaper, 0xc9d2c2, 0x8fa68f, 0xe7c9a0, seed + 3U, 0.6F)),
-                 room.add(painted(Pattern::kPlaster, 0xe0d3ba, 0, 0, seed + 4U, 0.6F)),
-                 room.add(painted(Pattern::kPlaster, 0xd9cdb8, 0, 0, seed + 5U, 0.6F)),
-                 room.add(painted(Pattern::kBrick, 0x9c5a42, 0xb98263, 0xbdb3a2, seed + 6U))};
+  shell.walls = {
+      room.add(painted(Pattern::kWallpaper, 0xc9d2c2, 0x8fa68f, 0xe7c9a0, seed + 3U, 0.6F)),
+      room.add(painted(Pattern::kPlaster, 0xe0d3ba, 0, 0, seed + 4U, 0.6F)),
+      room.add(painted(Pattern::kPlaster, 0xd9cdb8, 0, 0, seed + 5U, 0.6F)),
+      room.add(painted(Pattern::kBrick, 0x9c5a42, 0xb98263, 0xbdb3a2, seed + 6U))};
   add_shell(room, shell);
 }
 
@@ -39,29 +40,35 @@ void add_sofa_corner(Room& room, std::uint32_t seed) {
            {0, 0, -2.6F});
   const Affine3f sofa = standing_at(-2.48F, -0.05F, 1.5708F);
   add_sofa(room, sofa, cloth, oak, 2.15F);
-  add_throw_cushion(room, sofa, room.add(painted(Pattern::kPlaid, 0xd8a13a, 0x8c2f2b, 0xf0e4c8, seed + 13U)),
+  add_throw_cushion(room, sofa,
+                    room.add(painted(Pattern::kPlaid, 0xd8a13a, 0x8c2f2b, 0xf0e4c8, seed + 13U)),
                     {-0.62F, 0.67F, 0.03F}, 0.45F);
-  add_throw_cushion(room, sofa, room.add(painted(Pattern::kWallpaper, 0xe8e0cf, 0x35546e, 0xb8552f, seed + 14U)),
-                    {0.66F, 0.67F, 0.02F}, -0.4F);
+  add_throw_cushion(
+      room, sofa, room.add(painted(Pattern::kWallpaper, 0xe8e0cf, 0x35546e, 0xb8552f, seed + 14U)),
+      {0.66F, 0.67F, 0.02F}, -0.4F);
   const Affine3f table = standing_at(-1.22F, -0.05F, 1.5708F);
   add_table(room, table, oak, {1.15F, 0.42F, 0.58F});
   const Affine3f on_top = table * Eigen::Translation3f(0, 0.42F, 0);
   for (int i = 0; i < 3; ++i) {
     const auto book_seed = seed + 20U + static_cast<std::uint32_t>(i);
-    const auto book = room.add(painted(Pattern::kPainting, 0x35546e, 0xc9a24a, 0x202020, 2U * book_seed + 1U));
+    const auto book =
+        room.add(painted(Pattern::kPainting, 0x35546e, 0xc9a24a, 0x202020, 2U * book_seed + 1U));
     const float y = 0.028F * static_cast<float>(i);
-    const Affine3f turned = on_top * Eigen::AngleAxisf(0.25F * static_cast<float>(i) - 0.2F, Vector3f::UnitY());
+    const Affine3f turned =
+        on_top * Eigen::AngleAxisf(0.25F * static_cast<float>(i) - 0.2F, Vector3f::UnitY());
     add_box(room.mesh, book, turned, {-0.42F, y, -0.10F}, {-0.14F, y + 0.026F, 0.11F});
   }
   const std::array<Vector2f, 6> bowl = {Vector2f(0.05F, 0), {0.05F, 0.01F}, {0.13F, 0.06F},
                                         {0.15F, 0.09F},     {0.13F, 0.07F}, {0, 0.02F}};
   const Affine3f bowl_at = on_top * Eigen::Translation3f(0.28F, 0, 0.02F);
-  add_turned(room.mesh, room.add(painted(Pattern::kPlain, 0x2f5f8a, 0, 0, seed + 24U)), bowl_at, bowl);
+  add_turned(room.mesh, room.add(painted(Pattern::kPlain, 0x2f5f8a, 0, 0, seed + 24U)), bowl_at,
+             bowl);
   const std::array<std::uint32_t, 4> fruit = {0xc8402a, 0xe0a030, 0x7fa43a, 0xd8702a};
   for (std::size_t i = 0; i < fruit.size(); ++i) {
     const float angle = 1.57F * static_cast<float>(i);
     const auto skin = room.add(painted(Pattern::kPlain, fruit[i], 0, 0, seed + 25U));
-    add_cushion(room.mesh, skin, bowl_at, {0.05F * std::cos(angle), 0.085F, 0.05F * std::sin(angle)},
+    add_cushion(room.mesh, skin, bowl_at,
+                {0.05F * std::cos(angle), 0.085F, 0.05F * std::sin(angle)},
                 Vector3f::Constant(0.04F), 1.0F);
   }
 }
@@ -76,16 +83,20 @@ void add_dining_corner(Room& room, std::uint32_t seed) {
   add_chair(room, standing_at(0.80F, 1.02F, 0.1F), walnut, seat);
   add_chair(room, standing_at(1.42F, 1.08F, -0.15F), walnut, seat);
   const Affine3f on_top = table * Eigen::Translation3f(0, 0.74F, 0);
-  const std::array<Vector2f, 6> vase = {Vector2f(0, 0), {0.05F, 0}, {0.085F, 0.10F},
+  const std::array<Vector2f, 6> vase = {Vector2f(0, 0), {0.05F, 0},     {0.085F, 0.10F},
                                         {0.04F, 0.20F}, {0.05F, 0.24F}, {0.03F, 0.20F}};
-  add_turned(room.mesh, room.add(painted(Pattern::kWallpaper, 0xdfe6ea, 0x27508c, 0x27508c, seed + 32U)),
+  add_turned(room.mesh,
+             room.add(painted(Pattern::kWallpaper, 0xdfe6ea, 0x27508c, 0x27508c, seed + 32U)),
              on_top * Eigen::Translation3f(0.08F, 0, 0.02F), vase);
-  const std::array<Vector2f, 4> plate = {Vector2f(0.07F, 0), {0.13F, 0.018F}, {0.12F, 0.018F}, {0, 0.006F}};
-  const std::array<Vector2f, 4> mug = {Vector2f(0, 0), {0.04F, 0}, {0.042F, 0.095F}, {0.036F, 0.095F}};
+  const std::array<Vector2f, 4> plate = {
+      Vector2f(0.07F, 0), {0.13F, 0.018F}, {0.12F, 0.018F}, {0, 0.006F}};
+  const std::array<Vector2f, 4> mug = {
+      Vector2f(0, 0), {0.04F, 0}, {0.042F, 0.095F}, {0.036F, 0.095F}};
   for (const float x : {-0.42F, 0.45F}) {
     add_turned(room.mesh, room.add(painted(Pattern::kPlain, 0xf0ede4, 0, 0, seed + 33U)),
                on_top * Eigen::Translation3f(x, 0, 0.05F), plate);
-    add_turned(room.mesh, room.add(painted(Pattern::kPlain, x < 0 ? 0xb83a30 : 0x2f6f5a, 0, 0, seed + 34U)),
+    add_turned(room.mesh,
+               room.add(painted(Pattern::kPlain, x < 0 ? 0xb83a30 : 0x2f6f5a, 0, 0, seed + 34U)),
                on_top * Eigen::Translation3f(x + 0.06F, 0, -0.22F), mug);
   }
 }
@@ -99,7 +110,8 @@ void add_television_wall(Room& room, std::uint32_t seed) {
   const Affine3f at = standing_at(1.25F, -2.30F) * Eigen::Translation3f(0, 0.52F, 0);
   add_box(room.mesh, television, at, {-0.20F, 0, -0.08F}, {0.20F, 0.02F, 0.10F});
   add_box(room.mesh, television, at, {-0.55F, 0.06F, -0.02F}, {0.55F, 0.70F, 0.02F});
-  add_book_row(room, standing_at(1.90F, -2.12F) * Eigen::Translation3f(-0.02F, 0.52F, 0), 0.26F, 0.26F, seed + 44U);
+  add_book_row(room, standing_at(1.90F, -2.12F) * Eigen::Translation3f(-0.02F, 0.52F, 0), 0.26F,
+               0.26F, seed + 44U);
   Surface view = painted(Pattern::kGarden, 0x2f5a26, 0x86a850, 0, seed + 45U, 0.0F);
   view.size_m = {1.30F, 1.25F};
   view.glow = 1.0F;
@@ -107,20 +119,28 @@ void add_television_wall(Room& room, std::uint32_t seed) {
   add_window(room, on_wall(room, 2, -1.15F, 1.55F), frame, view, curtain);
   add_radiator(room, on_wall(room, 2, -1.15F, 0.0F), frame, 1.1F);
   const auto dark = room.add(painted(Pattern::kWood, 0x2a2420, 0x1c1714, 0, seed + 47U, 0.25F));
-  add_picture(room, on_wall(room, 2, 2.42F, 1.55F), dark, picture({0.42F, 0.56F}, 0x3b5a44, 0x22311f, 2U * seed + 6U));
+  add_picture(room, on_wall(room, 2, 2.42F, 1.55F), dark,
+              picture({0.42F, 0.56F}, 0x3b5a44, 0x22311f, 2U * seed + 6U));
 }
 
 void add_pictures(Room& room, std::uint32_t seed) {
   const auto gold = room.add(painted(Pattern::kWood, 0xb08d45, 0x7d5f25, 0, seed + 50U));
   const auto dark = room.add(painted(Pattern::kWood, 0x3a2a1e, 0x241810, 0, seed + 51U, 0.3F));
-  add_picture(room, on_wall(room, 0, -0.05F, 1.62F), gold, picture({1.30F, 0.72F}, 0x4a7a68, 0x1d3026, 2U * seed));
-  add_picture(room, on_wall(room, 0, 1.62F, 1.55F), dark, picture({0.45F, 0.60F}, 0xd9cfb8, 0x2a2a2a, 2U * seed + 1U));
-  add_picture(room, on_wall(room, 3, 1.15F, 1.62F), dark, picture({0.95F, 0.70F}, 0xe6dcc8, 0x2a2a2a, 2U * seed + 3U));
-  add_picture(room, on_wall(room, 3, -0.35F, 1.55F), gold, picture({0.50F, 0.65F}, 0x7a5a3a, 0x2f2418, 2U * seed + 2U));
-  add_picture(room, on_wall(room, 3, -2.05F, 1.50F), dark, picture({0.60F, 0.45F}, 0x24476b, 0x2a2a2a, 2U * seed + 5U));
-  add_picture(room, on_wall(room, 1, 1.95F, 1.60F), gold, picture({0.40F, 0.50F}, 0xcab890, 0x2a2a2a, 2U * seed + 7U));
+  add_picture(room, on_wall(room, 0, -0.05F, 1.62F), gold,
+              picture({1.30F, 0.72F}, 0x4a7a68, 0x1d3026, 2U * seed));
+  add_picture(room, on_wall(room, 0, 1.62F, 1.55F), dark,
+              picture({0.45F, 0.60F}, 0xd9cfb8, 0x2a2a2a, 2U * seed + 1U));
+  add_picture(room, on_wall(room, 3, 1.15F, 1.62F), dark,
+              picture({0.95F, 0.70F}, 0xe6dcc8, 0x2a2a2a, 2U * seed + 3U));
+  add_picture(room, on_wall(room, 3, -0.35F, 1.55F), gold,
+              picture({0.50F, 0.65F}, 0x7a5a3a, 0x2f2418, 2U * seed + 2U));
+  add_picture(room, on_wall(room, 3, -2.05F, 1.50F), dark,
+              picture({0.60F, 0.45F}, 0x24476b, 0x2a2a2a, 2U * seed + 5U));
+  add_picture(room, on_wall(room, 1, 1.95F, 1.60F), gold,
+              picture({0.40F, 0.50F}, 0xcab890, 0x2a2a2a, 2U * seed + 7U));
   const auto rim = room.add(painted(Pattern::kPlain, 0x262626, 0, 0, seed + 52U, 0.3F));
-  add_clock(room, on_wall(room, 1, -0.45F, 1.85F), rim, painted(Pattern::kPlain, 0xf6f3ea, 0, 0, seed + 53U));
+  add_clock(room, on_wall(room, 1, -0.45F, 1.85F), rim,
+            painted(Pattern::kPlain, 0xf6f3ea, 0, 0, seed + 53U));
 }
 
 void add_shelf_wall(Room& room, std::uint32_t seed) {
@@ -136,9 +156,11 @@ void add_shelf_wall(Room& room, std::uint32_t seed) {
   add_floor_lamp(room, standing_at(-2.66F, 1.62F), brass, lampshade);
   add_pendant_lamp(room, {0.55F, room.size_m.y(), -0.2F}, brass, lampshade);
   const auto crate = room.add(painted(Pattern::kWood, 0x9a7a4a, 0x76592f, 0, seed + 66U));
-  add_box(room.mesh, crate, standing_at(2.55F, 2.05F, 0.3F), {-0.25F, 0, -0.18F}, {0.25F, 0.32F, 0.18F});
+  add_box(room.mesh, crate, standing_at(2.55F, 2.05F, 0.3F), {-0.25F, 0, -0.18F},
+          {0.25F, 0.32F, 0.18F});
   const auto ball = room.add(painted(Pattern::kPlaid, 0xd83a2a, 0xf0e4c8, 0x2a4a8c, seed + 67U));
-  add_cushion(room.mesh, ball, standing_at(2.2F, -1.75F), {0, 0.12F, 0}, Vector3f::Constant(0.12F), 1.0F);
+  add_cushion(room.mesh, ball, standing_at(2.2F, -1.75F), {0, 0.12F, 0}, Vector3f::Constant(0.12F),
+              1.0F);
 }
 
 Clothes walker_clothes(std::uint32_t seed) {

@@ -23,9 +23,11 @@ void add_walls(Room& room, std::uint32_t seed) {
   add_shell(room, shell);
 }
 
-void add_desk(Room& room, const Affine3f& at, SurfaceIndex top, SurfaceIndex dark, std::uint32_t seed) {
+void add_desk(Room& room, const Affine3f& at, SurfaceIndex top, SurfaceIndex dark,
+              std::uint32_t seed) {
   add_table(room, at, top, {1.50F, 0.73F, 0.75F});
-  add_sideboard(room, at * Eigen::Translation3f(0.45F, 0, -0.05F), dark, dark, {0.42F, 0.60F, 0.55F});
+  add_sideboard(room, at * Eigen::Translation3f(0.45F, 0, -0.05F), dark, dark,
+                {0.42F, 0.60F, 0.55F});
   const Affine3f on_top = at * Eigen::Translation3f(0, 0.73F, 0);
   Surface shown = painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, seed, 0.04F);
   shown.size_m = {0.54F, 0.31F};
@@ -34,7 +36,8 @@ void add_desk(Room& room, const Affine3f& at, SurfaceIndex top, SurfaceIndex dar
   add_box(room.mesh, dark, on_top, {-0.34F, 0, 0.06F}, {0.10F, 0.022F, 0.20F});
   const auto paper = room.add(painted(Pattern::kDrawings, 0xf2f0ea, 0x303848, 0x8c2f2b, seed + 1U));
   add_box(room.mesh, paper, on_top, {0.28F, 0, 0.0F}, {0.50F, 0.012F, 0.29F});
-  const std::array<Vector2f, 4> mug = {Vector2f(0, 0), {0.04F, 0}, {0.042F, 0.095F}, {0.036F, 0.095F}};
+  const std::array<Vector2f, 4> mug = {
+      Vector2f(0, 0), {0.04F, 0}, {0.042F, 0.095F}, {0.036F, 0.095F}};
   add_turned(room.mesh, room.add(painted(Pattern::kPlain, 0xd07a2a, 0, 0, seed + 2U)),
              on_top * Eigen::Translation3f(-0.55F, 0, 0.12F), mug);
 }
@@ -72,26 +75,33 @@ void add_walls_things(Room& room, std::uint32_t seed) {
   add_radiator(room, on_wall(room, 1, 0.35F, 0.0F), white, 1.3F);
   add_door(room, on_wall(room, 2, 1.95F, 0.0F),
            room.add(painted(Pattern::kWood, 0xa87a4a, 0x825a30, 0, seed + 36U)), metal);
-  add_clock(room, on_wall(room, 2, 0.75F, 1.95F), dark, painted(Pattern::kPlain, 0xf6f3ea, 0, 0, seed + 37U));
+  add_clock(room, on_wall(room, 2, 0.75F, 1.95F), dark,
+            painted(Pattern::kPlain, 0xf6f3ea, 0, 0, seed + 37U));
 }
 
 void add_storage(Room& room, std::uint32_t seed) {
   const auto birch = room.add(painted(Pattern::kWood, 0xdcc49a, 0xc4a873, 0, seed + 40U));
   const auto steel = room.add(painted(Pattern::kPlain, 0x7d868c, 0, 0, seed + 41U, 0.35F));
   const auto dark = room.add(painted(Pattern::kPlain, 0x2c2e33, 0, 0, seed + 42U, 0.15F));
-  add_bookshelf(room, standing_at(-0.55F, 2.34F, 3.1416F), birch, {1.00F, 1.60F, 0.30F}, seed + 43U);
+  add_bookshelf(room, standing_at(-0.55F, 2.34F, 3.1416F), birch, {1.00F, 1.60F, 0.30F},
+                seed + 43U);
   add_sideboard(room, standing_at(-0.9F, -2.27F), steel, dark, {1.35F, 0.70F, 0.42F});
-  add_book_row(room, standing_at(-1.5F, -2.12F) * Eigen::Translation3f(0, 0.70F, 0), 0.6F, 0.29F, seed + 44U);
+  add_book_row(room, standing_at(-1.5F, -2.12F) * Eigen::Translation3f(0, 0.70F, 0), 0.6F, 0.29F,
+               seed + 44U);
   add_plant(room, standing_at(2.60F, -1.20F), seed + 45U);
   add_plant(room, standing_at(-2.55F, 2.05F), seed + 46U);
-  const auto carton = room.add(painted(Pattern::kDrawings, 0xb08a5a, 0x4a3018, 0x7a2a2a, seed + 47U));
-  add_box(room.mesh, carton, standing_at(2.62F, 1.55F, 0.2F), {-0.20F, 0, -0.25F}, {0.20F, 0.34F, 0.25F});
-  add_box(room.mesh, carton, standing_at(2.66F, 1.50F, 0.45F), {-0.16F, 0.34F, -0.2F}, {0.16F, 0.60F, 0.2F});
+  const auto carton =
+      room.add(painted(Pattern::kDrawings, 0xb08a5a, 0x4a3018, 0x7a2a2a, seed + 47U));
+  add_box(room.mesh, carton, standing_at(2.62F, 1.55F, 0.2F), {-0.20F, 0, -0.25F},
+          {0.20F, 0.34F, 0.25F});
+  add_box(room.mesh, carton, standing_at(2.66F, 1.50F, 0.45F), {-0.16F, 0.34F, -0.2F},
+          {0.16F, 0.60F, 0.2F});
   Surface panel = painted(Pattern::kPlain, 0xfff8ec, 0, 0, seed + 48U);
   panel.glow = 1.0F;
   const auto light = room.add(panel);
   for (const float x : {-1.2F, 1.2F}) {
-    add_box(room.mesh, light, Affine3f::Identity(), {x - 0.6F, 2.56F, -0.3F}, {x + 0.6F, 2.64F, 0.3F});
+    add_box(room.mesh, light, Affine3f::Identity(), {x - 0.6F, 2.56F, -0.3F},
+            {x + 0.6F, 2.64F, 0.3F});
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a function for every row of a picture on the machine's cores. The rows must not depend on each other; then
-// the result does not depend on the number of threads.
+// Runs a function for every row of a picture on the machine's cores. The rows must not depend on
+// each other; then the result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>

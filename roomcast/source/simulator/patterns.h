@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The patterns of surface.h, one function each: surface, point in metres, pixel footprint in metres -> albedo.
+// The patterns of surface.h, one function each: surface, point in metres, pixel footprint in metres
+// -> albedo.
 #pragma once
 
 #include <algorithm>

@@ -32,8 +32,8 @@ float rim_distance(const Vector2f& centred_m, const Vector2f& size_m) {
 /// A flower-like ornament around a centre, its petals counted and turned by the hash.
 float ornament(const Vector2f& p, float radius, std::uint32_t hash) {
   const float petals = 4.0F + static_cast<float>(hash % 5U);
-  const float wave = 0.7F + 0.3F * std::cos(petals * std::atan2(p.y(), p.x()) +
-                                            6.28F * unit_from_hash(hash));
+  const float wave =
+      0.7F + 0.3F * std::cos(petals * std::atan2(p.y(), p.x()) + 6.28F * unit_from_hash(hash));
   const float from_edge = radius * wave - p.norm();
   return std::clamp(from_edge / 0.01F, 0.0F, 1.0F) -
          0.8F * std::clamp((0.45F * radius * wave - p.norm()) / 0.01F, 0.0F, 1.0F);
@@ -43,9 +43,9 @@ float scattered_ornaments(const Vector2f& at_m, float spacing_m, std::uint32_t s
   const Vector2f cell = (at_m / spacing_m).array().floor();
   const auto hash = hash_of(hash_of(seed, static_cast<std::uint32_t>(static_cast<int>(cell.x()))),
                             static_cast<std::uint32_t>(static_cast<int>(cell.y())));
-  const Vector2f shift(unit_from_hash(hash), unit_from_hash(hash ^ 31U));
+  const Vector2f shift(unit_from_hash(hash), nth_unit(hash, 31U));
   const Vector2f centre = (cell + 0.35F * Vector2f::Ones() + 0.3F * shift) * spacing_m;
-  const float radius = spacing_m * (0.18F + 0.14F * unit_from_hash(hash ^ 57U));
+  const float radius = spacing_m * (0.18F + 0.14F * nth_unit(hash, 57U));
   return ornament(at_m - centre, radius, hash);
 }
 
@@ -68,8 +68,9 @@ Vector3f rug(const Surface& s, const Vector2f& at_m, float footprint_m) {
 }
 
 Vector3f fabric(const Surface& s, const Vector2f& at_m, float footprint_m) {
-  const float weave = fractal_noise({at_m.x() * 0.5F, at_m.y()}, 0.008F, 2, footprint_m, s.seed) +
-                      fractal_noise({at_m.x(), at_m.y() * 0.5F}, 0.008F, 2, footprint_m, s.seed + 1U);
+  const float weave =
+      fractal_noise({at_m.x() * 0.5F, at_m.y()}, 0.008F, 2, footprint_m, s.seed) +
+      fractal_noise({at_m.x(), at_m.y() * 0.5F}, 0.008F, 2, footprint_m, s.seed + 1U);
   const float worn = fractal_noise(at_m, 0.25F, 4, footprint_m, s.seed + 2U);
   return mix(s.base, s.accent, 0.25F + 0.5F * worn) * (1.0F + 0.15F * weave);
 }
@@ -82,7 +83,8 @@ Vector3f plaid(const Surface& s, const Vector2f& at_m, float footprint_m) {
 }
 
 Vector3f denim(const Surface& s, const Vector2f& at_m, float footprint_m) {
-  const float threads = fractal_noise({at_m.x() * 2.0F, at_m.y() * 0.5F}, 0.012F, 2, footprint_m, s.seed);
+  const float threads =
+      fractal_noise({at_m.x() * 2.0F, at_m.y() * 0.5F}, 0.012F, 2, footprint_m, s.seed);
   const float washed = fractal_noise(at_m, 0.18F, 4, footprint_m, s.seed + 1U);
   const float seam = std::clamp((0.006F - std::abs(at_m.x())) / 0.003F, 0.0F, 1.0F);
   const Vector3f cloth = mix(s.base, s.accent, 0.35F + 0.55F * washed) * (1.0F + 0.2F * threads);

@@ -31,7 +31,8 @@ Vector3f landscape(const Surface& s, const Vector2f& p, float footprint) {
   color = mix(color, linear_from_srgb(0xfff0c0), disc(p, sun, 0.07F));
   for (std::uint32_t ridge = 0; ridge < 4U; ++ridge) {
     const float level = 0.62F - 0.14F * static_cast<float>(ridge);
-    const float top = level + 0.12F * fractal_noise({p.x(), 0.0F}, 0.45F, 5, 0.0F, s.seed + 40U + ridge);
+    const float top =
+        level + 0.12F * fractal_noise({p.x(), 0.0F}, 0.45F, 5, 0.0F, s.seed + 40U + ridge);
     const Vector3f hill = mix(s.base, s.accent, static_cast<float>(ridge) / 3.0F);
     const float rough = 1.0F + 0.6F * fractal_noise(p, 0.08F, 4, footprint, s.seed + ridge);
     color = mix(color, hill * rough, (top - p.y()) / 0.006F);
@@ -44,13 +45,14 @@ Vector3f abstract(const Surface& s, const Vector2f& p, float footprint) {
   Vector3f color = s.base * (1.0F + 0.3F * fractal_noise(p, 0.3F, 5, footprint, s.seed));
   for (std::uint32_t i = 0; i < 14U; ++i) {
     const auto hash = hash_of(s.seed, i + 100U);
-    const Vector2f centre(unit_from_hash(hash), unit_from_hash(hash ^ 3U));
-    const float size = 0.04F + 0.16F * unit_from_hash(hash ^ 7U);
-    const float angle = 3.14F * unit_from_hash(hash ^ 11U);
+    const Vector2f centre(unit_from_hash(hash), nth_unit(hash, 3U));
+    const float size = 0.04F + 0.16F * nth_unit(hash, 7U);
+    const float angle = 3.14F * nth_unit(hash, 11U);
     const Vector2f across(-std::sin(angle), std::cos(angle));
     const float bar = std::clamp((0.02F - std::abs(across.dot(p - centre))) / 0.008F, 0.0F, 1.0F);
-    const float inside = (i % 3U == 0U) ? bar * disc(p, centre, 2.0F * size) : disc(p, centre, size);
-    color = mix(color, hue(unit_from_hash(hash ^ 13U)), 0.85F * inside);
+    const float inside =
+        (i % 3U == 0U) ? bar * disc(p, centre, 2.0F * size) : disc(p, centre, size);
+    color = mix(color, hue(nth_unit(hash, 13U)), 0.85F * inside);
   }
   return color * (1.0F + 0.12F * fractal_noise(p, 0.02F, 3, footprint, s.seed + 6U));
 }
@@ -76,7 +78,8 @@ Vector3f book_spine(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const bool label = style == 0U ? up > 0.55F && up < 0.85F : up > 0.30F && up < 0.80F;
   if (label && style != 2U) color = mix(color, s.accent, 0.7F);
   const Vector2f along(at_m.y(), at_m.x());
-  if (label) color = mix(color, s.trim, 0.9F * handwriting(along, s.size_m.x(), footprint_m, s.seed));
+  if (label)
+    color = mix(color, s.trim, 0.9F * handwriting(along, s.size_m.x(), footprint_m, s.seed));
   const bool band = std::abs(up - 0.12F) < 0.02F || std::abs(up - 0.92F) < 0.015F;
   return band ? s.accent : color;
 }
@@ -115,7 +118,8 @@ Vector3f screen(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const float text = handwriting({at_m.x(), at_m.y()}, 0.014F, footprint_m, s.seed);
   const Vector2f picture(0.7F, 0.65F);
   const Vector2f off = (p - picture).cwiseAbs();
-  if (off.x() < 0.22F && off.y() < 0.22F) return landscape(s, (p - picture) / 0.44F + Vector2f(0.5F, 0.5F), 0.02F);
+  if (off.x() < 0.22F && off.y() < 0.22F)
+    return landscape(s, (p - picture) / 0.44F + Vector2f(0.5F, 0.5F), 0.02F);
   return mix(paper, s.accent, text);
 }
 
@@ -126,11 +130,11 @@ Vector3f drawings(const Surface& s, const Vector2f& at_m, float footprint_m) {
   if (here > 0.0F) color = mix(color, s.accent, 0.85F * words);
   for (std::uint32_t i = 0; i < 7U; ++i) {
     const auto hash = hash_of(s.seed, i + 7U);
-    const Vector2f centre(unit_from_hash(hash) * s.size_m.x(), unit_from_hash(hash ^ 5U) * s.size_m.y());
-    const float radius = 0.05F + 0.12F * unit_from_hash(hash ^ 9U);
+    const Vector2f centre(unit_from_hash(hash) * s.size_m.x(), nth_unit(hash, 5U) * s.size_m.y());
+    const float radius = 0.05F + 0.12F * nth_unit(hash, 9U);
     const float from_line = std::abs((at_m - centre).norm() - radius);
     const float blur = std::max(0.004F, footprint_m);
-    color = mix(color, i % 2U == 0U ? s.trim : hue(unit_from_hash(hash ^ 1U)) * 0.6F,
+    color = mix(color, i % 2U == 0U ? s.trim : hue(nth_unit(hash, 1U)) * 0.6F,
                 std::clamp((0.008F - from_line) / blur, 0.0F, 0.9F));
   }
   return color;
@@ -141,12 +145,15 @@ Vector3f face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const Vector2f mirrored(std::abs(at_m.x()), at_m.y());
   Vector3f color = s.base * mottled;
   const Vector2f eye = mirrored - Vector2f(0.033F, 0.065F);
-  color = mix(color, Vector3f::Constant(0.75F), (1.0F - (eye.array() / Eigen::Array2f(0.014F, 0.007F)).matrix().norm()) * 4.0F);
+  color = mix(color, Vector3f::Constant(0.75F),
+              (1.0F - (eye.array() / Eigen::Array2f(0.014F, 0.007F)).matrix().norm()) * 4.0F);
   color = mix(color, s.trim, disc(mirrored, {0.033F, 0.065F}, 0.008F));
   const Vector2f brow = mirrored - Vector2f(0.034F, 0.085F);
-  color = mix(color, s.trim, (1.0F - (brow.array() / Eigen::Array2f(0.022F, 0.005F)).matrix().norm()) * 3.0F);
+  color = mix(color, s.trim,
+              (1.0F - (brow.array() / Eigen::Array2f(0.022F, 0.005F)).matrix().norm()) * 3.0F);
   const Vector2f mouth = at_m - Vector2f(0.0F, -0.01F);
-  return mix(color, s.accent, (1.0F - (mouth.array() / Eigen::Array2f(0.026F, 0.008F)).matrix().norm()) * 3.0F);
+  return mix(color, s.accent,
+             (1.0F - (mouth.array() / Eigen::Array2f(0.026F, 0.008F)).matrix().norm()) * 3.0F);
 }
 
 }  // namespace roomcast::sim

@@ -14,7 +14,8 @@ using Eigen::Vector3f;
 
 constexpr float kSkin_m = 0.001F;
 
-void set_ray(RTCRay& ray, const Vector3f& origin, const Vector3f& direction, float near, float far) {
+void set_ray(RTCRay& ray, const Vector3f& origin, const Vector3f& direction, float near,
+             float far) {
   ray.org_x = origin.x();
   ray.org_y = origin.y();
   ray.org_z = origin.z();
@@ -65,7 +66,8 @@ Result<std::unique_ptr<RayScene>> RayScene::build(const TriangleMesh& mesh) {
   const bool enough_memory = positions != nullptr && triangles != nullptr;
   if (enough_memory) {
     std::memcpy(positions, mesh.positions.data(), sizeof(Vector3f) * mesh.positions.size());
-    std::memcpy(triangles, mesh.triangles.data(), sizeof(mesh.triangles[0]) * mesh.triangles.size());
+    std::memcpy(triangles, mesh.triangles.data(),
+                sizeof(mesh.triangles[0]) * mesh.triangles.size());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(handles->scene, geometry);
   }
@@ -77,7 +79,8 @@ Result<std::unique_ptr<RayScene>> RayScene::build(const TriangleMesh& mesh) {
   return std::unique_ptr<RayScene>(new RayScene(mesh, std::move(handles)));
 }
 
-std::optional<RayHit> RayScene::first_hit(const Vector3f& origin_m, const Vector3f& direction) const {
+std::optional<RayHit> RayScene::first_hit(const Vector3f& origin_m,
+                                          const Vector3f& direction) const {
   RTCRayHit query{};
   set_ray(query.ray, origin_m, direction, kSkin_m, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -92,8 +95,9 @@ std::optional<RayHit> RayScene::first_hit(const Vector3f& origin_m, const Vector
   RayHit hit;
   hit.t = query.ray.tfar;
   hit.triangle = query.hit.primID;
-  hit.normal = (a * mesh_.normals[corner[0]] + b * mesh_.normals[corner[1]] + c * mesh_.normals[corner[2]])
-                   .normalized();
+  hit.normal =
+      (a * mesh_.normals[corner[0]] + b * mesh_.normals[corner[1]] + c * mesh_.normals[corner[2]])
+          .normalized();
   if (hit.normal.dot(direction) > 0.0F) hit.normal = -hit.normal;
   hit.uv_m = a * mesh_.uv_m[corner[0]] + b * mesh_.uv_m[corner[1]] + c * mesh_.uv_m[corner[2]];
   return hit;

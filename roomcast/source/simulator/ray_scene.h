@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against a triangle mesh, through Embree 3. Metres. After building, const calls are safe from many threads.
+// Rays against a triangle mesh, through Embree 3. Metres. After building, const calls are safe from
+// many threads.
 #pragma once
 
 #include <memory>
@@ -21,7 +22,8 @@ struct RayHit {
 
 class RayScene {
  public:
-  /// Keeps a reference to the mesh, which has to outlive it. kUnavailable when Embree cannot work on this machine.
+  /// Keeps a reference to the mesh, which has to outlive it. kUnavailable when Embree cannot work
+  /// on this machine.
   static Result<std::unique_ptr<RayScene>> build(const TriangleMesh& mesh);
   ~RayScene();
   RayScene(const RayScene&) = delete;

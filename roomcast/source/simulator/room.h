@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A furnished room: what stands still in it, how it is lit, where sensors stand, and who walks in it. World frame:
-// metres, y up, floor at y = 0, the origin in the middle of the floor.
+// A furnished room: what stands still in it, how it is lit, where sensors stand, and who walks in
+// it. World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ namespace roomcast::sim {
 
 struct Light {
   Eigen::Vector3f position_m;
-  Eigen::Vector3f power;     // linear light per channel that one square metre gets at one metre
-  Eigen::Vector3f facing;    // a window lights one side only; zero: every direction
-  float radius_m = 0.1F;     // size of what glows: makes shadows soft
+  Eigen::Vector3f power;   // linear light per channel that one square metre gets at one metre
+  Eigen::Vector3f facing;  // a window lights one side only; zero: every direction
+  float radius_m = 0.1F;   // size of what glows: makes shadows soft
 };
 
 /// Where a sensor stands and what it looks at.
@@ -51,7 +51,7 @@ struct Room {
   TriangleMesh mesh;
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
-  Eigen::Vector3f ambient;  // light from everywhere, linear
+  Eigen::Vector3f ambient;                               // light from everywhere, linear
   std::array<SensorStand, kMaxSimulatedSensors> stands;  // any first few of them see the whole room
   Walk walk;
   Clothes clothes;
@@ -62,7 +62,8 @@ struct Room {
   }
 };
 
-/// "livingroom" ("" too) or "office", its things varied by the seed. kNotFound, listing the scenes, for another name.
+/// "livingroom" ("" too) or "office", its things varied by the seed. kNotFound, listing the scenes,
+/// for another name.
 [[nodiscard]] Result<Room> build_room(std::string_view scene, std::uint64_t seed);
 
 [[nodiscard]] Room build_livingroom(std::uint32_t seed);

@@ -42,14 +42,17 @@ std::optional<float> RoundCone::entry(const Vector3f& origin, const Vector3f& di
   const float width = intercept_ - slope_ * origin.y();
   const float a = direction.x() * direction.x() + direction.z() * direction.z() -
                   slope_ * slope_ * direction.y() * direction.y();
-  const float b = origin.x() * direction.x() + origin.z() * direction.z() + slope_ * direction.y() * width;
+  const float b =
+      origin.x() * direction.x() + origin.z() * direction.z() + slope_ * direction.y() * width;
   const float c = origin.x() * origin.x() + origin.z() * origin.z() - width * width;
+  if (a > 0.0F && b * b < a * c) return std::nullopt;  // both balls lie inside the endless cone
   const float on_cone = entering_root(a, b, c);
   const float cone_y = origin.y() + on_cone * direction.y();
   if (on_cone > 0.0F && cone_y >= low_ && cone_y <= high_) return on_cone;
 
   const float on_first = ball_entry(origin, direction, first_radius_);
-  if (on_first > 0.0F && on_first < kNever && origin.y() + on_first * direction.y() <= low_) return on_first;
+  if (on_first > 0.0F && on_first < kNever && origin.y() + on_first * direction.y() <= low_)
+    return on_first;
   const Vector3f from_second(origin.x(), origin.y() - length_, origin.z());
   const float on_second = ball_entry(from_second, direction, second_radius_);
   if (on_second > 0.0F && on_second < kNever && origin.y() + on_second * direction.y() >= high_) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hull of two balls, possibly flattened: what a person's limbs are made of. Rays meet it in closed form (a cone
-// tangent to both balls, and the two balls), so a moving person needs no acceleration structure.
-// Local frame: the first ball sits at the origin, the second at (0, length, 0). Lengths in metres.
+// The hull of two balls, possibly flattened: what a person's limbs are made of. Rays meet it in
+// closed form (a cone tangent to both balls, and the two balls), so a moving person needs no
+// acceleration structure. Local frame: the first ball sits at the origin, the second at (0, length,
+// 0). Lengths in metres.
 #pragma once
 
 #include <optional>
@@ -29,7 +30,7 @@ class RoundCone {
 
  private:
   float first_radius_ = 0, second_radius_ = 0, length_ = 0;
-  float slope_ = 0;        // the cone's radius at height y is intercept_ - slope_ * y
+  float slope_ = 0;  // the cone's radius at height y is intercept_ - slope_ * y
   float intercept_ = 0;
   float low_ = 0, high_ = 0;  // heights between which the surface is the cone
 };

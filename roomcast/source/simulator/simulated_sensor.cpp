@@ -13,7 +13,8 @@ namespace {
 Status check(const SimulatedSensor::Options& options) {
   const std::string most = std::to_string(sim::kMaxSimulatedSensors);
   if (options.sensor_count < 1 || options.sensor_count > sim::kMaxSimulatedSensors) {
-    return Error{ErrorCode::kInvalidArgument, "A simulated room has 1 to " + most + " sensors, not " +
+    return Error{ErrorCode::kInvalidArgument, "A simulated room has 1 to " + most +
+                                                  " sensors, not " +
                                                   std::to_string(options.sensor_count) + "."};
   }
   if (options.sensor_index < 0 || options.sensor_index >= options.sensor_count) {
@@ -38,7 +39,8 @@ DepthImage rounded_mm(const Image<float>& z_m) {
 
 template <class T>
 void copy_into(const Image<T>& from, Image<T>& to) {
-  if (from.width() != to.width() || from.height() != to.height()) to.resize(from.width(), from.height());
+  if (from.width() != to.width() || from.height() != to.height())
+    to.resize(from.width(), from.height());
   std::copy_n(from.data(), from.view().pixel_count(), to.data());
 }
 
@@ -62,12 +64,13 @@ SimulatedSensor::SimulatedSensor(const Options& options, std::unique_ptr<const s
       depth_camera_(calibration_.depth,
                     stand_pose(room_->stands[static_cast<std::size_t>(options.sensor_index)])),
       color_camera_(calibration_.color,
-                    depth_camera_.world_from_camera * calibration_.color_from_depth.inverse()),
+                    depth_camera_.world_from_camera() * calibration_.color_from_depth.inverse()),
       depth_plate_(sim::trace_depth_plate(*room_, scene, depth_camera_)),
       color_plate_(sim::trace_color_plate(*room_, scene, color_camera_)),
       plate_mm_(rounded_mm(depth_plate_.z_m)),
-      body_in_depth_(calibration_.depth),
-      body_in_color_(calibration_.color),
+      clothes_(room_->clothes),
+      body_in_depth_(calibration_.depth.width, calibration_.depth.height),
+      body_in_color_(calibration_.color.width, calibration_.color.height),
       gaussians_(noise_key(~std::uint64_t{0})),
       depth_noise_(depth_plate_, gaussians_) {}
 
@@ -78,8 +81,8 @@ std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame_index) const {
   return sim::hash_of(sim::hash_of(sensor, low(frame_index)), low(frame_index >> 32));
 }
 
-void SimulatedSensor::render(nanoseconds scene_time, std::uint64_t frame_index, DepthImage& depth_mm,
-                             ColorImage& color, bool with_noise) {
+void SimulatedSensor::render(nanoseconds scene_time, std::uint64_t frame_index,
+                             DepthImage& depth_mm, ColorImage& color, bool with_noise) {
   const auto body = sim::WalkingBody::at(room_->walk, scene_time);
   const auto key = noise_key(frame_index);
   copy_into(plate_mm_, depth_mm);
@@ -94,14 +97,14 @@ void SimulatedSensor::render_depth(const sim::WalkingBody& body, std::uint32_t k
   body_in_depth_.draw(body, depth_camera_);
   if (!with_noise) return sim::put_body_depth(body_in_depth_, depth_plate_, out);
   depth_noise_.read_plate(key, out);
-  sim::put_noisy_body_depth(body, body_in_depth_, depth_camera_, depth_plate_, room_->clothes, depth_noise_, key,
-                            out);
+  sim::put_noisy_body_depth(body, body_in_depth_, depth_camera_, depth_plate_, room_->clothes,
+                            depth_noise_, key, out);
 }
 
 void SimulatedSensor::render_color(const sim::WalkingBody& body, ImageView<Rgb8> out) {
   body_in_color_.draw(body, color_camera_);
   sim::put_floor_shade(body, color_camera_, color_plate_, out);
-  sim::put_body_color(body, body_in_color_, color_camera_, color_plate_, *room_, out);
+  sim::put_body_color(body, body_in_color_, color_camera_, color_plate_, *room_, clothes_, out);
 }
 
 }  // namespace roomcast

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One simulated sensor in its room: renders what it sees at any instant, with or without its noise. The empty room
-// is traced once at opening; a frame then costs the person, the copy and the noise. Without noise the pictures are
-// the truth. Metres; scene time starts at 0 and may be any instant. Single-threaded.
+// One simulated sensor in its room: renders what it sees at any instant, with or without its noise.
+// The empty room is traced once at opening; a frame then costs the person, the copy and the noise.
+// Without noise the pictures are the truth. Metres; scene time starts at 0 and may be any instant.
+// Single-threaded.
 #pragma once
 
 #include <memory>
@@ -13,6 +14,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/source/simulator/body_layer.h"
+#include "roomcast/source/simulator/cloth_atlas.h"
 #include "roomcast/source/simulator/room.h"
 #include "roomcast/source/simulator/sensor_noise.h"
 #include "roomcast/source/simulator/static_plate.h"
@@ -28,24 +30,28 @@ class SimulatedSensor {
     std::uint64_t seed = 1;  // noise, and how things look
   };
 
-  /// kNotFound for an unknown scene (the message lists them); kInvalidArgument for an index or count out of range;
-  /// kUnavailable when the ray tracer does not start.
+  /// kNotFound for an unknown scene (the message lists them); kInvalidArgument for an index or
+  /// count out of range; kUnavailable when the ray tracer does not start.
   static Result<std::unique_ptr<SimulatedSensor>> open(const Options& options);
 
   [[nodiscard]] const SensorCalibration& calibration() const { return calibration_; }
-  [[nodiscard]] const RigidTransform& world_from_depth() const { return depth_camera_.world_from_camera; }
+  [[nodiscard]] const RigidTransform& world_from_depth() const {
+    return depth_camera_.world_from_camera();
+  }
   [[nodiscard]] const sim::Room& room() const { return *room_; }
 
-  /// Depth and colour of `scene_time`. The noise is a function of (seed, sensor, frame_index). The pictures keep
-  /// their memory when they have the right size already.
-  void render(nanoseconds scene_time, std::uint64_t frame_index, DepthImage& depth_mm, ColorImage& color,
-              bool with_noise);
+  /// Depth and colour of `scene_time`. The noise is a function of (seed, sensor, frame_index). The
+  /// pictures keep their memory when they have the right size already.
+  void render(nanoseconds scene_time, std::uint64_t frame_index, DepthImage& depth_mm,
+              ColorImage& color, bool with_noise);
 
  private:
-  SimulatedSensor(const Options& options, std::unique_ptr<const sim::Room> room, const sim::RayScene& scene);
+  SimulatedSensor(const Options& options, std::unique_ptr<const sim::Room> room,
+                  const sim::RayScene& scene);
 
   [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame_index) const;
-  void render_depth(const sim::WalkingBody& body, std::uint32_t key, bool with_noise, ImageView<std::uint16_t> out);
+  void render_depth(const sim::WalkingBody& body, std::uint32_t key, bool with_noise,
+                    ImageView<std::uint16_t> out);
   void render_color(const sim::WalkingBody& body, ImageView<Rgb8> out);
 
   Options options_;
@@ -55,6 +61,7 @@ class SimulatedSensor {
   sim::DepthPlate depth_plate_;
   sim::ColorPlate color_plate_;
   DepthImage plate_mm_;
+  sim::ClothAtlas clothes_;
   sim::BodyLayer body_in_depth_, body_in_color_;
   sim::GaussianTable gaussians_;
   sim::DepthNoise depth_noise_;

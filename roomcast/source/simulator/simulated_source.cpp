@@ -11,8 +11,10 @@
 namespace roomcast {
 namespace {
 
-constexpr nanoseconds kPhaseStep = std::chrono::microseconds(2300);     // between sensors, real time only
-constexpr nanoseconds kDeviceOffset = std::chrono::milliseconds(1250);  // between the sensors' clocks
+constexpr nanoseconds kPhaseStep =
+    std::chrono::microseconds(2300);  // between sensors, real time only
+constexpr nanoseconds kDeviceOffset =
+    std::chrono::milliseconds(1250);  // between the sensors' clocks
 
 /// Sleeps until the host clock shows `instant`. False when `stop` was requested first.
 bool sleep_until(HostTime instant, const std::stop_token& stop) {
@@ -60,7 +62,8 @@ class SimulatedSource final : public FrameSource {
     return phase_ + nanoseconds(std::llround(static_cast<double>(instant) * period_s_ * 1e9));
   }
   [[nodiscard]] std::int64_t first_instant_after(HostTime now) const {
-    const double since_phase_s = std::chrono::duration<double>(now.time_since_epoch() - phase_).count();
+    const double since_phase_s =
+        std::chrono::duration<double>(now.time_since_epoch() - phase_).count();
     return static_cast<std::int64_t>(std::ceil(since_phase_s / period_s_));
   }
   /// A caller that is late gets the newest instant that has passed, not all of them.
@@ -80,14 +83,15 @@ class SimulatedSource final : public FrameSource {
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& scene, int sensor_index,
+Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& scene,
+                                                           int sensor_index,
                                                            const SourceOptions& options) {
   if (!(options.sim_fps > 0.0 && options.sim_fps <= kMaxSimulatedFps)) {
     return Error{ErrorCode::kInvalidArgument,
                  "A simulated source gives more than 0 and at most 120 frames per second."};
   }
-  auto sensor = SimulatedSensor::open(
-      {scene, sensor_index, options.sim_sensor_count, options.sim_seed});
+  auto sensor =
+      SimulatedSensor::open({scene, sensor_index, options.sim_sensor_count, options.sim_seed});
   if (!sensor) return std::move(sensor).error();
   return std::unique_ptr<FrameSource>(
       std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sim:` sources: a simulated sensor as a FrameSource. Scene time is the host's monotonic clock, so the sensors of
-// one host, in one process or in several, see the same instant of the same room.
-//  - Pace::kRealTime: frames of the instants k / fps plus a phase of the sensor's own (sensors are not synchronised);
+// `sim:` sources: a simulated sensor as a FrameSource. Scene time is the host's monotonic clock, so
+// the sensors of one host, in one process or in several, see the same instant of the same room.
+//  - Pace::kRealTime: frames of the instants k / fps plus a phase of the sensor's own (sensors are
+//  not synchronised);
 //    instants that the caller was too slow for are skipped.
 //  - Pace::kAsFastAsPossible: frame i is the instant i / fps, from scene time 0.
 // `device_time` is the scene time on the sensor's own clock, which is off by a fixed amount.
@@ -19,11 +20,11 @@ namespace roomcast {
 /// Frames per second that a simulated source may be asked for.
 inline constexpr double kMaxSimulatedFps = 120.0;
 
-/// Sensor "s<index>" of `options.sim_sensor_count` in the scene ("" is "livingroom"). Its description holds the
-/// calibration, the true world_from_depth and options.sim_fps. kNotFound for an unknown scene (the message lists
-/// them); kInvalidArgument for an index, count or rate out of range; kUnavailable when the ray tracer does not start.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& scene,
-                                                                         int sensor_index,
-                                                                         const SourceOptions& options);
+/// Sensor "s<index>" of `options.sim_sensor_count` in the scene ("" is "livingroom"). Its
+/// description holds the calibration, the true world_from_depth and options.sim_fps. kNotFound for
+/// an unknown scene (the message lists them); kInvalidArgument for an index, count or rate out of
+/// range; kUnavailable when the ray tracer does not start.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_simulated_source(
+    const std::string& scene, int sensor_index, const SourceOptions& options);
 
 }  // namespace roomcast

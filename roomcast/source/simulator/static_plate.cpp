@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "roomcast/source/simulator/lighting.h"
-#include "roomcast/source/simulator/openness_map.h"
+#include "roomcast/source/simulator/light_map.h"
 #include "roomcast/source/simulator/parallel_rows.h"
 #include "roomcast/source/simulator/value_noise.h"
 
@@ -20,12 +19,7 @@ using Eigen::Vector3f;
 class ColorTracer {
  public:
   ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera)
-      : room_(room),
-        scene_(scene),
-        camera_(camera),
-        rotation_(camera.world_from_camera.rotation.cast<float>()),
-        eye_(camera.world_from_camera.translation_m.cast<float>()),
-        openness_(scene, camera.world_from_camera, camera.rays.view()) {}
+      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera) {}
 
   struct Sample {
     Vector3f light = Vector3f::Zero();
@@ -34,28 +28,23 @@ class ColorTracer {
 
   /// At pixel (x, y) plus `offset` pixels.
   [[nodiscard]] Sample sample(int x, int y, const Vector2f& offset, std::uint32_t dither) const {
-    const float per_pixel = 1.0F / static_cast<float>(camera_.intrinsics.fx);
-    const Vector2f ray = camera_.rays.at(x, y) + per_pixel * offset;
-    const Vector3f direction = rotation_ * ray.homogeneous();
-    const auto hit = scene_.first_hit(eye_, direction);
+    const Vector3f direction =
+        camera_.direction(camera_.ray(x, y) + camera_.pixel_angle() * offset);
+    const auto hit = scene_.first_hit(camera_.eye_m(), direction);
     if (!hit) return {};
     const Surface& surface = room_.surfaces[room_.mesh.surface[hit->triangle]];
-    const LitPoint at{eye_ + hit->t * direction, hit->normal};
+    const LitPoint at{camera_.eye_m() + hit->t * direction, hit->normal};
     const float slant = std::max(0.15F, -hit->normal.dot(direction.normalized()));
-    const Vector3f albedo = albedo_at(surface, hit->uv_m, hit->t * per_pixel / slant);
+    const Vector3f albedo = albedo_at(surface, hit->uv_m, hit->t * camera_.pixel_angle() / slant);
     if (surface.glow >= 1.0F) return {albedo, hit->t};
-    const Vector3f arriving = ambient_light(room_, at, openness_.at(x, y, at)) +
-                              shadowed_light(room_, scene_, at, dither);
-    return {light_leaving(surface, albedo, arriving), hit->t};
+    return {light_leaving(surface, albedo, lights_.arriving(x, y, at, dither)), hit->t};
   }
 
  private:
   const Room& room_;
   const RayScene& scene_;
   const PlacedCamera& camera_;
-  Eigen::Matrix3f rotation_;
-  Vector3f eye_;
-  OpennessMap openness_;
+  LightMap lights_;
 };
 
 Rgb8 rounded(const Vector3f& srgb) {
@@ -94,19 +83,15 @@ Rgb8 smooth_pixel(const ColorTracer& tracer, int x, int y) {
 
 }  // namespace
 
-PlacedCamera::PlacedCamera(const CameraIntrinsics& of, const RigidTransform& at)
-    : intrinsics(of), world_from_camera(at), rays(ray_table(of)) {}
-
 DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
-  const int width = camera.intrinsics.width;
-  const int height = camera.intrinsics.height;
-  DepthPlate plate{Image<float>(width, height), Image<float>(width, height), Image<float>(width, height)};
-  const Eigen::Matrix3f rotation = camera.world_from_camera.rotation.cast<float>();
-  const Vector3f eye = camera.world_from_camera.translation_m.cast<float>();
+  const int width = camera.width();
+  const int height = camera.height();
+  DepthPlate plate{Image<float>(width, height), Image<float>(width, height),
+                   Image<float>(width, height)};
   for_each_row(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
-      const Vector3f direction = rotation * camera.rays.at(x, y).homogeneous();
-      const auto hit = scene.first_hit(eye, direction);
+      const Vector3f direction = camera.direction(x, y);
+      const auto hit = scene.first_hit(camera.eye_m(), direction);
       if (!hit) continue;
       plate.z_m.at(x, y) = hit->t;
       plate.facing.at(x, y) = -hit->normal.dot(direction.normalized());
@@ -117,8 +102,8 @@ DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const Plac
 }
 
 ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
-  const int width = camera.intrinsics.width;
-  const int height = camera.intrinsics.height;
+  const int width = camera.width();
+  const int height = camera.height();
   const ColorTracer tracer(room, scene, camera);
   ColorPlate plate{Image<float>(width, height), ColorImage(width, height)};
   ColorImage first(width, height);

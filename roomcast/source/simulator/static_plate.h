@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fixed camera sees of the empty room, traced once: everything that stands still costs nothing per frame.
-// z is along the optical axis in metres; pixels that see nothing have z = 0.
+// What a fixed camera sees of the empty room, traced once: everything that stands still costs
+// nothing per frame. z is along the optical axis in metres; pixels that see nothing have z = 0.
 #pragma once
 
-#include <Eigen/Core>
-
 #include "roomcast/core/image.h"
-#include "roomcast/geometry/camera_model.h"
-#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/source/simulator/placed_camera.h"
 #include "roomcast/source/simulator/ray_scene.h"
 #include "roomcast/source/simulator/room.h"
 
 namespace roomcast::sim {
-
-/// A camera at its place, with its lens worked out per pixel.
-struct PlacedCamera {
-  CameraIntrinsics intrinsics;
-  RigidTransform world_from_camera;
-  Image<Eigen::Vector2f> rays;  // (x/z, y/z) per pixel
-
-  PlacedCamera(const CameraIntrinsics& of, const RigidTransform& at);
-};
 
 struct DepthPlate {
   Image<float> z_m;
@@ -33,9 +21,11 @@ struct ColorPlate {
   ColorImage color;
 };
 
-[[nodiscard]] DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera);
+[[nodiscard]] DepthPlate trace_depth_plate(const Room& room, const RayScene& scene,
+                                           const PlacedCamera& camera);
 
 /// Lit, shadowed, and smoothed where the picture has edges.
-[[nodiscard]] ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera);
+[[nodiscard]] ColorPlate trace_color_plate(const Room& room, const RayScene& scene,
+                                           const PlacedCamera& camera);
 
 }  // namespace roomcast::sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a thing's skin looks like: a procedural pattern and its colours, evaluated at a point of the surface. No
-// picture files, no repetition. Colours are linear light, 0..1; surface coordinates in metres.
+// What a thing's skin looks like: a procedural pattern and its colours, evaluated at a point of the
+// surface. No picture files, no repetition. Colours are linear light, 0..1; surface coordinates in
+// metres.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +36,12 @@ struct Surface {
   Eigen::Vector3f base = Eigen::Vector3f::Constant(0.5F);
   Eigen::Vector3f accent = Eigen::Vector3f::Constant(0.3F);
   Eigen::Vector3f trim = Eigen::Vector3f::Constant(0.1F);
-  Eigen::Vector2f size_m = Eigen::Vector2f::Ones();  // of one picture, rug, spine: where the pattern ends
+  Eigen::Vector2f size_m =
+      Eigen::Vector2f::Ones();  // of one picture, rug, spine: where the pattern ends
   std::uint32_t seed = 0;
-  float infrared = 0.5F;  // share of a depth camera's light that comes back; 0: it never returns a reading
-  float glow = 0.0F;      // how much of the colour is the surface's own light, 0..1
+  float infrared =
+      0.5F;  // share of a depth camera's light that comes back; 0: it never returns a reading
+  float glow = 0.0F;  // how much of the colour is the surface's own light, 0..1
 };
 
 /// 0xRRGGBB as in web pages -> linear light.
@@ -51,7 +54,8 @@ struct Surface {
 /// Linear light -> 0..255 sRGB values, highlights rolled off softly.
 [[nodiscard]] Eigen::Vector3f srgb_from_linear(const Eigen::Vector3f& light);
 
-/// The share of light per channel that the surface returns at `at_m`. `footprint_m`: width of what the pixel sees.
+/// The share of light per channel that the surface returns at `at_m`. `footprint_m`: width of what
+/// the pixel sees.
 [[nodiscard]] Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m,
                                         float footprint_m);
 

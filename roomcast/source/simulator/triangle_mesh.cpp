@@ -14,8 +14,8 @@ using Eigen::Vector3f;
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kTurnedSegments = 20;
 
-std::uint32_t add_vertex(TriangleMesh& mesh, const Affine3f& world_from_local, const Vector3f& position,
-                         const Vector3f& normal, const Vector2f& uv_m) {
+std::uint32_t add_vertex(TriangleMesh& mesh, const Affine3f& world_from_local,
+                         const Vector3f& position, const Vector3f& normal, const Vector2f& uv_m) {
   mesh.positions.push_back(world_from_local * position);
   mesh.normals.push_back((world_from_local.linear() * normal).normalized());
   mesh.uv_m.push_back(uv_m);
@@ -33,7 +33,8 @@ struct GridPoint {
   Vector2f uv_m;
 };
 
-/// A grid of points over (columns+1) x (rows+1), smooth: normals from the differences of neighbours.
+/// A grid of points over (columns+1) x (rows+1), smooth: normals from the differences of
+/// neighbours.
 template <class PointAt>
 void add_smooth_grid(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_from_local,
                      int columns, int rows, const PointAt& point_at) {
@@ -131,7 +132,8 @@ void add_cushion(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world
                         ring * signed_power(std::sin(angle), roundness));
     return {centre + unit.cwiseProduct(half_size), {around * s, 2.0F * half_size.y() * t}};
   };
-  add_smooth_grid(mesh, surface, world_from_local, 40, 24, point);
+  const bool small = half_size.minCoeff() < 0.05F;
+  add_smooth_grid(mesh, surface, world_from_local, small ? 16 : 36, small ? 10 : 20, point);
 }
 
 void add_leaf(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_from_local,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles, and the few shapes that furniture is made of. Metres; `u`, `v` are metres along the surface, so that
-// patterns have their true size everywhere. Shapes are added in a local frame (y up) through `world_from_local`.
+// Triangles, and the few shapes that furniture is made of. Metres; `u`, `v` are metres along the
+// surface, so that patterns have their true size everywhere. Shapes are added in a local frame (y
+// up) through `world_from_local`.
 #pragma once
 
 #include <array>
@@ -29,20 +30,23 @@ void add_quad(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& w
               const Eigen::Vector3f& corner, const Eigen::Vector3f& edge_u,
               const Eigen::Vector3f& edge_v);
 
-/// A box with its faces along the local axes. On every face u runs along the longer side (grain of wood).
+/// A box with its faces along the local axes. On every face u runs along the longer side (grain of
+/// wood).
 void add_box(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
              const Eigen::Vector3f& low, const Eigen::Vector3f& high);
 
-/// A surface of revolution about local y through (radius, height) points, from bottom to top; flat at its corners,
-/// round about the axis. Ends with radius 0 are closed.
+/// A surface of revolution about local y through (radius, height) points, from bottom to top; flat
+/// at its corners, round about the axis. Ends with radius 0 are closed.
 void add_turned(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                 std::span<const Eigen::Vector2f> radius_and_height);
 
-/// A soft box or ball: a superellipsoid of the given half sizes. `roundness` 1: ellipsoid, towards 0: box.
+/// A soft box or ball: a superellipsoid of the given half sizes. `roundness` 1: ellipsoid, towards
+/// 0: box.
 void add_cushion(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                  const Eigen::Vector3f& centre, const Eigen::Vector3f& half_size, float roundness);
 
-/// A leaf that leaves the local origin along +z, rises and droops; u across from the rib, v along it.
+/// A leaf that leaves the local origin along +z, rises and droops; u across from the rib, v along
+/// it.
 void add_leaf(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
               float length_m, float width_m, float rise);
 

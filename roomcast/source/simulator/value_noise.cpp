@@ -7,13 +7,18 @@
 namespace roomcast::sim {
 namespace {
 
-float lattice_value(int x, int y, std::uint32_t seed) {
-  const auto hash =
-      hash_of(hash_of(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
-  return 2.0F * unit_from_hash(hash) - 1.0F;
+float lattice_value(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+  return 2.0F * unit_from_hash(mix_bits(seed + 0x9e3779b1U * x + 0x85ebca77U * y)) - 1.0F;
 }
 
-float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
+/// std::lerp also cares for infinities, at several times the cost.
+float between(float a, float b, float share) {
+  return a + (b - a) * share;
+}
+
+float smooth(float t) {
+  return t * t * (3.0F - 2.0F * t);
+}
 
 }  // namespace
 
@@ -22,12 +27,13 @@ float value_noise(const Eigen::Vector2f& at, std::uint32_t seed) {
   const float y = std::floor(at.y());
   const float sx = smooth(at.x() - x);
   const float sy = smooth(at.y() - y);
-  const int ix = static_cast<int>(x);
-  const int iy = static_cast<int>(y);
-  const float top = std::lerp(lattice_value(ix, iy, seed), lattice_value(ix + 1, iy, seed), sx);
+  const auto ix = static_cast<std::uint32_t>(static_cast<int>(x));
+  const auto iy = static_cast<std::uint32_t>(static_cast<int>(y));
+  const auto mixed = mix_bits(seed + 1U);
+  const float top = between(lattice_value(ix, iy, mixed), lattice_value(ix + 1, iy, mixed), sx);
   const float bottom =
-      std::lerp(lattice_value(ix, iy + 1, seed), lattice_value(ix + 1, iy + 1, seed), sx);
-  return std::lerp(top, bottom, sy);
+      between(lattice_value(ix, iy + 1, mixed), lattice_value(ix + 1, iy + 1, mixed), sx);
+  return between(top, bottom, sy);
 }
 
 float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves, float footprint_m,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Repeatable randomness: integer hashes and smooth noise made of them. The same arguments always give the same
-// value, on every thread and in every process. Lengths in metres.
-// The bit mixer is the finaliser of MurmurHash3 (public domain); value noise: Perlin 1985, with lattice values in
+// Repeatable randomness: integer hashes and smooth noise made of them. The same arguments always
+// give the same value, on every thread and in every process. Lengths in metres. The bit mixer is
+// the finaliser of MurmurHash3 (public domain); value noise: Perlin 1985, with lattice values in
 // place of gradients.
 #pragma once
 
@@ -29,11 +29,17 @@ namespace roomcast::sim {
   return static_cast<float>(hash >> 8) * (1.0F / 16777216.0F);
 }
 
+/// The n-th of any number of independent values, 0 <= value < 1, that belong to a hash.
+[[nodiscard]] constexpr float nth_unit(std::uint32_t hash, std::uint32_t n) {
+  return unit_from_hash(hash_of(hash, n));
+}
+
 /// Smooth, -1..1, lattice spacing 1.
 [[nodiscard]] float value_noise(const Eigen::Vector2f& at, std::uint32_t seed);
 
-/// Octaves of value noise from `wavelength_m` down, each half as long and half as strong, about -1..1. Octaves finer
-/// than `footprint_m` (the width of what one pixel sees) are faded out, so that far surfaces do not shimmer.
+/// Octaves of value noise from `wavelength_m` down, each half as long and half as strong, about
+/// -1..1. Octaves finer than `footprint_m` (the width of what one pixel sees) are faded out, so
+/// that far surfaces do not shimmer.
 [[nodiscard]] float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves,
                                   float footprint_m, std::uint32_t seed);
 

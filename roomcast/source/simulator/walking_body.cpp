@@ -50,7 +50,9 @@ struct Leg {
   }
 };
 
-AngleAxisf pitch(float forward_rad) { return {-forward_rad, Vector3f::UnitX()}; }
+AngleAxisf pitch(float forward_rad) {
+  return {-forward_rad, Vector3f::UnitX()};
+}
 
 }  // namespace
 
@@ -59,7 +61,8 @@ class BodyBuilder {
  public:
   explicit BodyBuilder(WalkingBody& body) : body_(body) {}
 
-  /// From `from` to `to` in `frame`; the cross-section is stretched by `flat` along the frame's x and z.
+  /// From `from` to `to` in `frame`; the cross-section is stretched by `flat` along the frame's x
+  /// and z.
   void limb(const Affine3f& frame, Garment garment, const Vector3f& from, const Vector3f& to,
             const Vector2f& radii_m, const Vector2f& flat = {1.0F, 1.0F}) {
     const Vector3f along = to - from;
@@ -84,45 +87,53 @@ class BodyBuilder {
     limb(hip, Garment::kTrousers, {0, 0.01F, 0}, {0, -kThigh_m, 0}, {0.088F, 0.060F});
     const Affine3f knee = hip * Eigen::Translation3f(0, -kThigh_m, 0) * pitch(-leg.knee);
     limb(knee, Garment::kTrousers, Vector3f::Zero(), {0, -0.17F, -0.012F}, {0.060F, 0.058F});
-    limb(knee, Garment::kTrousers, {0, -0.17F, -0.012F}, {0, -kShin_m + 0.02F, 0}, {0.058F, 0.047F});
-    const Affine3f ankle = knee * Eigen::Translation3f(0, -kShin_m, 0) *
-                           pitch(-(leg.hip - leg.knee) - leg.foot);
-    limb(ankle, Garment::kShoes, {0, -0.030F, -0.045F}, {0, -0.036F, 0.15F}, {0.040F, 0.034F}, {1.05F, 1.0F});
+    limb(knee, Garment::kTrousers, {0, -0.17F, -0.012F}, {0, -kShin_m + 0.02F, 0},
+         {0.058F, 0.047F});
+    const Affine3f ankle =
+        knee * Eigen::Translation3f(0, -kShin_m, 0) * pitch(-(leg.hip - leg.knee) - leg.foot);
+    limb(ankle, Garment::kShoes, {0, -0.030F, -0.045F}, {0, -0.036F, 0.15F}, {0.040F, 0.034F},
+         {1.05F, 1.0F});
     limb(ankle, Garment::kShoes, {0, 0.0F, -0.02F}, {0, -0.03F, 0.05F}, {0.042F, 0.038F});
   }
 
   void arm(const Affine3f& chest, float side, float swing) {
-    const Affine3f shoulder = chest * Eigen::Translation3f(side * kShoulderHalf_m, kShoulderHeight_m, 0) *
+    const Affine3f shoulder = chest *
+                              Eigen::Translation3f(side * kShoulderHalf_m, kShoulderHeight_m, 0) *
                               AngleAxisf(side * 0.10F, Vector3f::UnitZ()) * pitch(swing);
     limb(shoulder, Garment::kShirt, Vector3f::Zero(), {0, -kUpperArm_m, 0}, {0.060F, 0.046F});
     const float bend = 0.38F + 0.35F * std::max(0.0F, swing);
     const Affine3f elbow = shoulder * Eigen::Translation3f(0, -kUpperArm_m, 0) * pitch(bend);
     limb(elbow, Garment::kShirt, Vector3f::Zero(), {0, -0.20F, 0}, {0.046F, 0.038F});
     limb(elbow, Garment::kSkin, {0, -0.18F, 0}, {0, -kForearm_m, 0}, {0.031F, 0.028F});
-    limb(elbow, Garment::kSkin, {0, -kForearm_m - 0.02F, 0}, {0, -kForearm_m - 0.10F, 0.012F}, {0.038F, 0.027F},
-         {0.55F, 1.0F});
-    limb(elbow, Garment::kSkin, {0, -kForearm_m - 0.02F, 0.02F}, {0, -kForearm_m - 0.065F, 0.05F}, {0.016F, 0.012F});
+    limb(elbow, Garment::kSkin, {0, -kForearm_m - 0.02F, 0}, {0, -kForearm_m - 0.10F, 0.012F},
+         {0.038F, 0.027F}, {0.55F, 1.0F});
+    limb(elbow, Garment::kSkin, {0, -kForearm_m - 0.02F, 0.02F}, {0, -kForearm_m - 0.065F, 0.05F},
+         {0.016F, 0.012F});
   }
 
   void trunk(const Affine3f& pelvis, const Affine3f& chest) {
-    limb(pelvis, Garment::kTrousers, {0, -0.02F, 0}, {0, 0.09F, 0}, {0.150F, 0.140F}, {1.10F, 0.80F});
+    limb(pelvis, Garment::kTrousers, {0, -0.02F, 0}, {0, 0.09F, 0}, {0.150F, 0.140F},
+         {1.10F, 0.80F});
     limb(chest, Garment::kShirt, {0, 0.03F, 0}, {0, 0.14F, 0}, {0.152F, 0.145F}, {1.08F, 0.80F});
-    limb(chest, Garment::kShirt, {0, 0.12F, 0}, {0, 0.36F, 0.01F}, {0.143F, 0.155F}, {1.08F, 0.74F});
+    limb(chest, Garment::kShirt, {0, 0.12F, 0}, {0, 0.36F, 0.01F}, {0.143F, 0.155F},
+         {1.08F, 0.74F});
     for (const float side : {-1.0F, 1.0F}) {
-      limb(chest, Garment::kShirt, {side * 0.05F, 0.49F, -0.01F}, {side * kShoulderHalf_m, kShoulderHeight_m, 0},
-           {0.072F, 0.064F});
+      limb(chest, Garment::kShirt, {side * 0.05F, 0.49F, -0.01F},
+           {side * kShoulderHalf_m, kShoulderHeight_m, 0}, {0.072F, 0.064F});
     }
     limb(chest, Garment::kShirt, {0, 0.50F, -0.01F}, {0, 0.54F, 0}, {0.070F, 0.060F});
     limb(chest, Garment::kSkin, {0, 0.52F, 0}, {0, 0.62F, 0.02F}, {0.052F, 0.050F});
   }
 
   void head(const Affine3f& neck) {
-    limb(neck, Garment::kFace, {0, 0.035F, 0.030F}, {0, 0.125F, 0.012F}, {0.066F, 0.090F}, {0.94F, 1.05F});
+    limb(neck, Garment::kFace, {0, 0.035F, 0.030F}, {0, 0.125F, 0.012F}, {0.066F, 0.090F},
+         {0.94F, 1.05F});
     limb(neck, Garment::kSkin, {0, 0.075F, 0.100F}, {0, 0.045F, 0.115F}, {0.009F, 0.014F});  // nose
-    limb(neck, Garment::kHair, {0, 0.090F, -0.030F}, {0, 0.145F, -0.006F}, {0.078F, 0.094F}, {1.0F, 1.05F});
+    limb(neck, Garment::kHair, {0, 0.090F, -0.030F}, {0, 0.145F, -0.006F}, {0.078F, 0.094F},
+         {1.0F, 1.05F});
     for (const float side : {-1.0F, 1.0F}) {
-      limb(neck, Garment::kSkin, {side * 0.084F, 0.060F, 0.005F}, {side * 0.088F, 0.085F, 0.0F}, {0.012F, 0.016F},
-           {0.6F, 1.0F});
+      limb(neck, Garment::kSkin, {side * 0.084F, 0.060F, 0.005F}, {side * 0.088F, 0.085F, 0.0F},
+           {0.012F, 0.016F}, {0.6F, 1.0F});
     }
   }
 
@@ -147,8 +158,9 @@ WalkingBody WalkingBody::at(const Walk& walk, nanoseconds scene_time) {
                           Affine3f(AngleAxisf(0.10F * std::sin(phase), Vector3f::UnitY()));
   const Affine3f chest = pelvis * Eigen::Translation3f(0, 0.06F, 0) *
                          AngleAxisf(-0.22F * std::sin(phase), Vector3f::UnitY()) * pitch(-0.05F);
-  const Affine3f neck = chest * Eigen::Translation3f(0, 0.60F, 0.015F) *
-                        AngleAxisf(0.10F * std::sin(phase) - 0.3F * std::sin(2.0F * lap), Vector3f::UnitY());
+  const Affine3f neck =
+      chest * Eigen::Translation3f(0, 0.60F, 0.015F) *
+      AngleAxisf(0.10F * std::sin(phase) - 0.3F * std::sin(2.0F * lap), Vector3f::UnitY());
   BodyBuilder builder(body);
   builder.trunk(pelvis, chest);
   builder.head(neck);
@@ -161,12 +173,18 @@ WalkingBody WalkingBody::at(const Walk& walk, nanoseconds scene_time) {
 
 const Surface& worn(const Clothes& clothes, Garment garment) {
   switch (garment) {
-    case Garment::kShirt: return clothes.shirt;
-    case Garment::kTrousers: return clothes.trousers;
-    case Garment::kShoes: return clothes.shoes;
-    case Garment::kSkin: return clothes.skin;
-    case Garment::kHair: return clothes.hair;
-    case Garment::kFace: return clothes.face;
+    case Garment::kShirt:
+      return clothes.shirt;
+    case Garment::kTrousers:
+      return clothes.trousers;
+    case Garment::kShoes:
+      return clothes.shoes;
+    case Garment::kSkin:
+      return clothes.skin;
+    case Garment::kHair:
+      return clothes.hair;
+    case Garment::kFace:
+      return clothes.face;
   }
   return clothes.skin;
 }

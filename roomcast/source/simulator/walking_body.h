@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A person walking round an ellipse: where every limb is at an instant. Hips, knees, ankles, shoulders and elbows
-// follow sines of the gait's phase; the pelvis is as high as lets the lower foot touch the floor. The gait repeats
-// with the lap, so the body is a function of the scene time alone. World frame of room.h.
+// A person walking round an ellipse: where every limb is at an instant. Hips, knees, ankles,
+// shoulders and elbows follow sines of the gait's phase; the pelvis is as high as lets the lower
+// foot touch the floor. The gait repeats with the lap, so the body is a function of the scene time
+// alone. World frame of room.h.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 namespace roomcast::sim {
 
 enum class Garment : std::uint8_t { kShirt, kTrousers, kShoes, kSkin, kHair, kFace };
+inline constexpr int kGarmentCount = 6;
 
 struct BodyPart {
   RoundCone shape;
@@ -47,7 +49,8 @@ class WalkingBody {
 
 [[nodiscard]] const Surface& worn(const Clothes& clothes, Garment garment);
 
-/// Where a point of a part (in its local frame) lies on the cloth, in metres: round the limb from the front, along it.
+/// Where a point of a part (in its local frame) lies on the cloth, in metres: round the limb from
+/// the front, along it.
 [[nodiscard]] Eigen::Vector2f cloth_point(const BodyPart& part, const Eigen::Vector3f& local);
 
 }  // namespace roomcast::sim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A camera at its place in the world, with its lens worked out per pixel. Metres; directions have z
+// = 1 in the optical frame, so that a distance along one is the depth. Immutable.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "roomcast/core/image.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::sim {
+
+/// Columns left <= x < right, rows top <= y < bottom.
+struct PixelBox {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  [[nodiscard]] bool empty() const { return right <= left || bottom <= top; }
+};
+
+class PlacedCamera {
+ public:
+  PlacedCamera(const CameraIntrinsics& intrinsics, const RigidTransform& world_from_camera);
+
+  [[nodiscard]] int width() const { return intrinsics_.width; }
+  [[nodiscard]] int height() const { return intrinsics_.height; }
+  [[nodiscard]] const RigidTransform& world_from_camera() const { return world_from_camera_; }
+  [[nodiscard]] const Eigen::Vector3f& eye_m() const { return eye_m_; }
+  [[nodiscard]] const Eigen::Matrix3f& axes() const {
+    return axes_;
+  }  // of the optical frame in the world
+  [[nodiscard]] float pixel_angle() const { return pixel_angle_; }  // radians per pixel, about
+
+  /// (x/z, y/z) of a pixel; a row of them.
+  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const { return rays_.at(x, y); }
+  [[nodiscard]] const Eigen::Vector2f* ray_row(int y) const { return rays_.view().row(y); }
+
+  /// In the world, of a ray.
+  [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector2f& ray) const {
+    return axes_.col(0) * ray.x() + axes_.col(1) * ray.y() + axes_.col(2);
+  }
+  [[nodiscard]] Eigen::Vector3f direction(int x, int y) const { return direction(rays_.at(x, y)); }
+  /// In the world, of what pixel (x, y) sees at depth z.
+  [[nodiscard]] Eigen::Vector3f point(int x, int y, float z_m) const {
+    return eye_m_ + z_m * direction(x, y);
+  }
+
+  /// Smallest box of pixels that holds all of an axis-aligned box of a local frame; the whole
+  /// picture when part of it is behind the camera.
+  [[nodiscard]] PixelBox pixels_of_box(const Eigen::Affine3f& world_from_local,
+                                       const Eigen::Vector3f& low,
+                                       const Eigen::Vector3f& high) const;
+
+ private:
+  CameraIntrinsics intrinsics_;
+  RigidTransform world_from_camera_, camera_from_world_;
+  Eigen::Vector3f eye_m_;
+  Eigen::Matrix3f axes_;
+  float pixel_angle_;
+  Image<Eigen::Vector2f> rays_;
+};
+
+}  // namespace roomcast::sim

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/simulated_source.h"
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/source/simulator/simulated_sensor.h"
+
+namespace roomcast {
+namespace {
+
+using std::chrono::milliseconds;
+
+SourceOptions as_fast_as_possible() {
+  SourceOptions options;
+  options.pace = Pace::kAsFastAsPossible;
+  return options;
+}
+
+TEST(SimulatedSource, describes_its_sensor) {
+  SourceOptions options = as_fast_as_possible();
+  options.sim_fps = 12;
+  const auto source = open_simulated_source("office", 1, options).value();
+  EXPECT_EQ(source->description().name, "s1");
+  EXPECT_EQ(source->description().fps, 12);
+  ASSERT_TRUE(source->description().world_from_depth);
+  EXPECT_GT(source->description().world_from_depth->translation_m.y(), 1.2);
+  EXPECT_EQ(source->description().calibration.depth.width, 512);
+}
+
+TEST(SimulatedSource, frames_count_from_scene_time_zero_at_the_rate_asked_for) {
+  const auto source = open_simulated_source("", 2, as_fast_as_possible()).value();
+  CapturedFrame frame;
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(source->next(frame, {}).value());
+    EXPECT_EQ(frame.index, static_cast<std::uint64_t>(i));
+    EXPECT_NEAR(std::chrono::duration<double>(frame.capture_time.time_since_epoch()).count(),
+                i / 15.0, 1e-9);
+  }
+}
+
+TEST(SimulatedSource, frame_is_what_the_sensor_renders_for_its_instant) {
+  const auto source = open_simulated_source("", 0, as_fast_as_possible()).value();
+  auto sensor = SimulatedSensor::open({"", 0, 3, 1}).value();
+  CapturedFrame frame;
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(source->next(frame, {}).value());
+  DepthImage depth_mm;
+  ColorImage color;
+  sensor->render(frame.capture_time.time_since_epoch(), frame.index, depth_mm, color, true);
+  EXPECT_EQ(frame.depth_mm, depth_mm);
+  EXPECT_EQ(frame.color, color);
+}
+
+TEST(SimulatedSource, real_time_frames_are_instants_of_the_host_clock_that_have_passed) {
+  SourceOptions options;
+  options.sim_fps = 100;
+  const auto source = open_simulated_source("", 0, options).value();
+  CapturedFrame frame;
+  HostTime last{};
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(source->next(frame, {}).value());
+    EXPECT_LE(frame.capture_time, SteadyClock().now());
+    EXPECT_GT(frame.capture_time, last);
+    EXPECT_EQ(frame.capture_time.time_since_epoch().count() % 10'000'000, 0);
+    last = frame.capture_time;
+  }
+}
+
+TEST(SimulatedSource, sensors_see_instants_a_fixed_phase_apart) {
+  SourceOptions options;
+  options.sim_fps = 50;
+  const auto source = open_simulated_source("", 2, options).value();
+  CapturedFrame frame;
+  ASSERT_TRUE(source->next(frame, {}).value());
+  EXPECT_EQ(frame.capture_time.time_since_epoch().count() % 20'000'000, 2 * 2'300'000);
+}
+
+TEST(SimulatedSource, stop_ends_the_wait_for_a_frame) {
+  SourceOptions options;
+  options.sim_fps = 0.001;  // the next frame is minutes away
+  const auto source = open_simulated_source("", 0, options).value();
+  std::stop_source stop;
+  CapturedFrame frame;
+  std::jthread stopper([&] { stop.request_stop(); });
+  const auto got = source->next(frame, stop.get_token());
+  ASSERT_TRUE(got);
+  EXPECT_FALSE(*got);
+}
+
+TEST(SimulatedSource, impossible_rates_are_refused) {
+  for (const double fps : {0.0, -5.0, 1000.0, std::numeric_limits<double>::quiet_NaN()}) {
+    SourceOptions options;
+    options.sim_fps = fps;
+    const auto source = open_simulated_source("", 0, options);
+    ASSERT_FALSE(source);
+    EXPECT_EQ(source.error().code, ErrorCode::kInvalidArgument);
+  }
+}
+
+TEST(SimulatedSource, unknown_scenes_and_sensors_are_refused) {
+  EXPECT_EQ(open_simulated_source("attic", 0, {}).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(open_simulated_source("", 3, {}).error().code, ErrorCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace roomcast
