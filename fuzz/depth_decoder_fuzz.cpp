@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a depth section and as a colour mask. Input: width - 16, height - 16, then the section.
+#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/mask_codec.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const int width = 16 + data[0] % 64, height = 16 + data[1] % 64;
+  const std::span<const std::uint8_t> section(data + 2, size - 2);
+  roomcast::DepthImage depth(width, height);
+  roomcast::MaskImage mask(width, height);
+  roomcast::codec::LosslessDepthDecoder decoder;
+  const roomcast::Status status = decoder.decode(section, depth.view());
+  if (!status.ok() && status.error().message.empty()) __builtin_trap();
+  roomcast::codec::decode_mask(section, depth, mask.view());
+  return 0;
+}
