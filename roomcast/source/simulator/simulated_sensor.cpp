@@ -92,6 +92,11 @@ void SimulatedSensor::render(nanoseconds scene_time, std::uint64_t frame_index,
   if (with_noise) sim::add_color_noise(key, gaussians_, color.view());
 }
 
+void SimulatedSensor::render_true_depth(nanoseconds scene_time, DepthImage& depth_mm) {
+  copy_into(plate_mm_, depth_mm);
+  render_depth(sim::WalkingBody::at(room_->walk, scene_time), 0, false, depth_mm.view());
+}
+
 void SimulatedSensor::render_depth(const sim::WalkingBody& body, std::uint32_t key, bool with_noise,
                                    ImageView<std::uint16_t> out) {
   body_in_depth_.draw(body, depth_camera_);

@@ -45,6 +45,9 @@ class SimulatedSensor {
   void render(nanoseconds scene_time, std::uint64_t frame_index, DepthImage& depth_mm,
               ColorImage& color, bool with_noise);
 
+  /// Depth of `scene_time` without noise, alone: what `render` without noise gives.
+  void render_true_depth(nanoseconds scene_time, DepthImage& depth_mm);
+
  private:
   SimulatedSensor(const Options& options, std::unique_ptr<const sim::Room> room,
                   const sim::RayScene& scene);

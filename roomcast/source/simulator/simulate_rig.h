@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes a simulated recording: a rig of all sensors of a scene, with the truth beside it.
+//   OUT/                      a rig (source/rig_json.h): noisy depth, colour, calibrations, poses
+//   OUT/truth/<sensor>/%06d.png    depth of the same instants without noise
+//   OUT/truth/<sensor>/times.txt   frame number and true time in seconds, one line each
+// Frame i is the instant i / fps of scene time; the sensors' clocks agree with it. The same options
+// give the same depth files, bit for bit, on the same machine.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast {
+
+struct SimulateRigOptions {
+  std::string scene;       // "" is "livingroom"
+  int sensor_count = 3;    // 1..8
+  double seconds = 5;      // above 0, at most kMaxSimulatedSeconds
+  double fps = 30;         // above 0, at most kMaxSimulatedFps
+  std::uint64_t seed = 1;  // noise, and how things look
+  bool clean = false;      // the rig itself without noise, too
+};
+
+inline constexpr double kMaxSimulatedSeconds = 3600;
+
+/// `progress` (may be empty) is called on the calling thread after every picture pair written.
+/// kInvalidArgument for options out of range or a folder that is not empty; kNotFound for an
+/// unknown scene; kUnavailable when the disk fails.
+[[nodiscard]] Status simulate_rig(const std::filesystem::path& directory,
+                                  const SimulateRigOptions& options,
+                                  const std::function<void(int done, int total)>& progress = {});
+
+}  // namespace roomcast
