@@ -113,11 +113,11 @@ std::shared_ptr<net::ConnectionHandler> HubServer::Loop::welcome(
 }
 
 void HubServer::Loop::expect_join(ConnectionId id) {
-  auto deadline = std::make_shared<asio::steady_timer>(io_, wire::kJoinDeadline);
+  auto deadline = std::make_shared<asio::steady_timer>(io_, options_.join_within);
   deadline->async_wait([this, id, deadline](boost::system::error_code error) {
     const auto found = sessions_.find(id);
     if (error || found == sessions_.end() || found->second->has_joined()) return;
-    found->second->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join came within 5 s of connecting");
+    found->second->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join came in time after connecting");
   });
 }
 

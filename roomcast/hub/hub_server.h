@@ -3,6 +3,7 @@
 // live there. Threading: open() and run() on one thread; port() from any.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
 
@@ -21,6 +23,7 @@ struct HubOptions {
   std::string room = "room";
   std::optional<std::filesystem::path>
       web_directory;  // the page to serve; without it "/" says how to get one
+  std::chrono::milliseconds join_within = wire::kJoinDeadline;
   LogSink log;
 };
 
