@@ -34,11 +34,14 @@ Image<Eigen::Vector2f> rays_without_nan(const CameraIntrinsics& depth) {
   return rays;
 }
 
-Error wrong_size(const char* picture, int width, int height, const CameraIntrinsics& wanted) {
-  const auto size = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
-  return Error{ErrorCode::kInvalidArgument, std::string("the ") + picture + " picture is " +
-                                                size(width, height) + " but the sensor's is " +
-                                                size(wanted.width, wanted.height)};
+template <class Picture>
+Error wrong_size(const char* name, const Picture& picture, const CameraIntrinsics& wanted) {
+  const auto size = [](const auto& of) {
+    return std::to_string(of.width) + "x" + std::to_string(of.height);
+  };
+  return Error{ErrorCode::kInvalidArgument, std::string("the ") + name + " picture is " +
+                                                size(picture) + " but the sensor's is " +
+                                                size(wanted)};
 }
 
 }  // namespace
@@ -65,18 +68,21 @@ SensorSurface::SensorSurface(const CameraIntrinsics& depth)
 }
 
 Status SensorSurface::upload(DepthView depth_mm, ColorView color, MaskView seen) {
-  if (!same_size(depth_mm, intrinsics_)) {
-    return wrong_size("depth", depth_mm.width, depth_mm.height, intrinsics_);
+  const bool without_color = color.pixel_count() == 0 && seen.pixel_count() == 0;
+  if (!same_size(depth_mm, intrinsics_)) return wrong_size("depth", depth_mm, intrinsics_);
+  if (!without_color && !same_size(color, intrinsics_)) {
+    return wrong_size("colour", color, intrinsics_);
   }
-  if (!same_size(color, intrinsics_)) {
-    return wrong_size("colour", color.width, color.height, intrinsics_);
-  }
-  if (!same_size(seen, intrinsics_)) {
-    return wrong_size("mask", seen.width, seen.height, intrinsics_);
+  if (!without_color && !same_size(seen, intrinsics_)) {
+    return wrong_size("mask", seen, intrinsics_);
   }
   replace(depth_mm_, depth_mm, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
-  replace(color_, color, GL_RGB, GL_UNSIGNED_BYTE);
-  replace(seen_, seen, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  if (without_color) {
+    clear(seen_, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  } else {
+    replace(color_, color, GL_RGB, GL_UNSIGNED_BYTE);
+    replace(seen_, seen, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  }
   ++revision_;
   return {};
 }

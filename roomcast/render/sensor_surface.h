@@ -22,8 +22,9 @@ class SensorSurface {
   /// Empty pictures. Fails as CameraIntrinsics::check does; kTooLarge beyond kMaxSurfacePixels.
   static Result<SensorSurface> create(const CameraIntrinsics& depth);
 
-  /// Replaces the pictures; allocates nothing. kInvalidArgument unless all three have the size of
-  /// `intrinsics()`.
+  /// Replaces the pictures; allocates nothing. Without colour (both `color` and `seen` empty) all
+  /// of the surface counts as unseen. kInvalidArgument unless the sizes are those of
+  /// `intrinsics()`; the last pictures are then kept.
   Status upload(DepthView depth_mm, ColorView color, MaskView seen);
 
   /// Puts the textures where shaders/sensor_surface.glsl looks for them.

@@ -64,6 +64,20 @@ TEST_F(SensorSurfaceTest, the_gpu_gets_every_bit_of_the_pictures) {
   expect_bound(pictures);
 }
 
+TEST_F(SensorSurfaceTest, a_frame_without_color_leaves_nothing_seen) {
+  Result<SensorSurface> surface = SensorSurface::create(pinhole(kWidth, kHeight, 4));
+  ASSERT_TRUE(surface.ok());
+  SensorPictures pictures = numbered_pictures();
+  ASSERT_TRUE(surface->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
+  pictures.depth_mm.at(1, 1) = 1;
+  ASSERT_TRUE(surface->upload(pictures.depth_mm, ColorImage(), MaskImage()).ok());
+  EXPECT_FALSE(surface->upload(pictures.depth_mm, pictures.color, MaskImage()).ok());
+  EXPECT_FALSE(surface->upload(pictures.depth_mm, ColorImage(), pictures.seen).ok());
+  pictures.seen = MaskImage(kWidth, kHeight, 0);
+  surface->bind();
+  expect_bound(pictures);
+}
+
 TEST_F(SensorSurfaceTest, the_gpu_gets_the_ray_table) {
   CameraIntrinsics lens = pinhole(kWidth, kHeight, 4);
   lens.k1 = 0.1;
