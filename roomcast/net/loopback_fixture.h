@@ -3,6 +3,7 @@
 // bound.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -75,6 +76,23 @@ class LoopbackTest : public ::testing::Test {
       io_.run_one_for(std::chrono::milliseconds(50));
     }
     return ::testing::AssertionSuccess();
+  }
+
+  /// Runs the loop for this long, `turn` in between; gives the longest time that the machine let it
+  /// stand still.
+  std::chrono::nanoseconds run_for(std::chrono::nanoseconds duration,
+                                   const std::function<void()>& turn = {}) {
+    std::chrono::nanoseconds longest{0};
+    const auto begin = std::chrono::steady_clock::now();
+    for (auto before = begin; before < begin + duration;) {
+      if (turn) turn();
+      if (io_.stopped()) io_.restart();
+      io_.run_one_for(std::chrono::milliseconds(1));
+      const auto now = std::chrono::steady_clock::now();
+      longest = std::max<std::chrono::nanoseconds>(longest, now - before);
+      before = now;
+    }
+    return longest;
   }
 
   /// Runs what is ready, and nothing that has to be waited for.

@@ -382,9 +382,9 @@ TEST_F(WebSocketConnectionTest, silence_is_asked_about_and_then_ended) {
 }
 
 TEST_F(WebSocketConnectionTest, two_quiet_ends_keep_each_other_open) {
-  open_both({.ping_after = 10ms, .give_up_after = 100ms});
-  const auto until = std::chrono::steady_clock::now() + 250ms;
-  ASSERT_TRUE(run_until([&] { return std::chrono::steady_clock::now() > until; }));
+  open_both({.ping_after = 10ms, .give_up_after = 200ms});
+  const auto standstill = run_for(450ms);
+  if (standstill > 100ms) GTEST_SKIP() << "The machine stood still for too long to tell.";
   EXPECT_FALSE(server_.closed());
   EXPECT_FALSE(client_.closed());
   EXPECT_GE(server_.connection->counters().bytes_in, 2U) << "pings and pongs went to and fro";
@@ -398,22 +398,20 @@ TEST_F(WebSocketConnectionTest, a_peer_that_takes_nothing_and_says_nothing_is_en
 }
 
 TEST_F(WebSocketConnectionTest, a_peer_that_only_reads_a_long_message_is_alive) {
-  open_server({.ping_after = 20ms, .give_up_after = 100ms});
-  for (int i = 0; i < 40; ++i)
-    server_.handler->to_send.push_back(seal(MessageBuffer(pattern(kTwoMiB))));
-  server_.connection->wake();
+  const auto large = seal(MessageBuffer(pattern(kTwoMiB)));
   std::vector<char> sink(512 * 1024);
+  open_server({.ping_after = 20ms, .give_up_after = 200ms});
+  for (int i = 0; i < 100; ++i) server_.handler->to_send.push_back(large);
+  server_.connection->wake();
   auto next_read = std::chrono::steady_clock::now();
-  const auto until = next_read + 400ms;
-  ASSERT_TRUE(run_until([&] {
-    const auto now = std::chrono::steady_clock::now();
-    if (now > next_read) {
-      peer_takes(sink);
-      next_read = now + 10ms;
-    }
-    return now > until || server_.closed();
-  }));
-  EXPECT_FALSE(server_.closed()) << server_.handler->closed->sentence;
+  const auto standstill = run_for(450ms, [&] {
+    if (std::chrono::steady_clock::now() < next_read) return;
+    peer_takes(sink);
+    next_read += 10ms;
+  });
+  if (standstill > 100ms) GTEST_SKIP() << "The machine stood still for too long to tell.";
+  EXPECT_GT(server_.connection->unwritten_bytes(), 0U) << "it must have been writing all the time";
+  EXPECT_FALSE(server_.closed());
 }
 
 TEST_F(WebSocketConnectionTest, the_lease_is_given_back_when_the_socket_closes) {
