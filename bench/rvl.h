@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// RVL, a peer to measure against. Written from its description: Wilson, "Fast Lossless Depth Image
+// Compression", ISS 2017: runs of zeros and of readings, differences folded to non-negative
+// numbers, all in groups of three bits and a continuation bit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace roomcast::bench {
+
+/// Appends to `out`.
+void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>& out);
+
+/// Of bytes from encode_rvl only: they are trusted to fill `depth`.
+void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::uint16_t> depth);
+
+}  // namespace roomcast::bench
