@@ -153,6 +153,7 @@ TEST_F(HubServerTest, a_stopping_hub_says_good_bye) {
   thread.request_stop();
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->closed->code, net::close_code::kGoingAway);
+  io.run_for(100ms);  // for the end of the TCP connection
   thread.join();
 }
 
