@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A coarse z-buffer over the colour picture: how near is the nearest surface that the depth camera
-// knows of, in and around each cell? Cells are at least as wide as the gap between neighbouring
-// depth pixels in the picture, and a look-up answers for the 3x3 cells around, so that surfaces
-// have no holes and reach past their last depth pixel: the true edge lies somewhere before the next
-// one. Picture positions in pixels, z in metres. Single-threaded.
+// knows of, in and around each cell? Cells are about as wide as the gap between neighbouring depth
+// pixels in the picture, and a look-up answers for the 3x3 cells around, so that surfaces have no
+// holes and reach past their last depth pixel: the true edge lies somewhere before the next one.
+// Picture positions in pixels, z in metres. Single-threaded.
 #pragma once
 
 #include <cstdint>

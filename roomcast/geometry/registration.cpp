@@ -46,9 +46,12 @@ Status check_calibration(const SensorCalibration& calibration) {
   return {};
 }
 
+/// As small as leaves no gaps: a look-up covers three cells, so where the lens spreads the depth
+/// pixels most, two cells may lie between them.
 int cell_size(const ColorProjection& projection) {
-  const int size = static_cast<int>(std::ceil(projection.spacing().largest));
-  return std::clamp(size, 1, kLargestCell);
+  const auto spacing = projection.spacing();
+  const float size = std::max(spacing.typical, spacing.largest / 2);
+  return std::clamp(static_cast<int>(std::ceil(size)), 1, kLargestCell);
 }
 
 int box_size(const ColorProjection& projection) {

@@ -60,7 +60,7 @@ RegistrationReference::RegistrationReference(const SensorCalibration& calibratio
                                              const RegistrationOptions& options)
     : calibration_(calibration), options_(options), rays_(ray_table(calibration.depth)) {
   const auto spacing = ColorProjection(calibration).spacing();
-  cell_size_ = std::clamp(int(std::ceil(spacing.largest)), 1, 64);
+  cell_size_ = std::clamp(int(std::ceil(std::max(spacing.typical, spacing.largest / 2))), 1, 64);
   box_size_ = std::clamp(int(std::lround(spacing.typical)), 1, kLargestBox);
 }
 
