@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires the page together: worker -> state -> stage and panel; navigation -> stage and hub.
+import { parseOptions, socketUrl, type PageOptions } from './page_options';
+import { OwnPose } from './own_pose';
+import { Panel } from './panel/panel';
+import { RoomState } from './room_state';
+import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
+import { RoomLink } from './stream/room_link';
+import { TestApi } from './test_api';
+import { Navigation } from './view/navigation';
+import type { DrawMode } from './view/sensor_surface';
+import { Stage } from './view/stage';
+import { fallbackView, startView } from './view/start_view';
+import { viewFromMatrix, type ViewState } from './view/view_state';
+
+const panelInterval_ms = 250;
+const statsInterval_ms = 1000;
+const startDistance_m = 3;
+
+class Page {
+  private readonly state = new RoomState();
+  private readonly panel: Panel;
+  private readonly ownPose: OwnPose;
+  private readonly link: RoomLink;
+  private readonly stage: Stage;
+  private readonly navigation: Navigation;
+  private atHand: ViewFrame[] = []; // given to the stage, not yet drawn
+  private setAtHand = 0n;
+  private placedView = false; // the view is where it should be at first, or where the person went
+
+  constructor(private readonly options: PageOptions) {
+    const url = socketUrl(location);
+    const root = document.getElementById('panel')!;
+    this.panel = new Panel(root, this.state, url.replace(/\/ws$/, ''), {
+      modeChosen: (mode) => this.setMode(mode),
+      sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
+      reset: () => this.goToStart(),
+    });
+    this.stage = this.openStage();
+    this.ownPose = new OwnPose((head) => this.link.pose(head));
+    this.navigation = new Navigation(this.stage.canvas, options.view ?? fallbackView, {
+      changed: (view) => this.viewChanged(view),
+      reset: () => this.goToStart(),
+    });
+    this.link = new RoomLink({ socketUrl: url, room: options.room, name: options.name, record: options.record }, (message) =>
+      this.receive(message),
+    );
+    this.begin();
+  }
+
+  private openStage(): Stage {
+    const canvas = document.getElementById('room') as HTMLCanvasElement;
+    canvas.addEventListener('webglcontextlost', () => this.breakDown('The graphics card has stopped. Load the page again.'));
+    try {
+      return new Stage(canvas, {
+        refresh: (now_ms) => this.refresh(now_ms),
+        drawn: (withFrames) => this.drawn(withFrames),
+      });
+    } catch (error) {
+      this.breakDown('This browser cannot draw in 3D (WebGL 2 is missing or switched off).');
+      throw error;
+    }
+  }
+
+  private begin(): void {
+    const { stage, state, navigation } = this;
+    this.placedView = this.options.view !== undefined;
+    stage.look(navigation.current);
+    this.panel.setOpen(this.options.panelOpen);
+    this.setMode(this.options.mode);
+    setInterval(() => this.panel.refresh(), panelInterval_ms);
+    setInterval(() => this.reportStats(), statsInterval_ms);
+    window.roomcast = new TestApi({ stage, state, navigation, setMode: (mode) => this.setMode(mode) });
+  }
+
+  private receive(message: FromWorker): void {
+    switch (message.kind) {
+      case 'connection':
+        this.state.setConnection(message.state);
+        return this.panel.refresh();
+      case 'welcome':
+        this.state.welcome = message.welcome;
+        this.ownPose.moved(this.navigation.current);
+        return this.findStart();
+      case 'roster':
+        return this.followRoster(message.roster);
+      case 'poses':
+        if (this.stage.avatars.move(message.poses)) this.stage.touch();
+        return;
+      case 'frames':
+        return this.take(message.setId, message.frames, message.decodedAt_ms);
+      case 'status':
+        return this.state.setStatus(message.status);
+      case 'broken':
+        return this.breakDown(message.sentence);
+    }
+  }
+
+  private followRoster(roster: NonNullable<RoomState['roster']>): void {
+    const peopleBefore = this.state.roster?.viewers.length ?? 0;
+    this.state.roster = roster;
+    this.stage.follow(roster, this.state.welcome?.viewerId ?? -1);
+    if (roster.viewers.length > peopleBefore) this.ownPose.moved(this.navigation.current);
+    this.findStart();
+    this.panel.rebuild();
+  }
+
+  private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
+    this.state.framesDecoded(frames, decodedAt_ms);
+    this.atHand.push(...frames);
+    this.setAtHand = setId;
+    this.stage.show(frames);
+  }
+
+  private drawn(withFrames: boolean): void {
+    if (!withFrames) return;
+    const frames = this.atHand;
+    this.atHand = [];
+    this.state.framesShown(this.setAtHand, frames, pageTime_ms());
+    this.link.shown(frames);
+  }
+
+  private refresh(now_ms: number): void {
+    this.navigation?.update(now_ms);
+    this.ownPose?.update(now_ms);
+  }
+
+  private viewChanged(view: ViewState): void {
+    this.placedView = true;
+    this.stage.look(view);
+    this.ownPose.moved(view);
+  }
+
+  /** The first time that it is known where to stand. */
+  private findStart(): void {
+    if (!this.placedView && this.start()) this.goToStart();
+  }
+
+  private start(): ViewState | undefined {
+    if (this.options.view) return this.options.view;
+    const pose = this.state.welcome?.startPose ?? [];
+    if (pose.length === 16) return viewFromMatrix(pose, startDistance_m);
+    return startView(this.state.roster?.sensors ?? []);
+  }
+
+  private goToStart(): void {
+    this.navigation.set(this.start() ?? fallbackView);
+  }
+
+  private setMode(mode: DrawMode): void {
+    this.stage.setMode(mode);
+    this.panel.setMode(mode);
+  }
+
+  private reportStats(): void {
+    const { state } = this;
+    if (state.connection.phase !== 'joined' || state.shownSets === 0) return;
+    this.link.stats(state.lastShownSet, state.shownFps, state.latency_ms ?? 0);
+  }
+
+  private breakDown(sentence: string): void {
+    this.state.broken = sentence;
+    this.panel.refresh();
+  }
+}
+
+new Page(parseOptions(location.search));

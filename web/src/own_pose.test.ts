@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Vector3 } from 'three';
+import { expect, test } from 'vitest';
+import { OwnPose } from './own_pose';
+import type { PlainPose } from './stream/protocol';
+import { lookFrom } from './view/view_state';
+
+const at = (x: number) => lookFrom(new Vector3(x, 1.6, 0), new Vector3(x, 1.6, -1));
+
+test('a pose is sent when it changed, at most 20 times a second, and the last one always', () => {
+  const sent: PlainPose[] = [];
+  const pose = new OwnPose((head) => sent.push(head));
+  pose.update(0);
+  expect(sent).toEqual([]);
+  for (let ms = 0; ms <= 1000; ms += 10) {
+    pose.moved(at(ms));
+    pose.update(ms);
+  }
+  expect(sent.length).toBe(21);
+  pose.moved(at(5));
+  pose.update(1010);
+  expect(sent.length).toBe(21);
+  pose.update(1050);
+  pose.update(2000);
+  expect(sent.length).toBe(22);
+  expect(sent.at(-1)).toMatchObject({ x: 5, qw: 1 });
+});

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import { parseOptions, parsePoint, socketUrl } from './page_options';
+
+describe("the page's URL", () => {
+  test('may say nothing', () => {
+    expect(parseOptions('')).toEqual({
+      mode: 'mesh', view: undefined, panelOpen: true, name: '', room: '', record: false,
+    });
+  });
+  test('says mode, place, panel, name and room', () => {
+    const options = parseOptions('?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&record=1');
+    expect(options).toMatchObject({ mode: 'points', panelOpen: false, name: 'Ada', room: 'lab', record: true });
+    expect(options.view!.position).toEqual(new Vector3(1, 1.6, -2));
+    expect(options.view!.distance).toBeCloseTo(3);
+  });
+  test('with nonsense counts as without', () => {
+    for (const at of ['', '1,2', '1,2,x', '1,,3', '1,2,Infinity', '1,2,3,4']) expect(parsePoint(at)).toBeUndefined();
+    expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('mesh');
+    expect(parseOptions('?name=%00a').name).toBe('a');
+  });
+  test('leads to the socket of the same host', () => {
+    expect(socketUrl({ protocol: 'http:', host: '127.0.0.1:7600' })).toBe('ws://127.0.0.1:7600/ws');
+    expect(socketUrl({ protocol: 'https:', host: 'room.example' })).toBe('wss://room.example/ws');
+  });
+});

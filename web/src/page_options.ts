@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's own URL: what it asks for. ?mode=points|mesh &at=x,y,z &look=x,y,z &panel=0 &name=... &room=... &record=1
+import { Vector3 } from 'three';
+import type { DrawMode } from './view/sensor_surface';
+import { lookFrom, type ViewState } from './view/view_state';
+import { asName } from './wire/name_check';
+
+export interface PageOptions {
+  mode: DrawMode;
+  view: ViewState | undefined; // where to stand, if the URL says so
+  panelOpen: boolean;
+  name: string;
+  room: string;
+  record: boolean; // keep a record of decoded frames, for tests
+}
+
+/** "1,2.5,-3" in metres; undefined for anything else. */
+export function parsePoint(text: string | null): Vector3 | undefined {
+  const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part))) ?? [];
+  if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return undefined;
+  return new Vector3(...(numbers as [number, number, number]));
+}
+
+export function parseOptions(search: string): PageOptions {
+  const given = new URLSearchParams(search);
+  const at = parsePoint(given.get('at'));
+  const look = parsePoint(given.get('look')) ?? new Vector3(0, 1, 0);
+  return {
+    mode: given.get('mode') === 'points' ? 'points' : 'mesh',
+    view: at && lookFrom(at, look),
+    panelOpen: given.get('panel') !== '0',
+    name: asName(given.get('name') ?? ''),
+    room: asName(given.get('room') ?? ''),
+    record: given.get('record') === '1',
+  };
+}
+
+/** The hub that served this page: one port for page and socket. */
+export function socketUrl(page: Pick<Location, 'protocol' | 'host'>): string {
+  return `${page.protocol === 'https:' ? 'wss' : 'ws'}://${page.host}/ws`;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+import { create } from '@bufbuild/protobuf';
+import { describe, expect, test } from 'vitest';
+import { Placement, RosterSchema } from '../gen/control_pb';
+import type { SensorTraffic } from '../stream/protocol';
+import { problems, type Known } from './problems';
+
+const joined = { phase: 'joined', sentence: '', reload: false, retryAt_ms: undefined, openedAt_ms: 0 } as const;
+const s0 = { id: 0, name: 's0', online: true, placement: Placement.GIVEN };
+const traffic: SensorTraffic = {
+  sensor: 0, frames: 9, bytes: 9, skipped: 0, lastSeq: 8, lastSetId: 8n, lastCapture_ms: 10_000, problem: '',
+};
+
+function known(change: Partial<Known>, sensors: object[] = [s0], counts: SensorTraffic[] = [traffic]): Known {
+  return {
+    broken: '',
+    connection: joined,
+    roster: create(RosterSchema, { sensors }),
+    status: { clock: undefined, received_bytes: 0, sensors: counts, decoded: [], colorProblem: '' },
+    hubAddress: 'ws://lab:7600',
+    ...change,
+  };
+}
+
+const sentences = (facts: Known, room_ms = 10_100) => problems(facts, room_ms, 0).map((problem) => problem.sentence);
+
+describe('what is wrong', () => {
+  test('is nothing when all is well', () => expect(sentences(known({}))).toEqual([]));
+
+  test('is what broke, before all else', () => {
+    expect(sentences(known({ broken: 'No WebGL.', connection: { ...joined, phase: 'waiting', sentence: 'x' } }))).toEqual(['No WebGL.']);
+  });
+
+  test('is a hub that is gone, with the time to the next try', () => {
+    const connection = { ...joined, phase: 'waiting' as const, sentence: 'The hub has stopped.', retryAt_ms: 2900 };
+    expect(sentences(known({ connection }))).toEqual(['The hub has stopped. Trying again in 3 s.']);
+    expect(sentences(known({ connection: { ...connection, reload: true } }))).toEqual(['The hub has stopped.']);
+  });
+
+  test('is a room without sensors, with the command that adds one', () => {
+    expect(sentences(known({}, []))[0]).toMatch(/roomcast sensor --source sim --hub ws:\/\/lab:7600/);
+  });
+
+  test('is a sensor that is gone, or all of them', () => {
+    const gone = { ...s0, id: 1, name: 's1', online: false };
+    expect(sentences(known({}, [s0, gone]))).toEqual(['Sensor s1 is gone; its last picture is shown in grey.']);
+    expect(sentences(known({}, [gone]))[0]).toMatch(/All sensors are gone/);
+  });
+
+  test('is a sensor that has been silent for more than three seconds', () => {
+    expect(sentences(known({}), 12_900)).toEqual([]);
+    expect(sentences(known({}), 15_000)).toEqual(['Sensor s0 has been silent for 5 s.']);
+  });
+
+  test('is a sensor that nobody has placed', () => {
+    expect(sentences(known({}, [{ ...s0, placement: Placement.UNPLACED }]))[0]).toMatch(/Nobody knows where sensor s0 stands/);
+  });
+
+  test('is a decoder that gave up, or colour that cannot be decoded', () => {
+    expect(sentences(known({}, [s0], [{ ...traffic, problem: 'it gave up.' }]))).toEqual(['Sensor s0: it gave up.']);
+    const facts = known({});
+    facts.status!.colorProblem = 'No VP9.';
+    expect(sentences(facts)).toEqual(['No VP9.']);
+  });
+});

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, test } from 'vitest';
+import { ErrorCode } from '../gen/control_pb';
+import { explain, reconnectDelay_ms, type Ending } from './close_reason';
+
+const plain: Ending = { opened: true, closeCode: 1006, closeReason: '', error: undefined, ownFault: undefined };
+const sentenceFor = (change: Partial<Ending>) => explain({ ...plain, ...change }, 'lab:7600').sentence;
+
+describe('the end of a connection is explained', () => {
+  test('when nobody answered', () => {
+    expect(sentenceFor({ opened: false })).toBe('The hub at lab:7600 does not answer.');
+  });
+  test('when it broke', () => {
+    expect(sentenceFor({})).toBe('The connection to the hub at lab:7600 is gone.');
+  });
+  test('when the hub stops, by close code or by message', () => {
+    const error = { code: ErrorCode.ERROR_SHUTTING_DOWN, sentence: 'bye' };
+    expect(sentenceFor({ closeCode: 1001 })).toBe('The hub has stopped.');
+    expect(sentenceFor({ error })).toBe('The hub has stopped.');
+  });
+  test("in the hub's own words where it gave some", () => {
+    expect(sentenceFor({ error: { code: ErrorCode.ERROR_MALFORMED, sentence: 'that was garbage' } })).toMatch(/garbage/);
+    expect(sentenceFor({ closeReason: 'limits' })).toMatch(/limits/);
+  });
+  test('by a wrong version, which only a reload can mend', () => {
+    const error = { code: ErrorCode.ERROR_UNSUPPORTED, sentence: '' };
+    expect(explain({ ...plain, error }, 'h')).toMatchObject({ reload: true });
+    expect(explain({ ...plain, ownFault: { sentence: 'x', unsupported: true } }, 'h')).toMatchObject({ reload: true });
+    expect(explain(plain, 'h').reload).toBe(false);
+  });
+  test('by what this side found wrong', () => {
+    expect(sentenceFor({ ownFault: { sentence: 'The hub has gone silent.', unsupported: false } })).toBe(
+      'The hub has gone silent.',
+    );
+  });
+});
+
+test('the wait before the next try doubles up to five seconds and is spread', () => {
+  expect([1, 2, 3, 4, 5, 6, 60].map((n) => reconnectDelay_ms(n, 1 - Number.EPSILON)).map(Math.round)).toEqual([
+    250, 500, 1000, 2000, 4000, 5000, 5000,
+  ]);
+  expect(reconnectDelay_ms(6, 0)).toBe(3750);
+});

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts frames that are decoded one by one, some later than others, back into the sets in which the hub sent them.
+// A set is whole when its `last` frame has come in and every frame of it is either decoded or given up. Sets are
+// delivered in order; one that keeps too many others waiting is delivered as it is.
+
+export interface FrameSet<Frame> {
+  setId: bigint;
+  frames: Frame[];
+}
+
+interface OpenSet<Frame> extends FrameSet<Frame> {
+  pending: number; // frames that came in and are neither decoded nor given up
+  closed: boolean; // the last frame has come in
+}
+
+/** Decoders run a few frames behind at most. */
+const maxOpenSets = 4;
+
+export class FrameSetAssembly<Frame> {
+  private readonly open = new Map<bigint, OpenSet<Frame>>(); // in order of arrival
+
+  constructor(
+    private readonly deliver: (set: FrameSet<Frame>) => void,
+    private readonly discard: (frame: Frame) => void,
+  ) {}
+
+  /** A frame of this set has come in. To be followed by one `settle`. */
+  arrive(setId: bigint, last: boolean): void {
+    const set = this.open.get(setId) ?? this.begin(setId);
+    set.pending++;
+    if (last) set.closed = true;
+  }
+
+  /** The frame is decoded, or (undefined) given up. */
+  settle(setId: bigint, frame: Frame | undefined): void {
+    const set = this.open.get(setId);
+    if (!set) {
+      if (frame !== undefined) this.discard(frame);
+      return;
+    }
+    set.pending--;
+    if (frame !== undefined) set.frames.push(frame);
+    this.deliverWhole();
+  }
+
+  /** Forgets all sets: the connection is gone. */
+  clear(): void {
+    for (const set of this.open.values()) set.frames.forEach(this.discard);
+    this.open.clear();
+  }
+
+  private begin(setId: bigint): OpenSet<Frame> {
+    for (const earlier of this.open.values()) earlier.closed = true;
+    const set = { setId, frames: [], pending: 0, closed: false };
+    this.open.set(setId, set);
+    this.deliverWhole();
+    return set;
+  }
+
+  private deliverWhole(): void {
+    for (const set of this.open.values()) {
+      const whole = set.closed && set.pending === 0;
+      if (!whole && this.open.size <= maxOpenSets) return;
+      this.open.delete(set.setId);
+      if (set.frames.length > 0) this.deliver({ setId: set.setId, frames: set.frames });
+    }
+  }
+}

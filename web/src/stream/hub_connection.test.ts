@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+import { create, toBinary } from '@bufbuild/protobuf';
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { ControlSchema, ErrorCode, type Control } from '../gen/control_pb';
+import { decodeControl, type ControlMessage } from '../wire/control';
+import { HubConnection } from './hub_connection';
+import type { ConnectionState } from './protocol';
+
+/** The hub's end of the browser's WebSocket. */
+class FakeSocket {
+  static readonly OPEN = 1;
+  static all: FakeSocket[] = [];
+  readyState = 0;
+  sent: Control[] = [];
+  onopen: (() => void) | null = null;
+  onmessage: ((event: { data: unknown }) => void) | null = null;
+  onclose: ((event: { code: number; reason: string }) => void) | null = null;
+  closedWith: number | undefined;
+
+  constructor(
+    readonly url: string,
+    readonly protocol: string,
+  ) {
+    FakeSocket.all.push(this);
+  }
+  send(bytes: Uint8Array): void {
+    this.sent.push(decodeControl(bytes));
+  }
+  close(code: number): void {
+    this.closedWith = code;
+    this.readyState = 3;
+  }
+  open(): void {
+    this.readyState = FakeSocket.OPEN;
+    this.onopen!();
+  }
+  end(code: number, reason = ''): void {
+    this.readyState = 3;
+    this.onclose!({ code, reason });
+  }
+  say(message: ControlMessage): void {
+    const body = toBinary(ControlSchema, create(ControlSchema, { message }));
+    this.sayBytes(Uint8Array.from([0x52, 0x43, 1, 2, ...body]));
+  }
+  sayBytes(bytes: Uint8Array): void {
+    this.onmessage!({ data: bytes.slice().buffer });
+  }
+}
+
+let states: ConnectionState[];
+let seen: string[];
+
+function start(): HubConnection {
+  const connection = new HubConnection(
+    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada' },
+    {
+      connection: (state) => states.push(state),
+      welcome: (welcome) => seen.push(`welcome ${welcome.viewerId}`),
+      roster: () => seen.push('roster'),
+      poses: () => seen.push('poses'),
+      frame: (header) => seen.push(`frame ${header.seq}`),
+      disconnected: () => seen.push('disconnected'),
+    },
+  );
+  connection.connect();
+  return connection;
+}
+
+const socket = () => FakeSocket.all.at(-1)!;
+const sentence = () => states.at(-1)!.sentence;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal('WebSocket', FakeSocket);
+  FakeSocket.all = [];
+  states = [];
+  seen = [];
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+describe('a hub connection', () => {
+  test('speaks roomcast.v1 and joins as a viewer', () => {
+    start();
+    socket().open();
+    expect(socket().protocol).toBe('roomcast.v1');
+    expect(socket().sent[0]!.message).toMatchObject({
+      case: 'join',
+      value: { room: 'lab', name: 'Ada', role: { case: 'viewer' } },
+    });
+    socket().say({ case: 'welcome', value: { viewerId: 9 } });
+    expect(seen).toEqual(['welcome 9']);
+    expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined']);
+  });
+
+  test('pings after the welcome and learns room time from the answer', () => {
+    const connection = start();
+    socket().open();
+    socket().say({ case: 'welcome', value: {} });
+    vi.advanceTimersByTime(2000);
+    const pings = socket().sent.flatMap(({ message }) => (message.case === 'clockPing' ? [message.value] : []));
+    expect(pings.length).toBeGreaterThanOrEqual(6);
+    const hubNs = pings.at(-1)!.clientNs + 5_000_000_000n;
+    socket().say({ case: 'clockPong', value: { clientNs: pings.at(-1)!.clientNs, hubNs } });
+    const { offset_ms, error_ms } = connection.clock.estimate()!;
+    expect(Math.abs(offset_ms - 5000)).toBeLessThanOrEqual(error_ms + 1e-3);
+  });
+
+  test('that nobody answers tries again, and says so', () => {
+    start();
+    socket().end(1006);
+    expect(sentence()).toBe('The hub at hub:7600 does not answer.');
+    expect(states.at(-1)!.phase).toBe('waiting');
+    vi.advanceTimersByTime(300);
+    expect(FakeSocket.all.length).toBe(2);
+    expect(states.at(-1)!.phase).toBe('connecting');
+  });
+
+  test('that breaks is made again', () => {
+    start();
+    socket().open();
+    socket().say({ case: 'welcome', value: {} });
+    socket().end(1006);
+    expect(seen.at(-1)).toBe('disconnected');
+    expect(sentence()).toMatch(/is gone/);
+    vi.advanceTimersByTime(300);
+    socket().open();
+    socket().say({ case: 'welcome', value: { viewerId: 2 } });
+    expect(seen.at(-1)).toBe('welcome 2');
+  });
+
+  test("passes the hub's last word on", () => {
+    start();
+    socket().open();
+    socket().say({ case: 'error', value: { code: ErrorCode.ERROR_ROOM_FULL, sentence: 'full' } });
+    socket().end(1008, 'full');
+    expect(sentence()).toBe('The room is full.');
+  });
+
+  test('ends on bytes that are not roomcast, with the reason', () => {
+    start();
+    socket().open();
+    const first = socket();
+    first.sayBytes(Uint8Array.from([1, 2, 3, 4]));
+    expect(first.closedWith).toBe(4000);
+    expect(sentence()).toMatch(/cannot read: this is not a roomcast message/);
+  });
+
+  test('to another version asks for a reload', () => {
+    start();
+    socket().open();
+    socket().sayBytes(Uint8Array.from([0x52, 0x43, 2, 2]));
+    expect(states.at(-1)).toMatchObject({ phase: 'waiting', reload: true });
+  });
+
+  test('ends on text', () => {
+    start();
+    socket().open();
+    socket().onmessage!({ data: 'hello' });
+    expect(sentence()).toMatch(/sent text/);
+  });
+
+  test('that falls silent is given up after eight seconds', () => {
+    start();
+    socket().open();
+    const first = socket();
+    vi.advanceTimersByTime(7900);
+    expect(first.closedWith).toBeUndefined();
+    vi.advanceTimersByTime(2000);
+    expect(first.closedWith).toBe(4000);
+    expect(states.some((state) => state.sentence === 'The hub has gone silent.')).toBe(true);
+  });
+});

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page and its worker tell each other. The worker owns socket, clock and decoders; the page draws.
+// Arrays of pixels are transferred, not copied, and go back to the worker when they have been drawn.
+import type { Pose, Roster, ViewerPose, Welcome } from '../gen/control_pb';
+
+export interface ViewFrame {
+  sensor: number;
+  seq: number;
+  setId: bigint;
+  capture_ms: number; // room time
+  captureError_ms: number | undefined; // the sender's bound; undefined when it knows none
+  width: number;
+  height: number;
+  depth_mm: Uint16Array<ArrayBuffer>; // 0 = no reading
+  rgba: Uint8Array<ArrayBuffer> | undefined; // alpha 255 where the colour camera saw the surface, else 0; undefined without colour
+}
+
+export type ConnectionPhase = 'connecting' | 'joined' | 'waiting';
+
+export interface ConnectionState {
+  phase: ConnectionPhase;
+  sentence: string; // what is wrong, or empty
+  reload: boolean; // only loading the page again can help
+  retryAt_ms: number | undefined; // by Date.now, while waiting
+  openedAt_ms: number | undefined; // page time when the socket of this connection was asked for
+}
+
+/** Counts since the worker began. */
+export interface SensorTraffic {
+  sensor: number;
+  frames: number; // decoded
+  bytes: number; // received, decoded or not
+  skipped: number; // could not be decoded, or not without the one before
+  lastSeq: number | undefined;
+  lastSetId: bigint | undefined;
+  lastCapture_ms: number | undefined;
+  problem: string; // why its frames are not shown as they should be, or empty
+}
+
+export interface DecodedRecord {
+  sensor: number;
+  seq: number;
+  setId: bigint;
+  capture_ns: bigint;
+  depthCrc32: number; // of the depth as little-endian u16
+}
+
+/** Page time is performance.timeOrigin + performance.now(): the same scale in the page and in its worker. */
+export interface Status {
+  clock: { roomFromPage_ms: number; error_ms: number } | undefined;
+  received_bytes: number; // all messages
+  sensors: SensorTraffic[];
+  decoded: DecodedRecord[]; // since the last status; empty unless asked for
+  colorProblem: string; // why no colour can be decoded here, or empty
+}
+
+
+export type FromWorker =
+  | { kind: 'connection'; state: ConnectionState }
+  | { kind: 'welcome'; welcome: Welcome }
+  | { kind: 'roster'; roster: Roster }
+  | { kind: 'poses'; poses: ViewerPose[] }
+  | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
+  | { kind: 'status'; status: Status }
+  | { kind: 'broken'; sentence: string }; // the worker cannot go on
+
+export interface StartOptions {
+  socketUrl: string;
+  room: string;
+  name: string;
+  record: boolean; // fill Status.decoded
+}
+
+export type ToWorker =
+  | { kind: 'start'; options: StartOptions }
+  | { kind: 'shown'; buffers: ArrayBuffer[] } // the frames of the last `frames` message have been drawn
+  | { kind: 'pose'; head: PlainPose }
+  | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
+
+/** A Pose without what Protobuf adds. */
+export type PlainPose = Pick<Pose, 'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw'>;
+
+export function pageTime_ms(): number {
+  return performance.timeOrigin + performance.now();
+}

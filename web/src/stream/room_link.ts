@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's end of its worker.
+import type { FromWorker, PlainPose, StartOptions, ToWorker, ViewFrame } from './protocol';
+
+export class RoomLink {
+  private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
+
+  constructor(options: StartOptions, receive: (message: FromWorker) => void) {
+    this.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => receive(data);
+    this.worker.onerror = (event) => {
+      const reason = event.message || 'it could not be loaded';
+      receive({ kind: 'broken', sentence: `The decoder has stopped (${reason}). Load the page again.` });
+    };
+    this.tell({ kind: 'start', options });
+  }
+
+  /** The frames have been drawn; their pixels go back. */
+  shown(frames: readonly ViewFrame[]): void {
+    const buffers = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
+    this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
+  }
+
+  pose(head: PlainPose): void {
+    this.tell({ kind: 'pose', head });
+  }
+
+  stats(lastSetId: bigint, shownFps: number, latency_ms: number): void {
+    this.tell({ kind: 'stats', lastSetId, shownFps, latency_ms });
+  }
+
+  private tell(message: ToWorker): void {
+    this.worker.postMessage(message);
+  }
+}

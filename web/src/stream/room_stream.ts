@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the worker does: follows the roster, decodes every sensor's frames, and offers newest frame sets to the page.
+import type { CodecModule } from '../codec/codec_module';
+import type { Roster } from '../gen/control_pb';
+import type { FrameHeader } from '../wire/frame_header';
+import { BufferPool } from './buffer_pool';
+import { crc32 } from './crc32';
+import { FrameMailbox } from './frame_mailbox';
+import { FrameSetAssembly } from './frame_set_assembly';
+import { HubConnection } from './hub_connection';
+import { pageTime_ms, type DecodedRecord, type FromWorker, type StartOptions, type ToWorker, type ViewFrame } from './protocol';
+import { SensorStream } from './sensor_stream';
+
+const statusInterval_ms = 250;
+const keyRequestInterval_ms = 500; // the hub forwards no more than this either
+
+type Post = (message: FromWorker, transfer?: Transferable[]) => void;
+
+export class RoomStream {
+  private readonly buffers = new BufferPool();
+  private readonly sensors = new Map<number, SensorStream>();
+  private readonly keyRequestedAt_ms = new Map<number, number>();
+  private readonly sets = new FrameSetAssembly<ViewFrame>(
+    (set) => this.mailbox.put(set.setId, set.frames),
+    (frame) => this.recycle(frame),
+  );
+  private readonly mailbox = new FrameMailbox<ViewFrame>(
+    (setId, frames) => this.sendFrames(setId, frames),
+    (frame) => this.recycle(frame),
+  );
+  private codec: CodecModule | undefined;
+  private color: VideoDecoderConfig | undefined;
+  private options: StartOptions | undefined;
+  private hub: HubConnection | undefined;
+  private decoded: DecodedRecord[] = [];
+
+  constructor(private readonly post: Post) {}
+
+  begin(codec: CodecModule, color: VideoDecoderConfig | undefined): void {
+    this.codec = codec;
+    this.color = color;
+    this.connectWhenReady();
+  }
+
+  handle(message: ToWorker): void {
+    switch (message.kind) {
+      case 'start':
+        this.options = message.options;
+        return this.connectWhenReady();
+      case 'shown':
+        message.buffers.forEach((buffer) => this.buffers.giveBack(buffer));
+        return this.mailbox.pageIsFree();
+      case 'pose':
+        return this.hub?.send({ case: 'viewerPose', value: { head: message.head } });
+      case 'stats': {
+        const { lastSetId, shownFps, latency_ms } = message;
+        return this.hub?.send({ case: 'viewerStats', value: { lastSetId, shownFps, latencyMs: latency_ms } });
+      }
+    }
+  }
+
+  private connectWhenReady(): void {
+    if (!this.codec || !this.options || this.hub) return;
+    this.hub = new HubConnection(this.options, {
+      connection: (state) => this.post({ kind: 'connection', state }),
+      welcome: (welcome) => this.post({ kind: 'welcome', welcome }),
+      roster: (roster) => this.follow(roster),
+      poses: (poses) => this.post({ kind: 'poses', poses }),
+      frame: (header, payload) => this.push(header, payload),
+      disconnected: () => this.restartSensors(),
+    });
+    this.hub.connect();
+    setInterval(() => this.reportStatus(), statusInterval_ms);
+  }
+
+  private follow(roster: Roster): void {
+    const listed = new Set(roster.sensors.map((entry) => entry.id));
+    for (const [id, stream] of this.sensors) {
+      if (!listed.has(id)) this.remove(id, stream);
+    }
+    for (const { id, calibration } of roster.sensors) {
+      const { width, height } = calibration!.depth!;
+      const stream = this.sensors.get(id);
+      if (stream && stream.grid.width === width && stream.grid.height === height) continue;
+      if (stream) this.remove(id, stream);
+      this.add(id, width, height);
+    }
+    this.post({ kind: 'roster', roster });
+  }
+
+  private add(id: number, width: number, height: number): void {
+    const { codec, buffers } = this;
+    const color = this.color && { ...this.color, codedWidth: width, codedHeight: height };
+    const stream = new SensorStream(id, { width, height }, { codec: codec!, color, buffers }, {
+      decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
+      settled: (setId, frame) => this.sets.settle(setId, frame),
+      keyFrameNeeded: (sensor) => this.requestKeyFrame(sensor),
+    });
+    this.sensors.set(id, stream);
+  }
+
+  private remove(id: number, stream: SensorStream): void {
+    this.sensors.delete(id);
+    stream.destroy();
+  }
+
+  private restartSensors(): void {
+    this.sensors.forEach((stream) => stream.restart());
+    this.sets.clear();
+  }
+
+  private push(header: FrameHeader, payload: Uint8Array): void {
+    const stream = this.sensors.get(header.sensor);
+    if (!stream) return; // it has left the roster
+    this.sets.arrive(header.setId, header.last);
+    stream.push(header, payload);
+  }
+
+  /** The bytes as little-endian u16: so they lie in memory, on every machine that runs a browser. */
+  private record({ sensor, seq, setId, capture_ns }: FrameHeader, depth_mm: Uint16Array): void {
+    const bytes = new Uint8Array(depth_mm.buffer, depth_mm.byteOffset, depth_mm.byteLength);
+    this.decoded.push({ sensor, seq, setId, capture_ns, depthCrc32: crc32(bytes) });
+  }
+
+  private requestKeyFrame(sensor: number): void {
+    const now = performance.now();
+    const before = this.keyRequestedAt_ms.get(sensor);
+    if (before !== undefined && now - before < keyRequestInterval_ms) return;
+    this.keyRequestedAt_ms.set(sensor, now);
+    this.hub?.send({ case: 'keyRequest', value: { sensorId: sensor } });
+  }
+
+  private sendFrames(setId: bigint, frames: ViewFrame[]): void {
+    const pixels = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
+    this.post({ kind: 'frames', setId, frames, decodedAt_ms: pageTime_ms() }, pixels);
+  }
+
+  private recycle(frame: ViewFrame): void {
+    this.buffers.giveBack(frame.depth_mm.buffer);
+    if (frame.rgba) this.buffers.giveBack(frame.rgba.buffer);
+  }
+
+  private reportStatus(): void {
+    const estimate = this.hub!.clock.estimate();
+    const clock = estimate && {
+      roomFromPage_ms: estimate.offset_ms - performance.timeOrigin,
+      error_ms: estimate.error_ms,
+    };
+    const sensors = [...this.sensors.values()].map((stream) => stream.traffic);
+    const colorProblem = this.color ? '' : 'This browser cannot decode VP9 (WebCodecs): depth is shown without colour.';
+    const { decoded } = this;
+    this.decoded = [];
+    const { received_bytes } = this.hub!;
+    this.post({ kind: 'status', status: { clock, received_bytes, sensors, decoded, colorProblem } });
+  }
+}

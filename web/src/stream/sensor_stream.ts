@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sensor's frames: wire messages in, drawable frames out. Depth and mask are decoded at once, in wasm; colour comes
+// back later from WebCodecs, and the frame goes on when both are there. A decoder that is out of step asks for a key frame.
+import { rgbaFromYcbcr, type YcbcrPlanes } from '../codec/color_conversion';
+import { ColorDecoder } from '../codec/color_decoder';
+import { PayloadDecoder, PayloadError, type CodecModule, type DecodedPayload } from '../codec/codec_module';
+import { unknownClockError_us, type FrameHeader } from '../wire/frame_header';
+import type { BufferPool } from './buffer_pool';
+import { FrameChain } from './frame_chain';
+import type { SensorTraffic, ViewFrame } from './protocol';
+
+export interface SensorStreamEvents {
+  /** `depth_mm` is valid during the call. */
+  decoded(header: FrameHeader, depth_mm: Uint16Array): void;
+  /** Exactly once per `push`; undefined when nothing of the frame can be shown. */
+  settled(setId: bigint, frame: ViewFrame | undefined): void;
+  keyFrameNeeded(sensor: number): void;
+}
+
+export interface SensorStreamParts {
+  codec: CodecModule;
+  color: VideoDecoderConfig | undefined; // undefined: no colour on this browser
+  buffers: BufferPool;
+}
+
+interface Grid {
+  width: number;
+  height: number;
+}
+
+interface AwaitsColor {
+  frame: ViewFrame;
+  seen: Uint8Array<ArrayBuffer>;
+}
+
+const codecSections = 1;
+
+export class SensorStream {
+  readonly traffic: SensorTraffic;
+  private readonly chain = new FrameChain();
+  private readonly payloads: PayloadDecoder;
+  private readonly awaitsColor = new Map<number, AwaitsColor>();
+  private colors: ColorDecoder | undefined;
+  private chunks = 0;
+
+  constructor(
+    readonly sensor: number,
+    readonly grid: Grid,
+    private readonly parts: SensorStreamParts,
+    private readonly events: SensorStreamEvents,
+  ) {
+    this.payloads = new PayloadDecoder(parts.codec, grid.width, grid.height);
+    this.traffic = {
+      sensor,
+      frames: 0,
+      bytes: 0,
+      skipped: 0,
+      lastSeq: undefined,
+      lastSetId: undefined,
+      lastCapture_ms: undefined,
+      problem: '',
+    };
+  }
+
+  push(header: FrameHeader, payload: Uint8Array): void {
+    this.traffic.bytes += header.headerLength + payload.length;
+    if (!this.chain.mayDecode(header)) return this.skip(header);
+    let decoded: DecodedPayload;
+    try {
+      decoded = this.decode(header, payload);
+    } catch (error) {
+      if (!(error instanceof PayloadError)) throw error;
+      return this.giveUp(header, error.message);
+    }
+    this.chain.advance(header);
+    this.count(header);
+    this.events.decoded(header, decoded.depth_mm);
+    this.settleOrDecodeColor(this.frameOf(header, decoded), decoded);
+  }
+
+  /** The connection is gone: the next one begins with a key frame. Frames on their way are settled. */
+  restart(): void {
+    this.closeColor();
+    this.chain.lose();
+  }
+
+  destroy(): void {
+    this.closeColor();
+    this.payloads.destroy();
+  }
+
+  private decode(header: FrameHeader, payload: Uint8Array): DecodedPayload {
+    if (header.codec !== codecSections) throw new PayloadError(`Codec ${header.codec} is not known to this page.`, true);
+    return this.payloads.decode(payload);
+  }
+
+  private skip(header: FrameHeader): void {
+    this.traffic.skipped++;
+    this.events.keyFrameNeeded(this.sensor);
+    this.events.settled(header.setId, undefined);
+  }
+
+  private giveUp(header: FrameHeader, reason: string): void {
+    this.traffic.problem = `A frame could not be decoded: ${reason}`;
+    this.chain.lose();
+    this.skip(header);
+  }
+
+  private count(header: FrameHeader): void {
+    this.traffic.frames++;
+    this.traffic.lastSeq = header.seq;
+    this.traffic.lastSetId = header.setId;
+    this.traffic.lastCapture_ms = Number(header.capture_ns) / 1e6;
+    if (header.key) this.traffic.problem = '';
+  }
+
+  private frameOf(header: FrameHeader, decoded: DecodedPayload): ViewFrame {
+    const depth_mm = new Uint16Array(this.parts.buffers.take(decoded.depth_mm.byteLength));
+    depth_mm.set(decoded.depth_mm);
+    const { clockError_us } = header;
+    return {
+      sensor: this.sensor,
+      seq: header.seq,
+      setId: header.setId,
+      capture_ms: Number(header.capture_ns) / 1e6,
+      captureError_ms: clockError_us === unknownClockError_us ? undefined : clockError_us / 1000,
+      ...this.grid,
+      depth_mm,
+      rgba: undefined,
+    };
+  }
+
+  private settleOrDecodeColor(frame: ViewFrame, { color }: DecodedPayload): void {
+    if (color?.key && !this.colors) this.openColor();
+    if (!color || !this.colors) return this.events.settled(frame.setId, frame);
+    const seen = new Uint8Array(this.parts.buffers.take(color.seen.length));
+    seen.set(color.seen);
+    const chunk = this.chunks++;
+    this.awaitsColor.set(chunk, { frame, seen });
+    this.colors.decode(chunk, color.key, color.vp9);
+  }
+
+  private openColor(): void {
+    if (!this.parts.color) return;
+    this.colors = new ColorDecoder(this.parts.color, {
+      onPlanes: (chunk, planes) => this.finish(chunk, planes),
+      onFailure: (sentence) => this.loseColor(sentence),
+    });
+  }
+
+  private finish(chunk: number, planes: YcbcrPlanes): void {
+    const waiting = this.awaitsColor.get(chunk);
+    if (!waiting) return;
+    this.awaitsColor.delete(chunk);
+    const { frame, seen } = waiting;
+    frame.rgba = new Uint8Array(this.parts.buffers.take(4 * seen.length));
+    rgbaFromYcbcr(planes, seen, frame.width, frame.height, frame.rgba);
+    this.parts.buffers.giveBack(seen.buffer);
+    this.events.settled(frame.setId, frame);
+  }
+
+  private loseColor(sentence: string): void {
+    this.traffic.problem = sentence;
+    this.restart();
+    this.events.keyFrameNeeded(this.sensor);
+  }
+
+  /** What waits for colour is shown without. */
+  private closeColor(): void {
+    this.colors?.close();
+    this.colors = undefined;
+    for (const { frame, seen } of this.awaitsColor.values()) {
+      this.parts.buffers.giveBack(seen.buffer);
+      this.events.settled(frame.setId, frame);
+    }
+    this.awaitsColor.clear();
+  }
+}

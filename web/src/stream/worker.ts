@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The worker: one hub connection, one decoder per sensor, newest frame sets to the page.
+import { colorDecoderConfig } from '../codec/color_decoder';
+import { CodecModule } from '../codec/codec_module';
+import type { FromWorker, ToWorker } from './protocol';
+import { RoomStream } from './room_stream';
+import codecUrl from 'roomcast_codec.wasm?url';
+
+interface WorkerPort {
+  postMessage(message: FromWorker, transfer?: Transferable[]): void;
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+}
+
+const port = self as unknown as WorkerPort;
+
+async function loadCodec(): Promise<CodecModule> {
+  const response = await fetch(codecUrl);
+  if (!response.ok) throw new Error(`the server answered ${response.status}`);
+  return CodecModule.load(await response.arrayBuffer());
+}
+
+async function main(): Promise<void> {
+  const room = new RoomStream((message, transfer) => port.postMessage(message, transfer));
+  port.onmessage = ({ data }) => room.handle(data);
+  try {
+    room.begin(await loadCodec(), await colorDecoderConfig(512, 424));
+  } catch (error) {
+    const reason = (error as Error).message;
+    port.postMessage({
+      kind: 'broken',
+      sentence: `The depth decoder could not be loaded (${reason}). Nothing can be shown; load the page again.`,
+    });
+  }
+}
+
+void main();

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The other viewers: a head with a visor, their name above it, their hands where they are tracked. Part frames are x right,
+// y up, -z forward. Poses come 20 times a second and are eased in between.
+import * as THREE from 'three';
+import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
+
+const easing_perS = 14;
+const arrived_m = 1e-4;
+const arrived_rad = 1e-3;
+
+interface Part {
+  object: THREE.Object3D;
+  position: THREE.Vector3;
+  rotation: THREE.Quaternion;
+  placed: boolean;
+}
+
+interface Avatar {
+  root: THREE.Group;
+  name: string;
+  color: number;
+  head: Part;
+  hands: [Part, Part];
+}
+
+function partOf(object: THREE.Object3D): Part {
+  object.visible = false;
+  return { object, position: new THREE.Vector3(), rotation: new THREE.Quaternion(), placed: false };
+}
+
+function aim(part: Part, pose: Pose | undefined): void {
+  part.object.visible = pose !== undefined;
+  if (!pose) {
+    part.placed = false;
+    return;
+  }
+  part.position.set(pose.x, pose.y, pose.z);
+  part.rotation.set(pose.qx, pose.qy, pose.qz, pose.qw).normalize();
+  if (part.placed) return;
+  part.object.position.copy(part.position);
+  part.object.quaternion.copy(part.rotation);
+  part.placed = true;
+}
+
+/** True while it still moves. */
+function ease({ object, position, rotation }: Part, share: number): boolean {
+  if (!object.visible) return false;
+  const near = object.position.distanceTo(position) < arrived_m && object.quaternion.angleTo(rotation) < arrived_rad;
+  if (near) return false;
+  object.position.lerp(position, share);
+  object.quaternion.slerp(rotation, share);
+  return true;
+}
+
+function labelOf(name: string): THREE.Sprite {
+  const canvas = document.createElement('canvas');
+  canvas.width = 512;
+  canvas.height = 96;
+  const paint = canvas.getContext('2d')!;
+  paint.font = '600 44px system-ui, sans-serif';
+  const width = Math.min(500, paint.measureText(name).width + 48);
+  paint.fillStyle = 'rgba(13, 17, 23, 0.72)';
+  paint.beginPath();
+  paint.roundRect(256 - width / 2, 12, width, 72, 36);
+  paint.fill();
+  paint.fillStyle = '#f2f5f8';
+  paint.textAlign = 'center';
+  paint.textBaseline = 'middle';
+  paint.fillText(name, 256, 50, 470);
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.colorSpace = THREE.SRGBColorSpace;
+  const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map: texture, transparent: true, depthWrite: false }));
+  sprite.scale.set(0.64, 0.12, 1);
+  sprite.position.y = 0.27;
+  return sprite;
+}
+
+function headOf(color: number): THREE.Group {
+  const head = new THREE.Group();
+  const skull = new THREE.Mesh(new THREE.SphereGeometry(0.115, 24, 16), new THREE.MeshLambertMaterial({ color }));
+  skull.scale.set(0.88, 1.12, 1);
+  const visor = new THREE.Mesh(
+    new THREE.SphereGeometry(0.1, 20, 12),
+    new THREE.MeshLambertMaterial({ color: 0x11151a }),
+  );
+  visor.scale.set(0.86, 0.42, 0.7);
+  visor.position.set(0, 0.02, -0.062);
+  head.add(skull, visor);
+  return head;
+}
+
+function disposeTree(root: THREE.Object3D): void {
+  root.traverse((object) => {
+    if (!(object instanceof THREE.Mesh || object instanceof THREE.Sprite)) return;
+    const material = object.material as THREE.MeshLambertMaterial;
+    material.map?.dispose();
+    material.dispose();
+    if (object instanceof THREE.Mesh) object.geometry.dispose();
+  });
+}
+
+export class Avatars {
+  readonly root = new THREE.Group();
+  private readonly byViewer = new Map<number, Avatar>();
+
+  constructor() {
+    const light = new THREE.DirectionalLight(0xffffff, 1.6);
+    light.position.set(1, 3, 2);
+    this.root.add(new THREE.HemisphereLight(0xffffff, 0x8090a0, 1.8), light);
+  }
+
+  /** `viewers` without the one who looks. */
+  follow(viewers: readonly ViewerEntry[]): void {
+    const present = new Map(viewers.map((viewer) => [viewer.id, viewer]));
+    for (const [id, avatar] of this.byViewer) {
+      const viewer = present.get(id);
+      if (viewer && viewer.name === avatar.name && viewer.colorRgb === avatar.color) continue;
+      this.byViewer.delete(id);
+      this.root.remove(avatar.root);
+      disposeTree(avatar.root);
+    }
+    for (const viewer of viewers) {
+      if (!this.byViewer.has(viewer.id)) this.add(viewer);
+    }
+  }
+
+  /** False when none of them is known. */
+  move(poses: readonly ViewerPose[]): boolean {
+    let moved = false;
+    for (const { viewerId, head, leftHand, rightHand } of poses) {
+      const avatar = this.byViewer.get(viewerId);
+      if (!avatar) continue;
+      moved = true;
+      aim(avatar.head, head);
+      aim(avatar.hands[0], leftHand);
+      aim(avatar.hands[1], rightHand);
+    }
+    return moved;
+  }
+
+  /** True while somebody still moves: draw again. */
+  animate(seconds: number): boolean {
+    const share = 1 - Math.exp(-easing_perS * seconds);
+    let moving = false;
+    for (const { head, hands } of this.byViewer.values()) {
+      for (const part of [head, ...hands]) moving = ease(part, share) || moving;
+    }
+    return moving;
+  }
+
+  get shown(): number[] {
+    return [...this.byViewer].filter(([, avatar]) => avatar.head.object.visible).map(([id]) => id);
+  }
+
+  private add({ id, name, colorRgb: color }: ViewerEntry): void {
+    const head = headOf(color);
+    head.add(labelOf(name || `viewer ${id}`));
+    const hand = () =>
+      new THREE.Mesh(new THREE.SphereGeometry(0.045, 16, 12), new THREE.MeshLambertMaterial({ color }));
+    const hands: [Part, Part] = [partOf(hand()), partOf(hand())];
+    const avatar = { root: new THREE.Group(), name, color, head: partOf(head), hands };
+    avatar.root.add(head, hands[0].object, hands[1].object);
+    this.byViewer.set(id, avatar);
+    this.root.add(avatar.root);
+  }
+}

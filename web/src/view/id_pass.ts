@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which sensor's surface is drawn at a pixel: the room drawn once more, off screen, with numbers instead of pictures.
+// For tests and for picking; costs a whole picture each time. Pixels are CSS pixels of the canvas, y down.
+import * as THREE from 'three';
+import type { Stage } from './stage';
+
+export const nothing = -1;
+
+export class IdPass {
+  constructor(private readonly stage: Stage) {}
+
+  /** Sensor id per pixel, row by row from the top; `nothing` where no surface is. `only`: as if it were alone. */
+  draw(only?: number): { ids: Int32Array; width: number; height: number } {
+    const { stage } = this;
+    const { clientWidth: width, clientHeight: height } = stage.canvas;
+    const sensors = [...stage.placed].filter(([id]) => only === undefined || id === only);
+    const scene = new THREE.Scene();
+    const parents = sensors.map(([, { surface }]) => surface.root.parent!);
+    sensors.forEach(([, { surface }], i) => {
+      surface.setId(i + 1);
+      scene.add(surface.root);
+    });
+    const numbers = this.readBack(scene, width, height);
+    sensors.forEach(([, { surface }], i) => {
+      surface.setId(0);
+      parents[i]!.add(surface.root);
+    });
+    const ids = new Int32Array(width * height);
+    for (let y = 0; y < height; y++) {
+      for (let x = 0; x < width; x++) {
+        const number = numbers[4 * ((height - 1 - y) * width + x)]!;
+        ids[y * width + x] = number === 0 ? nothing : sensors[number - 1]![0];
+      }
+    }
+    return { ids, width, height };
+  }
+
+  private readBack(scene: THREE.Scene, width: number, height: number): Uint8Array {
+    const { renderer, camera } = this.stage;
+    const target = new THREE.WebGLRenderTarget(width, height, { depthBuffer: true });
+    const clear = renderer.getClearColor(new THREE.Color());
+    renderer.setClearColor(0x000000, 0);
+    renderer.setRenderTarget(target);
+    renderer.clear();
+    renderer.render(scene, camera);
+    const numbers = new Uint8Array(4 * width * height);
+    renderer.readRenderTargetPixels(target, 0, 0, width, height, numbers);
+    renderer.setRenderTarget(null);
+    renderer.setClearColor(clear);
+    target.dispose();
+    return numbers;
+  }
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, test } from 'vitest';
+import { qualities, QualityLadder } from './quality_ladder';
+
+/** Draws for `seconds` on a machine where a picture costs `cost` ms; returns the quality after each draw. */
+function draw(ladder: QualityLadder, seconds: number, cost: (step: number, ratio: number) => number, from = 0) {
+  const history = [];
+  for (let now = from; now < from + 1000 * seconds; ) {
+    const { step, pixelRatio } = ladder.quality;
+    const took = cost(step, pixelRatio);
+    now += took;
+    ladder.judge(took, now);
+    history.push(ladder.quality);
+  }
+  return history;
+}
+
+const software = (step: number, ratio: number) => 600 / step ** 2 + 60 * ratio ** 2;
+
+describe('the quality ladder', () => {
+  test('goes to the finest grid on a quick machine', () => {
+    const ladder = new QualityLadder();
+    draw(ladder, 1, () => 3);
+    expect(ladder.quality).toEqual(qualities[0]);
+  });
+
+  test('comes down to what a slow machine can draw', () => {
+    const ladder = new QualityLadder();
+    draw(ladder, 10, software);
+    const { step, pixelRatio } = ladder.quality;
+    expect(software(step, pixelRatio)).toBeLessThan(50);
+  });
+
+  test('does not go below the last rung', () => {
+    const ladder = new QualityLadder();
+    draw(ladder, 30, () => 500);
+    expect(ladder.quality).toEqual(qualities.at(-1));
+  });
+
+  test('tries less and less often to go up where that is a mistake', () => {
+    const ladder = new QualityLadder();
+    const history = draw(ladder, 120, (step) => (step >= 4 ? 10 : 100));
+    const mistakes = history.filter((quality, i) => quality.step < 4 && history[i - 1]?.step === 4).length;
+    expect(mistakes).toBeGreaterThan(0);
+    expect(mistakes).toBeLessThanOrEqual(8);
+  });
+});

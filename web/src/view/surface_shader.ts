@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shaders that draw a sensor's depth grid, as triangles or as points. Vertices are pulled: gl_VertexID says which cell of
+// the grid, the depth texture says where it lies. A triangle whose corners differ in depth by more than a surface would is
+// dropped: the bound has a fixed part, for noise, and one that grows with distance.
+// Colour comes from the registered picture where the colour camera saw the surface, else the surface is a neutral grey.
+
+const shared = /* glsl */ `
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+precision highp sampler2D;
+`;
+
+const vertexInputs = /* glsl */ `
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform usampler2D uDepth;   // millimetres, 0 = no reading
+uniform sampler2D uRays;     // x/z, y/z
+uniform ivec2 uCells;        // of the grid that is drawn: every uStep-th pixel
+uniform int uStep;
+uniform float uNoise;        // metres at 1 m; grows with the square of the distance
+out vec2 vPixel;
+out vec3 vView;
+
+float depthAt(ivec2 pixel) { return float(texelFetch(uDepth, pixel, 0).r) * 0.001; }
+
+// Nearer sensors know better: the surface of a far one is pushed back by its noise, in the depth test only.
+void place(ivec2 pixel, float z) {
+  vec2 ray = texelFetch(uRays, pixel, 0).rg;
+  vec4 view = modelViewMatrix * vec4(ray * z, z, 1.0);
+  gl_Position = projectionMatrix * view;
+  vec4 behind = projectionMatrix * vec4(view.xyz * (1.0 + uNoise * z * z / max(length(view.xyz), 0.1)), 1.0);
+  gl_Position.z = behind.z / behind.w * gl_Position.w;
+  vPixel = vec2(pixel);
+  vView = view.xyz;
+}
+
+const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
+`;
+
+export const meshVertexShader = /* glsl */ `${shared}${vertexInputs}
+uniform float uEdge_m;       // a surface may rise by this from one corner to the next,
+uniform float uEdgeSlope;    // and by this for every metre of distance and pixel of step
+
+const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
+
+void main() {
+  int cell = gl_VertexID / 6;
+  int corner = gl_VertexID % 6;
+  int first = corner < 3 ? 0 : 3;
+  ivec2 origin = ivec2(cell % uCells.x, cell / uCells.x) * uStep;
+  float a = depthAt(origin + corners[first] * uStep);
+  float b = depthAt(origin + corners[first + 1] * uStep);
+  float c = depthAt(origin + corners[first + 2] * uStep);
+  float nearest = min(a, min(b, c));
+  float rise = max(a, max(b, c)) - nearest;
+  if (nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * float(uStep)) {
+    gl_Position = nowhere;
+    return;
+  }
+  float z = corner == first ? a : (corner == first + 1 ? b : c);
+  place(origin + corners[corner] * uStep, z);
+}
+`;
+
+export const pointVertexShader = /* glsl */ `${shared}${vertexInputs}
+uniform float uPixelsPerUnit;  // screen pixels that a metre takes up at a distance of a metre
+uniform float uFocal;          // of the depth camera, pixels
+
+void main() {
+  ivec2 pixel = ivec2(gl_VertexID % uCells.x, gl_VertexID / uCells.x) * uStep;
+  float z = depthAt(pixel);
+  gl_PointSize = 1.0;
+  if (z <= 0.0) {
+    gl_Position = nowhere;
+    return;
+  }
+  place(pixel, z);
+  float spacing_m = z * float(uStep) / uFocal;
+  gl_PointSize = clamp(1.2 * spacing_m * uPixelsPerUnit / max(-vView.z, 0.05), 1.0, 64.0);
+}
+`;
+
+export const fragmentShader = /* glsl */ `${shared}
+uniform sampler2D uColor;    // alpha: 1 where the colour camera saw the surface
+uniform vec2 uSize;          // of the grid, pixels
+uniform float uLive;         // 1; 0 for the last picture of a sensor that is gone
+uniform float uId;           // > 0: draw this number instead of the picture
+in vec2 vPixel;
+in vec3 vView;
+out vec4 outColor;
+
+void main() {
+  if (uId > 0.0) {
+    outColor = vec4(uId / 255.0, 0.0, 0.0, 1.0);
+    return;
+  }
+  vec4 seen = texture(uColor, (vPixel + 0.5) / uSize);
+  vec3 normal = cross(dFdx(vView), dFdy(vView));
+  float facing = abs(dot(normal, vView)) / max(length(normal) * length(vView), 1e-9);
+  vec3 grey = vec3(0.30, 0.32, 0.35) * (0.55 + 0.6 * facing);
+  vec3 color = mix(grey, seen.rgb, smoothstep(0.5, 1.0, seen.a));
+  float luma = dot(color, vec3(0.2126, 0.7152, 0.0722));
+  outColor = vec4(mix(vec3(luma) * 0.45, color, uLive), 1.0);
+}
+`;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the viewer stands and looks, and how that changes: pure functions. World: metres, y up. Yaw 0 looks along -z and
+// grows to the left, pitch is up. `distance` leads to the pivot, the place that orbiting turns around.
+import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
+
+export interface ViewState {
+  readonly position: Vector3;
+  readonly yaw: number;
+  readonly pitch: number;
+  readonly distance: number;
+}
+
+export const maxPitch = 1.55; // a little less than straight up
+const minDistance_m = 0.3;
+const maxDistance_m = 60;
+
+function clamp(value: number, low: number, high: number): number {
+  return Math.min(high, Math.max(low, value));
+}
+
+export function direction({ yaw, pitch }: Pick<ViewState, 'yaw' | 'pitch'>): Vector3 {
+  return new Vector3(-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch));
+}
+
+export function pivot(view: ViewState): Vector3 {
+  return direction(view).multiplyScalar(view.distance).add(view.position);
+}
+
+/** World from viewer: x right, y up, -z forward. */
+export function orientation({ yaw, pitch }: Pick<ViewState, 'yaw' | 'pitch'>): Quaternion {
+  return new Quaternion().setFromEuler(new Euler(pitch, yaw, 0, 'YXZ'));
+}
+
+export function lookFrom(position: Vector3, target: Vector3): ViewState {
+  const gaze = target.clone().sub(position);
+  const distance = clamp(gaze.length(), minDistance_m, maxDistance_m);
+  const level = Math.hypot(gaze.x, gaze.z);
+  return {
+    position: position.clone(),
+    yaw: level > 1e-6 ? Math.atan2(-gaze.x, -gaze.z) : 0,
+    pitch: clamp(Math.atan2(gaze.y, level), -maxPitch, maxPitch),
+    distance,
+  };
+}
+
+/** `worldFromViewer` row-major 4x4. Roll is dropped: the horizon stays level. */
+export function viewFromMatrix(worldFromViewer: readonly number[], distance: number): ViewState {
+  const matrix = new Matrix4().set(...(worldFromViewer as Parameters<Matrix4['set']>));
+  const position = new Vector3().setFromMatrixPosition(matrix);
+  const gaze = new Vector3(0, 0, -1).transformDirection(matrix);
+  return lookFrom(position, gaze.multiplyScalar(distance).add(position));
+}
+
+/** Turns the head in place. */
+export function look(view: ViewState, dYaw: number, dPitch: number): ViewState {
+  return { ...view, yaw: view.yaw + dYaw, pitch: clamp(view.pitch + dPitch, -maxPitch, maxPitch) };
+}
+
+/** Moves around the pivot, which stays where it is on the screen. */
+export function orbit(view: ViewState, dYaw: number, dPitch: number): ViewState {
+  const turned = look(view, dYaw, dPitch);
+  return { ...turned, position: pivot(view).sub(direction(turned).multiplyScalar(view.distance)) };
+}
+
+/** Moves across the picture, metres. */
+export function pan(view: ViewState, right_m: number, up_m: number): ViewState {
+  const move = new Vector3(right_m, up_m, 0).applyQuaternion(orientation(view));
+  return { ...view, position: move.add(view.position) };
+}
+
+/** Goes to `factor` times the distance from the pivot; once there, pushes the pivot ahead. */
+export function dolly(view: ViewState, factor: number): ViewState {
+  const distance = clamp(view.distance * factor, minDistance_m, maxDistance_m);
+  const forward_m = view.distance * (1 - factor);
+  return { ...view, distance, position: direction(view).multiplyScalar(forward_m).add(view.position) };
+}
+
+/** Walks on the level, whatever the pitch, metres. */
+export function walk(view: ViewState, forward_m: number, right_m: number, up_m: number): ViewState {
+  const sin = Math.sin(view.yaw);
+  const cos = Math.cos(view.yaw);
+  const move = new Vector3(-sin * forward_m + cos * right_m, up_m, -cos * forward_m - sin * right_m);
+  return { ...view, position: move.add(view.position) };
+}

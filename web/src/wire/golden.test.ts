@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The golden messages that the C++ tests write and read, read here.
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { toJson } from '@bufbuild/protobuf';
+import { describe, expect, test } from 'vitest';
+import { ControlSchema } from '../gen/control_pb';
+import { decodeControl } from './control';
+import { framePayload, MessageType, messageType, parseFrameHeader } from './frame_header';
+import { WireError } from './wire_error';
+
+interface GoldenEntry {
+  file: string;
+  frame?: Record<string, unknown>;
+  control?: Record<string, unknown>;
+  refused?: string;
+}
+
+const folder = fileURLToPath(new URL('../../../tests/golden/', import.meta.url));
+const entries = JSON.parse(readFileSync(`${folder}wire.json`, 'utf8')) as GoldenEntry[];
+
+function read(entry: GoldenEntry): Uint8Array {
+  return new Uint8Array(readFileSync(folder + entry.file));
+}
+
+function viewOf(bytes: Uint8Array): DataView {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+/** In the words of wire.json. */
+function meaningOfFrame(bytes: Uint8Array): Record<string, unknown> {
+  const h = parseFrameHeader(viewOf(bytes));
+  expect(framePayload(bytes, h).length).toBe(h.payloadLength);
+  return {
+    base_seq: h.baseSeq,
+    capture_ns: h.capture_ns.toString(),
+    clock_error_us: h.clockError_us,
+    codec: h.codec,
+    header_length: h.headerLength,
+    key: h.key,
+    last: h.last,
+    layer: h.layer,
+    payload_length: h.payloadLength,
+    sensor: h.sensor,
+    seq: h.seq,
+    set_id: h.setId.toString(),
+  };
+}
+
+function accept(bytes: Uint8Array): void {
+  if (messageType(viewOf(bytes)) === MessageType.Frame) parseFrameHeader(viewOf(bytes));
+  else decodeControl(bytes);
+}
+
+describe('golden messages', () => {
+  test('there are frames, control messages and refusals', () => {
+    for (const kind of ['frame', 'control', 'refused'] as const) {
+      expect(entries.some((entry) => entry[kind] !== undefined)).toBe(true);
+    }
+  });
+
+  for (const entry of entries) {
+    const bytes = read(entry);
+    if (entry.frame) {
+      test(`${entry.file} reads as the header the index says`, () => {
+        expect(meaningOfFrame(bytes)).toEqual(entry.frame);
+      });
+    } else if (entry.control) {
+      test(`${entry.file} reads as the message the index says`, () => {
+        expect(toJson(ControlSchema, decodeControl(bytes))).toEqual(entry.control);
+      });
+    } else {
+      test(`${entry.file} is refused (${entry.refused})`, () => {
+        expect(() => accept(bytes)).toThrow(WireError);
+      });
+    }
+  }
+});

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+import { expect, test } from 'vitest';
+import { asName, checkName } from './name_check';
+
+test('what a person typed becomes a legal name', () => {
+  expect(asName('  Émilie\u0000 ')).toBe('Émilie');
+  expect(asName('é'.repeat(40))).toBe('é'.repeat(32));
+  for (const typed of ['😀'.repeat(30), '\u0085', 'x'.repeat(1000), '']) {
+    expect(() => checkName(asName(typed), 'viewer')).not.toThrow();
+  }
+});

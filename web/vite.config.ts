@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page: one index.html, scripts with hashed names, and the depth decoder that CMake's preset `wasm` has built.
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { type Plugin } from 'vite';
+import { defineConfig } from 'vitest/config';
+
+const codec = fileURLToPath(new URL('../build/wasm/roomcast_codec.wasm', import.meta.url));
+
+/** Fails with a sentence, where the bundler would only say that an import could not be resolved. */
+function requireCodec(): Plugin {
+  return {
+    name: 'roomcast-require-codec',
+    apply: 'build',
+    buildStart() {
+      if (existsSync(codec)) return;
+      this.error(
+        'build/wasm/roomcast_codec.wasm is not built; run `cmake --preset wasm && cmake --build --preset wasm` first.',
+      );
+    },
+  };
+}
+
+export default defineConfig({
+  base: './',
+  plugins: [requireCodec()],
+  resolve: { alias: [{ find: /^roomcast_codec\.wasm/, replacement: codec }] },
+  worker: { format: 'es' },
+  build: {
+    outDir: '../build/web',
+    emptyOutDir: true,
+    target: 'es2022',
+    chunkSizeWarningLimit: 1500,
+  },
+  test: {
+    include: ['src/**/*.test.ts'],
+    environment: 'node',
+    reporters: process.stdout.isTTY ? ['default'] : ['./test/tap_with_totals.ts'],
+  },
+});
