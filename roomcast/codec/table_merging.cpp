@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/table_merging.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace roomcast::codec {
 namespace {
@@ -38,49 +38,62 @@ TokenCounts sum_of(const TokenCounts& a, const TokenCounts& b) {
   return sum;
 }
 
-void rate_joint(std::vector<Group>& groups, std::size_t i) {
-  if (i + 1 >= groups.size()) {
-    if (i < groups.size()) groups[i].gain_of_joining_next = -1;
-    return;
+/// Groups of neighbouring contexts, in order. At most one per context, so nothing is allocated.
+class Groups {
+ public:
+  explicit Groups(const std::array<TokenCounts, kContextCount>& counts) {
+    for (int c = 0; c < kContextCount; ++c) groups_[c] = {c, counts[c], bits_for(counts[c]), 0};
+    for (int i = 0; i < count_; ++i) rate_joint(i);
   }
-  Group& group = groups[i];
-  group.gain_of_joining_next =
-      group.bits + groups[i + 1].bits - bits_for(sum_of(group.counts, groups[i + 1].counts));
-}
-
-/// The joint that gains most; groups.size() if none does.
-std::size_t best_joint(const std::vector<Group>& groups) {
-  std::size_t best = groups.size();
-  for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
-    const double gain = groups[i].gain_of_joining_next;
-    if (gain >= 0 && (best == groups.size() || gain > groups[best].gain_of_joining_next)) best = i;
+  void join_while_it_gains() {
+    for (int i = best_joint(); i >= 0; i = best_joint()) join(i);
   }
-  return best;
-}
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const TokenCounts& counts(int i) const { return groups_[i].counts; }
+  [[nodiscard]] int first_context(int i) const {
+    return i < count_ ? groups_[i].first_context : kContextCount;
+  }
 
-void join(std::vector<Group>& groups, std::size_t i) {
-  groups[i].counts = sum_of(groups[i].counts, groups[i + 1].counts);
-  groups[i].bits = bits_for(groups[i].counts);
-  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-  rate_joint(groups, i);
-  if (i > 0) rate_joint(groups, i - 1);
-}
+ private:
+  void rate_joint(int i) {
+    if (i < 0 || i + 1 >= count_) return;
+    const Group& next = groups_[i + 1];
+    groups_[i].gain_of_joining_next =
+        groups_[i].bits + next.bits - bits_for(sum_of(groups_[i].counts, next.counts));
+  }
+
+  /// -1 if none gains.
+  [[nodiscard]] int best_joint() const {
+    int best = -1;
+    for (int i = 0; i + 1 < count_; ++i) {
+      const double gain = groups_[i].gain_of_joining_next;
+      if (gain >= 0 && (best < 0 || gain > groups_[best].gain_of_joining_next)) best = i;
+    }
+    return best;
+  }
+
+  void join(int i) {
+    groups_[i].counts = sum_of(groups_[i].counts, groups_[i + 1].counts);
+    groups_[i].bits = bits_for(groups_[i].counts);
+    std::move(groups_.begin() + i + 2, groups_.begin() + count_, groups_.begin() + i + 1);
+    --count_;
+    rate_joint(i);
+    rate_joint(i - 1);
+  }
+
+  std::array<Group, kContextCount> groups_;
+  int count_ = kContextCount;
+};
 
 }  // namespace
 
 void merge_tables(const std::array<TokenCounts, kContextCount>& counts, SideInformation& side) {
-  std::vector<Group> groups;
-  groups.reserve(kContextCount);
-  for (int c = 0; c < kContextCount; ++c) groups.push_back({c, counts[c], bits_for(counts[c]), 0});
-  for (std::size_t i = 0; i < groups.size(); ++i) rate_joint(groups, i);
-  for (std::size_t i = best_joint(groups); i < groups.size(); i = best_joint(groups))
-    join(groups, i);
-
+  Groups groups(counts);
+  groups.join_while_it_gains();
   side.tables.clear();
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    side.tables.push_back(sendable_weights(groups[g].counts));
-    const int end = g + 1 < groups.size() ? groups[g + 1].first_context : kContextCount;
-    for (int c = groups[g].first_context; c < end; ++c) {
+  for (int g = 0; g < groups.count(); ++g) {
+    side.tables.push_back(sendable_weights(groups.counts(g)));
+    for (int c = groups.first_context(g); c < groups.first_context(g + 1); ++c) {
       side.table_of_context[c] = static_cast<std::uint8_t>(g);
     }
   }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Depth, coded frame after frame, asks for no memory once every buffer has found its size.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless_depth_encoder.h"
+#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/synthetic_color.h"
+
+namespace {
+std::atomic<int> allocation_count{0};  // of this test program
+}
+
+void* operator new(std::size_t size) {
+  ++allocation_count;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace roomcast::codec {
+namespace {
+
+TEST(SteadyMemory, coding_depth_and_mask_allocates_nothing_after_the_first_frames) {
+  const SyntheticFrame frames[] = {synthetic_frame(96, 80, 0), synthetic_frame(96, 80, 1)};
+  LosslessDepthEncoder encoder;
+  LosslessDepthDecoder decoder;
+  std::vector<std::uint8_t> section, mask_section;
+  DepthImage depth(96, 80);
+  MaskImage mask(96, 80);
+  const auto code = [&](const SyntheticFrame& frame) {
+    section.clear();
+    mask_section.clear();
+    encoder.encode(frame.depth_mm, section);
+    encode_mask(frame.seen, frame.depth_mm, mask_section);
+    const bool ok = decoder.decode(section, depth.view()).ok();
+    decode_mask(mask_section, depth, mask.view());
+    return ok;
+  };
+  for (const SyntheticFrame& frame : frames) ASSERT_TRUE(code(frame));
+  const int before = allocation_count;
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(code(frames[i % 2]));
+  EXPECT_EQ(allocation_count, before);
+}
+
+}  // namespace
+}  // namespace roomcast::codec
