@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include <epoxy/gl.h>
@@ -64,6 +66,20 @@ TEST(EglContext, cannot_be_current_on_two_threads) {
     EXPECT_EQ(current.error().code, ErrorCode::kUnavailable);
   });
   other.join();
+}
+
+// Tells EGL's loader of no driver at all, in a process of its own: it looks for them only once.
+TEST(EglContextDeathTest, says_what_to_install_where_there_is_no_opengl) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto without_drivers = [] {
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "", 1);
+    setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+    const Result<EglContext> context = EglContext::create();
+    if (context.ok()) std::exit(1);
+    std::fputs(context.error().message.c_str(), stderr);
+    std::exit(context.error().code == ErrorCode::kUnavailable ? 0 : 2);
+  };
+  EXPECT_EXIT(without_drivers(), testing::ExitedWithCode(0), "apt install .*libgl1-mesa-dri");
 }
 
 }  // namespace
