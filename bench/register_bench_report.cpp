@@ -36,9 +36,10 @@ void print_json(const RegisterBenchReport& report, std::ostream& out) {
 void print_table(const RegisterBenchReport& report, std::ostream& out) {
   out << report.color_width << "x" << report.color_height << " colour into " << report.depth_width
       << "x" << report.depth_height << " depth, one core\n"
-      << "input                     version    CPU ms  frames/s  times reference  seen\n";
+      << "input                                  version    CPU ms  frames/s  times reference  "
+         "seen\n";
   for (const RegisterBenchRow& row : report.rows) {
-    out << std::left << std::setw(26) << row.input << std::setw(10) << row.version << std::right
+    out << std::left << std::setw(39) << row.input << std::setw(10) << row.version << std::right
         << std::fixed << std::setprecision(2) << std::setw(7) << row.cpu_ms << std::setprecision(0)
         << std::setw(10) << row.frames_per_cpu_s << std::setprecision(2) << std::setw(17)
         << row.times_reference << std::setprecision(3) << std::setw(6) << row.seen_share << "\n";
