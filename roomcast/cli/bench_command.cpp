@@ -3,10 +3,12 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "bench/codec_bench.h"
+#include "bench/register_bench.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/geometry/registration.h"
@@ -76,13 +78,42 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
   });
 }
 
+Status run_register(const std::string& source, bool json) {
+  std::vector<bench::RegisterBenchInput> inputs = {bench::synthetic_kinect_v2_input()};
+  if (!source.empty()) {
+    constexpr int kMostFrames = 10;
+    auto recorded = bench::recorded_input(source, kMostFrames);
+    if (!recorded) return recorded.error();
+    inputs.push_back(std::move(*recorded));
+  }
+  const auto report = bench::run_register_bench(inputs);
+  if (!report) return report.error();
+  json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
+  return {};
+}
+
+void add_register_bench(CLI::App& bench, Command& chosen) {
+  auto source = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "register", "Mapping colour into the depth grid: frames a second of one core");
+  command->add_option("source", *source,
+                      "Measure this recording too: rig:DIR#s0, tum:DIR (Kinect v2 sizes)");
+  command->add_flag("--json", *json, "For scripts");
+  command->footer("Example:\n  roomcast bench register rig:recordings/lab#s0 --json");
+  command->callback([source, json, &chosen] {
+    chosen = [source, json] { return finish("bench register", run_register(*source, *json)); };
+  });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Command& chosen) {
   CLI::App* bench = app.add_subcommand("bench", "Measure parts of roomcast on this machine");
   bench->require_subcommand(1);
-  bench->footer("Example: roomcast bench codec sim");
+  bench->footer("Example: roomcast bench register");
   add_codec_bench(*bench, chosen);
+  add_register_bench(*bench, chosen);
 }
 
 }  // namespace roomcast::cli

@@ -12,11 +12,14 @@ Result<RoomView> RoomView::create() {
   return RoomView(std::move(*renderer));
 }
 
+// One sensor that cannot be drawn must not freeze the others.
 Status RoomView::show(const RoomSnapshot& room) {
+  Status first_fault;
   for (const RoomSensor& sensor : room.sensors) {
-    if (auto status = show_sensor(sensor); !status) return status;
+    auto status = show_sensor(sensor);
+    if (!status && first_fault) first_fault = std::move(status);
   }
-  return {};
+  return first_fault;
 }
 
 // A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
@@ -32,13 +35,13 @@ Status RoomView::show_sensor(const RoomSensor& sensor) {
       !status) {
     return status;
   }
-  auto& uploaded = uploaded_[sensor.id];
-  if (uploaded == sensor.picture) return {};
+  Uploaded& uploaded = uploaded_[sensor.id];
+  if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;
   if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen);
       !status)
     return status;
-  uploaded = sensor.picture;
+  uploaded = {sensor.picture, sensor.calibration.depth};
   return {};
 }
 

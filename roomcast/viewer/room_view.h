@@ -19,7 +19,8 @@ class RoomView {
   /// Needs a current GL context. Errors as RoomRenderer::create.
   static Result<RoomView> create();
 
-  /// From now on this is what is drawn. Errors as RoomRenderer::set_sensor and upload.
+  /// From now on this is what is drawn. Errors as RoomRenderer::set_sensor and upload; the other
+  /// sensors are drawn all the same.
   Status show(const RoomSnapshot& room);
 
   /// Errors as RoomRenderer::draw.
@@ -27,10 +28,14 @@ class RoomView {
 
  private:
   explicit RoomView(RoomRenderer renderer) : renderer_(std::move(renderer)) {}
+  struct Uploaded {
+    std::shared_ptr<const SensorPicture> picture;
+    CameraIntrinsics lens;  // another lens empties the surface
+  };
   Status show_sensor(const RoomSensor& sensor);
 
   RoomRenderer renderer_;
-  std::unordered_map<SensorId, std::shared_ptr<const SensorPicture>> uploaded_;
+  std::unordered_map<SensorId, Uploaded> uploaded_;
 };
 
 /// Where a viewer of this room should stand if nobody says otherwise: where the hub put it.

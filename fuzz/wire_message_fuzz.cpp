@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as one wire message, from both sides. What is accepted must keep the promises that hub
+// and clients build on: a frame's lengths add up, stamping it changes nothing else, a control
+// message survives being written and read again.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/wire/control.h"
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
+
+namespace {
+
+using namespace roomcast;
+using namespace roomcast::wire;
+
+void read_frame(std::span<const std::uint8_t> message) {
+  const auto header = parse_frame(message);
+  if (!header) return;
+  ROOMCAST_ASSERT(header->header_length + header->payload_length == message.size());
+  std::vector<std::uint8_t> copy(message.begin(), message.end());
+  stamp_frame_set(copy, SetId{42}, !header->last);
+  auto expected = *header;
+  expected.set = SetId{42};
+  expected.last = !header->last;
+  ROOMCAST_ASSERT(*parse_frame(copy) == expected);
+}
+
+void read_control(std::span<const std::uint8_t> message, Sender sender) {
+  const auto control = decode_control(message, sender);
+  if (!control) {
+    ROOMCAST_ASSERT(!control.error().message.empty());
+    return;
+  }
+  std::vector<std::uint8_t> written;
+  encode_control(*control, written);
+  if (written.size() <= kMaxControlFromClientBytes)
+    ROOMCAST_ASSERT(decode_control(written, sender).ok());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::span message(data, size);
+  const auto type = message_type(message);
+  if (!type) return 0;
+  if (*type == MessageType::kFrame) {
+    read_frame(message);
+  } else {
+    read_control(message, Sender::kClient);
+    read_control(message, Sender::kHub);
+  }
+  return 0;
+}
