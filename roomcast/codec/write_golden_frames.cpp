@@ -85,6 +85,10 @@ bool write_all(GoldenWriter& writer) {
   }
   // Large enough for predictors with weights, and rows of more than one mask group.
   if (!writer.write("large_room", {{synthetic_room(160, 121, 9), {}, {}}})) return false;
+  // Every distance occurs: coded as it is, not by index.
+  DepthImage dense = depth_from(
+      96, 64, [](int x, int y) { return 1000 + x + y / 2 + (x * 7919 + y * 104729) % 11; });
+  if (!writer.write("dense", {{std::move(dense), {}, {}}})) return false;
   std::vector<SyntheticFrame> stream;
   for (int i = 0; i < 4; ++i) stream.push_back(synthetic_frame(75, 51, i));
   return writer.write("color_", stream) && writer.write_list();
