@@ -26,6 +26,7 @@ class Page {
   private readonly navigation: Navigation;
   private atHand: ViewFrame[] = []; // given to the stage, not yet drawn
   private setAtHand = 0n;
+  private hubKnewSensors = false; // when this viewer joined: the hub's start pose means something
   private placedView = false; // the view is where it should be at first, or where the person went
 
   constructor(private readonly options: PageOptions) {
@@ -80,8 +81,7 @@ class Page {
         return this.panel.refresh();
       case 'welcome':
         this.state.welcome = message.welcome;
-        this.ownPose.moved(this.navigation.current);
-        return this.findStart();
+        return this.ownPose.moved(this.navigation.current);
       case 'roster':
         return this.followRoster(message.roster);
       case 'poses':
@@ -98,10 +98,11 @@ class Page {
 
   private followRoster(roster: NonNullable<RoomState['roster']>): void {
     const peopleBefore = this.state.roster?.viewers.length ?? 0;
+    if (!this.state.roster) this.hubKnewSensors = roster.sensors.length > 0;
     this.state.roster = roster;
     this.stage.follow(roster, this.state.welcome?.viewerId ?? -1);
     if (roster.viewers.length > peopleBefore) this.ownPose.moved(this.navigation.current);
-    this.findStart();
+    if (!this.placedView && roster.sensors.length > 0) this.goToStart();
     this.panel.rebuild();
   }
 
@@ -131,15 +132,10 @@ class Page {
     this.ownPose.moved(view);
   }
 
-  /** The first time that it is known where to stand. */
-  private findStart(): void {
-    if (!this.placedView && this.start()) this.goToStart();
-  }
-
   private start(): ViewState | undefined {
     if (this.options.view) return this.options.view;
     const pose = this.state.welcome?.startPose ?? [];
-    if (pose.length === 16) return viewFromMatrix(pose, startDistance_m);
+    if (this.hubKnewSensors && pose.length === 16) return viewFromMatrix(pose, startDistance_m);
     return startView(this.state.roster?.sensors ?? []);
   }
 

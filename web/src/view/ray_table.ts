@@ -18,36 +18,43 @@ export function distort(lens: Lens, x: number, y: number): [number, number] {
   ];
 }
 
-/** Whether the radius still grows with the angle everywhere from the axis to here; beyond, a lens model means nothing. */
-function beforeFold(lens: Lens, r2: number): boolean {
-  const slope = (q: number) => 1 + q * (3 * lens.k1 + q * (5 * lens.k2 + q * 7 * lens.k3));
-  const samples = 8;
-  for (let i = 1; i <= samples; i++) {
-    if (!(slope((r2 * i) / samples) > 0)) return false;
+const furthestR2 = 16; // 76 degrees off the axis; no depth camera sees further
+const foldSamples = 1600;
+
+/** The squared radius where the radial part stops growing; beyond it a lens model means nothing. */
+function foldR2(lens: Lens): number {
+  for (let i = 1; i <= foldSamples; i++) {
+    const q = (i * furthestR2) / foldSamples;
+    if (!(1 + q * (3 * lens.k1 + q * (5 * lens.k2 + q * 7 * lens.k3)) > 0)) return q;
   }
-  return true;
+  return furthestR2;
 }
 
-/** Undefined where no direction projects to this place. `guess` is a place to start from. */
-export function undistort(lens: Lens, xd: number, yd: number, guess: [number, number]): [number, number] | undefined {
-  let [x, y] = guess;
+/** Moves `xy` from where it is to the direction that projects to (xd, yd); false where there is none. */
+function undistort(lens: Lens, fold: number, xd: number, yd: number, xy: Float64Array): boolean {
+  const { k1, k2, k3, p1, p2 } = lens;
+  let x = xy[0]!;
+  let y = xy[1]!;
   for (let step = 0; step < maxNewtonSteps; step++) {
     const r2 = x * x + y * y;
-    const radial = 1 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3));
-    const radialByR2 = lens.k1 + r2 * (2 * lens.k2 + r2 * 3 * lens.k3);
-    const [dx, dy] = distort(lens, x, y);
-    const ex = dx - xd;
-    const ey = dy - yd;
-    const a = radial + 2 * x * x * radialByR2 + 2 * lens.p1 * y + 6 * lens.p2 * x;
-    const b = 2 * x * y * radialByR2 + 2 * lens.p1 * x + 2 * lens.p2 * y;
-    const d = radial + 2 * y * y * radialByR2 + 6 * lens.p1 * y + 2 * lens.p2 * x;
+    const radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const radialByR2 = k1 + r2 * (2 * k2 + r2 * 3 * k3);
+    const ex = x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x) - xd;
+    const ey = y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y - yd;
+    if (ex * ex + ey * ey < tolerance * tolerance) {
+      xy[0] = x;
+      xy[1] = y;
+      return r2 < fold;
+    }
+    const a = radial + 2 * x * x * radialByR2 + 2 * p1 * y + 6 * p2 * x;
+    const b = 2 * x * y * radialByR2 + 2 * p1 * x + 2 * p2 * y;
+    const d = radial + 2 * y * y * radialByR2 + 6 * p1 * y + 2 * p2 * x;
     const determinant = a * d - b * b;
-    if (!(determinant > 0)) return undefined;
-    if (Math.hypot(ex, ey) < tolerance) return beforeFold(lens, r2) ? [x, y] : undefined;
+    if (!(determinant > 0)) return false;
     x -= (d * ex - b * ey) / determinant;
     y -= (a * ey - b * ex) / determinant;
   }
-  return undefined;
+  return false;
 }
 
 export interface RayTable {
@@ -58,14 +65,21 @@ export interface RayTable {
 export function rayTable(lens: Lens, width: number, height: number): RayTable {
   const rays = new Float32Array(2 * width * height);
   const blind: number[] = [];
+  const fold = foldR2(lens);
+  const xy = new Float64Array(2);
   for (let v = 0; v < height; v++) {
-    let guess: [number, number] | undefined; // the neighbour's ray is a good start
+    const yd = (v - lens.cy) / lens.fy;
+    let found = false;
     for (let u = 0; u < width; u++) {
       const xd = (u - lens.cx) / lens.fx;
-      const yd = (v - lens.cy) / lens.fy;
-      guess = (guess && undistort(lens, xd, yd, guess)) ?? undistort(lens, xd, yd, [xd, yd]);
+      found = found && undistort(lens, fold, xd, yd, xy); // the neighbour's ray is a good start
+      if (!found) {
+        xy[0] = xd;
+        xy[1] = yd;
+        found = undistort(lens, fold, xd, yd, xy);
+      }
       const pixel = v * width + u;
-      if (guess) rays.set(guess, 2 * pixel);
+      if (found) rays.set(xy, 2 * pixel);
       else blind.push(pixel);
     }
   }

@@ -3,14 +3,15 @@
 import * as THREE from 'three';
 
 const gridRadius_m = 8;
-const gridColor = new THREE.Color('#3a4656');
+const gridColor = new THREE.Color('#2a3441');
+const gridDepth_m = 0.02; // under the floor, so that it shows only where no sensor sees the floor
 
 /** Lines a metre apart that fade out with the distance from the origin. */
 export function floorGrid(background: THREE.Color): THREE.LineSegments {
   const positions: number[] = [];
   const colors: number[] = [];
   const add = (x: number, z: number) => {
-    positions.push(x, 0, z);
+    positions.push(x, -gridDepth_m, z);
     const fade = Math.min(1, Math.hypot(x, z) / gridRadius_m);
     colors.push(...gridColor.clone().lerp(background, fade).toArray());
   };

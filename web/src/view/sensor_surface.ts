@@ -11,6 +11,7 @@ export type DrawMode = 'mesh' | 'points';
 
 const edge_m = 0.012;
 const edgeSlope = 0.022;
+const unseen_m = 0.06;
 const noise_mPerM2 = 0.0015; // 1.5 mm at 1 m, 24 mm at 4 m: of the order of time-of-flight and structured-light sensors
 
 function dataTexture(
@@ -138,6 +139,7 @@ export class SensorSurface {
       uSize: { value: new THREE.Vector2(this.width, this.height) },
       uStep: { value: 1 },
       uNoise: { value: noise_mPerM2 },
+      uUnseen_m: { value: unseen_m },
       uEdge_m: { value: edge_m },
       uEdgeSlope: { value: edgeSlope },
       uPixelsPerUnit: { value: 1 },

@@ -19,17 +19,21 @@ uniform sampler2D uRays;     // x/z, y/z
 uniform ivec2 uCells;        // of the grid that is drawn: every uStep-th pixel
 uniform int uStep;
 uniform float uNoise;        // metres at 1 m; grows with the square of the distance
+uniform sampler2D uColor;
+uniform float uUnseen_m;     // how far a surface without colour yields to one with
 out vec2 vPixel;
 out vec3 vView;
 
 float depthAt(ivec2 pixel) { return float(texelFetch(uDepth, pixel, 0).r) * 0.001; }
 
-// Nearer sensors know better: the surface of a far one is pushed back by its noise, in the depth test only.
+// In the depth test only, a surface is pushed back by what speaks against it: distance from its sensor, no colour.
+// So where several sensors see the same wall, the one that knows it best is drawn.
 void place(ivec2 pixel, float z) {
   vec2 ray = texelFetch(uRays, pixel, 0).rg;
   vec4 view = modelViewMatrix * vec4(ray * z, z, 1.0);
   gl_Position = projectionMatrix * view;
-  vec4 behind = projectionMatrix * vec4(view.xyz * (1.0 + uNoise * z * z / max(length(view.xyz), 0.1)), 1.0);
+  float yield_m = uNoise * z * z + uUnseen_m * (1.0 - texelFetch(uColor, pixel, 0).a);
+  vec4 behind = projectionMatrix * vec4(view.xyz * (1.0 + yield_m / max(length(view.xyz), 0.1)), 1.0);
   gl_Position.z = behind.z / behind.w * gl_Position.w;
   vPixel = vec2(pixel);
   vView = view.xyz;
@@ -40,7 +44,7 @@ const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
 
 export const meshVertexShader = /* glsl */ `${shared}${vertexInputs}
 uniform float uEdge_m;       // a surface may rise by this from one corner to the next,
-uniform float uEdgeSlope;    // and by this for every metre of distance and pixel of step
+uniform float uEdgeSlope;    // and by this for every metre of distance, times the root of the step
 
 const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
 
@@ -54,7 +58,7 @@ void main() {
   float c = depthAt(origin + corners[first + 2] * uStep);
   float nearest = min(a, min(b, c));
   float rise = max(a, max(b, c)) - nearest;
-  if (nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * float(uStep)) {
+  if (nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * sqrt(float(uStep))) {
     gl_Position = nowhere;
     return;
   }
@@ -99,7 +103,7 @@ void main() {
   vec3 normal = cross(dFdx(vView), dFdy(vView));
   float facing = abs(dot(normal, vView)) / max(length(normal) * length(vView), 1e-9);
   vec3 grey = vec3(0.30, 0.32, 0.35) * (0.55 + 0.6 * facing);
-  vec3 color = mix(grey, seen.rgb, smoothstep(0.5, 1.0, seen.a));
+  vec3 color = mix(grey, seen.rgb, smoothstep(0.1, 0.4, seen.a));
   float luma = dot(color, vec3(0.2126, 0.7152, 0.0722));
   outColor = vec4(mix(vec3(luma) * 0.45, color, uLive), 1.0);
 }

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+// All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
+import './room.test.mjs';
+import './trouble.test.mjs';

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chromium without a window, drawing in software, through playwright-core from web/node_modules.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const { chromium } = createRequire(new URL('../../web/package.json', import.meta.url))('playwright-core');
+
+const executablePath = process.env.ROOMCAST_CHROMIUM ?? '/usr/bin/chromium';
+const args = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
+export async function startBrowser({ width = 640, height = 400 } = {}) {
+  const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath,
+    headless: true,
+    chromiumSandbox: false,
+    viewport: { width, height },
+    timeout: 60_000,
+    args,
+  });
+  context.setDefaultTimeout(20_000);
+  const end = async () => {
+    await context.close();
+    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  };
+  return { context, end };
+}
+
+/** A page of the hub; what it complains about ends up in `page.complaints`. */
+export async function openPage(context, url) {
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on('pageerror', (error) => page.complaints.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && page.complaints.push(message.text()));
+  await page.goto(url);
+  await page.waitForFunction(() => window.roomcast !== undefined);
+  return page;
+}

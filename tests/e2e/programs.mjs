@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts the real programs on the loopback and ends them by their process id. ROOMCAST_BIN is the roomcast binary,
+// ROOMCAST_WEB the built page (default: build/web).
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { setTimeout as delay } from 'node:timers/promises';
+
+const readyWithin_ms = 15_000;
+const endWithin_ms = 5_000;
+const kept_lines = 200;
+
+const fromRoot = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+
+export const binary = process.env.ROOMCAST_BIN ?? fromRoot('build/dev/bin/roomcast');
+export const webFolder = process.env.ROOMCAST_WEB ?? fromRoot('build/web');
+
+export function requireBuilt() {
+  if (!existsSync(binary)) throw new Error(`there is no program at ${binary}; build it or set ROOMCAST_BIN`);
+  if (!existsSync(`${webFolder}/index.html`)) throw new Error(`there is no page in ${webFolder}; run npm run build`);
+}
+
+/** One running program: its last lines of output, and a way to end it. */
+class Program {
+  constructor(name, args) {
+    this.name = name;
+    this.lines = [];
+    this.child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.ended = once(this.child, 'close');
+    for (const stream of [this.child.stdout, this.child.stderr]) {
+      stream.setEncoding('utf8').on('data', (text) => this.keep(text));
+    }
+  }
+
+  keep(text) {
+    this.lines.push(...text.split('\n').filter((line) => line !== ''));
+    this.lines.splice(0, this.lines.length - kept_lines);
+  }
+
+  /** The first line that matches, once it has been said. */
+  async says(pattern) {
+    const deadline = Date.now() + readyWithin_ms;
+    for (;;) {
+      const match = this.lines.map((line) => pattern.exec(line)).find(Boolean);
+      if (match) return match;
+      if (this.child.exitCode !== null) throw new Error(`${this.name} has ended:\n${this.lines.join('\n')}`);
+      if (Date.now() > deadline) throw new Error(`${this.name} did not say ${pattern}:\n${this.lines.join('\n')}`);
+      await delay(20);
+    }
+  }
+
+  async end(signal = 'SIGTERM') {
+    if (this.child.exitCode === null && this.child.signalCode === null) this.child.kill(signal);
+    const late = delay(endWithin_ms, 'late', { ref: false });
+    if ((await Promise.race([this.ended, late])) === 'late') {
+      this.child.kill('SIGKILL');
+      await this.ended;
+    }
+  }
+}
+
+/** A hub on a free port, or on `port`. */
+export async function startHub(port = 0) {
+  const hub = new Program('hub', ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose']);
+  const [, found] = await hub.says(/open http:\/\/127\.0\.0\.1:(\d+)\//);
+  hub.port = Number(found);
+  hub.page = `http://127.0.0.1:${found}/`;
+  return hub;
+}
+
+/** Simulated sensor number `n`; `log` is a file for one JSON line per frame sent. */
+export function startSensor(hub, n, { fps = 5, log } = {}) {
+  const args = ['sensor', '--source', `sim#${n}`, '--hub', `ws://127.0.0.1:${hub.port}`, '--fps', String(fps), '--wait', '--verbose'];
+  return new Program(`sensor ${n}`, log ? [...args, '--log-frames', log] : args);
+}

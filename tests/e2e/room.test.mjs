@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hub, three simulated sensors and Chromium, all real processes on the loopback: what a person sees and what must be
+// true of it. The tests build on each other, in order, on one room.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { coverageOf, panelText, sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
+
+const sensorCount = 3;
+const fps = 4; // three sensors, hub, decoders and a software renderer share few cores
+const view = 'panel=0&at=0.2,1.7,2.6&look=0,0.9,-1';
+const leastPixels = 500; // that only one sensor sees
+const comparedFrames = 10;
+const softwareDrawing_ms = 2000; // two pages draw in software at the same time, beside everything else
+const slow = { timeout: 90_000 };
+
+const logs = mkdtempSync(join(tmpdir(), 'roomcast-logs-'));
+const logOf = (n) => join(logs, `s${n}.jsonl`);
+let hub, sensors, browser, page;
+
+describe('a room of three sensors', () => {
+  before(async () => {
+    requireBuilt();
+    hub = await startHub();
+    sensors = Array.from({ length: sensorCount }, (_, n) => startSensor(hub, n, { fps, log: logOf(n) }));
+    browser = await startBrowser();
+    page = await openPage(browser.context, `${hub.page}?${view}&record=1&name=first`);
+  }, slow);
+
+  after(async () => {
+    await browser?.end();
+    await Promise.all([...(sensors ?? []), hub].map((program) => program?.end()));
+    rmSync(logs, { recursive: true, force: true });
+  }, slow);
+
+  test('all sensors are drawn: each one alone at pixels that only it sees', slow, async () => {
+    await untilAllShown(page, sensorCount);
+    for (const { id, only, example } of await coverageOf(page)) {
+      assert.ok(only > leastPixels, `sensor ${id} alone covers ${only} pixels`);
+      const pixelThere = () => page.evaluate(([x, y]) => window.roomcast.pixel(x, y), example);
+      const setVisible = (visible) => page.evaluate(([n, v]) => window.roomcast.setVisible(n, v), [id, visible]);
+      const drawn = await pixelThere();
+      assert.equal(drawn.sensor, id);
+      await setVisible(false);
+      const without = await pixelThere();
+      await setVisible(true);
+      assert.equal(without.sensor, null);
+      assert.notDeepEqual(drawn.rgba, without.rgba);
+    }
+  });
+
+  test('depth in the page is bit for bit what the sources produced', slow, async () => {
+    for (const { id, name } of await sensorsOf(page)) {
+      const framesOf = () => page.evaluate((sensor) => window.roomcast.decodedFrames(sensor), id);
+      const decoded = await until(`frames of ${name}`, framesOf, (frames) => frames.length >= comparedFrames);
+      const produced = await until(`the log of ${name}`, () => readLog(logOf(name.slice(1))), (log) => log.has(decoded.at(-1).seq));
+      for (const { seq, captureNs, depthCrc32 } of decoded) {
+        const source = produced.get(seq);
+        assert.ok(source, `${name} did not log frame ${seq}`);
+        assert.equal(captureNs, source.capture_ns, `capture time of frame ${seq} of ${name}`);
+        assert.equal(depthCrc32, source.depth_crc32, `depth of frame ${seq} of ${name}`);
+      }
+      assert.ok(new Set(decoded.map((frame) => frame.depthCrc32)).size > comparedFrames / 2, `${name} sends different pictures`);
+    }
+  });
+
+  test('the picture keeps moving', slow, async () => {
+    const before = { state: await stateOf(page), sensors: await sensorsOf(page) };
+    const pictures = new Set();
+    const look = async () => pictures.add(await page.evaluate(() => window.roomcast.pictureCrc32())).size;
+    await until('three different pictures', look, (different) => different >= 3);
+    await until('every sensor goes on', () => sensorsOf(page), (now) =>
+      now.every((sensor, i) => sensor.frames > before.sensors[i].frames + 2 && sensor.shownSeq > before.sensors[i].shownSeq),
+    );
+    const now = await stateOf(page);
+    assert.ok(now.shownSets > before.state.shownSets && now.pictures > before.state.pictures);
+    assert.ok(now.latency_ms > 0, `latency ${now.latency_ms} ms`);
+  });
+
+  test('a viewer who comes late sees all sensors within a second', slow, async (t) => {
+    const arrivals = [];
+    for (let n = 0; n < 3; n++) {
+      const late = await openPage(browser.context, `${hub.page}?${view}&name=late`);
+      arrivals.push(await until('all sensors drawn', () => stateOf(late), (state) => state.firstShown_ms !== null));
+      await late.close();
+    }
+    const sorted = (key) => arrivals.map((state) => Math.round(state[key])).sort((a, b) => a - b);
+    const decoded = sorted('firstDecoded_ms');
+    const drawn = sorted('firstShown_ms');
+    t.diagnostic(`after asking for the socket: decoded ${decoded.join(', ')} ms, drawn (in software) ${drawn.join(', ')} ms`);
+    assert.ok(decoded[1] <= 1000, `median: decoded after ${decoded[1]} ms`);
+    assert.ok(drawn[1] <= 1000 + softwareDrawing_ms, `median: drawn after ${drawn[1]} ms`);
+  });
+
+  test('two viewers see each other', slow, async () => {
+    const second = await openPage(browser.context, `${hub.page}?${view}&name=second`);
+    const { viewerId } = await until('it has joined', () => stateOf(second), (state) => state.viewerId !== null);
+    const { viewerId: first } = await stateOf(page);
+    await until("the second viewer's avatar", () => stateOf(page), (state) => state.avatars.includes(viewerId));
+    await until("the first viewer's avatar", () => stateOf(second), (state) => state.avatars.includes(first));
+    assert.deepEqual((await stateOf(second)).viewers.map((viewer) => viewer.name).sort(), ['first', 'second']);
+    await second.close();
+    await until('one viewer again', () => stateOf(page), (state) => state.viewers.length === 1);
+  });
+
+  test('a sensor that is killed and started again comes back with the same id and pose', slow, async () => {
+    const victim = (await sensorsOf(page)).find((sensor) => sensor.name === 's1');
+    const now = async () => (await sensorsOf(page)).find((sensor) => sensor.name === 's1');
+    await sensors[1].end('SIGKILL');
+    await until('it is gone', now, (sensor) => !sensor.online);
+    const others = await sensorsOf(page);
+    await until('the others go on', () => sensorsOf(page), (sensors) =>
+      sensors.every((sensor, i) => !sensor.online || sensor.frames > others[i].frames),
+    );
+    const { frames } = await now();
+    sensors[1] = startSensor(hub, 1, { fps });
+    const back = await until('it is back', now, (sensor) => sensor.online && sensor.frames > frames + 2);
+    assert.equal(back.id, victim.id);
+    assert.deepEqual(back.worldFromDepth, victim.worldFromDepth);
+    const covered = (await coverageOf(page)).find((sensor) => sensor.id === victim.id);
+    assert.ok(covered.only > leastPixels);
+    assert.equal((await sensorsOf(page)).length, sensorCount);
+  });
+
+  test('a hub that disappears is reported in the page, and the page recovers when it is back', slow, async () => {
+    const { port } = hub;
+    await hub.end('SIGKILL');
+    await until('the page notices', () => stateOf(page), (state) => state.phase === 'waiting');
+    const said = await until('the panel says so', () => panelText(page), (text) => /hub/.test(text));
+    assert.match(said, /The (connection to the )?hub .*(is gone|does not answer|has stopped)/);
+    hub = await startHub(port);
+    await until('joined again', () => stateOf(page), (state) => state.phase === 'joined' && state.firstShown_ms !== null, 40_000);
+    const before = await untilAllShown(page, sensorCount);
+    await until('frames again', () => sensorsOf(page), (now) => now.every((sensor, i) => sensor.online && sensor.frames > before[i].frames));
+  });
+
+  test('the page has not complained', () => {
+    const expected = /WebSocket connection to .* failed/; // while there was no hub
+    assert.deepEqual(page.complaints.filter((complaint) => !expected.test(complaint)), []);
+  });
+});
+
+/** By sequence number. capture_ns goes beyond 2^53, so it is kept as text. */
+function readLog(file) {
+  const complete = readFileSync(file, 'utf8').split('\n').slice(0, -1);
+  return new Map(
+    complete.map((line) => {
+      const { seq, capture_ns, depth_crc32 } = JSON.parse(line.replace(/("capture_ns":)(-?\d+)/, '$1"$2"'));
+      return [seq, { capture_ns, depth_crc32 }];
+    }),
+  );
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page says when something is missing, and how one moves in the room.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { panelText, sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
+
+const slow = { timeout: 60_000 };
+let hub, sensor, browser;
+
+describe('a room of one sensor, or none', () => {
+  before(async () => {
+    requireBuilt();
+    hub = await startHub();
+    browser = await startBrowser({ width: 400, height: 700 });
+  }, slow);
+
+  after(async () => {
+    await browser?.end();
+    await sensor?.end();
+    await hub?.end();
+  }, slow);
+
+  const untilPanelSays = (page, pattern) => until(`the panel says ${pattern}`, () => panelText(page), (text) => pattern.test(text));
+
+  test('a room without sensors says how to add one, and shows the first one that comes', slow, async () => {
+    const page = await openPage(browser.context, hub.page);
+    await untilPanelSays(page, new RegExp(`No sensor is in the room yet.*--hub ws://127.0.0.1:${hub.port}`));
+    sensor = startSensor(hub, 0, { fps: 4 });
+    await untilAllShown(page, 1);
+    const [only] = await sensorsOf(page);
+    await untilPanelSays(page, new RegExp(only.name));
+    assert.doesNotMatch(await panelText(page), /No sensor/);
+    await page.close();
+  });
+
+  test('a decoder that cannot be loaded is reported, and nothing is pretended', slow, async () => {
+    const page = await browser.context.newPage();
+    await browser.context.route('**/*.wasm', (route) => route.abort());
+    await page.goto(hub.page);
+    await untilPanelSays(page, /The depth decoder could not be loaded/);
+    assert.equal((await stateOf(page)).phase, 'broken');
+    await browser.context.unroute('**/*.wasm');
+    await page.close();
+  });
+
+  test('keys and mouse move the view, R goes back', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=0`);
+    await untilAllShown(page, 1);
+    const viewOf = () => page.evaluate(() => window.roomcast.view());
+    const start = await viewOf();
+    await page.keyboard.down('KeyW');
+    await until('it walks', viewOf, (view) => distance(view.position, start.position) > 0.2);
+    await page.keyboard.up('KeyW');
+    const walked = await viewOf();
+    await page.mouse.move(200, 300);
+    await page.mouse.down();
+    await page.mouse.move(260, 300, { steps: 3 });
+    await page.mouse.up();
+    assert.ok(Math.abs((await viewOf()).yaw - walked.yaw) > 0.1, 'a drag turns');
+    const turned = await viewOf();
+    await page.mouse.wheel(0, -300);
+    await until('the wheel goes nearer', viewOf, (view) => distance(view.position, turned.position) > 0.1);
+    await page.keyboard.press('KeyR');
+    assert.ok(distance((await viewOf()).position, start.position) < 1e-6);
+    await page.close();
+  });
+});
+
+function distance(a, b) {
+  return Math.hypot(...a.map((value, i) => value - b[i]));
+}

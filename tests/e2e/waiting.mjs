@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waits for what a page says through window.roomcast, with a deadline and a message that shows what it said last.
+import { setTimeout as delay } from 'node:timers/promises';
+
+const poll_ms = 50;
+
+/** Asks `ask` until `enough` is true of the answer, and returns it. */
+export async function until(what, ask, enough, within_ms = 20_000) {
+  const deadline = Date.now() + within_ms;
+  for (;;) {
+    const answer = await ask();
+    if (enough(answer)) return answer;
+    if (Date.now() > deadline) throw new Error(`${what}: not within ${within_ms} ms; last: ${JSON.stringify(answer)}`);
+    await delay(poll_ms);
+  }
+}
+
+export const stateOf = (page) => page.evaluate(() => window.roomcast.state());
+export const sensorsOf = (page) => page.evaluate(() => window.roomcast.sensors());
+export const coverageOf = (page) => page.evaluate(() => window.roomcast.coverage());
+export const panelText = (page) => page.locator('#panel').innerText();
+
+/** Until `count` sensors are online and a frame of each has been drawn. */
+export function untilAllShown(page, count) {
+  const shown = (sensors) => sensors.filter((sensor) => sensor.online && sensor.shownSeq !== null).length === count;
+  return until(`${count} sensors drawn`, () => sensorsOf(page), shown, 30_000);
+}
