@@ -25,11 +25,10 @@ namespace {
 constexpr std::size_t kMinReadBuffer = 4 * 1024;
 constexpr std::size_t kMaxReadBuffer = 64 * 1024;
 
-/// Bytes taken from the handler for one write. A socket that could not take all is offered one
-/// message at a time, so that what waits does so where it can still be replaced; one that can is
-/// offered more and more.
-constexpr std::size_t kCongestedPull = 1;
-constexpr std::size_t kFirstPull = 16 * 1024;
+/// Bytes taken from the handler for one write. Once a socket could not take all, it is offered
+/// little at a time, so that what waits does so where it can still be replaced; until it has caught
+/// up and the handler has no more.
+constexpr std::size_t kCongestedPull = 16 * 1024;
 constexpr std::size_t kMaxPull = 256 * 1024;
 
 std::string address_of(const asio::ip::tcp::socket& socket) {
@@ -193,7 +192,10 @@ void WebSocketConnection::pull() {
          outgoing_.unwritten_bytes() < pull_limit_bytes_) {
     handler_is_dry_ = true;  // before the call, which may call wake()
     SealedMessagePtr message = handler_->next_message();
-    if (message == nullptr) return;
+    if (message == nullptr) {
+      pull_limit_bytes_ = kMaxPull;
+      return;
+    }
     handler_is_dry_ = false;
     if (stage_ == Stage::kOpen) push_message(std::move(message));
   }
@@ -206,7 +208,6 @@ void WebSocketConnection::on_wrote(std::size_t size, std::size_t offered) {
     pull_limit_bytes_ = kCongestedPull;
     return wait_until_writable();
   }
-  pull_limit_bytes_ = std::clamp(2 * pull_limit_bytes_, kFirstPull, kMaxPull);
   const bool more = !outgoing_.empty() || unanswered_ping_ || !handler_is_dry_;
   if (more || stage_ != Stage::kOpen) schedule_write();
 }
