@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hub and its clients when the other side is not there, goes away, or talks nonsense.
+import assert from 'node:assert/strict';
+import { randomBytes } from 'node:crypto';
+import { existsSync, readdirSync } from 'node:fs';
+import { request } from 'node:http';
+import { createServer } from 'node:net';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+import { RawSocket } from './raw_socket.mjs';
+
+/** A port of this machine on which nobody listens. */
+async function closedPort() {
+  const server = createServer().listen(0, '127.0.0.1');
+  await new Promise((resolve) => server.once('listening', resolve));
+  const { port } = server.address();
+  await new Promise((resolve) => server.close(resolve));
+  return port;
+}
+
+function getStatus(port, path) {
+  return new Promise((resolve, reject) => {
+    request({ host: '127.0.0.1', port, path }, (answer) => resolve(answer.resume().statusCode)).on('error', reject).end();
+  });
+}
+
+/** A hub in use: a simulated sensor sends to it. */
+async function startRoom(t) {
+  const hub = await startHub(t);
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
+  t.after(() => sensor.stop('SIGKILL'));
+  await sensor.prints(/joined/);
+  return { hub, sensor };
+}
+
+/** The room can be seen: a viewer that joins now draws its sensor. */
+async function assertServes(t, hub) {
+  const picture = join(scratchFolder(t), 'room.png');
+  const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);
+  assert.equal(code, 0, stderr);
+  assert.ok(existsSync(picture));
+}
+
+test('port_in_use_is_named', async (t) => {
+  const hub = await startHub(t);
+  assertFailed(await run('hub', '--listen', `127.0.0.1:${hub.port}`), 1, new RegExp(`${hub.port}.*in use`));
+});
+
+test('hub_stops_in_good_order_when_interrupted', async (t) => {
+  const hub = await startHub(t);
+  assert.equal(await hub.program.stop('SIGINT'), 0);
+});
+
+test('sensor_without_a_hub_says_where_it_looked', async () => {
+  const port = await closedPort();
+  assertFailed(await run('sensor', '--source', 'sim', '--hub', `ws://127.0.0.1:${port}`), 1, new RegExp(`127.0.0.1:${port}`));
+});
+
+test('viewer_without_a_hub_says_where_it_looked_and_writes_nothing', async (t) => {
+  const port = await closedPort();
+  const folder = scratchFolder(t);
+  const result = await run('view', '--hub', `ws://127.0.0.1:${port}`, '--headless', '--png', join(folder, 'a.png'));
+  assertFailed(result, 1, new RegExp(`127.0.0.1:${port}`));
+  assert.deepEqual(readdirSync(folder), []);
+});
+
+test('what_answers_but_is_no_hub_is_told_from_one', async (t) => {
+  const server = createServer((socket) => socket.end('HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n'));
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  t.after(() => server.close());
+  const result = await run('sensor', '--source', 'sim', '--hub', `ws://127.0.0.1:${server.address().port}`);
+  assertFailed(result, 1, /404.*is it a roomcast hub/);
+});
+
+test('sensor_outlives_its_hub_and_joins_the_next_one', async (t) => {
+  const { hub, sensor } = await startRoom(t);
+  await assertServes(t, hub);
+  await hub.program.stop('SIGKILL');
+  await sensor.prints(/trying again/);
+  const next = new Program(['hub', '--listen', `127.0.0.1:${hub.port}`]);
+  t.after(() => next.stop('SIGKILL'));
+  await next.prints(/http/);
+  await assertServes(t, hub);
+});
+
+const nonsense = {
+  bytes_that_are_not_http: (socket) => socket.send(randomBytes(20_000)),
+  endless_http_header: (socket) => socket.send('GET / HTTP/1.1\r\nX: ' + 'a'.repeat(100_000)),
+  websocket_frames_at_random: async (socket) => {
+    await socket.upgrade();
+    socket.send(Buffer.concat([Buffer.from([0xff, 0xff]), randomBytes(4096)]));
+  },
+  message_that_is_not_roomcast: async (socket) => {
+    await socket.upgrade();
+    socket.sendMessage(randomBytes(300));
+  },
+  control_message_of_noise: async (socket) => {
+    await socket.upgrade();
+    socket.sendMessage(Buffer.concat([Buffer.from([0x52, 0x43, 1, 2]), randomBytes(300)]));
+  },
+  frame_before_joining: async (socket) => {
+    await socket.upgrade();
+    const header = Buffer.alloc(48);
+    Buffer.from([0x52, 0x43, 1, 1, 48, 0]).copy(header);
+    socket.sendMessage(header);
+  },
+};
+
+test('hub_hangs_up_on_nonsense_and_serves_the_others', async (t) => {
+  const { hub } = await startRoom(t);
+  for (const [name, talk] of Object.entries(nonsense)) {
+    await t.test(name, async () => {
+      const socket = await RawSocket.open(hub.port);
+      t.after(() => socket.stream.destroy());
+      await talk(socket);
+      await socket.closed;
+      assert.equal(await getStatus(hub.port, '/healthz'), 200);
+      await assertServes(t, hub);
+    });
+  }
+});
+
+test('reason_of_a_hang_up_is_a_sentence', async (t) => {
+  const hub = await startHub(t);
+  const socket = await RawSocket.open(hub.port);
+  await socket.upgrade();
+  socket.sendMessage(randomBytes(300));
+  const { code, reason } = await socket.closeReason();
+  assert.ok([1002, 1003, 1008].includes(code), `${code}`);
+  assert.match(reason, /\w+ \w+/);
+});

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the real roomcast program for the tests beside this file: bounded in time, on loopback, on a port of its own.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const sourceDir = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const binary = process.env.ROOMCAST_BIN ?? join(sourceDir, 'build/dev/bin/roomcast');
+
+/** No command of these tests may take longer; it is killed, and the test fails. */
+const timeLimitMs = 30_000;
+
+/** A running roomcast; `stdout` and `stderr` grow while it runs, `ended` resolves to its exit code (or signal). */
+export class Program {
+  stdout = '';
+  stderr = '';
+
+  constructor(args) {
+    this.args = args;
+    this.child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));
+    this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
+    this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);
+    const limit = setTimeout(() => this.child.kill('SIGKILL'), timeLimitMs);
+    this.ended.then(() => clearTimeout(limit));
+  }
+
+  /** Resolves once what the program has printed matches; fails when it ends without. */
+  async prints(pattern) {
+    for (;;) {
+      const match = pattern.exec(this.stdout) ?? pattern.exec(this.stderr);
+      if (match) return match;
+      const more = Promise.race([once(this.child.stdout, 'data'), once(this.child.stderr, 'data')]);
+      const over = await Promise.race([more.then(() => false), this.ended.then(() => true)]);
+      if (over) assert.fail(`roomcast ${this.args.join(' ')} ended before it printed ${pattern}:\n${this.stderr}`);
+    }
+  }
+
+  async stop(signal = 'SIGTERM') {
+    this.child.kill(signal);
+    return this.ended;
+  }
+}
+
+/** Runs a command to its end. */
+export async function run(...args) {
+  const program = new Program(args);
+  const code = await program.ended;
+  return { code, stdout: program.stdout, stderr: program.stderr };
+}
+
+/** A hub on a free port of this machine; it is stopped when the test `t` ends. */
+export async function startHub(t, ...options) {
+  const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...options]);
+  t.after(() => hub.stop('SIGKILL'));
+  const [, port] = await hub.prints(/127\.0\.0\.1:(\d+)/);
+  return { program: hub, port: Number(port), url: `ws://127.0.0.1:${port}` };
+}
+
+/** A folder that goes when the test `t` ends. */
+export function scratchFolder(t) {
+  const folder = mkdtempSync(join(tmpdir(), 'roomcast-cli-'));
+  t.after(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+/** The command failed with `code`, said so in one sentence on stderr, and the sentence matches. */
+export function assertFailed({ code, stderr }, expectedCode, sentence) {
+  assert.equal(code, expectedCode, stderr);
+  const lines = stderr.trimEnd().split('\n');
+  assert.equal(lines.length, 1, `one sentence, not ${lines.length} lines:\n${stderr}`);
+  assert.match(lines[0], sentence);
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings that are damaged: roomcast says which file and what is wrong with it, and ends with 1.
+import assert from 'node:assert/strict';
+import { cpSync, readFileSync, readdirSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+
+/** A small recording made by the program itself, copied for each test that spoils it. */
+let recording;
+const cleanups = [];
+
+before(async () => {
+  recording = join(scratchFolder({ after: (f) => cleanups.push(f) }), 'rig');
+  const { code, stderr } = await run('simulate', recording, '--sensors', '2', '--seconds', '0.3');
+  assert.equal(code, 0, stderr);
+});
+after(() => cleanups.forEach((cleanup) => cleanup()));
+
+function copyOfRecording(t) {
+  const rig = join(scratchFolder(t), 'rig');
+  cpSync(recording, rig, { recursive: true });
+  return rig;
+}
+
+function firstPicture(folder) {
+  return join(folder, readdirSync(folder).sort()[0]);
+}
+
+function lastPicture(folder) {
+  return join(folder, readdirSync(folder).sort().at(-1));
+}
+
+/** Plays sensor s0 of `rig` to a hub of its own, once. */
+async function play(t, rig) {
+  const hub = await startHub(t);
+  return run('sensor', '--source', `rig:${rig}#s0`, '--hub', hub.url, '--once');
+}
+
+test('whole_recording_is_read_to_its_end', async () => {
+  const { code, stdout, stderr } = await run('info', recording, '--json');
+  assert.equal(code, 0, stderr);
+  const { sensors } = JSON.parse(stdout);
+  assert.deepEqual(sensors.map(({ id }) => id), ['s0', 's1']);
+  for (const { frames, depth_crc32 } of sensors) {
+    assert.ok(frames > 0);
+    assert.equal(depth_crc32.length, frames);
+  }
+});
+
+test('whole_recording_is_played_to_its_end', async (t) => {
+  const { code, stderr } = await play(t, recording);
+  assert.equal(code, 0, stderr);
+});
+
+const damages = {
+  missing_depth_picture: [(rig) => rmSync(firstPicture(join(rig, 's0/depth'))), /s0\/depth\/.*\.png/],
+  truncated_depth_picture: [(rig) => truncateSync(firstPicture(join(rig, 's0/depth')), 1000), /s0\/depth\/.*\.png/],
+  empty_depth_picture: [(rig) => truncateSync(firstPicture(join(rig, 's0/depth')), 0), /s0\/depth\/.*\.png/],
+  truncated_colour_picture: [(rig) => truncateSync(firstPicture(join(rig, 's0/rgb')), 1000), /s0\/rgb\//],
+  depth_picture_of_another_size: [shrinkCamera, /size|512|424/],
+  rig_json_cut_off: [(rig) => truncateSync(join(rig, 'rig.json'), 40), /rig\.json/],
+  rig_json_of_another_type: [(rig) => writeFileSync(join(rig, 'rig.json'), '[1, 2]'), /rig\.json/],
+  camera_json_missing: [(rig) => rmSync(join(rig, 's0/camera.json')), /camera\.json/],
+  list_of_depth_missing: [(rig) => rmSync(join(rig, 's0/depth.txt')), /depth\.txt/],
+  pose_that_is_no_rotation: [bendPose, /rig\.json/],
+};
+
+function shrinkCamera(rig) {
+  const file = join(rig, 's0/camera.json');
+  const camera = JSON.parse(readFileSync(file, 'utf8'));
+  camera.depth.width -= 16;
+  writeFileSync(file, JSON.stringify(camera));
+}
+
+function bendPose(rig) {
+  const file = join(rig, 'rig.json');
+  const description = JSON.parse(readFileSync(file, 'utf8'));
+  description.sensors[0].world_from_depth = Array(16).fill(2);
+  writeFileSync(file, JSON.stringify(description));
+}
+
+for (const [name, [spoil, sentence]] of Object.entries(damages)) {
+  test(`damaged_recording_ends_with_1_and_one_sentence: ${name}`, async (t) => {
+    const rig = copyOfRecording(t);
+    spoil(rig);
+    assertFailed(await run('info', rig), 1, sentence);
+  });
+}
+
+test('sensor_that_comes_to_a_damaged_frame_ends_with_1_and_one_sentence', async (t) => {
+  const rig = copyOfRecording(t);
+  truncateSync(lastPicture(join(rig, 's0/depth')), 1000);
+  assertFailed(await play(t, rig), 1, /s0\/depth\/.*\.png/);
+});
+
+test('folder_without_rig_json_is_no_rig', async (t) => {
+  const rig = copyOfRecording(t);
+  rmSync(join(rig, 'rig.json'));
+  assertFailed(await play(t, rig), 1, /rig\.json/);
+});
+
+test('sensor_that_is_not_in_the_rig_is_named_with_those_that_are', async (t) => {
+  const hub = await startHub(t);
+  assertFailed(await run('sensor', '--source', `rig:${recording}#s9`, '--hub', hub.url), 1, /s9.*s0.*s1/);
+});
+
+test('simulate_does_not_overwrite_a_recording', async (t) => {
+  const rig = copyOfRecording(t);
+  const before = readFileSync(join(rig, 'rig.json'));
+  assertFailed(await run('simulate', rig, '--sensors', '1', '--seconds', '0.1'), 2, /not empty|exists/);
+  assert.deepEqual(readFileSync(join(rig, 'rig.json')), before);
+});
+
+test('simulate_that_is_interrupted_leaves_a_recording_that_can_be_played', async (t) => {
+  const rig = join(scratchFolder(t), 'rig');
+  const program = new Program(['simulate', rig, '--sensors', '1', '--seconds', '60']);
+  while (!hasPicture(rig)) await new Promise((resolve) => setImmediate(resolve));
+  await program.stop('SIGINT');
+  const { code, stderr } = await run('info', rig);
+  assert.equal(code, 0, stderr);
+});
+
+function hasPicture(rig) {
+  try {
+    return readFileSync(join(rig, 's0/depth.txt'), 'utf8').includes('.png');
+  } catch {
+    return false;
+  }
+}
