@@ -33,13 +33,19 @@ struct SensorInfo {
   std::vector<std::uint32_t> depth_crc32;
 };
 
-/// A folder with rig.json is a rig, any other a TUM recording.
+/// A folder with rig.json is a rig, one with depth.txt a TUM recording.
 Result<std::vector<std::string>> specs_of(const std::string& recording) {
-  if (!std::filesystem::is_directory(recording)) {
+  const std::filesystem::path folder(recording);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
     return Error{ErrorCode::kNotFound, "there is no folder " + recording};
   }
-  if (!std::filesystem::exists(std::filesystem::path(recording) / "rig.json"))
+  if (std::filesystem::exists(folder / "depth.txt", ignored))
     return std::vector{"tum:" + recording};
+  if (!std::filesystem::exists(folder / "rig.json", ignored)) {
+    return Error{ErrorCode::kNotFound,
+                 recording + " is no recording: it has neither rig.json nor depth.txt"};
+  }
   auto names = rig_sensor_names(recording);
   if (!names) return names.error();
   std::vector<std::string> specs;

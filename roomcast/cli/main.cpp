@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <csignal>
 #include <cstdio>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,15 @@
 namespace {
 
 using namespace roomcast::cli;
+
+/// CLI11 only says that a command is missing, not which word it did not know.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  const std::string word = argv[1];
+  const auto known =
+      app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
+  return known.empty() ? word : "";
+}
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("roomcast: be in a room that is somewhere else.", "roomcast");
@@ -23,6 +33,10 @@ int parse_and_run(int argc, char** argv) {
   add_simulate_command(app, chosen);
   add_info_command(app, chosen);
   add_bench_command(app, chosen);
+  if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
+    fmt::print(stderr, "roomcast: there is no command \"{}\" (roomcast --help lists them)\n", word);
+    return kWrongUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

@@ -7,7 +7,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/source/simulator/simulate_rig.h"
+#include "roomcast/source/simulate_rig.h"
 #include "roomcast/source/simulator/simulated_source.h"
 
 namespace roomcast::cli {

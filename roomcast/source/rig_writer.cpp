@@ -62,7 +62,8 @@ Status make_empty_folder(const fs::path& path) {
   const bool empty = fs::is_empty(path, error);
   if (error) return cannot_make(path, error);
   if (!empty) {
-    return invalid(path.string() + " is not empty; name a new folder, nothing is overwritten");
+    return Error{ErrorCode::kUnavailable,
+                 path.string() + " is not empty; name a new folder, nothing is overwritten"};
   }
   return {};
 }

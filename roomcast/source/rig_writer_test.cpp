@@ -56,7 +56,7 @@ TEST(RigWriter, never_writes_into_a_folder_that_holds_something) {
   put_text(folder / "precious", "kept");
   const auto writer = RigWriter::create(folder.path(), 30, sensors_named({"s0"}));
   ASSERT_FALSE(writer.ok());
-  EXPECT_EQ(writer.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(writer.error().code, ErrorCode::kUnavailable);
   EXPECT_NE(writer.error().message.find("not empty"), std::string::npos);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
   EXPECT_FALSE(RigWriter::create(folder / "precious", 30, sensors_named({"s0"})).ok());

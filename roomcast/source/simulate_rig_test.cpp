@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/source/simulator/simulate_rig.h"
+#include "roomcast/source/simulate_rig.h"
 
 #include <cmath>
 #include <fstream>

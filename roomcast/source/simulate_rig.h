@@ -28,8 +28,8 @@ struct SimulateRigOptions {
 inline constexpr double kMaxSimulatedSeconds = 3600;
 
 /// `progress` (may be empty) is called on the calling thread after every picture pair written.
-/// kInvalidArgument for options out of range or a folder that is not empty; kNotFound for an
-/// unknown scene; kUnavailable when the disk fails.
+/// kInvalidArgument for options out of range; kNotFound for an unknown scene; kUnavailable when the
+/// folder is not empty or the disk fails.
 [[nodiscard]] Status simulate_rig(const std::filesystem::path& directory,
                                   const SimulateRigOptions& options,
                                   const std::function<void(int done, int total)>& progress = {});
