@@ -25,7 +25,7 @@ describe('a room of one sensor, or none', () => {
   const untilPanelSays = (page, pattern) => until(`the panel says ${pattern}`, () => panelText(page), (text) => pattern.test(text));
 
   test('a room without sensors says how to add one, and shows the first one that comes', slow, async () => {
-    const page = await openPage(browser.context, hub.page);
+    const page = await openPage(browser.context, `${hub.page}?panel=1`);
     await untilPanelSays(page, new RegExp(`No sensor is in the room yet.*--hub ws://127.0.0.1:${hub.port}`));
     sensor = startSensor(hub, 0, { fps: 4 });
     await untilAllShown(page, 1);
@@ -38,7 +38,7 @@ describe('a room of one sensor, or none', () => {
   test('a decoder that cannot be loaded is reported, and nothing is pretended', slow, async () => {
     const page = await browser.context.newPage();
     await browser.context.route('**/*.wasm', (route) => route.abort());
-    await page.goto(hub.page);
+    await page.goto(`${hub.page}?panel=1`);
     await untilPanelSays(page, /The depth decoder could not be loaded/);
     assert.equal((await stateOf(page)).phase, 'broken');
     await browser.context.unroute('**/*.wasm');

@@ -16,6 +16,7 @@ import { viewFromMatrix, type ViewState } from './view/view_state';
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
 const startDistance_m = 3;
+const roomForPanel_px = 560; // as in panel.css
 
 class Page {
   private readonly state = new RoomState();
@@ -67,7 +68,7 @@ class Page {
     const { stage, state, navigation } = this;
     this.placedView = this.options.view !== undefined;
     stage.look(navigation.current);
-    this.panel.setOpen(this.options.panelOpen);
+    this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
     this.setMode(this.options.mode);
     setInterval(() => this.panel.refresh(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
@@ -78,6 +79,7 @@ class Page {
     switch (message.kind) {
       case 'connection':
         this.state.setConnection(message.state);
+        this.stage.setConnected(message.state.phase === 'joined');
         return this.panel.refresh();
       case 'welcome':
         this.state.welcome = message.welcome;

@@ -6,7 +6,7 @@ import { parseOptions, parsePoint, socketUrl } from './page_options';
 describe("the page's URL", () => {
   test('may say nothing', () => {
     expect(parseOptions('')).toEqual({
-      mode: 'mesh', view: undefined, panelOpen: true, name: '', room: '', record: false,
+      mode: 'mesh', view: undefined, panelOpen: undefined, name: '', room: '', record: false,
     });
   });
   test('says mode, place, panel, name and room', () => {
@@ -19,6 +19,7 @@ describe("the page's URL", () => {
     for (const at of ['', '1,2', '1,2,x', '1,,3', '1,2,Infinity', '1,2,3,4']) expect(parsePoint(at)).toBeUndefined();
     expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('mesh');
     expect(parseOptions('?name=%00a').name).toBe('a');
+    expect(parseOptions('?panel=1').panelOpen).toBe(true);
   });
   test('leads to the socket of the same host', () => {
     expect(socketUrl({ protocol: 'http:', host: '127.0.0.1:7600' })).toBe('ws://127.0.0.1:7600/ws');

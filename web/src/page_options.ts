@@ -8,7 +8,7 @@ import { asName } from './wire/name_check';
 export interface PageOptions {
   mode: DrawMode;
   view: ViewState | undefined; // where to stand, if the URL says so
-  panelOpen: boolean;
+  panelOpen: boolean | undefined; // undefined: as there is room for it
   name: string;
   room: string;
   record: boolean; // keep a record of decoded frames, for tests
@@ -28,7 +28,7 @@ export function parseOptions(search: string): PageOptions {
   return {
     mode: given.get('mode') === 'points' ? 'points' : 'mesh',
     view: at && lookFrom(at, look),
-    panelOpen: given.get('panel') !== '0',
+    panelOpen: given.has('panel') ? given.get('panel') !== '0' : undefined,
     name: asName(given.get('name') ?? ''),
     room: asName(given.get('room') ?? ''),
     record: given.get('record') === '1',

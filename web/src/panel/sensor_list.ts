@@ -22,7 +22,8 @@ export class SensorList {
   ) {}
 
   rebuild(): void {
-    this.rows = (this.state.roster?.sensors ?? []).map((entry) => ({ entry, figures: element('span', { class: 'rates' }) }));
+    const entries = [...(this.state.roster?.sensors ?? [])].sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+    this.rows = entries.map((entry) => ({ entry, figures: element('span', { class: 'rates' }) }));
     const items = this.rows.map((row) => this.item(row));
     this.root.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'none' }, 'none yet')]));
   }

@@ -66,14 +66,13 @@ export class SensorSurface {
     this.root.matrixAutoUpdate = false;
     this.root.visible = false;
     this.setStep(4);
-    this.follow(entry);
   }
 
-  /** Where it is and whether it is there. */
-  follow(entry: SensorEntry): void {
+  /** Where it is, and whether its picture is of now. */
+  follow(entry: SensorEntry, connected: boolean): void {
     this.root.matrix.set(...(entry.worldFromDepth as Parameters<THREE.Matrix4['set']>));
     this.root.matrixWorldNeedsUpdate = true;
-    this.uniforms.uLive!.value = entry.online ? 1 : 0;
+    this.uniforms.uLive!.value = entry.online && connected ? 1 : 0;
   }
 
   /** Takes the pixels over until the next render call has uploaded them. */
@@ -100,17 +99,15 @@ export class SensorSurface {
     this.points.visible = mode === 'points';
   }
 
-  /** Draws every `step`-th pixel of every `step`-th row. */
+  /** Draws every `step`-th pixel of every `step`-th row; as points, which are cheaper, twice as finely. */
   setStep(step: number): void {
     if (step === this.step) return;
     this.step = step;
     const columns = Math.floor((this.width - 1) / step);
     const rows = Math.floor((this.height - 1) / step);
-    this.mesh.geometry.setDrawRange(0, 6 * columns * rows);
-    this.points.geometry.setDrawRange(0, (columns + 1) * (rows + 1));
-    (this.mesh.material as THREE.RawShaderMaterial).uniforms.uCells!.value.set(columns, rows);
-    (this.points.material as THREE.RawShaderMaterial).uniforms.uCells!.value.set(columns + 1, rows + 1);
-    this.uniforms.uStep!.value = step;
+    setGrid(this.mesh, step, columns, rows, 6);
+    const pointStep = Math.max(1, Math.round(step / 2));
+    setGrid(this.points, pointStep, Math.ceil(this.width / pointStep), Math.ceil(this.height / pointStep), 1);
   }
 
   /** Screen pixels that a metre takes up at a distance of a metre. */
@@ -137,7 +134,6 @@ export class SensorSurface {
       uColor: { value: this.color },
       uRays: { value: this.rays },
       uSize: { value: new THREE.Vector2(this.width, this.height) },
-      uStep: { value: 1 },
       uNoise: { value: noise_mPerM2 },
       uUnseen_m: { value: unseen_m },
       uEdge_m: { value: edge_m },
@@ -154,8 +150,21 @@ export class SensorSurface {
       glslVersion: THREE.GLSL3,
       vertexShader,
       fragmentShader,
-      uniforms: { ...this.uniforms, uCells: { value: new THREE.Vector2() } },
+      uniforms: { ...this.uniforms, uCells: { value: new THREE.Vector2() }, uStep: { value: 1 } },
       side: THREE.FrontSide,
     });
   }
+}
+
+function setGrid(
+  object: THREE.Mesh | THREE.Points,
+  step: number,
+  columns: number,
+  rows: number,
+  verticesPerCell: number,
+): void {
+  const { uniforms } = object.material as THREE.RawShaderMaterial;
+  uniforms.uStep!.value = step;
+  (uniforms.uCells!.value as THREE.Vector2).set(columns, rows);
+  object.geometry.setDrawRange(0, verticesPerCell * columns * rows);
 }

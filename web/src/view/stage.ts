@@ -41,6 +41,7 @@ export class Stage {
   pictures = 0; // drawn so far
   private readonly ladder = new QualityLadder();
   private mode: DrawMode = 'mesh';
+  private connected = true;
   private changed = true;
   private drawing = false;
   private newFrames = false;
@@ -76,6 +77,14 @@ export class Stage {
   setMode(mode: DrawMode): void {
     this.mode = mode;
     this.placed.forEach(({ surface }) => surface.setMode(mode));
+    this.touch();
+  }
+
+  /** Without a connection every picture is an old one. */
+  setConnected(connected: boolean): void {
+    if (connected === this.connected) return;
+    this.connected = connected;
+    this.placed.forEach((placed) => this.replace(placed, placed.entry));
     this.touch();
   }
 
@@ -131,7 +140,7 @@ export class Stage {
 
   private replace(placed: Placed, entry: SensorEntry): void {
     placed.entry = entry;
-    placed.surface.follow(entry);
+    placed.surface.follow(entry, this.connected);
     placed.mark.matrix.copy(placed.surface.root.matrix);
     placed.mark.matrixWorldNeedsUpdate = true;
   }

@@ -20,19 +20,20 @@ uniform ivec2 uCells;        // of the grid that is drawn: every uStep-th pixel
 uniform int uStep;
 uniform float uNoise;        // metres at 1 m; grows with the square of the distance
 uniform sampler2D uColor;
-uniform float uUnseen_m;     // how far a surface without colour yields to one with
+uniform float uUnseen_m;     // how far a surface without colour, or of a sensor that is gone, yields to others
+uniform float uLive;         // 1; 0 for the last picture of a sensor that is gone
 out vec2 vPixel;
 out vec3 vView;
 
 float depthAt(ivec2 pixel) { return float(texelFetch(uDepth, pixel, 0).r) * 0.001; }
 
-// In the depth test only, a surface is pushed back by what speaks against it: distance from its sensor, no colour.
+// In the depth test only, a surface is pushed back by what speaks against it: distance from its sensor, no colour, age.
 // So where several sensors see the same wall, the one that knows it best is drawn.
 void place(ivec2 pixel, float z) {
   vec2 ray = texelFetch(uRays, pixel, 0).rg;
   vec4 view = modelViewMatrix * vec4(ray * z, z, 1.0);
   gl_Position = projectionMatrix * view;
-  float yield_m = uNoise * z * z + uUnseen_m * (1.0 - texelFetch(uColor, pixel, 0).a);
+  float yield_m = uNoise * z * z + uUnseen_m * (2.0 - uLive - texelFetch(uColor, pixel, 0).a);
   vec4 behind = projectionMatrix * vec4(view.xyz * (1.0 + yield_m / max(length(view.xyz), 0.1)), 1.0);
   gl_Position.z = behind.z / behind.w * gl_Position.w;
   vPixel = vec2(pixel);
@@ -70,18 +71,34 @@ void main() {
 export const pointVertexShader = /* glsl */ `${shared}${vertexInputs}
 uniform float uPixelsPerUnit;  // screen pixels that a metre takes up at a distance of a metre
 uniform float uFocal;          // of the depth camera, pixels
+uniform vec2 uSize;            // of the grid, pixels
+
+const float largestPoint = 32.0;
+
+// The next pixel across or down; where it has no reading the surface is taken to face the sensor.
+vec3 neighbour(ivec2 pixel, float z) {
+  ivec2 inside = min(pixel, ivec2(uSize) - 1);
+  float there = depthAt(inside);
+  return vec3(texelFetch(uRays, inside, 0).rg, 1.0) * (there > 0.0 ? there : z);
+}
+
+// Like the back of a triangle, the back of what a sensor saw is not drawn.
+bool seenFromBehind(ivec2 pixel, float z) {
+  vec3 point = vec3(texelFetch(uRays, pixel, 0).rg, 1.0) * z;
+  vec3 normal = cross(neighbour(pixel + ivec2(0, uStep), z) - point, neighbour(pixel + ivec2(uStep, 0), z) - point);
+  return dot(mat3(modelViewMatrix) * normal, vView) > 0.0;
+}
 
 void main() {
   ivec2 pixel = ivec2(gl_VertexID % uCells.x, gl_VertexID / uCells.x) * uStep;
   float z = depthAt(pixel);
   gl_PointSize = 1.0;
-  if (z <= 0.0) {
-    gl_Position = nowhere;
-    return;
-  }
+  gl_Position = nowhere;
+  if (z <= 0.0) return;
   place(pixel, z);
+  if (seenFromBehind(pixel, z)) gl_Position = nowhere;
   float spacing_m = z * float(uStep) / uFocal;
-  gl_PointSize = clamp(1.2 * spacing_m * uPixelsPerUnit / max(-vView.z, 0.05), 1.0, 64.0);
+  gl_PointSize = clamp(1.2 * spacing_m * uPixelsPerUnit / max(-vView.z, 0.05), 1.0, largestPoint);
 }
 `;
 
