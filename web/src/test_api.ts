@@ -48,6 +48,7 @@ export class TestApi {
       bytesPerSecond: state.bytesPerSecond,
       latency_ms: state.latency_ms ?? null,
       clockError_ms: status?.clock?.error_ms ?? null,
+      draw_ms: stage.draw_ms,
       quality: stage.quality,
       /** From asking for the socket until every online sensor was decoded, and drawn. */
       firstDecoded_ms: since(state.firstDecodedAt_ms),

@@ -18,8 +18,8 @@ export const qualities: readonly Quality[] = [
 ];
 
 const firstRung = 3;
-const tooSlow_ms = 45;
-const quick_ms = 14; // a rung up may double the work
+const tooSlow_ms = 60;
+const quick_ms = 22; // a rung up costs up to two and a half times as much
 const drawsToJudge = 6;
 const patience_ms = 2000; // after coming down, before trying to go up again; doubles when going up was a mistake
 const longestPatience_ms = 60_000;

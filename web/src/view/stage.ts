@@ -39,6 +39,7 @@ export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   readonly placed = new Map<number, Placed>();
   pictures = 0; // drawn so far
+  draw_ms = 0; // how long the last one took
   private readonly ladder = new QualityLadder();
   private mode: DrawMode = 'mesh';
   private connected = true;
@@ -177,7 +178,8 @@ export class Stage {
       this.drawing = false;
       this.pictures++;
       const now_ms = performance.now();
-      if (this.ladder.judge(now_ms - began_ms, now_ms)) this.touch();
+      this.draw_ms = now_ms - began_ms;
+      if (this.ladder.judge(this.draw_ms, now_ms)) this.touch();
       this.events.drawn(withFrames);
     });
   }
