@@ -4,15 +4,13 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <thread>
 #include <utility>
 
-#include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 
 #include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
+#include "roomcast/client/network_thread.h"
 #include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -45,16 +43,13 @@ std::uint32_t clock_error_us(nanoseconds error) {
 class Publisher::Link final : public HubLinkEvents {
  public:
   Link(net::HubUrl hub, PublisherOptions options)
-      : options_(std::move(options)), link_(io_, std::move(hub), join_message(options_), *this) {
+      : options_(std::move(options)),
+        link_(network_.io(), std::move(hub), join_message(options_), *this) {
     link_.start();
-    thread_ = std::jthread([this] { io_.run(); });
+    network_.start();
   }
   ~Link() override {
-    boost::asio::post(io_, [this] {
-      link_.stop();
-      work_.reset();
-    });
-    thread_.join();
+    network_.finish([this] { link_.stop(); });
   }
 
   /// Waits until welcomed, or until the first attempt has failed.
@@ -126,12 +121,9 @@ class Publisher::Link final : public HubLinkEvents {
   Shared shared_;
 
   // The network thread's own.
-  boost::asio::io_context io_{1};
-  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
-      io_.get_executor()};
+  NetworkThread network_;
   std::deque<net::SealedMessagePtr> unsent_;
   HubLink link_;
-  std::jthread thread_;
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
@@ -224,10 +216,10 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
   }
   header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
   wire::write_frame_header(*header, bytes.first<wire::kFrameHeaderBytes>());
-  boost::asio::post(
-      io_, [this, session = turn.session, sealed = net::seal(std::move(message))]() mutable {
-        enqueue(session, std::move(sealed));
-      });
+  boost::asio::post(network_.io(), [this, session = turn.session,
+                                    sealed = net::seal(std::move(message))]() mutable {
+    enqueue(session, std::move(sealed));
+  });
   return Published{header->seq, header->capture_time};
 }
 

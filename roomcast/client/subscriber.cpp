@@ -3,14 +3,10 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <utility>
 
-#include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/post.hpp>
-
 #include "roomcast/client/hub_link.h"
+#include "roomcast/client/network_thread.h"
 #include "roomcast/client/room_state.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -30,16 +26,13 @@ wire::pb::Join join_message(const SubscriberOptions& options) {
 class Subscriber::Link final : public HubLinkEvents {
  public:
   Link(net::HubUrl hub, SubscriberOptions options)
-      : options_(std::move(options)), link_(io_, std::move(hub), join_message(options_), *this) {
+      : options_(std::move(options)),
+        link_(network_.io(), std::move(hub), join_message(options_), *this) {
     link_.start();
-    thread_ = std::jthread([this] { io_.run(); });
+    network_.start();
   }
   ~Link() override {
-    boost::asio::post(io_, [this] {
-      link_.stop();
-      work_.reset();
-    });
-    thread_.join();
+    network_.finish([this] { link_.stop(); });
   }
 
   /// Waits until welcomed, or until the first attempt has failed.
@@ -92,11 +85,8 @@ class Subscriber::Link final : public HubLinkEvents {
 
   // The network thread's own.
   RoomState state_;
-  boost::asio::io_context io_{1};
-  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
-      io_.get_executor()};
+  NetworkThread network_;
   HubLink link_;
-  std::jthread thread_;
 };
 
 void Subscriber::Link::on_control(const wire::pb::Control& message) {

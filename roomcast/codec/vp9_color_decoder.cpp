@@ -7,6 +7,7 @@
 #include "roomcast/codec/i420_image.h"
 #include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/vp9_header.h"
+#include "roomcast/codec/vpx_context.h"
 
 namespace roomcast::codec {
 namespace {
@@ -27,16 +28,7 @@ void frame_alone(std::span<const std::uint8_t> frame, std::vector<std::uint8_t>&
 
 }  // namespace
 
-struct Vp9ColorDecoder::Codec {
-  vpx_codec_ctx_t context{};
-  bool open = false;
-  Codec() = default;
-  Codec(const Codec&) = delete;
-  Codec& operator=(const Codec&) = delete;
-  ~Codec() {
-    if (open) vpx_codec_destroy(&context);
-  }
-};
+struct Vp9ColorDecoder::Codec : VpxContext {};
 
 Vp9ColorDecoder::Vp9ColorDecoder(int width, int height, std::unique_ptr<Codec> codec)
     : width_(width), height_(height), codec_(std::move(codec)) {}

@@ -6,6 +6,8 @@
 #include <vpx/vp8cx.h>
 #include <vpx/vpx_encoder.h>
 
+#include "roomcast/codec/vpx_context.h"
+
 namespace roomcast::codec {
 namespace {
 
@@ -84,16 +86,7 @@ vpx_image_t wrap(I420Image& image) {
 
 }  // namespace
 
-struct Vp9ColorEncoder::Codec {
-  vpx_codec_ctx_t context{};
-  bool open = false;
-  Codec() = default;
-  Codec(const Codec&) = delete;
-  Codec& operator=(const Codec&) = delete;
-  ~Codec() {
-    if (open) vpx_codec_destroy(&context);
-  }
-};
+struct Vp9ColorEncoder::Codec : VpxContext {};
 
 Vp9ColorEncoder::Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec)
     : options_(options), codec_(std::move(codec)) {

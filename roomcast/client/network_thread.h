@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// NetworkThread: an event loop and the thread that runs it, from start() to finish().
+// Threading: start() and finish() from the owner's thread; io() hands out work for the loop's own.
+#pragma once
+
+#include <thread>
+#include <utility>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+
+namespace roomcast {
+
+class NetworkThread {
+ public:
+  [[nodiscard]] boost::asio::io_context& io() { return io_; }
+
+  void start() {
+    thread_ = std::jthread([this] { io_.run(); });
+  }
+
+  /// Does `last` on the loop and waits until nothing is left to do. `last` has to end what would go
+  /// on for ever.
+  template <class Last>
+  void finish(Last last) {
+    boost::asio::post(io_, [this, last = std::move(last)]() mutable {
+      last();
+      work_.reset();
+    });
+    thread_.join();
+  }
+
+ private:
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+      io_.get_executor()};
+  std::jthread thread_;
+};
+
+}  // namespace roomcast
