@@ -19,6 +19,16 @@ namespace {
 
 constexpr std::string_view kLicenceLine = "// SPDX-License-Identifier: Apache-2.0";
 
+/// Sources whose headers no test leads to, and what runs them instead.
+const std::map<std::string_view, std::string_view> kTestedElsewhere = {
+    {"roomcast/source/simulator/furniture_fitted.cpp", "room_test.cpp furnishes every room"},
+    {"roomcast/source/simulator/furniture_standing.cpp", "room_test.cpp furnishes every room"},
+    {"roomcast/source/simulator/livingroom.cpp", "room_test.cpp makes every room"},
+    {"roomcast/source/simulator/office.cpp", "room_test.cpp makes every room"},
+};
+
+const std::vector<std::string> kTestedFolders = {"roomcast", "bench", "tests"};
+
 bool has_licence(const SourceFile& file) {
   return file.text.compare(0, kLicenceLine.size(), kLicenceLine) == 0;
 }
@@ -38,41 +48,43 @@ std::string header_of(const SourceFile& source) {
   return includes.empty() ? std::string() : includes.front();
 }
 
-/// What the tests of `folder` make use of in their own folder: the headers they include, the
-/// sources that implement these, what those include, and so on.
+/// What tests make use of in `folder`: the headers that those in the folder and in tests/ include,
+/// the sources that implement these, what those include, and so on.
 std::set<std::string> reached_by_tests(const std::filesystem::path& folder,
                                        const std::vector<SourceFile>& files) {
   std::vector<const SourceFile*> to_read;
-  std::set<std::string> reached;
-  const auto reach = [&](const SourceFile& file) {
-    if (reached.insert(file.path.string()).second) to_read.push_back(&file);
-  };
+  std::multimap<std::string, const SourceFile*> behind;  // what an include of this path leads to
   for (const SourceFile& file : files) {
-    if (file.path.parent_path() == folder && is_test(file.path)) reach(file);
+    const std::filesystem::path place = file.path.parent_path();
+    if (is_test(file.path)) {
+      if (place == folder || place == "tests") to_read.push_back(&file);
+    } else if (place == folder) {
+      behind.emplace(file.path.string(), &file);
+      if (is_source(file)) behind.emplace(header_of(file), &file);
+    }
   }
+  std::set<std::string> reached;
   while (!to_read.empty()) {
     const std::vector<std::string> includes = quoted_includes(to_read.back()->text);
     to_read.pop_back();
-    for (const SourceFile& file : files) {
-      if (file.path.parent_path() != folder || is_test(file.path)) continue;
-      const bool is_included =
-          std::find(includes.begin(), includes.end(), file.path) != includes.end();
-      const bool implements_included =
-          std::find(includes.begin(), includes.end(), header_of(file)) != includes.end();
-      if (is_included || (is_source(file) && implements_included)) reach(file);
+    for (const std::string& include : includes) {
+      const auto [first, last] = behind.equal_range(include);
+      for (auto found = first; found != last; ++found) {
+        if (reached.insert(found->second->path.string()).second) to_read.push_back(found->second);
+      }
     }
   }
   return reached;
 }
 
-/// The sources that no test beside them makes use of. The command line is driven as a program, by
+/// The sources that no test makes use of. The command line is driven as a program, by
 /// tests/cli.
 std::vector<std::string> untested(const std::vector<SourceFile>& files) {
   std::map<std::filesystem::path, std::set<std::string>> reached;
   std::vector<std::string> paths;
   for (const SourceFile& file : files) {
     const std::filesystem::path folder = file.path.parent_path();
-    if (!is_source(file) || folder == "roomcast/cli") continue;
+    if (!is_source(file) || folder == "roomcast/cli" || folder == "tests") continue;
     if (reached.count(folder) == 0) reached[folder] = reached_by_tests(folder, files);
     if (reached[folder].count(file.path.string()) == 0) paths.push_back(file.path.string());
   }
@@ -86,8 +98,19 @@ TEST(House, every_file_begins_with_its_licence) {
   for (const SourceFile& file : files) EXPECT_TRUE(has_licence(file)) << file.path;
 }
 
-TEST(House, every_source_is_used_by_a_test_beside_it) {
-  EXPECT_THAT(untested(read_cpp_files(ROOMCAST_SOURCE_DIR, {"roomcast"})), testing::IsEmpty());
+TEST(House, every_source_is_used_by_a_test_or_has_a_reason) {
+  for (const std::string& path : untested(read_cpp_files(ROOMCAST_SOURCE_DIR, kTestedFolders))) {
+    EXPECT_EQ(kTestedElsewhere.count(path), 1u)
+        << path << ": write a test, or say here what runs it";
+  }
+}
+
+TEST(House, no_reason_is_out_of_date) {
+  const std::vector<std::string> paths =
+      untested(read_cpp_files(ROOMCAST_SOURCE_DIR, kTestedFolders));
+  for (const auto& [path, reason] : kTestedElsewhere) {
+    EXPECT_THAT(paths, testing::Contains(path)) << reason;
+  }
 }
 
 TEST(House, notices_a_missing_licence) {
