@@ -167,6 +167,7 @@ void Publisher::Link::on_clock(const ClockEstimate& estimate) {
 }
 
 void Publisher::Link::on_down(const Error& reason, bool final) {
+  unsent_.clear();  // they carry an id that the next connection need not have
   bool is_news = false;
   {
     std::lock_guard lock(mutex_);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/room.h"
+
 #include <array>
 
 #include "roomcast/source/simulator/furniture.h"

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// FakeHub: the other side of a client under test. Welcomes whoever joins, remembers what it heard,
+// and says what it is told. Threading: lives on the thread that runs `io`.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <gtest/gtest.h>
+
+#include "roomcast/net/http_server.h"
+#include "roomcast/wire/control.h"
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast {
+
+inline net::SealedMessagePtr sealed_for_test(const wire::pb::Control& control) {
+  net::MessageBuffer buffer;
+  wire::encode_control(control, buffer.appendable());
+  return net::seal(std::move(buffer));
+}
+
+class FakeHub {
+ public:
+  explicit FakeHub(boost::asio::io_context& io, std::uint16_t port = 0) {
+    net::HttpServerOptions options;
+    options.port = port;
+    options.max_message_bytes = wire::kMaxFrameBytes;
+    options.on_websocket = [this](auto connection) { return accept(std::move(connection)); };
+    server_ = std::move(*net::HttpServer::listen(io, std::move(options)));
+  }
+
+  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
+  [[nodiscard]] std::string url() const { return "ws://127.0.0.1:" + std::to_string(port()); }
+
+  /// To the client that came last.
+  void say(net::SealedMessagePtr message) {
+    to_say_->push_back(std::move(message));
+    connection_->wake();
+  }
+  void say(const wire::pb::Control& control) { say(sealed_for_test(control)); }
+  void refuse(wire::pb::ErrorCode code, const std::string& sentence) {
+    wire::pb::Control control;
+    control.mutable_error()->set_code(code);
+    control.mutable_error()->set_sentence(sentence);
+    connection_->close_after(sealed_for_test(control), net::close_code::kPolicy, sentence);
+  }
+  void hang_up() { connection_->close(net::close_code::kGoingAway, "the hub stops"); }
+
+  std::vector<wire::pb::Control> heard;   // but for pings, which are answered
+  std::vector<wire::FrameHeader> frames;  // headers of what was published
+  int joins = 0;
+  std::function<void()> on_join = [] {};   // after the welcome
+  std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
+
+ private:
+  using Messages = std::deque<net::SealedMessagePtr>;
+
+  class Handler final : public net::ConnectionHandler {
+   public:
+    Handler(FakeHub& hub, std::shared_ptr<Messages> to_say)
+        : hub_(hub), to_say_(std::move(to_say)) {}
+    void on_message(net::MessageBuffer message) override { hub_.take(message.payload()); }
+    net::SealedMessagePtr next_message() override {
+      if (to_say_->empty()) return nullptr;
+      auto message = to_say_->front();
+      to_say_->pop_front();
+      return message;
+    }
+    void on_closed(const net::CloseReason&) override {}
+
+   private:
+    FakeHub& hub_;
+    std::shared_ptr<Messages> to_say_;
+  };
+
+  std::shared_ptr<net::ConnectionHandler> accept(
+      std::shared_ptr<net::WebSocketConnection> connection) {
+    connection_ = std::move(connection);
+    to_say_ = std::make_shared<Messages>();
+    return std::make_shared<Handler>(*this, to_say_);
+  }
+
+  void take(std::span<const std::uint8_t> message) {
+    if (*wire::message_type(message) == wire::MessageType::kFrame) {
+      frames.push_back(*wire::parse_frame(message));
+      return;
+    }
+    const auto control = *wire::decode_control(message, wire::Sender::kClient);
+    if (control.has_clock_ping()) return answer(control.clock_ping());
+    heard.push_back(control);
+    if (control.has_join()) welcome();
+  }
+
+  void answer(const wire::pb::ClockPing& ping) {
+    wire::pb::Control pong;
+    pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
+    const auto now = SteadyClock().now().time_since_epoch() + clock_ahead;
+    pong.mutable_clock_pong()->set_hub_ns(static_cast<std::uint64_t>(now.count()));
+    say(pong);
+  }
+
+  void welcome() {
+    ++joins;
+    wire::pb::Control control;
+    control.mutable_welcome()->set_room("lab");
+    control.mutable_welcome()->set_sensor_id(5);
+    say(control);
+    on_join();
+  }
+
+  std::unique_ptr<net::HttpServer> server_;
+  std::shared_ptr<net::WebSocketConnection> connection_;
+  std::shared_ptr<Messages> to_say_;
+};
+
+}  // namespace roomcast

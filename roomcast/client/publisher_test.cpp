@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/publisher.h"
+
+#include <future>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/network_thread.h"
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr codec::EncodedFrameInfo kKey{.key = true, .layer = 0}, kBase{.key = false, .layer = 0},
+    kDroppable{.key = false, .layer = 1};
+
+class PublisherTest : public testing::Test {
+ protected:
+  PublisherTest() {
+    network.start();
+    PublisherOptions options;
+    options.hub_url = hub.url();
+    options.name = "left";
+    options.calibration.depth = {.width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+    options.calibration.color = options.calibration.depth;
+    auto opened = Publisher::open(options);
+    EXPECT_TRUE(opened.ok()) << opened.error().message;
+    publisher = std::move(*opened);
+  }
+  ~PublisherTest() override {
+    publisher.reset();
+    network.finish([this] { hub.close(); });
+  }
+
+  /// What the hub has, asked on its own thread.
+  template <class Question>
+  auto ask_hub(Question question) {
+    std::promise<decltype(question(*hub))> answer;
+    boost::asio::post(network.io(), [&] { answer.set_value(question(*hub)); });
+    return answer.get_future().get();
+  }
+
+  Publisher::Turn wait_for_turn() {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    for (;;) {
+      if (const auto turn = publisher->next_turn()) return *turn;
+      if (std::chrono::steady_clock::now() > give_up) {
+        ADD_FAILURE() << "no turn came in 5 s";
+        return {};
+      }
+      std::this_thread::yield();
+    }
+  }
+
+  std::optional<Publisher::Published> publish(const Publisher::Turn& turn,
+                                              const codec::EncodedFrameInfo& info,
+                                              std::size_t payload_bytes = 100) {
+    auto message = Publisher::begin_frame();
+    message.appendable().resize(message.appendable().size() + payload_bytes);
+    return publisher->publish(turn, info, SteadyClock().now(), std::move(message));
+  }
+
+  std::vector<wire::FrameHeader> wait_for_frames(std::size_t count) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    for (;;) {
+      auto frames = ask_hub([](FakeHub& h) { return h.frames; });
+      if (frames.size() >= count || std::chrono::steady_clock::now() > give_up) return frames;
+    }
+  }
+
+  /// The hub, with a handle to close it while its thread still runs.
+  struct Hub {
+    explicit Hub(boost::asio::io_context& io) : fake(std::in_place, io) {}
+    FakeHub& operator*() { return *fake; }
+    FakeHub* operator->() { return &*fake; }
+    [[nodiscard]] std::string url() const { return fake->url(); }
+    void close() { fake.reset(); }
+    std::optional<FakeHub> fake;
+  };
+
+  NetworkThread network;
+  Hub hub{network.io()};
+  std::unique_ptr<Publisher> publisher;
+};
+
+TEST_F(PublisherTest, the_first_frame_has_to_be_a_key_frame) {
+  EXPECT_TRUE(wait_for_turn().want_key);
+  EXPECT_FALSE(publish(wait_for_turn(), kBase).has_value());
+  EXPECT_TRUE(wait_for_turn().want_key) << "a frame that was lost asks for the next key frame";
+}
+
+TEST_F(PublisherTest, frames_are_numbered_and_name_the_frame_they_need) {
+  for (const auto& info : {kKey, kDroppable, kBase, kDroppable}) {
+    ASSERT_TRUE(publish(wait_for_turn(), info).has_value());
+  }
+  const auto frames = wait_for_frames(4);
+  ASSERT_EQ(frames.size(), 4u);
+  std::vector<std::uint32_t> bases;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].seq, i);
+    EXPECT_EQ(frames[i].sensor, SensorId{5});
+    bases.push_back(frames[i].base_seq);
+  }
+  EXPECT_EQ(bases, (std::vector<std::uint32_t>{0, 0, 0, 2}));
+  EXPECT_EQ(frames[3].layer, 1);
+}
+
+TEST_F(PublisherTest, capture_times_are_room_time) {
+  ASSERT_TRUE(publish(wait_for_turn(), kKey).has_value());
+  const auto frames = wait_for_frames(1);
+  ASSERT_EQ(frames.size(), 1u);
+  const auto off =
+      frames[0].capture_time.time_since_epoch() - SteadyClock().now().time_since_epoch();
+  EXPECT_LT(std::chrono::abs(off),
+            5s);  // the clocks are the same here; the test machine may stand still
+  EXPECT_NE(frames[0].clock_error_us, wire::kClockErrorUnknown);
+}
+
+TEST_F(PublisherTest, a_key_request_reaches_the_encoder) {
+  ASSERT_TRUE(publish(wait_for_turn(), kKey).has_value());
+  EXPECT_FALSE(wait_for_turn().want_key);
+  ask_hub([](FakeHub& h) {
+    wire::pb::Control request;
+    request.mutable_key_request()->set_sensor_id(5);
+    h.say(request);
+    return 0;
+  });
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  bool wanted = false;
+  while (!wanted && std::chrono::steady_clock::now() < give_up) wanted = wait_for_turn().want_key;
+  EXPECT_TRUE(wanted);
+}
+
+TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
+  // The hub's thread stands still, so nothing is read and the socket fills.
+  std::promise<void> go_on;
+  boost::asio::post(network.io(), [future = go_on.get_future().share()] { future.wait(); });
+  constexpr std::size_t kMostFramesInSockets = 100;  // of 1 MiB: more than both socket buffers hold
+  std::size_t sent = 0;
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  auto last_sent = std::chrono::steady_clock::now();
+  while (sent < kMostFramesInSockets && std::chrono::steady_clock::now() < give_up &&
+         std::chrono::steady_clock::now() - last_sent < 300ms) {
+    const auto turn = publisher->next_turn();
+    if (!turn) {
+      std::this_thread::yield();
+      continue;
+    }
+    ASSERT_TRUE(publish(*turn, kKey, 1u << 20).has_value());
+    ++sent;
+    last_sent = std::chrono::steady_clock::now();
+  }
+  EXPECT_LT(sent, kMostFramesInSockets);
+  EXPECT_GT(publisher->stats().frames_skipped, 0u);
+  go_on.set_value();
+  EXPECT_EQ(wait_for_frames(sent).size(), sent) << "what was published arrives";
+}
+
+TEST_F(PublisherTest, frames_above_the_limit_are_not_sent) {
+  EXPECT_FALSE(publish(wait_for_turn(), kKey, wire::kMaxFrameBytes).has_value());
+  EXPECT_TRUE(publish(wait_for_turn(), kKey).has_value());
+}
+
+TEST_F(PublisherTest, a_new_connection_begins_with_a_new_key_frame) {
+  const auto old_turn = wait_for_turn();
+  ASSERT_TRUE(publish(old_turn, kKey).has_value());
+  ask_hub([](FakeHub& h) {
+    h.hang_up();
+    return 0;
+  });
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  while (ask_hub([](FakeHub& h) { return h.joins; }) < 2 &&
+         std::chrono::steady_clock::now() < give_up) {
+  }
+  const auto turn = wait_for_turn();
+  EXPECT_NE(turn.session, old_turn.session);
+  EXPECT_TRUE(turn.want_key);
+  EXPECT_FALSE(publish(old_turn, kBase).has_value()) << "encoded for a connection that is gone";
+  const auto sent = publish(turn, kKey);
+  ASSERT_TRUE(sent.has_value());
+  EXPECT_EQ(sent->seq, 0u);
+}
+
+}  // namespace
+}  // namespace roomcast

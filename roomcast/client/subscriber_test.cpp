@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/subscriber.h"
+
+#include <future>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/client/calibration_message.h"
+#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/network_thread.h"
+#include "roomcast/codec/frame_codec.h"
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kWidth = 64, kHeight = 48;
+
+wire::pb::Control roster_of_one() {
+  SensorCalibration calibration;
+  calibration.depth = {.width = kWidth, .height = kHeight, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+  calibration.color = calibration.depth;
+  wire::pb::Control control;
+  auto& sensor = *control.mutable_roster()->add_sensors();
+  sensor.set_id(0);
+  sensor.set_name("left");
+  sensor.set_online(true);
+  sensor.set_fps(30);
+  *sensor.mutable_calibration() = message_from_calibration(calibration);
+  write_transform({}, *sensor.mutable_world_from_depth());
+  return control;
+}
+
+net::SealedMessagePtr frame_message(bool key) {
+  codec::FrameEncoderOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  net::MessageBuffer message;
+  message.appendable().resize(net::MessageBuffer::kHeadroom + wire::kFrameHeaderBytes);
+  const DepthImage depth(kWidth, kHeight, 1234);
+  EXPECT_TRUE((*codec::FrameEncoder::create(options))
+                  ->encode(depth, {}, {}, true, message.appendable())
+                  .ok());
+  wire::FrameHeader header;
+  header.key = key;
+  header.last = true;
+  header.seq = 7;
+  header.base_seq = key ? 7 : 6;
+  header.payload_length = static_cast<std::uint32_t>(message.size() - wire::kFrameHeaderBytes);
+  wire::write_frame_header(header, message.payload().first<wire::kFrameHeaderBytes>());
+  return net::seal(std::move(message));
+}
+
+class SubscriberTest : public testing::Test {
+ protected:
+  SubscriberTest() { network.start(); }
+  ~SubscriberTest() override {
+    subscriber.reset();
+    network.finish([this] { hub.reset(); });
+  }
+
+  void open() {
+    auto opened = Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
+    ASSERT_TRUE(opened.ok()) << opened.error().message;
+    subscriber = std::move(*opened);
+  }
+
+  template <class Action>
+  void on_hub(Action action) {
+    std::promise<void> done;
+    boost::asio::post(network.io(), [&] {
+      action(*hub);
+      done.set_value();
+    });
+    done.get_future().get();
+  }
+
+  template <class Wanted>
+  std::shared_ptr<const RoomSnapshot> wait_for(Wanted wanted) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    auto room = subscriber->snapshot();
+    while (!wanted(*room) && std::chrono::steady_clock::now() < give_up) {
+      room = subscriber->wait_newer(room->revision, 50ms);
+    }
+    EXPECT_TRUE(wanted(*room));
+    return room;
+  }
+
+  NetworkThread network;
+  std::optional<FakeHub> hub{std::in_place, network.io()};
+  std::unique_ptr<Subscriber> subscriber;
+};
+
+TEST_F(SubscriberTest, shows_what_the_hub_sends) {
+  open();
+  on_hub([](FakeHub& h) {
+    h.say(roster_of_one());
+    h.say(frame_message(true));
+  });
+  const auto room =
+      wait_for([](const auto& r) { return !r.sensors.empty() && r.sensors[0].picture; });
+  EXPECT_EQ(room->room, "lab");
+  EXPECT_EQ(room->sensors[0].name, "left");
+  EXPECT_EQ(room->sensors[0].picture->seq, 7u);
+  EXPECT_EQ(room->sensors[0].picture->frame.depth_mm, DepthImage(kWidth, kHeight, 1234));
+}
+
+TEST_F(SubscriberTest, asks_for_a_key_frame_when_it_cannot_decode) {
+  open();
+  on_hub([](FakeHub& h) {
+    h.say(roster_of_one());
+    h.say(frame_message(false));
+  });
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  bool asked = false;
+  while (!asked && std::chrono::steady_clock::now() < give_up) {
+    on_hub([&](FakeHub& h) { asked = h.heard.back().has_key_request(); });
+  }
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(SubscriberTest, says_why_it_is_alone_and_comes_back) {
+  open();
+  on_hub([](FakeHub& h) { h.hang_up(); });
+  const auto alone = wait_for([](const auto& r) { return !r.connected; });
+  EXPECT_NE(alone->problem.find("the hub stops"), std::string::npos);
+  EXPECT_FALSE(subscriber->failure().has_value());
+  wait_for([](const auto& r) { return r.connected; });
+}
+
+TEST_F(SubscriberTest, a_refusal_is_final) {
+  open();
+  on_hub([](FakeHub& h) { h.refuse(wire::pb::ERROR_NO_SUCH_ROOM, "no such room"); });
+  wait_for([](const auto& r) { return !r.connected; });
+  ASSERT_TRUE(subscriber->failure().has_value());
+  EXPECT_EQ(subscriber->failure()->message, "the hub says: no such room");
+}
+
+TEST_F(SubscriberTest, what_is_no_address_is_refused_at_once) {
+  const auto opened = Subscriber::open({.hub_url = "ftp://x", .room = {}, .name = {}, .log = {}});
+  ASSERT_FALSE(opened.ok());
+  EXPECT_EQ(opened.error().code, ErrorCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace roomcast
