@@ -21,12 +21,20 @@ export function requireBuilt() {
   if (!existsSync(`${webFolder}/index.html`)) throw new Error(`there is no page in ${webFolder}; run npm run build`);
 }
 
+const started = [];
+
+/** The last lines of every program of this test run: for the message of a test that failed. */
+export function whatProgramsSaid() {
+  return started.map(({ name, lines }) => `${name}: ${lines.slice(-8).join(' | ')}`).join('\n');
+}
+
 /** One running program: its last lines of output, and a way to end it. */
 class Program {
   constructor(name, args) {
     this.name = name;
     this.lines = [];
     this.child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    started.push(this);
     this.ended = once(this.child, 'close');
     for (const stream of [this.child.stdout, this.child.stderr]) {
       stream.setEncoding('utf8').on('data', (text) => this.keep(text));

@@ -66,6 +66,25 @@ describe('a room of one sensor, or none', () => {
     assert.ok(distance((await viewOf()).position, start.position) < 1e-6);
     await page.close();
   });
+
+  test('one finger turns the head, two fingers zoom', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=0&at=0,1.6,2&look=0,1,-1`);
+    const screen = await browser.context.newCDPSession(page);
+    const touch = (type, ...places) =>
+      screen.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+    const viewOf = () => page.evaluate(() => window.roomcast.view());
+    const start = await viewOf();
+    await touch('touchStart', [200, 300]);
+    await touch('touchMove', [280, 300]);
+    await touch('touchEnd');
+    const turned = await until('it turns', viewOf, (view) => Math.abs(view.yaw - start.yaw) > 0.1);
+    assert.ok(distance(turned.position, start.position) < 1e-6);
+    await touch('touchStart', [180, 300], [220, 300]);
+    await touch('touchMove', [120, 300], [280, 300]);
+    await touch('touchEnd');
+    await until('it goes nearer', viewOf, (view) => distance(view.position, turned.position) > 0.5);
+    await page.close();
+  });
 });
 
 function distance(a, b) {

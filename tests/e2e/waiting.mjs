@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waits for what a page says through window.roomcast, with a deadline and a message that shows what it said last.
 import { setTimeout as delay } from 'node:timers/promises';
+import { whatProgramsSaid } from './programs.mjs';
 
 const poll_ms = 50;
 
@@ -10,7 +11,10 @@ export async function until(what, ask, enough, within_ms = 20_000) {
   for (;;) {
     const answer = await ask();
     if (enough(answer)) return answer;
-    if (Date.now() > deadline) throw new Error(`${what}: not within ${within_ms} ms; last: ${JSON.stringify(answer)}`);
+    if (Date.now() > deadline) {
+      const last = JSON.stringify(answer);
+      throw new Error(`${what}: not within ${within_ms} ms; last: ${last}\n${whatProgramsSaid()}`);
+    }
     await delay(poll_ms);
   }
 }

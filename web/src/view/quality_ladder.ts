@@ -13,15 +13,14 @@ export const qualities: readonly Quality[] = [
   { step: 3, pixelRatio: 1 },
   { step: 4, pixelRatio: 1 },
   { step: 4, pixelRatio: 0.75 },
-  { step: 6, pixelRatio: 0.6 },
-  { step: 8, pixelRatio: 0.5 },
+  { step: 5, pixelRatio: 0.6 }, // coarser than this hardly saves time, and thin things disappear
 ];
 
 const firstRung = 3;
 const tooSlow_ms = 60;
-const quick_ms = 22; // a rung up costs up to two and a half times as much
+const quick_ms = 40; // worth trying a rung up
 const drawsToJudge = 6;
-const patience_ms = 2000; // after coming down, before trying to go up again; doubles when going up was a mistake
+const patience_ms = 3000; // after coming down, before trying to go up again; doubles when going up was a mistake
 const longestPatience_ms = 60_000;
 
 export class QualityLadder {

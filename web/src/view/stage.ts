@@ -105,7 +105,7 @@ export class Stage {
     const listed = new Map(roster.sensors.map((entry) => [entry.id, entry]));
     for (const [id, placed] of this.placed) {
       const entry = listed.get(id);
-      if (entry && sameCamera(entry, placed.entry)) this.replace(placed, entry);
+      if (entry && sameSensor(entry, placed.entry)) this.replace(placed, entry);
       else this.remove(id, placed);
     }
     for (const entry of roster.sensors) {
@@ -203,8 +203,9 @@ export class Stage {
   }
 }
 
-function sameCamera(a: SensorEntry, b: SensorEntry): boolean {
+/** A hub that was started again may give ids to sensors in another order; a sensor may come back with another camera. */
+function sameSensor(a: SensorEntry, b: SensorEntry): boolean {
   const [p, q] = [a.calibration!.depth!, b.calibration!.depth!];
   const fields = ['width', 'height', 'fx', 'fy', 'cx', 'cy', 'k1', 'k2', 'k3', 'p1', 'p2'] as const;
-  return fields.every((field) => p[field] === q[field]);
+  return a.name === b.name && fields.every((field) => p[field] === q[field]);
 }
