@@ -79,6 +79,16 @@ export async function startHub(port = 0) {
 
 /** Simulated sensor number `n`; `log` is a file for one JSON line per frame sent. */
 export function startSensor(hub, n, { fps = 5, log } = {}) {
-  const args = ['sensor', '--source', `sim#${n}`, '--hub', `ws://127.0.0.1:${hub.port}`, '--fps', String(fps), '--wait', '--verbose'];
+  const args = [
+    'sensor',
+    '--source',
+    `sim#${n}`,
+    '--hub',
+    `ws://127.0.0.1:${hub.port}`,
+    '--fps',
+    String(fps),
+    '--wait',
+    '--verbose',
+  ];
   return new Program(`sensor ${n}`, log ? [...args, '--log-frames', log] : args);
 }

@@ -57,14 +57,21 @@ describe('a room of three sensors', () => {
     for (const { id, name } of await sensorsOf(page)) {
       const framesOf = () => page.evaluate((sensor) => window.roomcast.decodedFrames(sensor), id);
       const decoded = await until(`frames of ${name}`, framesOf, (frames) => frames.length >= comparedFrames);
-      const produced = await until(`the log of ${name}`, () => readLog(logOf(name.slice(1))), (log) => log.has(decoded.at(-1).seq));
+      const produced = await until(
+        `the log of ${name}`,
+        () => readLog(logOf(name.slice(1))),
+        (log) => log.has(decoded.at(-1).seq),
+      );
       for (const { seq, captureNs, depthCrc32 } of decoded) {
         const source = produced.get(seq);
         assert.ok(source, `${name} did not log frame ${seq}`);
         assert.equal(captureNs, source.capture_ns, `capture time of frame ${seq} of ${name}`);
         assert.equal(depthCrc32, source.depth_crc32, `depth of frame ${seq} of ${name}`);
       }
-      assert.ok(new Set(decoded.map((frame) => frame.depthCrc32)).size > comparedFrames / 2, `${name} sends different pictures`);
+      assert.ok(
+        new Set(decoded.map((frame) => frame.depthCrc32)).size > comparedFrames / 2,
+        `${name} sends different pictures`,
+      );
     }
   });
 
@@ -73,8 +80,13 @@ describe('a room of three sensors', () => {
     const pictures = new Set();
     const look = async () => pictures.add(await page.evaluate(() => window.roomcast.pictureCrc32())).size;
     await until('three different pictures', look, (different) => different >= 3);
-    await until('every sensor goes on', () => sensorsOf(page), (now) =>
-      now.every((sensor, i) => sensor.frames > before.sensors[i].frames + 2 && sensor.shownSeq > before.sensors[i].shownSeq),
+    await until(
+      'every sensor goes on',
+      () => sensorsOf(page),
+      (now) =>
+        now.every(
+          (sensor, i) => sensor.frames > before.sensors[i].frames + 2 && sensor.shownSeq > before.sensors[i].shownSeq,
+        ),
     );
     const now = await stateOf(page);
     assert.ok(now.shownSets > before.state.shownSets && now.pictures > before.state.pictures);
@@ -85,13 +97,21 @@ describe('a room of three sensors', () => {
     const arrivals = [];
     for (let n = 0; n < 3; n++) {
       const late = await openPage(browser.context, `${hub.page}?${view}&name=late`);
-      arrivals.push(await until('all sensors drawn', () => stateOf(late), (state) => state.firstShown_ms !== null));
+      arrivals.push(
+        await until(
+          'all sensors drawn',
+          () => stateOf(late),
+          (state) => state.firstShown_ms !== null,
+        ),
+      );
       await late.close();
     }
     const sorted = (key) => arrivals.map((state) => Math.round(state[key])).sort((a, b) => a - b);
     const decoded = sorted('firstDecoded_ms');
     const drawn = sorted('firstShown_ms');
-    t.diagnostic(`after asking for the socket: decoded ${decoded.join(', ')} ms, drawn (in software) ${drawn.join(', ')} ms`);
+    t.diagnostic(
+      `after asking for the socket: decoded ${decoded.join(', ')} ms, drawn (in software) ${drawn.join(', ')} ms`,
+    );
     // The quickest of three: what else the machine has to do at that moment is not the room's doing.
     assert.ok(decoded[0] <= 1000, `decoded after ${decoded[0]} ms`);
     assert.ok(drawn[0] <= 1000 + softwareDrawing_ms, `drawn after ${drawn[0]} ms`);
@@ -99,13 +119,29 @@ describe('a room of three sensors', () => {
 
   test('two viewers see each other', slow, async () => {
     const second = await openPage(browser.context, `${hub.page}?${view}&name=second`);
-    const { viewerId } = await until('it has joined', () => stateOf(second), (state) => state.viewerId !== null);
+    const { viewerId } = await until(
+      'it has joined',
+      () => stateOf(second),
+      (state) => state.viewerId !== null,
+    );
     const { viewerId: first } = await stateOf(page);
-    await until("the second viewer's avatar", () => stateOf(page), (state) => state.avatars.includes(viewerId));
-    await until("the first viewer's avatar", () => stateOf(second), (state) => state.avatars.includes(first));
+    await until(
+      "the second viewer's avatar",
+      () => stateOf(page),
+      (state) => state.avatars.includes(viewerId),
+    );
+    await until(
+      "the first viewer's avatar",
+      () => stateOf(second),
+      (state) => state.avatars.includes(first),
+    );
     assert.deepEqual((await stateOf(second)).viewers.map((viewer) => viewer.name).sort(), ['first', 'second']);
     await second.close();
-    await until('one viewer again', () => stateOf(page), (state) => state.viewers.length === 1);
+    await until(
+      'one viewer again',
+      () => stateOf(page),
+      (state) => state.viewers.length === 1,
+    );
   });
 
   test('a sensor that is killed and started again comes back with the same id and pose', slow, async () => {
@@ -114,8 +150,10 @@ describe('a room of three sensors', () => {
     await sensors[1].end('SIGKILL');
     await until('it is gone', now, (sensor) => !sensor.online);
     const others = await sensorsOf(page);
-    await until('the others go on', () => sensorsOf(page), (sensors) =>
-      sensors.every((sensor, i) => !sensor.online || sensor.frames > others[i].frames),
+    await until(
+      'the others go on',
+      () => sensorsOf(page),
+      (sensors) => sensors.every((sensor, i) => !sensor.online || sensor.frames > others[i].frames),
     );
     const { frames } = await now();
     sensors[1] = startSensor(hub, 1, { fps });
@@ -130,18 +168,38 @@ describe('a room of three sensors', () => {
   test('a hub that disappears is reported in the page, and the page recovers when it is back', slow, async () => {
     const { port } = hub;
     await hub.end('SIGKILL');
-    await until('the page notices', () => stateOf(page), (state) => state.phase === 'waiting');
-    const said = await until('the panel says so', () => panelText(page), (text) => /hub/.test(text));
+    await until(
+      'the page notices',
+      () => stateOf(page),
+      (state) => state.phase === 'waiting',
+    );
+    const said = await until(
+      'the panel says so',
+      () => panelText(page),
+      (text) => /hub/.test(text),
+    );
     assert.match(said, /The (connection to the )?hub .*(is gone|does not answer|has stopped)/);
     hub = await startHub(port);
-    await until('joined again', () => stateOf(page), (state) => state.phase === 'joined' && state.firstShown_ms !== null, 40_000);
+    await until(
+      'joined again',
+      () => stateOf(page),
+      (state) => state.phase === 'joined' && state.firstShown_ms !== null,
+      40_000,
+    );
     const before = await untilAllShown(page, sensorCount);
-    await until('frames again', () => sensorsOf(page), (now) => now.every((sensor, i) => sensor.online && sensor.frames > before[i].frames));
+    await until(
+      'frames again',
+      () => sensorsOf(page),
+      (now) => now.every((sensor, i) => sensor.online && sensor.frames > before[i].frames),
+    );
   });
 
   test('the page has not complained', () => {
     const expected = /WebSocket connection to .* failed/; // while there was no hub
-    assert.deepEqual(page.complaints.filter((complaint) => !expected.test(complaint)), []);
+    assert.deepEqual(
+      page.complaints.filter((complaint) => !expected.test(complaint)),
+      [],
+    );
   });
 });
 

@@ -22,7 +22,12 @@ describe('a room of one sensor, or none', () => {
     await hub?.end();
   }, slow);
 
-  const untilPanelSays = (page, pattern) => until(`the panel says ${pattern}`, () => panelText(page), (text) => pattern.test(text));
+  const untilPanelSays = (page, pattern) =>
+    until(
+      `the panel says ${pattern}`,
+      () => panelText(page),
+      (text) => pattern.test(text),
+    );
 
   test('a room without sensors says how to add one, and shows the first one that comes', slow, async () => {
     const page = await openPage(browser.context, `${hub.page}?panel=1`);

@@ -24,7 +24,13 @@ if (modified(join(output, 'control_pb.ts')) < modified(join(protoFolder, 'contro
   const plugin = join(web, 'node_modules/.bin/protoc-gen-es');
   const run = spawnSync(
     'protoc',
-    [`--plugin=protoc-gen-es=${plugin}`, `--proto_path=${protoFolder}`, `--es_out=${output}`, '--es_opt=target=ts', 'control.proto'],
+    [
+      `--plugin=protoc-gen-es=${plugin}`,
+      `--proto_path=${protoFolder}`,
+      `--es_out=${output}`,
+      '--es_opt=target=ts',
+      'control.proto',
+    ],
     { stdio: ['ignore', 'inherit', 'inherit'] },
   );
   if (run.error) fail('protoc is not there; scripts/setup installs it (Debian: protobuf-compiler).');

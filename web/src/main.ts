@@ -44,15 +44,18 @@ class Page {
       changed: (view) => this.viewChanged(view),
       reset: () => this.goToStart(),
     });
-    this.link = new RoomLink({ socketUrl: url, room: options.room, name: options.name, record: options.record }, (message) =>
-      this.receive(message),
+    this.link = new RoomLink(
+      { socketUrl: url, room: options.room, name: options.name, record: options.record },
+      (message) => this.receive(message),
     );
     this.begin();
   }
 
   private openStage(): Stage {
     const canvas = document.getElementById('room') as HTMLCanvasElement;
-    canvas.addEventListener('webglcontextlost', () => this.breakDown('The graphics card has stopped. Load the page again.'));
+    canvas.addEventListener('webglcontextlost', () =>
+      this.breakDown('The graphics card has stopped. Load the page again.'),
+    );
     try {
       return new Stage(canvas, {
         refresh: (now_ms) => this.refresh(now_ms),
@@ -83,6 +86,7 @@ class Page {
         return this.panel.refresh();
       case 'welcome':
         this.state.welcome = message.welcome;
+        document.title = `${message.welcome.room || 'room'} · roomcast`;
         return this.ownPose.moved(this.navigation.current);
       case 'roster':
         return this.followRoster(message.roster);

@@ -6,7 +6,12 @@ import { parseOptions, parsePoint, socketUrl } from './page_options';
 describe("the page's URL", () => {
   test('may say nothing', () => {
     expect(parseOptions('')).toEqual({
-      mode: 'mesh', view: undefined, panelOpen: undefined, name: '', room: '', record: false,
+      mode: 'mesh',
+      view: undefined,
+      panelOpen: undefined,
+      name: '',
+      room: '',
+      record: false,
     });
   });
   test('says mode, place, panel, name and room', () => {

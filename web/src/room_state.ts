@@ -14,7 +14,13 @@ interface SensorRates {
 }
 
 export class RoomState {
-  connection: ConnectionState = { phase: 'connecting', sentence: '', reload: false, retryAt_ms: undefined, openedAt_ms: undefined };
+  connection: ConnectionState = {
+    phase: 'connecting',
+    sentence: '',
+    reload: false,
+    retryAt_ms: undefined,
+    openedAt_ms: undefined,
+  };
   welcome: Welcome | undefined;
   roster: Roster | undefined;
   status: Status | undefined;

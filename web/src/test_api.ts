@@ -132,7 +132,9 @@ export class TestApi {
     const alone = new Map(sensors.map((id) => [id, pass.draw(id).ids]));
     return sensors.map((id) => {
       const others = sensors.filter((other) => other !== id).map((other) => alone.get(other)!);
-      const own = Uint8Array.from(alone.get(id)!, (at, i) => Number(at === id && others.every((ids) => ids[i] === nothing)));
+      const own = Uint8Array.from(alone.get(id)!, (at, i) =>
+        Number(at === id && others.every((ids) => ids[i] === nothing)),
+      );
       return {
         id,
         alone: count(alone.get(id)!, id),

@@ -21,12 +21,32 @@ function planesOf(rgb: Rgb, interleaved: boolean): YcbcrPlanes {
   bytes.fill(y, 0, 12);
   for (let i = 0; i < 8; i++) bytes[12 + i] = (interleaved ? i % 2 === 0 : i < 4) ? cb : cr;
   return interleaved
-    ? { bytes, y: { offset: 0, stride: 4 }, cb: { offset: 12, stride: 4 }, cr: { offset: 13, stride: 4 }, chromaStep: 2 }
-    : { bytes, y: { offset: 0, stride: 4 }, cb: { offset: 12, stride: 2 }, cr: { offset: 16, stride: 2 }, chromaStep: 1 };
+    ? {
+        bytes,
+        y: { offset: 0, stride: 4 },
+        cb: { offset: 12, stride: 4 },
+        cr: { offset: 13, stride: 4 },
+        chromaStep: 2,
+      }
+    : {
+        bytes,
+        y: { offset: 0, stride: 4 },
+        cb: { offset: 12, stride: 2 },
+        cr: { offset: 16, stride: 2 },
+        chromaStep: 1,
+      };
 }
 
 const seen = Uint8Array.from([255, 0, 255, 0, 255, 0, 255, 0, 255]);
-const colors: Rgb[] = [[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0], [0, 0, 255], [120, 80, 40], [13, 200, 77]];
+const colors: Rgb[] = [
+  [0, 0, 0],
+  [255, 255, 255],
+  [255, 0, 0],
+  [0, 255, 0],
+  [0, 0, 255],
+  [120, 80, 40],
+  [13, 200, 77],
+];
 
 describe('colour conversion', () => {
   for (const interleaved of [false, true]) {

@@ -35,12 +35,19 @@ export class Panel {
   private readonly phase = element('p', { class: 'phase', role: 'status' });
   private readonly toggle = element('button', { type: 'button', class: 'toggle', 'aria-controls': 'panel-body' });
   private readonly body = element('div', { id: 'panel-body', class: 'body' });
-  private readonly troubles = element('ul', { class: 'troubles', 'aria-live': 'polite', 'aria-label': 'What is wrong' });
+  private readonly troubles = element('ul', {
+    class: 'troubles',
+    'aria-live': 'polite',
+    'aria-label': 'What is wrong',
+  });
   private readonly sensors: SensorList;
   private readonly people = element('ul', { class: 'people' });
   private readonly received = figure('MB/s', 'Received in all, 10⁶ bytes per second');
   private readonly shown = figure('fps', 'Frame sets shown per second');
-  private readonly latency = figure('latency', 'From capture to screen, median of the last second, ± error of the clock');
+  private readonly latency = figure(
+    'latency',
+    'From capture to screen, median of the last second, ± error of the clock',
+  );
   private readonly modes = new Map<DrawMode, HTMLInputElement>();
 
   constructor(
@@ -51,7 +58,13 @@ export class Panel {
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
-    const header = element('header', {}, this.dot, element('div', { class: 'names' }, this.title, this.phase), this.toggle);
+    const header = element(
+      'header',
+      {},
+      this.dot,
+      element('div', { class: 'names' }, this.title, this.phase),
+      this.toggle,
+    );
     const figures = element('dl', { class: 'figures' }, this.received.root, this.shown.root, this.latency.root);
     this.body.append(
       figures,
@@ -101,10 +114,18 @@ export class Panel {
     const live = connection.phase === 'joined' && !state.broken;
     setText(this.title, state.welcome?.room || 'roomcast');
     this.root.dataset.phase = state.broken ? 'broken' : connection.phase;
-    setText(this.phase, state.broken ? 'stopped' : { joined: 'live', connecting: 'connecting', waiting: 'not connected' }[connection.phase]);
+    setText(
+      this.phase,
+      state.broken
+        ? 'stopped'
+        : { joined: 'live', connecting: 'connecting', waiting: 'not connected' }[connection.phase],
+    );
     setText(this.received.value, live ? megabytes(state.bytesPerSecond) : '–');
     setText(this.shown.value, live ? perSecond(state.shownFps) : '–');
-    setText(this.latency.value, live ? `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim() : '–');
+    setText(
+      this.latency.value,
+      live ? `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim() : '–',
+    );
     this.sensors.refresh();
     this.showProblems(problems({ ...this.known(), hubAddress: this.hubAddress }, state.roomTime_ms(), Date.now()));
   }
@@ -118,12 +139,17 @@ export class Panel {
     const key = JSON.stringify(found);
     if (this.troubles.dataset.key === key) return;
     this.troubles.dataset.key = key;
-    this.troubles.replaceChildren(...found.map(({ severity, sentence }) => element('li', { class: severity }, sentence)));
+    this.troubles.replaceChildren(
+      ...found.map(({ severity, sentence }) => element('li', { class: severity }, sentence)),
+    );
   }
 
   private modeSwitch(): HTMLElement {
     const group = element('div', { class: 'modes', role: 'radiogroup', 'aria-label': 'Drawn as' });
-    for (const [mode, label] of [['mesh', 'Surfaces'], ['points', 'Points']] as const) {
+    for (const [mode, label] of [
+      ['mesh', 'Surfaces'],
+      ['points', 'Points'],
+    ] as const) {
       const input = element('input', { type: 'radio', name: 'mode', value: mode });
       input.addEventListener('change', () => this.events.modeChosen(mode));
       this.modes.set(mode, input);

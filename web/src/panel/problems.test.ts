@@ -6,9 +6,16 @@ import type { SensorTraffic } from '../stream/protocol';
 import { problems, type Known } from './problems';
 
 const joined = { phase: 'joined', sentence: '', reload: false, retryAt_ms: undefined, openedAt_ms: 0 } as const;
-const s0 = { id: 0, name: 's0', online: true, placement: Placement.GIVEN };
+const s0 = { id: 0, name: 's0', online: true, fps: 5, placement: Placement.GIVEN };
 const traffic: SensorTraffic = {
-  sensor: 0, frames: 9, bytes: 9, skipped: 0, lastSeq: 8, lastSetId: 8n, lastCapture_ms: 10_000, problem: '',
+  sensor: 0,
+  frames: 9,
+  bytes: 9,
+  skipped: 0,
+  lastSeq: 8,
+  lastSetId: 8n,
+  lastCapture_ms: 10_000,
+  problem: '',
 };
 
 function known(change: Partial<Known>, sensors: object[] = [s0], counts: SensorTraffic[] = [traffic]): Known {
@@ -28,7 +35,9 @@ describe('what is wrong', () => {
   test('is nothing when all is well', () => expect(sentences(known({}))).toEqual([]));
 
   test('is what broke, before all else', () => {
-    expect(sentences(known({ broken: 'No WebGL.', connection: { ...joined, phase: 'waiting', sentence: 'x' } }))).toEqual(['No WebGL.']);
+    expect(
+      sentences(known({ broken: 'No WebGL.', connection: { ...joined, phase: 'waiting', sentence: 'x' } })),
+    ).toEqual(['No WebGL.']);
   });
 
   test('is a hub that is gone, with the time to the next try', () => {
@@ -50,10 +59,13 @@ describe('what is wrong', () => {
   test('is a sensor that has been silent for more than three seconds', () => {
     expect(sentences(known({}), 12_900)).toEqual([]);
     expect(sentences(known({}), 15_000)).toEqual(['Sensor s0 has been silent for 5 s.']);
+    expect(sentences(known({}, [{ ...s0, fps: 0.5 }]), 15_000)).toEqual([]);
   });
 
   test('is a sensor that nobody has placed', () => {
-    expect(sentences(known({}, [{ ...s0, placement: Placement.UNPLACED }]))[0]).toMatch(/Nobody knows where sensor s0 stands/);
+    expect(sentences(known({}, [{ ...s0, placement: Placement.UNPLACED }]))[0]).toMatch(
+      /Nobody knows where sensor s0 stands/,
+    );
   });
 
   test('is a decoder that gave up, or colour that cannot be decoded', () => {

@@ -18,6 +18,7 @@ export interface Problem {
 }
 
 const silent_ms = 3000;
+const silentFrames = 3; // of a slow sensor: so many frames have to be overdue
 
 /** `room_ms` is room time, undefined before the clock is known; `date_ms` is Date.now. */
 export function problems(known: Known, room_ms: number | undefined, date_ms: number): Problem[] {
@@ -53,13 +54,15 @@ function sensorProblems(
   if (roster.sensors.length === 0) {
     return [notice(`No sensor is in the room yet. To add one: roomcast sensor --source sim --hub ${hubAddress}`)];
   }
-  if (!roster.sensors.some((sensor) => sensor.online)) return [error('All sensors are gone; the last pictures are shown in grey.')];
+  if (!roster.sensors.some((sensor) => sensor.online))
+    return [error('All sensors are gone; the last pictures are shown in grey.')];
   return roster.sensors.flatMap((sensor) => {
     if (!sensor.online) return [notice(`Sensor ${sensor.name} is gone; its last picture is shown in grey.`)];
     const counts = traffic.find((entry) => entry.sensor === sensor.id);
     const found: Problem[] = [];
     const silence_ms = silenceOf(counts, room_ms);
-    if (silence_ms > silent_ms) found.push(error(`Sensor ${sensor.name} has been silent for ${Math.round(silence_ms / 1000)} s.`));
+    if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
+      found.push(error(`Sensor ${sensor.name} has been silent for ${Math.round(silence_ms / 1000)} s.`));
     if (counts?.problem) found.push(error(`Sensor ${sensor.name}: ${counts.problem}`));
     if (sensor.placement === Placement.UNPLACED) {
       found.push(notice(`Nobody knows where sensor ${sensor.name} stands; it is shown at a place that was made up.`));

@@ -22,7 +22,9 @@ export class SensorList {
   ) {}
 
   rebuild(): void {
-    const entries = [...(this.state.roster?.sensors ?? [])].sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+    const entries = [...(this.state.roster?.sensors ?? [])].sort((a, b) =>
+      a.name.localeCompare(b.name, 'en', { numeric: true }),
+    );
     this.rows = entries.map((entry) => ({ entry, figures: element('span', { class: 'rates' }) }));
     const items = this.rows.map((row) => this.item(row));
     this.root.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'none' }, 'none yet')]));
@@ -50,7 +52,8 @@ export class SensorList {
     });
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
-    const unplaced = entry.placement === Placement.UNPLACED ? element('span', { class: 'tag' }, 'not placed') : undefined;
+    const unplaced =
+      entry.placement === Placement.UNPLACED ? element('span', { class: 'tag' }, 'not placed') : undefined;
     const name = element('span', { class: 'name' }, entry.name, unplaced);
     return element('li', { class: entry.online ? '' : 'gone' }, element('label', {}, box, swatch, name), figures);
   }

@@ -19,7 +19,9 @@ describe('the end of a connection is explained', () => {
     expect(sentenceFor({ error })).toBe('The hub has stopped.');
   });
   test("in the hub's own words where it gave some", () => {
-    expect(sentenceFor({ error: { code: ErrorCode.ERROR_MALFORMED, sentence: 'that was garbage' } })).toMatch(/garbage/);
+    expect(sentenceFor({ error: { code: ErrorCode.ERROR_MALFORMED, sentence: 'that was garbage' } })).toMatch(
+      /garbage/,
+    );
     expect(sentenceFor({ closeReason: 'limits' })).toMatch(/limits/);
   });
   test('by a wrong version, which only a reload can mend', () => {

@@ -26,11 +26,20 @@ test('a free page gets a set at once', () => {
 test('a busy page gets the newest frame of each sensor when it is free again', () => {
   const { box, sent, discarded } = mailbox();
   box.put(1n, [{ sensor: 0, seq: 0 }]);
-  box.put(2n, [{ sensor: 0, seq: 1 }, { sensor: 1, seq: 0 }]);
+  box.put(2n, [
+    { sensor: 0, seq: 1 },
+    { sensor: 1, seq: 0 },
+  ]);
   box.put(3n, [{ sensor: 0, seq: 2 }]);
   expect(sent.length).toBe(1);
   box.pageIsFree();
-  expect(sent[1]).toEqual([3n, [{ sensor: 0, seq: 2 }, { sensor: 1, seq: 0 }]]);
+  expect(sent[1]).toEqual([
+    3n,
+    [
+      { sensor: 0, seq: 2 },
+      { sensor: 1, seq: 0 },
+    ],
+  ]);
   expect(discarded).toEqual([{ sensor: 0, seq: 1 }]);
 });
 

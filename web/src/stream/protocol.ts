@@ -54,7 +54,6 @@ export interface Status {
   colorProblem: string; // why no colour can be decoded here, or empty
 }
 
-
 export type FromWorker =
   | { kind: 'connection'; state: ConnectionState }
   | { kind: 'welcome'; welcome: Welcome }

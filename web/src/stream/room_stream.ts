@@ -8,7 +8,14 @@ import { crc32 } from './crc32';
 import { FrameMailbox } from './frame_mailbox';
 import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
-import { pageTime_ms, type DecodedRecord, type FromWorker, type StartOptions, type ToWorker, type ViewFrame } from './protocol';
+import {
+  pageTime_ms,
+  type DecodedRecord,
+  type FromWorker,
+  type StartOptions,
+  type ToWorker,
+  type ViewFrame,
+} from './protocol';
 import { SensorStream } from './sensor_stream';
 
 const statusInterval_ms = 250;
@@ -91,11 +98,16 @@ export class RoomStream {
   private add(id: number, width: number, height: number): void {
     const { codec, buffers } = this;
     const color = this.color && { ...this.color, codedWidth: width, codedHeight: height };
-    const stream = new SensorStream(id, { width, height }, { codec: codec!, color, buffers }, {
-      decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
-      settled: (setId, frame) => this.sets.settle(setId, frame),
-      keyFrameNeeded: (sensor) => this.requestKeyFrame(sensor),
-    });
+    const stream = new SensorStream(
+      id,
+      { width, height },
+      { codec: codec!, color, buffers },
+      {
+        decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
+        settled: (setId, frame) => this.sets.settle(setId, frame),
+        keyFrameNeeded: (sensor) => this.requestKeyFrame(sensor),
+      },
+    );
     this.sensors.set(id, stream);
   }
 

@@ -22,9 +22,18 @@ const baseOf = [0, 0, 0, 2];
 
 function headerOf(n: number): FrameHeader {
   return {
-    key: n === 0, last: true, sensor: 5, layer: n % 2, codec: 1, seq: n, setId: BigInt(100 + n),
-    capture_ns: BigInt(n) * 1_000_000n, clockError_us: 1500, baseSeq: baseOf[n]!,
-    payloadLength: payloads[n]!.length, headerLength: 48,
+    key: n === 0,
+    last: true,
+    sensor: 5,
+    layer: n % 2,
+    codec: 1,
+    seq: n,
+    setId: BigInt(100 + n),
+    capture_ns: BigInt(n) * 1_000_000n,
+    clockError_us: 1500,
+    baseSeq: baseOf[n]!,
+    payloadLength: payloads[n]!.length,
+    headerLength: 48,
   };
 }
 
@@ -77,11 +86,16 @@ let keyRequests: number;
 async function streamWith(color: boolean): Promise<SensorStream> {
   const codec = await CodecModule.load(readFileSync(wasm));
   const config = color ? { codec: 'vp09.00.10.08', codedWidth: grid.width, codedHeight: grid.height } : undefined;
-  return new SensorStream(5, grid, { codec, color: config, buffers: new BufferPool() }, {
-    decoded: () => {},
-    settled: (_set, frame) => settled.push(frame),
-    keyFrameNeeded: () => keyRequests++,
-  });
+  return new SensorStream(
+    5,
+    grid,
+    { codec, color: config, buffers: new BufferPool() },
+    {
+      decoded: () => {},
+      settled: (_set, frame) => settled.push(frame),
+      keyFrameNeeded: () => keyRequests++,
+    },
+  );
 }
 
 const seqs = () => settled.map((frame) => frame?.seq);
@@ -90,11 +104,14 @@ beforeEach(() => {
   settled = [];
   keyRequests = 0;
   vi.stubGlobal('VideoDecoder', FakeVideoDecoder);
-  vi.stubGlobal('EncodedVideoChunk', class {
-    constructor(init: object) {
-      Object.assign(this, init);
-    }
-  });
+  vi.stubGlobal(
+    'EncodedVideoChunk',
+    class {
+      constructor(init: object) {
+        Object.assign(this, init);
+      }
+    },
+  );
 });
 afterEach(() => vi.unstubAllGlobals());
 

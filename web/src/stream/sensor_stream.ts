@@ -90,7 +90,8 @@ export class SensorStream {
   }
 
   private decode(header: FrameHeader, payload: Uint8Array): DecodedPayload {
-    if (header.codec !== codecSections) throw new PayloadError(`Codec ${header.codec} is not known to this page.`, true);
+    if (header.codec !== codecSections)
+      throw new PayloadError(`Codec ${header.codec} is not known to this page.`, true);
     return this.payloads.decode(payload);
   }
 

@@ -135,7 +135,9 @@ export class Navigation {
   }
 }
 
-/** Keys that work a control of the panel are not for walking. */
-function isTyping({ target }: KeyboardEvent): boolean {
-  return target instanceof HTMLElement && target.closest('input, select, textarea, [role=radiogroup]') !== null;
+/** Keys that work a control of the panel are not for walking: text in a field, arrows in a choice. */
+function isTyping({ target, code }: KeyboardEvent): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.closest('[role=radiogroup]')) return code.startsWith('Arrow');
+  return target.closest('input:not([type=checkbox]), select, textarea') !== null;
 }

@@ -32,7 +32,12 @@ export function floorGrid(background: THREE.Color): THREE.LineSegments {
 /** In the sensor's frame: x right, y down, z forward. */
 export function sensorMark(color: string): THREE.LineSegments {
   const [w, h, d] = [0.055, 0.045, 0.09];
-  const corners = [[-w, -h, d], [w, -h, d], [w, h, d], [-w, h, d]] as const;
+  const corners = [
+    [-w, -h, d],
+    [w, -h, d],
+    [w, h, d],
+    [-w, h, d],
+  ] as const;
   const positions = corners.flatMap((corner, i) => [0, 0, 0, ...corner, ...corner, ...corners[(i + 1) % 4]!]);
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));

@@ -51,9 +51,21 @@ export class SensorSurface {
     const table = rayTable(camera, camera.width, camera.height);
     this.blind = table.blind;
     this.rays = dataTexture(table.rays, this.width, this.height, THREE.RGFormat, THREE.FloatType);
-    this.depth = dataTexture(new Uint16Array(pixels), this.width, this.height, THREE.RedIntegerFormat, THREE.UnsignedShortType);
+    this.depth = dataTexture(
+      new Uint16Array(pixels),
+      this.width,
+      this.height,
+      THREE.RedIntegerFormat,
+      THREE.UnsignedShortType,
+    );
     this.depth.internalFormat = 'R16UI';
-    this.color = dataTexture(new Uint8Array(4 * pixels), this.width, this.height, THREE.RGBAFormat, THREE.UnsignedByteType);
+    this.color = dataTexture(
+      new Uint8Array(4 * pixels),
+      this.width,
+      this.height,
+      THREE.RGBAFormat,
+      THREE.UnsignedByteType,
+    );
     this.color.minFilter = this.color.magFilter = THREE.LinearFilter;
     this.uniforms = this.makeUniforms(camera.fx);
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material(meshVertexShader));

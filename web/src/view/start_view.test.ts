@@ -6,7 +6,10 @@ import { direction } from './view_state';
 
 /** A sensor at `position` that looks level at `target`. */
 function sensor(position: [number, number, number], target: [number, number, number]) {
-  const z = new Vector3(...target).sub(new Vector3(...position)).setY(0).normalize();
+  const z = new Vector3(...target)
+    .sub(new Vector3(...position))
+    .setY(0)
+    .normalize();
   const y = new Vector3(0, -1, 0);
   const x = y.clone().cross(z);
   const [px, py, pz] = position;
@@ -29,7 +32,12 @@ describe('the start view', () => {
   });
 
   test('of sensors all around stands at a distance and looks at the middle', () => {
-    const ring = [[2, 2], [-2, 2], [-2, -2], [2, -2]].map(([x, z]) => sensor([x!, 1.5, z!], [0, 1, 0]));
+    const ring = [
+      [2, 2],
+      [-2, 2],
+      [-2, -2],
+      [2, -2],
+    ].map(([x, z]) => sensor([x!, 1.5, z!], [0, 1, 0]));
     const view = startView(ring)!;
     const middle = new Vector3(0, view.position.y, 0).sub(view.position);
     expect(middle.length()).toBeGreaterThan(1.5);

@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { direction, dolly, look, lookFrom, maxPitch, orbit, orientation, pan, pivot, viewFromMatrix, walk } from './view_state';
+import {
+  direction,
+  dolly,
+  look,
+  lookFrom,
+  maxPitch,
+  orbit,
+  orientation,
+  pan,
+  pivot,
+  viewFromMatrix,
+  walk,
+} from './view_state';
 
 const start = lookFrom(new Vector3(1, 1.6, 3), new Vector3(0, 1, -1));
 

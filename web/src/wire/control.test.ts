@@ -17,7 +17,10 @@ describe('a control message', () => {
   });
   test('that was written reads back', () => {
     const bytes = encodeControl({ case: 'clockPing', value: { clientNs: 123_456_789_012_345n } });
-    expect(decodeControl(bytes).message).toMatchObject({ case: 'clockPing', value: { clientNs: 123_456_789_012_345n } });
+    expect(decodeControl(bytes).message).toMatchObject({
+      case: 'clockPing',
+      value: { clientNs: 123_456_789_012_345n },
+    });
   });
   test('of a kind that a later version added reads as one without content', () => {
     const later = new Uint8Array([0x52, 0x43, 1, 2, 0xa2, 0x06, 0]); // field 100, length 0

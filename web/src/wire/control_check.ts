@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is legal in the control messages that a hub sends to a viewer: docs/spec/wire.md §3 and §4; the same rules as
 // roomcast/wire/control_check.cpp. Throws WireError.
-import type { Calibration, Control, Intrinsics, Pose, Roster, ViewerPose, ViewerPoses, Welcome } from '../gen/control_pb';
+import type {
+  Calibration,
+  Control,
+  Intrinsics,
+  Pose,
+  Roster,
+  ViewerPose,
+  ViewerPoses,
+  Welcome,
+} from '../gen/control_pb';
 import { maxDepthSide, maxFps, maxImageSide, maxPosition_m, maxSensors, maxViewers, minDepthSide } from './limits';
 import { checkName } from './name_check';
 import { malformed, tooLarge } from './wire_error';
