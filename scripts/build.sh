@@ -36,7 +36,20 @@ install_web_packages() {
   printf '%s\n' "$wanted" >"$stamp"
 }
 
+# Whether anything that the page is made of is newer than the page. (Folders count: their time changes with a deletion.)
+page_is_up_to_date() {
+  local page=$root/build/web/index.html newer
+  [[ -f $page ]] || return 1
+  newer=$(find "$root/web" "$root/roomcast/wire/control.proto" "$root/build/wasm/roomcast_codec.wasm" \
+    -name node_modules -prune -o -newer "$page" -print -quit)
+  [[ -z $newer ]] || return 1
+}
+
 build_web() {
+  if page_is_up_to_date; then
+    printf 'the page is up to date.\n'
+    return
+  fi
   cd "$root/web"
   npm run build
 }
