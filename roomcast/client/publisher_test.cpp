@@ -159,6 +159,32 @@ TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
   EXPECT_EQ(wait_for_frames(sent).size(), sent) << "what was published arrives";
 }
 
+TEST_F(PublisherTest, what_waited_for_a_broken_connection_is_not_sent_on_the_next) {
+  std::promise<void> go_on;
+  boost::asio::post(network.io(), [this, future = go_on.get_future().share()] {
+    hub->on_join = [this] { hub->frames.clear(); };
+    future.wait();
+    hub->hang_up();
+  });
+  // Fills the sockets until two frames wait in the publisher.
+  auto last_sent = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - last_sent < 300ms) {
+    const auto turn = publisher->next_turn();
+    if (!turn) continue;
+    ASSERT_TRUE(publish(*turn, kKey, 1u << 20).has_value());
+    last_sent = std::chrono::steady_clock::now();
+  }
+  go_on.set_value();
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  while (ask_hub([](FakeHub& h) { return h.joins; }) < 2 &&
+         std::chrono::steady_clock::now() < give_up) {
+  }
+  ASSERT_TRUE(publish(wait_for_turn(), kKey).has_value());
+  const auto frames = wait_for_frames(1);
+  ASSERT_FALSE(frames.empty());
+  EXPECT_EQ(frames[0].seq, 0u);
+}
+
 TEST_F(PublisherTest, frames_above_the_limit_are_not_sent) {
   EXPECT_FALSE(publish(wait_for_turn(), kKey, wire::kMaxFrameBytes).has_value());
   EXPECT_TRUE(publish(wait_for_turn(), kKey).has_value());
