@@ -28,7 +28,7 @@ skipped_in_junit() {
   awk '
     /<testcase / {split($0, part, "\""); name = part[2]}
     reason_follows {print name ": " $0; reason_follows = 0}
-    /: Skipped$/ {reason_follows = 1}' "$1"
+    /: Skipped$/ {reason_follows = 1}' "$1" | sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&amp;/\&/g'
 }
 
 skipped_in_tap() {
