@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any picture comes back bit for bit. Input: width - 16, height - 16, then pixels, repeated to fill the picture.
+// Any picture comes back bit for bit. Input: width - 16, height - 16, then pixels, repeated to fill
+// the picture.
 #include "roomcast/codec/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless_depth_encoder.h"
 

@@ -36,11 +36,12 @@ net::SealedMessagePtr sealed(const pb::Control& control) {
 
 }  // namespace
 
-// Outlives the link when the link goes first: it then reports to nobody.
+// Outlives the link when the link goes first: it then reports to nobody. The socket owns it, not
+// the other way round.
 class HubLink::Connection final : public net::ConnectionHandler {
  public:
-  Connection(std::shared_ptr<net::WebSocketConnection> socket, HubLink& link)
-      : socket_(std::move(socket)), link_(&link) {}
+  Connection(const std::shared_ptr<net::WebSocketConnection>& socket, HubLink& link)
+      : socket_(socket), link_(&link) {}
 
   void on_message(net::MessageBuffer message) override {
     if (link_ != nullptr) link_->take(std::move(message));
@@ -60,16 +61,18 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void send(const pb::Control& control) {
     if (control_.size() >= wire::kMaxQueuedControlMessages) return;
     control_.push_back(sealed(control));
-    socket_->wake();
+    wake();
   }
-  void wake() { socket_->wake(); }
+  void wake() {
+    if (const auto socket = socket_.lock()) socket->wake();
+  }
   void part() {
     link_ = nullptr;
-    socket_->close(net::close_code::kNormal, "left");
+    if (const auto socket = socket_.lock()) socket->close(net::close_code::kNormal, "left");
   }
 
  private:
-  std::shared_ptr<net::WebSocketConnection> socket_;
+  std::weak_ptr<net::WebSocketConnection> socket_;
   HubLink* link_;
   std::deque<net::SealedMessagePtr> control_;
 };

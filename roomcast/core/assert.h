@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ROOMCAST_ASSERT: for promises our own code makes to itself. Never used to check what comes from outside.
+// ROOMCAST_ASSERT: for promises our own code makes to itself. Never used to check what comes from
+// outside.
 #pragma once
 
 namespace roomcast {

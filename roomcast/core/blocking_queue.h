@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// BlockingQueue: first in, first out, never longer than its capacity; when full, the producer waits.
-// For work where nothing may be lost (recording, conversion of files). Thread-safe, any number of each side.
+// BlockingQueue: first in, first out, never longer than its capacity; when full, the producer
+// waits. For work where nothing may be lost (recording, conversion of files). Thread-safe, any
+// number of each side.
 #pragma once
 
 #include <condition_variable>
@@ -25,8 +26,8 @@ class BlockingQueue {
   /// Waits for room. False, and the item is not taken, once stopped or closed.
   bool push(T item, std::stop_token stop) {
     std::unique_lock lock(mutex_);
-    const bool woken = changed_.wait(
-        lock, stop, [this] { return closed_ || items_.size() < capacity_; });
+    const bool woken =
+        changed_.wait(lock, stop, [this] { return closed_ || items_.size() < capacity_; });
     if (!woken || closed_) return false;
     items_.push_back(std::move(item));
     changed_.notify_all();

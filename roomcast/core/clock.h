@@ -20,7 +20,8 @@ struct HostClockTag {
 };
 using HostTime = HostClockTag::time_point;
 
-/// Instants of the hub's monotonic clock. A client knows it only as HostTime plus an estimated offset.
+/// Instants of the hub's monotonic clock. A client knows it only as HostTime plus an estimated
+/// offset.
 struct RoomClockTag {
   using rep = std::int64_t;
   using period = std::nano;

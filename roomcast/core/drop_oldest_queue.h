@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DropOldestQueue: first in, first out, never longer than its capacity; when full, the oldest item goes.
-// For streams where a gap is better than a delay. Thread-safe, any number of each side.
+// DropOldestQueue: first in, first out, never longer than its capacity; when full, the oldest item
+// goes. For streams where a gap is better than a delay. Thread-safe, any number of each side.
 #pragma once
 
 #include <condition_variable>

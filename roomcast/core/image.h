@@ -21,7 +21,8 @@ struct Rgb8 {
 };
 static_assert(sizeof(Rgb8) == 3, "rows of Rgb8 are handed to image libraries as packed bytes");
 
-/// A window on `height` rows of `width` pixels, `stride` pixels apart. `T` const makes it read-only.
+/// A window on `height` rows of `width` pixels, `stride` pixels apart. `T` const makes it
+/// read-only.
 template <class T>
 struct ImageView {
   T* data = nullptr;
@@ -35,9 +36,7 @@ struct ImageView {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
   [[nodiscard]] bool contiguous() const { return stride == width; }
-  operator ImageView<const T>() const
-    requires(!std::is_const_v<T>)
-  {
+  operator ImageView<const T>() const requires(!std::is_const_v<T>) {
     return {data, width, height, stride};
   }
 };
@@ -69,7 +68,9 @@ class Image {
   [[nodiscard]] T& at(int x, int y) { return view().at(x, y); }
   [[nodiscard]] const T& at(int x, int y) const { return view().at(x, y); }
   [[nodiscard]] ImageView<T> view() { return {pixels_.data(), width_, height_, width_}; }
-  [[nodiscard]] ImageView<const T> view() const { return {pixels_.data(), width_, height_, width_}; }
+  [[nodiscard]] ImageView<const T> view() const {
+    return {pixels_.data(), width_, height_, width_};
+  }
   operator ImageView<const T>() const { return view(); }
 
   friend bool operator==(const Image&, const Image&) = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Result<T>: a value or an Error, for everything that depends on the outside world.
-// The message is one sentence for the person who has to act on it; it says what to do where that is known.
-// Compiles without exceptions (the codec is also built to wasm).
+// The message is one sentence for the person who has to act on it; it says what to do where that is
+// known. Compiles without exceptions (the codec is also built to wasm).
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}    // NOLINT: implicit
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}      // NOLINT: implicit
   Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT: implicit
 
   [[nodiscard]] bool ok() const { return state_.index() == 0; }

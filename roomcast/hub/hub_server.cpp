@@ -106,7 +106,7 @@ std::shared_ptr<net::ConnectionHandler> HubServer::Loop::welcome(
     std::shared_ptr<net::WebSocketConnection> connection) {
   if (unjoined_count() >= wire::kMaxUnjoinedConnections) return nullptr;
   const ConnectionId id{next_connection_++};
-  auto session = std::make_shared<Session>(id, std::move(connection), *this);
+  auto session = std::make_shared<Session>(id, connection, *this);
   sessions_[id] = session;
   expect_join(id);
   return session;

@@ -39,9 +39,9 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
 
 }  // namespace
 
-Session::Session(ConnectionId id, std::shared_ptr<net::WebSocketConnection> connection,
+Session::Session(ConnectionId id, const std::shared_ptr<net::WebSocketConnection>& connection,
                  SessionEvents& hub)
-    : id_(id), connection_(std::move(connection)), hub_(hub) {}
+    : id_(id), connection_(connection), hub_(hub) {}
 
 void Session::on_message(net::MessageBuffer message) {
   const auto type = wire::message_type(message.payload());
@@ -84,25 +84,33 @@ void Session::on_closed(const net::CloseReason& reason) {
 void Session::accept(bool is_sensor) {
   has_joined_ = true;
   is_sensor_ = is_sensor;
-  if (is_sensor) connection_->set_max_message_bytes(wire::kMaxFrameBytes);
+  if (const auto connection = connection_.lock(); connection && is_sensor) {
+    connection->set_max_message_bytes(wire::kMaxFrameBytes);
+  }
 }
 
 bool Session::send_control(net::SealedMessagePtr message) {
   if (!outbox_.push_control(std::move(message))) return false;
-  connection_->wake();
+  wake();
   return true;
 }
 
 void Session::send_set(FrameSetPtr set) {
   outbox_.push_set(std::move(set));
-  connection_->wake();
+  wake();
 }
 
 void Session::disconnect(pb::ErrorCode code, const std::string& sentence) {
   pb::Control control;
   control.mutable_error()->set_code(code);
   control.mutable_error()->set_sentence(sentence);
-  connection_->close_after(sealed_control(control), close_code_of(code), sentence);
+  if (const auto connection = connection_.lock()) {
+    connection->close_after(sealed_control(control), close_code_of(code), sentence);
+  }
+}
+
+void Session::wake() const {
+  if (const auto connection = connection_.lock()) connection->wake();
 }
 
 void Session::refuse(const Error& error) {

@@ -31,7 +31,7 @@ class SessionEvents {
 
 class Session final : public net::ConnectionHandler {
  public:
-  Session(ConnectionId id, std::shared_ptr<net::WebSocketConnection> connection,
+  Session(ConnectionId id, const std::shared_ptr<net::WebSocketConnection>& connection,
           SessionEvents& hub);
 
   void on_message(net::MessageBuffer message) override;
@@ -55,9 +55,10 @@ class Session final : public net::ConnectionHandler {
   void take_frame(net::MessageBuffer message);
   void take_control(std::span<const std::uint8_t> message);
   void refuse(const Error& error);
+  void wake() const;
 
   const ConnectionId id_;
-  const std::shared_ptr<net::WebSocketConnection> connection_;
+  const std::weak_ptr<net::WebSocketConnection> connection_;  // which owns this session
   SessionEvents& hub_;
   Outbox outbox_;
   bool has_joined_ = false;

@@ -33,9 +33,9 @@ struct RigWriterOptions {
 
 class RigWriter {
  public:
-  /// Makes `directory` with rig.json and camera.json of each sensor. kInvalidArgument for names that
-  /// are no folder names or not unique, and for what camera checks refuse; kUnavailable if it exists
-  /// and is not empty, or cannot be written.
+  /// Makes `directory` with rig.json and camera.json of each sensor. kInvalidArgument for names
+  /// that are no folder names or not unique, and for what camera checks refuse; kUnavailable if it
+  /// exists and is not empty, or cannot be written.
   static Result<RigWriter> create(const std::filesystem::path& directory, double fps,
                                   std::span<const RigSensor> sensors,
                                   const RigWriterOptions& options = {});
