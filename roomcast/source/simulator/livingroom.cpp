@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/livingroom.h"
+
 #include <array>
 #include <cmath>
 
 #include "roomcast/source/simulator/furniture.h"
-#include "roomcast/source/simulator/room.h"
 #include "roomcast/source/simulator/value_noise.h"
 
 namespace roomcast::sim {

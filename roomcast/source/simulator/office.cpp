@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/office.h"
+
 #include <array>
 
 #include "roomcast/source/simulator/furniture.h"
-#include "roomcast/source/simulator/room.h"
 #include "roomcast/source/simulator/value_noise.h"
 
 namespace roomcast::sim {

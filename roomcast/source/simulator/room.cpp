@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/room.h"
 
+#include "roomcast/source/simulator/livingroom.h"
+#include "roomcast/source/simulator/office.h"
 #include "roomcast/source/simulator/value_noise.h"
 
 namespace roomcast::sim {

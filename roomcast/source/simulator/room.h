@@ -66,7 +66,4 @@ struct Room {
 /// for another name.
 [[nodiscard]] Result<Room> build_room(std::string_view scene, std::uint64_t seed);
 
-[[nodiscard]] Room build_livingroom(std::uint32_t seed);
-[[nodiscard]] Room build_office(std::uint32_t seed);
-
 }  // namespace roomcast::sim

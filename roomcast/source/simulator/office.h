@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// An office: desks with screens, chairs, shelves, whiteboard. The seed varies its things.
+#pragma once
+
+#include <cstdint>
+
+#include "roomcast/source/simulator/room.h"
+
+namespace roomcast::sim {
+
+[[nodiscard]] Room build_office(std::uint32_t seed);
+
+}  // namespace roomcast::sim
