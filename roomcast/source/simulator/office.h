@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An office: desks with screens, chairs, shelves, whiteboard. The seed varies its things.
+// An office: desks with monitors, chairs, shelves, a sideboard, a plant. The seed varies its
+// things.
 #pragma once
 
 #include <cstdint>
