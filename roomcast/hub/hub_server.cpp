@@ -21,7 +21,6 @@ namespace roomcast::hub {
 namespace {
 
 namespace asio = boost::asio;
-constexpr char kHubVersion[] = "0.1.0";
 constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
 constexpr char kNoPage[] =
     "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
@@ -34,7 +33,7 @@ class HubServer::Loop final : public SessionEvents {
   Loop(HubOptions options, std::optional<net::StaticSite> site)
       : options_(std::move(options)),
         site_(std::move(site)),
-        room_(options_.room, kHubVersion),
+        room_(options_.room, ROOMCAST_VERSION),
         timer_(io_) {}
 
   Status listen();
