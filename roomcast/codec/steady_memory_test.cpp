@@ -15,15 +15,16 @@ namespace {
 std::atomic<int> allocation_count{0};  // of this test program
 }
 
-void* operator new(std::size_t size) {
+// Not inlined, or GCC sees free() of what operator new gave and calls it a mistake.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocation_count;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
