@@ -12,18 +12,13 @@
 #include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
+#include "roomcast/client/sealed_control.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast {
-
-inline net::SealedMessagePtr sealed_for_test(const wire::pb::Control& control) {
-  net::MessageBuffer buffer;
-  wire::encode_control(control, buffer.appendable());
-  return net::seal(std::move(buffer));
-}
 
 class FakeHub {
  public:
@@ -43,12 +38,12 @@ class FakeHub {
     to_say_->push_back(std::move(message));
     connection_->wake();
   }
-  void say(const wire::pb::Control& control) { say(sealed_for_test(control)); }
+  void say(const wire::pb::Control& control) { say(sealed_control(control)); }
   void refuse(wire::pb::ErrorCode code, const std::string& sentence) {
     wire::pb::Control control;
     control.mutable_error()->set_code(code);
     control.mutable_error()->set_sentence(sentence);
-    connection_->close_after(sealed_for_test(control), net::close_code::kPolicy, sentence);
+    connection_->close_after(sealed_control(control), net::close_code::kPolicy, sentence);
   }
   void hang_up() { connection_->close(net::close_code::kGoingAway, "the hub stops"); }
 

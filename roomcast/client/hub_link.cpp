@@ -5,6 +5,7 @@
 #include <deque>
 #include <utility>
 
+#include "roomcast/client/sealed_control.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -26,12 +27,6 @@ constexpr auto kShortestPing = 300ms, kLongestPing = 700ms;
 bool is_final(pb::ErrorCode code) {
   return code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
          code != pb::ERROR_SHUTTING_DOWN;
-}
-
-net::SealedMessagePtr sealed(const pb::Control& control) {
-  net::MessageBuffer buffer;
-  wire::encode_control(control, buffer.appendable());
-  return net::seal(std::move(buffer));
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ class HubLink::Connection final : public net::ConnectionHandler {
 
   void send(const pb::Control& control) {
     if (control_.size() >= wire::kMaxQueuedControlMessages) return;
-    control_.push_back(sealed(control));
+    control_.push_back(sealed_control(control));
     wake();
   }
   void wake() {
