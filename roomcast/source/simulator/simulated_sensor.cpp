@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "roomcast/source/simulator/body_picture.h"
-#include "roomcast/source/simulator/kinect_calibration.h"
-#include "roomcast/source/simulator/value_noise.h"
+#include "roomcast/source/simulator/people/body_picture.h"
+#include "roomcast/source/simulator/scene/value_noise.h"
+#include "roomcast/source/simulator/sensing/kinect_calibration.h"
 
 namespace roomcast {
 namespace {

@@ -13,11 +13,11 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/source/simulator/body_layer.h"
-#include "roomcast/source/simulator/cloth_atlas.h"
-#include "roomcast/source/simulator/room.h"
-#include "roomcast/source/simulator/sensor_noise.h"
-#include "roomcast/source/simulator/static_plate.h"
+#include "roomcast/source/simulator/people/body_layer.h"
+#include "roomcast/source/simulator/people/cloth_atlas.h"
+#include "roomcast/source/simulator/scene/room.h"
+#include "roomcast/source/simulator/sensing/sensor_noise.h"
+#include "roomcast/source/simulator/tracing/static_plate.h"
 
 namespace roomcast {
 

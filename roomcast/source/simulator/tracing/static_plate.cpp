@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/tracing/static_plate.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "roomcast/source/simulator/scene/value_noise.h"
+#include "roomcast/source/simulator/tracing/light_map.h"
+#include "roomcast/source/simulator/tracing/parallel_rows.h"
+
+namespace roomcast::sim {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+/// Light that comes to the camera along rays, with all that is needed to follow them.
+class ColorTracer {
+ public:
+  ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera)
+      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera) {}
+
+  struct Sample {
+    Vector3f light = Vector3f::Zero();
+    float z_m = 0.0F;
+  };
+
+  /// At pixel (x, y) plus `offset` pixels.
+  [[nodiscard]] Sample sample(int x, int y, const Vector2f& offset, std::uint32_t dither) const {
+    const Vector3f direction =
+        camera_.direction(camera_.ray(x, y) + camera_.pixel_angle() * offset);
+    const auto hit = scene_.first_hit(camera_.eye_m(), direction);
+    if (!hit) return {};
+    const Surface& surface = room_.surfaces[room_.mesh.surface[hit->triangle]];
+    const LitPoint at{camera_.eye_m() + hit->t * direction, hit->normal};
+    const float slant = std::max(0.15F, -hit->normal.dot(direction.normalized()));
+    const Vector3f albedo = albedo_at(surface, hit->uv_m, hit->t * camera_.pixel_angle() / slant);
+    if (surface.glow >= 1.0F) return {albedo, hit->t};
+    return {light_leaving(surface, albedo, lights_.arriving(x, y, at, dither)), hit->t};
+  }
+
+ private:
+  const Room& room_;
+  const RayScene& scene_;
+  const PlacedCamera& camera_;
+  LightMap lights_;
+};
+
+Rgb8 rounded(const Vector3f& srgb) {
+  const auto byte = [](float value) { return static_cast<std::uint8_t>(value + 0.5F); };
+  return {byte(srgb.x()), byte(srgb.y()), byte(srgb.z())};
+}
+
+int contrast(const Rgb8& a, const Rgb8& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+bool has_contrast(ColorView picture, int x, int y) {
+  constexpr int kVisible = 14;  // grey levels
+  const Rgb8 here = picture.at(x, y);
+  return (x > 0 && contrast(here, picture.at(x - 1, y)) > kVisible) ||
+         (y > 0 && contrast(here, picture.at(x, y - 1)) > kVisible) ||
+         (x + 1 < picture.width && contrast(here, picture.at(x + 1, y)) > kVisible) ||
+         (y + 1 < picture.height && contrast(here, picture.at(x, y + 1)) > kVisible);
+}
+
+std::uint32_t dither_of(int x, int y, std::uint32_t sample) {
+  return hash_of(hash_of(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)), sample);
+}
+
+/// Mean of samples spread over the pixel: a rotated grid.
+Rgb8 smooth_pixel(const ColorTracer& tracer, int x, int y) {
+  const std::array<Vector2f, 4> spread = {Vector2f(-0.125F, -0.375F), Vector2f(0.375F, -0.125F),
+                                          Vector2f(-0.375F, 0.125F), Vector2f(0.125F, 0.375F)};
+  Vector3f sum = Vector3f::Zero();
+  std::uint32_t number = 1;
+  for (const Vector2f& offset : spread) {
+    sum += srgb_from_linear(tracer.sample(x, y, offset, dither_of(x, y, number++)).light);
+  }
+  return rounded(sum / static_cast<float>(spread.size()));
+}
+
+}  // namespace
+
+DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
+  const int width = camera.width();
+  const int height = camera.height();
+  DepthPlate plate{Image<float>(width, height), Image<float>(width, height),
+                   Image<float>(width, height)};
+  for_each_row(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const Vector3f direction = camera.direction(x, y);
+      const auto hit = scene.first_hit(camera.eye_m(), direction);
+      if (!hit) continue;
+      plate.z_m.at(x, y) = hit->t;
+      plate.facing.at(x, y) = -hit->normal.dot(direction.normalized());
+      plate.infrared.at(x, y) = room.surfaces[room.mesh.surface[hit->triangle]].infrared;
+    }
+  });
+  return plate;
+}
+
+ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
+  const int width = camera.width();
+  const int height = camera.height();
+  const ColorTracer tracer(room, scene, camera);
+  ColorPlate plate{Image<float>(width, height), ColorImage(width, height)};
+  ColorImage first(width, height);
+  for_each_row(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const auto sample = tracer.sample(x, y, Vector2f::Zero(), dither_of(x, y, 0));
+      plate.z_m.at(x, y) = sample.z_m;
+      first.at(x, y) = rounded(srgb_from_linear(sample.light));
+    }
+  });
+  for_each_row(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const bool rough = has_contrast(first.view(), x, y);
+      plate.color.at(x, y) = rough ? smooth_pixel(tracer, x, y) : first.at(x, y);
+    }
+  });
+  return plate;
+}
+
+}  // namespace roomcast::sim
