@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a depth section and as a colour mask. Input: width - 16, height - 16, then the
 // section.
-#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

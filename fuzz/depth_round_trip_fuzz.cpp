@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any picture comes back bit for bit. Input: width - 16, height - 16, then pixels, repeated to fill
 // the picture.
-#include "roomcast/codec/lossless_depth_decoder.h"
-#include "roomcast/codec/lossless_depth_encoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_encoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 4) return 0;

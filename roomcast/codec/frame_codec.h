@@ -14,12 +14,20 @@
 
 namespace roomcast::codec {
 
+/// How depth is coded. docs/spec/codec.md.
+enum class DepthMode {
+  kLive,          // noise is not sent: few bytes, less error than the sensor's own
+  kNearLossless,  // every reading within a bound, each frame by itself
+  kLossless,      // every reading as it was, each frame by itself
+};
+
 struct FrameEncoderOptions {
   int width = 0, height = 0;   // of the depth grid; both 16..4096
   double fps = 30;             // nominal, for rate control
   int color_kbit_per_s = 900;  // target of the colour stream
   int temporal_layers = 2;     // 1 or 2; layer 1 frames can be dropped without harm to others
-  /// kInvalidArgument with the field that is wrong.
+  DepthMode depth_mode = DepthMode::kLossless;
+  /// kInvalidArgument with the field that is wrong; kUnsupported for a depth mode to come.
   [[nodiscard]] Status check() const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_decoder.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/lossless_depth_encoder.h"
+#include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_encoder.h"
@@ -98,6 +98,9 @@ Status FrameEncoderOptions::check() const {
   }
   if (temporal_layers != 1 && temporal_layers != 2) {
     return invalid("FrameEncoderOptions.temporal_layers must be 1 or 2.");
+  }
+  if (depth_mode != DepthMode::kLossless) {
+    return Error{ErrorCode::kUnsupported, "This version codes depth without loss only."};
   }
   return {};
 }

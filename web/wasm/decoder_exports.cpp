@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_header.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "roomcast/codec/side_information.h"
+#include "roomcast/codec/lossless/side_information.h"
 
 namespace roomcast::codec {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/table_merging.h"
+#include "roomcast/codec/lossless/table_merging.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/codec/little_endian.h"
-#include "roomcast/codec/lossless_depth_decoder.h"
-#include "roomcast/codec/lossless_depth_encoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/synthetic_depth.h"
 
 namespace roomcast::codec {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomcast/codec/side_information.h"
-#include "roomcast/codec/table_merging.h"
+#include "roomcast/codec/lossless/side_information.h"
+#include "roomcast/codec/lossless/table_merging.h"
 #include "roomcast/core/image.h"
 
 namespace roomcast::codec {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/lossless_depth_encoder.h"
+#include "roomcast/codec/lossless/lossless_depth_encoder.h"
 
-#include "roomcast/codec/depth_tokens.h"
 #include "roomcast/codec/little_endian.h"
-#include "roomcast/codec/predictor_fitting.h"
+#include "roomcast/codec/lossless/depth_tokens.h"
+#include "roomcast/codec/lossless/predictor_fitting.h"
 
 namespace roomcast::codec {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/side_information.h"
+#include "roomcast/codec/lossless/side_information.h"
 
 #include <algorithm>
 #include <bit>

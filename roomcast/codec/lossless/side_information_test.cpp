@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Side information and the frequency tables in it.
-#include "roomcast/codec/side_information.h"
+#include "roomcast/codec/lossless/side_information.h"
 
 #include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/table_merging.h"
+#include "roomcast/codec/lossless/table_merging.h"
 
 namespace roomcast::codec {
 namespace {

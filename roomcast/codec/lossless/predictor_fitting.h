@@ -4,7 +4,7 @@
 // encoder's choice alone: any weights decode.
 #pragma once
 
-#include "roomcast/codec/depth_model.h"
+#include "roomcast/codec/lossless/depth_model.h"
 #include "roomcast/core/image.h"
 
 namespace roomcast::codec {

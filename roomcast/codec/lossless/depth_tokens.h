@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "roomcast/codec/frequency_table.h"
+#include "roomcast/codec/lossless/frequency_table.h"
 
 namespace roomcast::codec {
 

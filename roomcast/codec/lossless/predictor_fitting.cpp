@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/predictor_fitting.h"
+#include "roomcast/codec/lossless/predictor_fitting.h"
 
 #include <cmath>
 #include <optional>

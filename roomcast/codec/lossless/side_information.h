@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/codec/depth_model.h"
-#include "roomcast/codec/frequency_table.h"
+#include "roomcast/codec/lossless/depth_model.h"
+#include "roomcast/codec/lossless/frequency_table.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::codec {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/codec/side_information.h"
+#include "roomcast/codec/lossless/side_information.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/frequency_table.h"
+#include "roomcast/codec/lossless/frequency_table.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/lossless_depth_decoder.h"
+#include "roomcast/codec/lossless/lossless_depth_decoder.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "roomcast/codec/depth_tokens.h"
 #include "roomcast/codec/little_endian.h"
+#include "roomcast/codec/lossless/depth_tokens.h"
 
 namespace roomcast::codec {
 namespace {
