@@ -40,6 +40,13 @@ void add_simulate_command(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(1.0, kMaxSimulatedFps))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Of noise and looks")->capture_default_str();
+  command
+      ->add_option("--speed", options->speed,
+                   "Of all motion: 1 as in life, 0.05 slow motion, 0 none")
+      ->check(CLI::Range(0.0, kMaxSimulatedSpeed))
+      ->capture_default_str();
+  command->add_flag("--truth-color", options->truth_color,
+                    "Write noise-free colour into truth/, too");
   command->add_flag("--clean", options->clean, "Without noise");
   command->footer("Example:\n  roomcast simulate recordings/sim --sensors 3 --seconds 5 --seed 7");
   command->callback([out, options, &chosen] {

@@ -51,6 +51,13 @@ Status ImageFileReader::read_color(const std::filesystem::path& path, ImageSize 
                                        : decode_color_png(bytes_, color.view()));
 }
 
+Status ImageFileReader::read_mask(const std::filesystem::path& path, ImageSize size,
+                                  MaskImage& mask) {
+  if (Status status = read_file(path, kMaxImageFileBytes, bytes_); !status.ok()) return status;
+  resize_to(mask, size);
+  return refused(path, decode_mask_png(bytes_, mask.view()));
+}
+
 Status write_depth_png(const std::filesystem::path& path, DepthView depth) {
   std::vector<std::uint8_t> bytes;
   const std::string problem = encode_depth_png(depth, bytes);
@@ -60,6 +67,12 @@ Status write_depth_png(const std::filesystem::path& path, DepthView depth) {
 Status write_color_png(const std::filesystem::path& path, ColorView color) {
   std::vector<std::uint8_t> bytes;
   const std::string problem = encode_color_png(color, bytes);
+  return problem.empty() ? write_file(path, bytes) : not_written(path, problem);
+}
+
+Status write_mask_png(const std::filesystem::path& path, MaskView mask) {
+  std::vector<std::uint8_t> bytes;
+  const std::string problem = encode_mask_png(mask, bytes);
   return problem.empty() ? write_file(path, bytes) : not_written(path, problem);
 }
 

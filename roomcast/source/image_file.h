@@ -33,6 +33,9 @@ class ImageFileReader {
   /// JPEG or PNG, told apart by content. Errors as above.
   [[nodiscard]] Status read_color(const std::filesystem::path& path, ImageSize size,
                                   ColorImage& color);
+  /// 8-bit grey PNG. Errors as above.
+  [[nodiscard]] Status read_mask(const std::filesystem::path& path, ImageSize size,
+                                 MaskImage& mask);
 
  private:
   std::vector<std::uint8_t> bytes_;
@@ -42,6 +45,7 @@ class ImageFileReader {
 /// Written whole or not at all. kUnavailable when the file cannot be written.
 [[nodiscard]] Status write_depth_png(const std::filesystem::path& path, DepthView depth);
 [[nodiscard]] Status write_color_png(const std::filesystem::path& path, ColorView color);
+[[nodiscard]] Status write_mask_png(const std::filesystem::path& path, MaskView mask);
 /// `quality` 1..100.
 [[nodiscard]] Status write_color_jpeg(const std::filesystem::path& path, ColorView color,
                                       int quality);

@@ -61,6 +61,18 @@ TEST_F(ImageFile, colour_png_comes_back_bit_for_bit) {
   EXPECT_EQ(color_, some_color());
 }
 
+TEST_F(ImageFile, mask_comes_back_bit_for_bit_and_is_no_depth) {
+  MaskImage mask(kSmallWidth, kSmallHeight, 0), read;
+  mask.at(3, 2) = 255;
+  mask.at(4, 2) = 7;
+  ASSERT_TRUE(write_mask_png(folder_ / "m.png", mask).ok());
+  ASSERT_TRUE(reader_.read_mask(folder_ / "m.png", kDepthSize, read).ok());
+  EXPECT_EQ(read, mask);
+  EXPECT_FALSE(reader_.read_depth(folder_ / "m.png", kDepthSize, depth_).ok());
+  ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
+  EXPECT_FALSE(reader_.read_mask(folder_ / "d.png", kDepthSize, read).ok());
+}
+
 TEST_F(ImageFile, colour_jpeg_comes_back_nearly) {
   ASSERT_TRUE(write_color_jpeg(folder_ / "c.jpg", some_color(), 95).ok());
   ASSERT_TRUE(reader_.read_color(folder_ / "c.jpg", kColorSize, color_).ok());

@@ -57,7 +57,7 @@ void read_bytes(png_structp png, png_bytep to, std::size_t count) {
   unread->left -= count;
 }
 
-enum class Pixels { kDepth, kColor };
+enum class Pixels { kDepth, kColor, kMask };
 
 void check_header(png_structp png, png_infop info, Pixels pixels, const Rows& rows) {
   if (png_get_image_width(png, info) != static_cast<png_uint_32>(rows.width) ||
@@ -67,6 +67,9 @@ void check_header(png_structp png, png_infop info, Pixels pixels, const Rows& ro
   const bool grey16 =
       png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png, info) == 16;
   if (pixels == Pixels::kDepth && !grey16) png_error(png, "depth must be 16-bit grey");
+  const bool grey8 =
+      png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png, info) == 8;
+  if (pixels == Pixels::kMask && !grey8) png_error(png, "a mask must be 8-bit grey");
 }
 
 void ask_for(png_structp png, Pixels pixels) {
@@ -74,6 +77,7 @@ void ask_for(png_structp png, Pixels pixels) {
     png_set_swap(png);  // PNG is big-endian
     return;
   }
+  if (pixels == Pixels::kMask) return;
   png_set_expand(png);
   png_set_strip_16(png);
   png_set_strip_alpha(png);
@@ -138,8 +142,8 @@ bool write_picture(png_structp png, png_infop info, std::vector<std::uint8_t>* b
   png_set_compression_level(png, kCompressionLevel);
   png_set_IHDR(png, info, static_cast<png_uint_32>(rows.width),
                static_cast<png_uint_32>(rows.height), depth ? 16 : 8,
-               depth ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+               pixels == Pixels::kColor ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
   if (depth) png_set_swap(png);
   for (int y = 0; y < rows.height; ++y) png_write_row(png, rows.first + y * rows.stride_bytes);
@@ -170,11 +174,17 @@ std::string decode_depth_png(std::span<const std::uint8_t> bytes, ImageView<std:
 std::string decode_color_png(std::span<const std::uint8_t> bytes, ImageView<Rgb8> color) {
   return decode(bytes, Pixels::kColor, rows_of(color));
 }
+std::string decode_mask_png(std::span<const std::uint8_t> bytes, ImageView<std::uint8_t> mask) {
+  return decode(bytes, Pixels::kMask, rows_of(mask));
+}
 std::string encode_depth_png(DepthView depth, std::vector<std::uint8_t>& bytes) {
   return encode(Pixels::kDepth, rows_of(depth), bytes);
 }
 std::string encode_color_png(ColorView color, std::vector<std::uint8_t>& bytes) {
   return encode(Pixels::kColor, rows_of(color), bytes);
+}
+std::string encode_mask_png(MaskView mask, std::vector<std::uint8_t>& bytes) {
+  return encode(Pixels::kMask, rows_of(mask), bytes);
 }
 
 }  // namespace roomcast

@@ -20,9 +20,14 @@ namespace roomcast {
 /// empty string.
 [[nodiscard]] std::string decode_color_png(std::span<const std::uint8_t> bytes,
                                            ImageView<Rgb8> color);
+/// Decodes an 8-bit grey PNG of exactly the size of `mask`. Returns what is wrong, or an empty
+/// string.
+[[nodiscard]] std::string decode_mask_png(std::span<const std::uint8_t> bytes,
+                                          ImageView<std::uint8_t> mask);
 
 /// Appends a PNG file. Returns what is wrong, or an empty string.
 [[nodiscard]] std::string encode_depth_png(DepthView depth, std::vector<std::uint8_t>& bytes);
 [[nodiscard]] std::string encode_color_png(ColorView color, std::vector<std::uint8_t>& bytes);
+[[nodiscard]] std::string encode_mask_png(MaskView mask, std::vector<std::uint8_t>& bytes);
 
 }  // namespace roomcast

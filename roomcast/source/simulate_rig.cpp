@@ -31,13 +31,17 @@ Status check(const SimulateRigOptions& options) {
     return Error{ErrorCode::kInvalidArgument,
                  "A simulated recording has more than 0 and at most 120 frames per second."};
   }
+  if (!(options.speed >= 0 && options.speed <= kMaxSimulatedSpeed)) {
+    return Error{ErrorCode::kInvalidArgument, "Things move at 0 to 10 times their natural speed."};
+  }
   return {};
 }
 
 Result<Sensors> open_sensors(const SimulateRigOptions& options) {
   Sensors sensors;
   for (int i = 0; i < options.sensor_count || i == 0; ++i) {
-    auto sensor = SimulatedSensor::open({options.scene, i, options.sensor_count, options.seed});
+    auto sensor = SimulatedSensor::open(
+        {options.scene, i, options.sensor_count, options.seed, options.speed});
     if (!sensor) return std::move(sensor).error();
     sensors.push_back(*std::move(sensor));
   }
@@ -64,20 +68,24 @@ std::string provenance(const SimulateRigOptions& options, const SimulatedSensor&
 /// The noise-free pictures of one sensor and when they were.
 class TruthFolder {
  public:
-  static Result<TruthFolder> create(const fs::path& folder) {
+  static Result<TruthFolder> create(const fs::path& folder, bool with_color) {
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) return cannot_write(folder);
+    for (const char* name : {"moving", "color"}) {
+      if (name == std::string_view("color") && !with_color) continue;
+      fs::create_directories(folder / name, error);
+      if (error) return cannot_write(folder / name);
+    }
     TruthFolder truth(folder);
     truth.times_ << "# frame true_time_s\n";
     if (!truth.times_) return cannot_write(folder / "times.txt");
     return truth;
   }
 
-  Status add(std::uint64_t index, nanoseconds time, DepthView depth_mm) {
-    char name[32];
-    std::snprintf(name, sizeof(name), "%06llu.png", static_cast<unsigned long long>(index));
+  Status add(std::uint64_t index, nanoseconds time, DepthView depth_mm, MaskView moving) {
+    const std::string name = numbered(index, ".png");
     if (Status written = write_depth_png(folder_ / name, depth_mm); !written) return written;
+    if (Status written = write_mask_png(folder_ / "moving" / name, moving); !written)
+      return written;
     char line[64];
     std::snprintf(line, sizeof(line), "%llu %.9f\n", static_cast<unsigned long long>(index),
                   static_cast<double>(time.count()) * 1e-9);
@@ -86,7 +94,16 @@ class TruthFolder {
     return {};
   }
 
+  Status add_color(std::uint64_t index, ColorView color) {
+    return write_color_jpeg(folder_ / "color" / numbered(index, ".jpg"), color, kTruthJpegQuality);
+  }
+
  private:
+  static std::string numbered(std::uint64_t index, const char* ending) {
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06llu%s", static_cast<unsigned long long>(index), ending);
+    return name;
+  }
   explicit TruthFolder(const fs::path& folder) : folder_(folder), times_(folder / "times.txt") {}
   static Error cannot_write(const fs::path& path) {
     return {ErrorCode::kUnavailable, "Cannot write " + path.string() + "; is the disk full?"};
@@ -96,10 +113,11 @@ class TruthFolder {
   std::ofstream times_;
 };
 
-Result<std::vector<TruthFolder>> create_truth(const fs::path& directory, std::size_t count) {
+Result<std::vector<TruthFolder>> create_truth(const fs::path& directory, std::size_t count,
+                                              bool with_color) {
   std::vector<TruthFolder> folders;
   for (std::size_t i = 0; i < count; ++i) {
-    auto folder = TruthFolder::create(directory / "truth" / ("s" + std::to_string(i)));
+    auto folder = TruthFolder::create(directory / "truth" / ("s" + std::to_string(i)), with_color);
     if (!folder) return std::move(folder).error();
     folders.push_back(*std::move(folder));
   }
@@ -107,12 +125,17 @@ Result<std::vector<TruthFolder>> create_truth(const fs::path& directory, std::si
 }
 
 /// Renders and writes one sensor's instant twice: as the sensor reads it, and as it is.
-Status write_instant(SimulatedSensor& sensor, std::size_t number, bool clean, CapturedFrame& frame,
-                     RigWriter& rig, TruthFolder& truth) {
-  sensor.render(frame.device_time, frame.index, frame.depth_mm, frame.color, !clean);
+Status write_instant(SimulatedSensor& sensor, std::size_t number, const SimulateRigOptions& options,
+                     CapturedFrame& frame, RigWriter& rig, TruthFolder& truth) {
+  sensor.render(frame.device_time, frame.index, frame.depth_mm, frame.color, !options.clean);
   if (Status added = rig.add(number, frame, frame.device_time); !added) return added;
-  if (!clean) sensor.render_true_depth(frame.device_time, frame.depth_mm);
-  return truth.add(frame.index, frame.device_time, frame.depth_mm);
+  sensor.render(frame.device_time, frame.index, frame.depth_mm, frame.color, false);
+  if (options.truth_color) {
+    if (Status added = truth.add_color(frame.index, frame.color); !added) return added;
+  }
+  MaskImage moving;
+  sensor.render_moving(frame.device_time, moving);
+  return truth.add(frame.index, frame.device_time, frame.depth_mm, moving);
 }
 
 }  // namespace
@@ -126,7 +149,7 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   writing.source = provenance(options, *sensors->front());
   auto rig = RigWriter::create(directory, options.fps, rig_sensors(*sensors), writing);
   if (!rig) return std::move(rig).error();
-  auto truth = create_truth(directory, sensors->size());
+  auto truth = create_truth(directory, sensors->size(), options.truth_color);
   if (!truth) return std::move(truth).error();
 
   const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
@@ -139,8 +162,7 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
     frame.capture_time = HostTime(frame.device_time);
     for (std::size_t number = 0; number < sensors->size(); ++number) {
       SimulatedSensor& sensor = *(*sensors)[number];
-      const Status written =
-          write_instant(sensor, number, options.clean, frame, *rig, (*truth)[number]);
+      const Status written = write_instant(sensor, number, options, frame, *rig, (*truth)[number]);
       if (!written) return written;
       if (progress) progress(++done, total);
     }

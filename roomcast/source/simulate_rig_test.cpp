@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulate_rig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -76,6 +77,25 @@ TEST_F(SimulateRig, truth_is_the_recording_without_noise) {
   EXPECT_EQ(line, "0 0.000000000");
   std::getline(times, line);
   EXPECT_EQ(line, "1 0.033333333");
+}
+
+TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still) {
+  SimulateRigOptions options;
+  options.sensor_count = 1;
+  options.seconds = 0.5;
+  options.fps = 4;
+  options.truth_color = true;
+  options.speed = 0;
+  ASSERT_TRUE(simulate_rig(folder_, options));
+  EXPECT_EQ(read_depth(folder_ / "truth/s0/000000.png"),
+            read_depth(folder_ / "truth/s0/000001.png"));
+  ImageFileReader reader;
+  MaskImage moving;
+  ASSERT_TRUE(reader.read_mask(folder_ / "truth/s0/moving/000000.png", {512, 424}, moving));
+  const auto count = std::count(moving.data(), moving.data() + moving.view().pixel_count(), 255);
+  EXPECT_GT(count, 1000);
+  EXPECT_LT(count, 60000);
+  EXPECT_TRUE(fs::exists(folder_ / "truth/s0/color/000001.jpg"));
 }
 
 TEST_F(SimulateRig, reports_every_picture) {

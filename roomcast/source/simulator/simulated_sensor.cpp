@@ -81,9 +81,14 @@ std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame_index) const {
   return sim::hash_of(sim::hash_of(sensor, low(frame_index)), low(frame_index >> 32));
 }
 
+sim::WalkingBody SimulatedSensor::body_at(nanoseconds scene_time) const {
+  const double played = static_cast<double>(scene_time.count()) * options_.speed;
+  return sim::WalkingBody::at(room_->walk, nanoseconds(std::llround(played)));
+}
+
 void SimulatedSensor::render(nanoseconds scene_time, std::uint64_t frame_index,
                              DepthImage& depth_mm, ColorImage& color, bool with_noise) {
-  const auto body = sim::WalkingBody::at(room_->walk, scene_time);
+  const auto body = body_at(scene_time);
   const auto key = noise_key(frame_index);
   copy_into(plate_mm_, depth_mm);
   copy_into(color_plate_.color, color);
@@ -94,7 +99,16 @@ void SimulatedSensor::render(nanoseconds scene_time, std::uint64_t frame_index,
 
 void SimulatedSensor::render_true_depth(nanoseconds scene_time, DepthImage& depth_mm) {
   copy_into(plate_mm_, depth_mm);
-  render_depth(sim::WalkingBody::at(room_->walk, scene_time), 0, false, depth_mm.view());
+  render_depth(body_at(scene_time), 0, false, depth_mm.view());
+}
+
+void SimulatedSensor::render_moving(nanoseconds scene_time, MaskImage& moving) {
+  DepthImage depth_mm;
+  render_true_depth(scene_time, depth_mm);
+  moving.resize(depth_mm.width(), depth_mm.height());
+  for (std::size_t i = 0; i < moving.view().pixel_count(); ++i) {
+    moving.data()[i] = depth_mm.data()[i] == plate_mm_.data()[i] ? 0 : 255;
+  }
 }
 
 void SimulatedSensor::render_depth(const sim::WalkingBody& body, std::uint32_t key, bool with_noise,

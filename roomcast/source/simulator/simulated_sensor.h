@@ -28,6 +28,7 @@ class SimulatedSensor {
     int sensor_index = 0;
     int sensor_count = 3;    // how many stand around the room, 1..sim::kMaxSimulatedSensors
     std::uint64_t seed = 1;  // noise, and how things look
+    double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
   };
 
   /// kNotFound for an unknown scene (the message lists them); kInvalidArgument for an index or
@@ -48,10 +49,14 @@ class SimulatedSensor {
   /// Depth of `scene_time` without noise, alone: what `render` without noise gives.
   void render_true_depth(nanoseconds scene_time, DepthImage& depth_mm);
 
+  /// 255 where the depth of `scene_time` is that of something moving, 0 elsewhere.
+  void render_moving(nanoseconds scene_time, MaskImage& moving);
+
  private:
   SimulatedSensor(const Options& options, std::unique_ptr<const sim::Room> room,
                   const sim::RayScene& scene);
 
+  [[nodiscard]] sim::WalkingBody body_at(nanoseconds scene_time) const;
   [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame_index) const;
   void render_depth(const sim::WalkingBody& body, std::uint32_t key, bool with_noise,
                     ImageView<std::uint16_t> out);
