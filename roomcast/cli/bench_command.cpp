@@ -7,69 +7,60 @@
 
 #include <fmt/format.h>
 
-#include "bench/codec_bench.h"
+#include "bench/codec/codec_bench.h"
 #include "bench/register_bench.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/geometry/registration.h"
-#include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {
 namespace {
 
-struct BenchOptions {
-  std::string source = "sim#0";
-  int frames = 60;
+struct CodecCommandOptions {
+  std::string input = "sim";
+  bench::BenchInputOptions simulator;
+  bench::CodecBenchOptions bench;
   bool json = false;
 };
 
-Status run_codec(const BenchOptions& options) {
-  SourceOptions source_options;
-  source_options.pace = Pace::kAsFastAsPossible;
-  source_options.loop = false;
-  auto source = open_source(options.source, source_options);
-  if (!source) return source.error();
-  auto registration = Registration::create((*source)->description().calibration);
-  if (!registration) return registration.error();
-
+Status run_codec(const CodecCommandOptions& options) {
+  auto input = bench::open_bench_input(options.input, options.simulator);
+  if (!input) return input.error();
   StatusLine line;
-  Status fault;
-  CapturedFrame captured;
-  RegisteredColor registered;
-  int frames = 0;
-  const auto feed = [&](DepthImage& depth_mm, ColorImage& color, MaskImage& seen) {
-    auto more = (*source)->next(captured, {});
-    if (!more) fault = more.error();
-    if (!more || !*more) return false;
-    line.show(fmt::format("frame {}", ++frames));
-    depth_mm = captured.depth_mm;
-    if (captured.color.empty()) return true;
-    if (auto status = registration->run(captured.depth_mm, captured.color, registered); !status) {
-      fault = status;
-      return false;
-    }
-    color = registered.color;
-    seen = registered.seen;
-    return true;
-  };
-  bench::CodecBenchOptions bench_options;
-  bench_options.fps = (*source)->description().fps;
-  bench_options.most_frames = options.frames;
-  const auto report = bench::run_codec_bench(options.source, feed, {}, bench_options);
-  if (!fault) return fault;
+  const auto report = bench::run_codec_bench(
+      **input, options.bench, [&line](int frame) { line.show(fmt::format("frame {}", frame)); });
   if (!report) return report.error();
   options.json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
   return {};
 }
 
 void add_codec_bench(CLI::App& bench, Command& chosen) {
-  auto options = std::make_shared<BenchOptions>();
+  auto options = std::make_shared<CodecCommandOptions>();
   CLI::App* command = bench.add_subcommand(
-      "codec", "Bytes and CPU time of one sensor's frames, beside raw, gzip and RVL");
-  command->add_option("source", options->source, "sim[:scene][#n], rig:DIR#s0, tum:DIR")
+      "codec", "Bytes, CPU time and errors of every codec on one sensor's frames, peers beside");
+  command
+      ->add_option("input", options->input,
+                   "rig:DIR#s0, tum:DIR, a folder (of a rig the first sensor), sim[:scene][#n]")
       ->capture_default_str();
-  command->add_option("--frames", options->frames, "At most so many")
+  command->add_option("--codec,--mode", options->bench.only,
+                      "Only this codec or mode, for example roomcast or lossless");
+  command->add_option("--frames", options->bench.most_frames, "At most so many")
       ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--warmup", options->bench.warm_up_s,
+                   "Seconds at the start that are not measured (at most a third)")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--key-every", options->bench.key_every_s, "Seconds between key frames")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command
+      ->add_option("--color-kbit", options->bench.color_kbit_per_s,
+                   "Bit rate of colour where there is rate control, kbit/s")
+      ->check(CLI::Range(50, 20'000))
+      ->capture_default_str();
+  command->add_option("--fps", options->simulator.sim_fps, "Of a simulated sensor")
+      ->check(CLI::Range(1.0, 60.0))
       ->capture_default_str();
   command->add_flag("--json", options->json, "For scripts");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");

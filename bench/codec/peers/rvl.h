@@ -10,10 +10,12 @@
 
 namespace roomcast::bench {
 
-/// Appends to `out`.
+/// Appends to `out`. The second is for differences of depth, which temporal RVL sends.
 void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>& out);
+void encode_rvl(std::span<const std::int16_t> differences, std::vector<std::uint8_t>& out);
 
-/// Of bytes from encode_rvl only: they are trusted to fill `depth`.
+/// Of bytes from encode_rvl only: they are trusted to fill the span.
 void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::uint16_t> depth);
+void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::int16_t> differences);
 
 }  // namespace roomcast::bench

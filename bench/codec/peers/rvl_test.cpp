@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/rvl.h"
+#include "bench/codec/peers/rvl.h"
 
 #include <random>
 
@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::uint8_t> encoded(const std::vector<std::uint16_t>& depth) {
   std::vector<std::uint8_t> bytes;
-  encode_rvl(depth, bytes);
+  encode_rvl(std::span(depth), bytes);
   return bytes;
 }
 
@@ -22,10 +22,19 @@ TEST(Rvl, gives_back_every_value) {
       for (auto& d : depth) {
         d = random() % 10 < holes_in_ten ? 0 : static_cast<std::uint16_t>(random());
       }
-      decode_rvl(encoded(depth), out);
+      decode_rvl(encoded(depth), std::span(out));
       EXPECT_EQ(out, depth);
     }
   }
+}
+
+TEST(Rvl, gives_back_negative_differences) {
+  const std::vector<std::int16_t> differences = {0, -3, 4, 0, -32768, 32767, 0};
+  std::vector<std::int16_t> out(differences.size());
+  std::vector<std::uint8_t> bytes;
+  encode_rvl(std::span(differences), bytes);
+  decode_rvl(bytes, std::span(out));
+  EXPECT_EQ(out, differences);
 }
 
 // 2 holes, 3 readings, then the differences 5, 1, -1 folded to 10 (two nibbles: 2 and more, 1),

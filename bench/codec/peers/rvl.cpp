@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/rvl.h"
+#include "bench/codec/peers/rvl.h"
 
 #include <algorithm>
 
@@ -71,14 +71,13 @@ class NibbleReader {
   int count_ = 0;
 };
 
-}  // namespace
-
-void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>& out) {
+template <class Value>
+void encode(std::span<const Value> values, std::vector<std::uint8_t>& out) {
   NibbleWriter writer(out);
   int previous = 0;
-  for (auto at = depth.begin(); at != depth.end();) {
-    const auto reading = std::find_if(at, depth.end(), [](std::uint16_t d) { return d != 0; });
-    const auto hole = std::find(reading, depth.end(), std::uint16_t{0});
+  for (auto at = values.begin(); at != values.end();) {
+    const auto reading = std::find_if(at, values.end(), [](Value v) { return v != 0; });
+    const auto hole = std::find(reading, values.end(), Value{0});
     writer.put(static_cast<std::uint32_t>(reading - at));
     writer.put(static_cast<std::uint32_t>(hole - reading));
     for (at = reading; at != hole; ++at) {
@@ -90,20 +89,36 @@ void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>&
   writer.finish();
 }
 
-void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::uint16_t> depth) {
+template <class Value>
+void decode(std::span<const std::uint8_t> bytes, std::span<Value> values) {
   NibbleReader reader(bytes);
   int previous = 0;
-  for (std::size_t at = 0; at < depth.size();) {
-    const std::size_t holes = std::min<std::size_t>(reader.get(), depth.size() - at);
-    std::fill_n(depth.begin() + static_cast<std::ptrdiff_t>(at), holes, std::uint16_t{0});
+  for (std::size_t at = 0; at < values.size();) {
+    const std::size_t holes = std::min<std::size_t>(reader.get(), values.size() - at);
+    std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(at), holes, Value{0});
     at += holes;
-    const std::size_t end = at + std::min<std::size_t>(reader.get(), depth.size() - at);
+    const std::size_t end = at + std::min<std::size_t>(reader.get(), values.size() - at);
     for (; at < end; ++at) {
       const std::uint32_t folded = reader.get();
       previous += static_cast<int>(folded >> 1) ^ -static_cast<int>(folded & 1);
-      depth[at] = static_cast<std::uint16_t>(previous);
+      values[at] = static_cast<Value>(previous);
     }
   }
+}
+
+}  // namespace
+
+void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>& out) {
+  encode(depth, out);
+}
+void encode_rvl(std::span<const std::int16_t> differences, std::vector<std::uint8_t>& out) {
+  encode(differences, out);
+}
+void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::uint16_t> depth) {
+  decode(bytes, depth);
+}
+void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::int16_t> differences) {
+  decode(bytes, differences);
 }
 
 }  // namespace roomcast::bench

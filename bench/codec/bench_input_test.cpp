@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/codec/bench_input.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/source/recording_fixture.h"
+#include "roomcast/source/simulate_rig.h"
+
+namespace roomcast::bench {
+namespace {
+
+/// A rig of one simulated sensor with its truth, three frames long.
+class SimulatedRig : public testing::Test {
+ protected:
+  void SetUp() override {
+    SimulateRigOptions options;
+    options.sensor_count = 1;
+    options.seconds = 0.1;
+    ASSERT_TRUE(simulate_rig(folder_ / "rig", options).ok());
+  }
+  [[nodiscard]] std::string rig() const { return (folder_ / "rig").string(); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SimulatedRig, gives_depth_with_its_truth_and_colour_with_a_denoised_reference) {
+  for (const std::string& name : {rig(), "rig:" + rig(), "rig:" + rig() + "#s0"}) {
+    auto input = open_bench_input(name);
+    ASSERT_TRUE(input.ok()) << input.error().message;
+    EXPECT_EQ((*input)->fps(), 30);
+    EXPECT_EQ((*input)->color_reference(), ColorReference::kDenoised);
+    BenchFrame frame;
+    BenchTruth truth;
+    int frames = 0;
+    while ((*input)->next(frame, truth).value()) {
+      ++frames;
+      ASSERT_EQ(truth.depth_mm.width(), frame.depth_mm.width());
+      EXPECT_NE(truth.depth_mm, frame.depth_mm) << "without noise";
+      ASSERT_EQ(truth.color.width(), frame.depth_mm.width());
+    }
+    EXPECT_EQ(frames, 3);
+  }
+}
+
+TEST_F(SimulatedRig, knows_no_truth_where_none_lies) {
+  std::filesystem::remove_all(folder_ / "rig/truth");
+  auto input = open_bench_input(rig());
+  ASSERT_TRUE(input.ok());
+  BenchFrame frame;
+  BenchTruth truth;
+  ASSERT_TRUE((*input)->next(frame, truth).value());
+  EXPECT_TRUE(truth.depth_mm.empty());
+}
+
+TEST(BenchInput, the_simulator_knows_clean_depth_and_colour) {
+  auto input = open_bench_input("sim#1");
+  ASSERT_TRUE(input.ok()) << input.error().message;
+  EXPECT_EQ((*input)->color_reference(), ColorReference::kClean);
+  BenchFrame frame;
+  BenchTruth truth;
+  ASSERT_TRUE((*input)->next(frame, truth).value());
+  EXPECT_NE(truth.depth_mm, frame.depth_mm);
+  EXPECT_NE(truth.color, frame.color);
+  EXPECT_EQ(truth.color.width(), frame.color.width());
+}
+
+TEST(BenchInput, refuses_what_is_no_input) {
+  for (const char* input : {"simulator", "sim#x", "sim:no such scene", "sim#99", "nowhere:else",
+                            "rig:/no/such/folder", "rig:/no/such/folder#s0", "tum:/no/such"}) {
+    EXPECT_FALSE(open_bench_input(input).ok()) << input;
+  }
+}
+
+}  // namespace
+}  // namespace roomcast::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A codec in the running, and what was measured of it frame by frame.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bench/codec/bench_input.h"
+#include "bench/codec/codec_bench.h"
+#include "bench/codec/codec_choice.h"
+#include "bench/codec/measure/depth_error.h"
+#include "bench/codec/measure/luma_error.h"
+
+namespace roomcast::bench {
+
+class Candidate {
+ public:
+  Candidate(CodecChoice choice, std::unique_ptr<CodecUnderTest> codec)
+      : choice_(std::move(choice)), codec_(std::move(codec)) {}
+
+  /// One frame. kMalformed when what comes back breaks the codec's promise.
+  Status run(const BenchFrame& frame, const BenchTruth& truth, ImageView<const Motion> motion,
+             bool key);
+
+  /// Over all frames from `first` on, in a stream with one key frame in `key_interval` frames.
+  [[nodiscard]] CodecBenchRow row(int first, int key_interval) const;
+
+ private:
+  struct Measured {
+    bool key = false;
+    FrameCost cost;
+    DepthError depth;
+    LumaError color, color_to_input;
+  };
+  [[nodiscard]] Status check_promise(const DepthImage& input_mm, const DepthError& error) const;
+  void add_bytes(int first, int key_interval, CodecBenchRow& row) const;
+  void add_quality(int first, CodecBenchRow& row) const;
+
+  CodecChoice choice_;
+  std::unique_ptr<CodecUnderTest> codec_;
+  BenchFrame decoded_;
+  std::vector<Measured> frames_;
+};
+
+}  // namespace roomcast::bench

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// `roomcast bench codec`: what one sensor's frames take on the wire and in CPU time, the project's
+// modes beside peers, all in one run on one thread.
+//
+// Steady state: the first second (at most a third of the frames) is warm-up and not measured. Every
+// codec is asked for a key frame at the start and every four seconds. Bytes per frame are those of
+// a stream with a key frame every four seconds: one key frame (of the measured ones, else the
+// first) and the mean of the others. Times are CPU milliseconds of the calling thread, means over
+// the measured frames. Errors are means over the measured frames: measure/depth_error.h,
+// measure/truth_motion.h, measure/luma_error.h.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/codec/bench_input.h"
+#include "bench/codec/codec_choice.h"
+
+namespace roomcast::bench {
+
+struct CodecBenchOptions {
+  std::string only;            // a codec or a mode; empty: all
+  int color_kbit_per_s = 900;  // of the colour codecs with rate control
+  int most_frames = 300;
+  double warm_up_s = 1;
+  double key_every_s = 4;
+};
+
+struct DepthQuality {
+  double rms_input_mm = 0;
+  int max_input_mm = 0;
+  std::optional<double> rms_truth_mm, rms_truth_static_mm, rms_truth_slow_mm, rms_truth_moving_mm;
+  double outliers_20mm = 0;      // per frame, against the truth where it is known, else the input
+  double lost = 0, made_up = 0;  // readings per frame that the input has and the output has not
+};
+
+struct CodecBenchRow {
+  std::string codec, mode;
+  double depth_bytes = 0, color_bytes = 0;  // per frame, with key frames
+  double key_bytes = 0, delta_bytes = 0;    // both together, of a key frame and of any other
+  double depth_bits_per_pixel = 0;
+  double mb_per_s = 0;  // at 30 frames per second, whatever the input's rate
+  double encode_ms = 0, decode_ms = 0;
+  std::optional<DepthQuality> depth;  // of codecs that carry depth
+  // Over seen pixels; nothing without loss or without colour.
+  std::optional<double> color_psnr_y;        // against the reference
+  std::optional<double> color_psnr_input_y;  // against the input, its noise included
+};
+
+struct CodecBenchReport {
+  std::string input;
+  int frames = 0, measured_frames = 0, width = 0, height = 0;
+  double fps = 0, key_every_s = 0;
+  ColorReference color_reference = ColorReference::kInput;
+  std::optional<double> moving_share, slow_share;  // of the pixels whose truth is known
+  std::vector<CodecBenchRow> rows;
+};
+
+/// `progress` (may be empty) is called before every frame. kInvalidArgument when there is no frame,
+/// when the size changes, or when `only` names no codec; errors of the codecs as they are. A codec
+/// that does not give back what it promises is an error too. One that does not take pictures of
+/// this size has no row.
+[[nodiscard]] Result<CodecBenchReport> run_codec_bench(
+    BenchInput& input, const CodecBenchOptions& options = {},
+    const std::function<void(int frame)>& progress = {});
+
+void print_table(const CodecBenchReport& report, std::ostream& out);
+/// One JSON object with the keys of `roomcast bench codec --json`.
+void print_json(const CodecBenchReport& report, std::ostream& out);
+
+}  // namespace roomcast::bench

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iomanip>
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/codec/codec_bench.h"
+
+namespace roomcast::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+void add_depth(const std::optional<DepthQuality>& depth, ordered_json& json) {
+  const DepthQuality quality = depth.value_or(DepthQuality{});
+  const auto if_depth = [&](auto value) { return depth ? ordered_json(value) : ordered_json(); };
+  json["rms_input_mm"] = if_depth(quality.rms_input_mm);
+  json["max_input_mm"] = if_depth(quality.max_input_mm);
+  json["rms_truth_mm"] = or_null(quality.rms_truth_mm);
+  json["rms_truth_static_mm"] = or_null(quality.rms_truth_static_mm);
+  json["rms_truth_slow_mm"] = or_null(quality.rms_truth_slow_mm);
+  json["rms_truth_moving_mm"] = or_null(quality.rms_truth_moving_mm);
+  json["outliers_20mm"] = if_depth(quality.outliers_20mm);
+  json["lost"] = if_depth(quality.lost);
+  json["made_up"] = if_depth(quality.made_up);
+}
+
+ordered_json to_json(const CodecBenchRow& row) {
+  ordered_json json = {{"codec", row.codec},
+                       {"mode", row.mode},
+                       {"depth_bytes", row.depth_bytes},
+                       {"color_bytes", row.color_bytes},
+                       {"key_bytes", row.key_bytes},
+                       {"delta_bytes", row.delta_bytes},
+                       {"depth_bits_per_pixel", row.depth_bits_per_pixel},
+                       {"mb_per_s", row.mb_per_s},
+                       {"encode_ms", row.encode_ms},
+                       {"decode_ms", row.decode_ms}};
+  add_depth(row.depth, json);
+  json["color_psnr_y"] = or_null(row.color_psnr_y);
+  json["color_psnr_input_y"] = or_null(row.color_psnr_input_y);
+  return json;
+}
+
+const char* name_of(ColorReference reference) {
+  switch (reference) {
+    case ColorReference::kClean:
+      return "clean";
+    case ColorReference::kDenoised:
+      return "denoised";
+    case ColorReference::kInput:
+      break;
+  }
+  return "input";
+}
+
+/// A number in a column, or a dash.
+void put(std::ostream& out, int width, int digits, const std::optional<double>& value) {
+  out << std::setw(width);
+  if (value) {
+    out << std::fixed << std::setprecision(digits) << *value;
+  } else {
+    out << "-";
+  }
+}
+
+std::optional<double> if_any(double value) {
+  return value > 0 ? std::optional(value) : std::nullopt;
+}
+
+void put_row(std::ostream& out, const CodecBenchRow& row) {
+  out << std::left << std::setw(13) << row.codec << std::setw(9) << row.mode << std::right;
+  put(out, 9, 0, if_any(row.depth_bytes));
+  put(out, 7, 3, if_any(row.depth_bits_per_pixel));
+  put(out, 9, 0, if_any(row.color_bytes));
+  put(out, 8, 3, row.mb_per_s);
+  put(out, 8, 2, row.encode_ms);
+  put(out, 8, 2, row.decode_ms);
+  const DepthQuality depth = row.depth.value_or(DepthQuality{});
+  const auto if_depth = [&](double value) {
+    return row.depth ? std::optional(value) : std::nullopt;
+  };
+  put(out, 8, 2, if_depth(depth.rms_input_mm));
+  put(out, 6, 0, if_depth(depth.max_input_mm));
+  put(out, 8, 2, depth.rms_truth_mm);
+  put(out, 7, 2, depth.rms_truth_static_mm);
+  put(out, 6, 2, depth.rms_truth_slow_mm);
+  put(out, 7, 2, depth.rms_truth_moving_mm);
+  put(out, 8, 0, if_depth(depth.outliers_20mm));
+  put(out, 7, 0, if_depth(depth.lost));
+  put(out, 7, 1, row.color_psnr_y);
+  out << "\n";
+}
+
+}  // namespace
+
+void print_json(const CodecBenchReport& report, std::ostream& out) {
+  ordered_json rows = ordered_json::array();
+  for (const CodecBenchRow& row : report.rows) rows.push_back(to_json(row));
+  const ordered_json json = {{"input", report.input},
+                             {"frames", report.frames},
+                             {"measured_frames", report.measured_frames},
+                             {"width", report.width},
+                             {"height", report.height},
+                             {"fps", report.fps},
+                             {"key_every_s", report.key_every_s},
+                             {"color_reference", name_of(report.color_reference)},
+                             {"moving_share", or_null(report.moving_share)},
+                             {"slow_share", or_null(report.slow_share)},
+                             {"rows", rows}};
+  out << json.dump() << "\n";
+}
+
+void print_table(const CodecBenchReport& report, std::ostream& out) {
+  out << report.input << ": " << report.frames << " frames of " << report.width << "x"
+      << report.height << ", the last " << report.measured_frames << " measured";
+  if (report.moving_share) {
+    out << std::fixed << std::setprecision(1) << "; " << *report.moving_share * 100
+        << " % of the pixels move, " << *report.slow_share * 100 << " % slowly";
+  }
+  out << "\nBytes per frame with a key frame every " << std::setprecision(1) << std::fixed
+      << report.key_every_s << " s; MB/s at 30 frames/s; CPU ms of one thread; depth errors in mm; "
+      << "PSNR of luma against " << name_of(report.color_reference) << " colour\n\n"
+      << "                          depth                               ------- depth error to "
+         "input"
+         " and truth -------   >20mm   lost  colour\n"
+      << "codec        mode     B/frame    bpp colour B    MB/s  encode  decode   input   max   "
+         "truth"
+         " static  slow moving  /frame /frame    PSNR\n";
+  for (const CodecBenchRow& row : report.rows) put_row(out, row);
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/codec/codec_choice.h"
+
+#include <algorithm>
+
+#include "bench/codec/peers/peers.h"
+#include "bench/codec/roomcast_codec.h"
+
+namespace roomcast::bench {
+
+std::vector<CodecChoice> codec_choices(const std::string& only) {
+  std::vector<CodecChoice> choices = {
+      {"raw", "lossless", false, 0, make_raw},
+      {"gzip", "lossless", false, 0, make_gzip},
+      {"zstd", "lossless", false, 0, make_zstd},
+      {"png16", "lossless", false, 0, make_png16},
+      {"rvl", "lossless", false, 0, make_rvl},
+      {"roomcast", "lossless", false, 0, make_roomcast_lossless},
+      {"temporal-rvl", "10mm", false, {}, make_temporal_rvl},
+      {"av1", "depth", false, {}, make_av1_depth},
+      {"jpeg", "color", true, {}, make_jpeg},
+      {"h264", "color", true, {}, make_h264_color},
+      {"roomcast", "color", true, {}, make_roomcast_color},
+  };
+  if (only.empty()) return choices;
+  choices.erase(std::remove_if(choices.begin(), choices.end(),
+                               [&](const CodecChoice& choice) {
+                                 return choice.codec != only && choice.mode != only;
+                               }),
+                choices.end());
+  return choices;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// CPU time of the calling thread: what other programs do on the machine does not count. Starts when
+// made.
+#pragma once
+
+#include <ctime>
+
+namespace roomcast::bench {
+
+class CpuStopwatch {
+ public:
+  CpuStopwatch() : start_ms_(now_ms()) {}
+  [[nodiscard]] double ms() const { return now_ms() - start_ms_; }
+
+ private:
+  static double now_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+  }
+  double start_ms_;
+};
+
+}  // namespace roomcast::bench

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/codec/measure/depth_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace roomcast::bench {
+
+void DepthError::Sums::add(int error_mm) {
+  if (error_mm > kOutlier_mm) {
+    ++outliers;
+    return;
+  }
+  squares += static_cast<double>(error_mm) * error_mm;
+  ++count;
+}
+
+void DepthError::Sums::add(const Sums& other) {
+  squares += other.squares;
+  count += other.count;
+  outliers += other.outliers;
+  pixels += other.pixels;
+}
+
+double DepthError::Sums::rms() const {
+  return count ? std::sqrt(squares / static_cast<double>(count)) : 0;
+}
+
+void DepthError::add(DepthView decoded_mm, DepthView input_mm, const DepthTruth& truth) {
+  const bool known = truth.depth_mm.data != nullptr;
+  has_truth_ |= known;
+  for (int y = 0; y < decoded_mm.height; ++y) {
+    for (int x = 0; x < decoded_mm.width; ++x) {
+      const int decoded = decoded_mm.at(x, y);
+      compare(decoded, input_mm.at(x, y));
+      if (!known || truth.depth_mm.at(x, y) == 0) continue;
+      Sums& sums = truth_[static_cast<std::size_t>(truth.motion.at(x, y))];
+      ++sums.pixels;
+      if (decoded != 0) sums.add(std::abs(decoded - truth.depth_mm.at(x, y)));
+    }
+  }
+}
+
+void DepthError::compare(int decoded_mm, int input_mm) {
+  lost_ += input_mm != 0 && decoded_mm == 0;
+  made_up_ += input_mm == 0 && decoded_mm != 0;
+  if (input_mm == 0 || decoded_mm == 0) return;
+  const int error_mm = std::abs(decoded_mm - input_mm);
+  input_.add(error_mm);
+  max_input_mm_ = std::max(max_input_mm_, error_mm);
+}
+
+void DepthError::add(const DepthError& other) {
+  input_.add(other.input_);
+  for (std::size_t i = 0; i < truth_.size(); ++i) truth_[i].add(other.truth_[i]);
+  max_input_mm_ = std::max(max_input_mm_, other.max_input_mm_);
+  lost_ += other.lost_;
+  made_up_ += other.made_up_;
+  has_truth_ |= other.has_truth_;
+}
+
+double DepthError::rms_truth_mm() const {
+  Sums all;
+  for (const Sums& sums : truth_) all.add(sums);
+  return all.rms();
+}
+
+std::int64_t DepthError::outliers() const {
+  if (!has_truth_) return input_.outliers;
+  std::int64_t outliers = 0;
+  for (const Sums& sums : truth_) outliers += sums.outliers;
+  return outliers;
+}
+
+}  // namespace roomcast::bench

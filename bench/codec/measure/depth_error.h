@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far decoded depth is from the input, and from the truth where it is known. Millimetres.
+// A pixel that is off by more than 20 mm is an outlier: it counts as one and is left out of the
+// root mean squares, which would else say nothing of surfaces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bench/codec/measure/truth_motion.h"
+#include "roomcast/core/image.h"
+
+namespace roomcast::bench {
+
+inline constexpr int kOutlier_mm = 20;
+
+/// The truth of one frame; empty views where none is known.
+struct DepthTruth {
+  DepthView depth_mm;
+  ImageView<const Motion> motion;
+};
+
+/// Sums over pixels; those of frames can be added up.
+class DepthError {
+ public:
+  /// Takes in one frame.
+  void add(DepthView decoded_mm, DepthView input_mm, const DepthTruth& truth);
+  void add(const DepthError& other);
+
+  [[nodiscard]] bool has_truth() const { return has_truth_; }
+
+  /// Over pixels with a reading in both.
+  [[nodiscard]] double rms_input_mm() const { return input_.rms(); }
+  [[nodiscard]] int max_input_mm() const { return max_input_mm_; }
+  /// Over pixels with a reading whose truth is known; 0 where there are none.
+  [[nodiscard]] double rms_truth_mm() const;
+  [[nodiscard]] double rms_truth_mm(Motion motion) const { return of(motion).rms(); }
+
+  /// Pixels, in all frames; against the truth where it is known, else against the input.
+  [[nodiscard]] std::int64_t outliers() const;
+  [[nodiscard]] std::int64_t outliers(Motion motion) const { return of(motion).outliers; }
+  /// Pixels with a known truth, whether decoded or not.
+  [[nodiscard]] std::int64_t true_pixels(Motion motion) const { return of(motion).pixels; }
+  /// Pixels with a reading in the input and none decoded, and the other way round.
+  [[nodiscard]] std::int64_t lost() const { return lost_; }
+  [[nodiscard]] std::int64_t made_up() const { return made_up_; }
+
+ private:
+  struct Sums {
+    double squares = 0;
+    std::int64_t count = 0, outliers = 0, pixels = 0;
+    void add(int error_mm);
+    void add(const Sums& other);
+    [[nodiscard]] double rms() const;
+  };
+  void compare(int decoded_mm, int input_mm);
+  [[nodiscard]] const Sums& of(Motion motion) const {
+    return truth_[static_cast<std::size_t>(motion)];
+  }
+
+  Sums input_;
+  std::array<Sums, kMotionCount> truth_;
+  int max_input_mm_ = 0;
+  std::int64_t lost_ = 0, made_up_ = 0;
+  bool has_truth_ = false;
+};
+
+}  // namespace roomcast::bench

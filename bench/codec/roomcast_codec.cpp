@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/codec/roomcast_codec.h"
+
+#include <vector>
+
+#include "bench/codec/cpu_stopwatch.h"
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/vp9_color_decoder.h"
+#include "roomcast/codec/vp9_color_encoder.h"
+
+namespace roomcast::bench {
+namespace {
+
+codec::FrameEncoderOptions options_for(const BenchPicture& picture) {
+  codec::FrameEncoderOptions options;
+  options.width = picture.width;
+  options.height = picture.height;
+  options.fps = picture.fps;
+  options.color_kbit_per_s = picture.color_kbit_per_s;
+  return options;
+}
+
+class RoomcastFrames final : public CodecUnderTest {
+ public:
+  RoomcastFrames(bool with_color, std::unique_ptr<codec::FrameEncoder> encoder,
+                 std::unique_ptr<codec::FrameDecoder> decoder)
+      : with_color_(with_color), encoder_(std::move(encoder)), decoder_(std::move(decoder)) {}
+
+  Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
+    const bool colored = with_color_ && !frame.color.empty();
+    payload_.clear();
+    const CpuStopwatch encoding;
+    const auto info =
+        encoder_->encode(frame.depth_mm, colored ? ColorView(frame.color) : ColorView{},
+                         colored ? MaskView(frame.seen) : MaskView{}, want_key, payload_);
+    if (!info.ok()) return info.error();
+    FrameCost cost;
+    cost.encode_ms = encoding.ms();
+    const CpuStopwatch decoding;
+    if (Status s = decoder_->decode(payload_, decoded_); !s.ok()) return s.error();
+    cost.decode_ms = decoding.ms();
+    decoded.depth_mm = decoded_.depth_mm;
+    decoded.color = decoded_.color;
+    decoded.seen = decoded_.color_seen;
+    return share(frame, cost);
+  }
+
+ private:
+  /// Colour's section is colour, all else is depth.
+  Result<FrameCost> share(const BenchFrame& frame, FrameCost cost) const {
+    const auto sections =
+        codec::parse_sections(payload_, frame.depth_mm.width(), frame.depth_mm.height());
+    if (!sections.ok()) return sections.error();
+    if (sections->has_color)
+      cost.color_bytes = sections->color.size() + codec::kSectionHeaderLength;
+    cost.depth_bytes = payload_.size() - cost.color_bytes;
+    return cost;
+  }
+
+  const bool with_color_;
+  std::unique_ptr<codec::FrameEncoder> encoder_;
+  std::unique_ptr<codec::FrameDecoder> decoder_;
+  codec::DecodedFrame decoded_;
+  std::vector<std::uint8_t> payload_;
+};
+
+class RoomcastColor final : public CodecUnderTest {
+ public:
+  RoomcastColor(std::unique_ptr<codec::Vp9ColorEncoder> encoder,
+                std::unique_ptr<codec::Vp9ColorDecoder> decoder)
+      : encoder_(std::move(encoder)), decoder_(std::move(decoder)) {}
+
+  Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
+    bytes_.clear();
+    const CpuStopwatch encoding;
+    const auto info = encoder_->encode(frame.color, frame.seen, want_key, bytes_);
+    if (!info.ok()) return info.error();
+    const double encode_ms = encoding.ms();
+    const CpuStopwatch decoding;
+    if (Status s = decoder_->decode(bytes_, decoded.color); !s.ok()) return s.error();
+    decoded.seen = frame.seen;
+    return FrameCost{0, bytes_.size(), encode_ms, decoding.ms()};
+  }
+
+ private:
+  std::unique_ptr<codec::Vp9ColorEncoder> encoder_;
+  std::unique_ptr<codec::Vp9ColorDecoder> decoder_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+Result<std::unique_ptr<CodecUnderTest>> make_frames(const codec::FrameEncoderOptions& options,
+                                                    bool with_color) {
+  auto encoder = codec::FrameEncoder::create(options);
+  if (!encoder.ok()) return encoder.error();
+  auto decoder = codec::FrameDecoder::create(options.width, options.height);
+  if (!decoder.ok()) return decoder.error();
+  return std::unique_ptr<CodecUnderTest>(
+      std::make_unique<RoomcastFrames>(with_color, std::move(*encoder), std::move(*decoder)));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture) {
+  return make_frames(options_for(picture), false);
+}
+
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture) {
+  auto encoder = codec::Vp9ColorEncoder::create(options_for(picture));
+  if (!encoder.ok()) return encoder.error();
+  auto decoder = codec::Vp9ColorDecoder::create(picture.width, picture.height);
+  if (!decoder.ok()) return decoder.error();
+  return std::unique_ptr<CodecUnderTest>(
+      std::make_unique<RoomcastColor>(std::move(*encoder), std::move(*decoder)));
+}
+
+}  // namespace roomcast::bench

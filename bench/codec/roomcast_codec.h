@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The project's own codec in its modes, as `roomcast bench codec` sees it: whole payloads of
+// docs/spec/codec.md through FrameEncoder and FrameDecoder.
+#pragma once
+
+#include <memory>
+
+#include "bench/codec/codec_under_test.h"
+
+namespace roomcast::bench {
+
+// Depth alone.
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture);
+
+/// Colour alone, as a frame carries it: VP9 at the picture's rate. (The mask needs depth, and
+/// counts as depth where both are measured.)
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture);
+
+}  // namespace roomcast::bench
