@@ -22,6 +22,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/http_response.h"
+#include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_connection.h"
 
 namespace roomcast::net {
@@ -29,6 +30,9 @@ namespace roomcast::net {
 struct HttpServerOptions {
   std::string address = "127.0.0.1";  // a numeric IPv4 or IPv6 address; "0.0.0.0" for all
   std::uint16_t port = 7600;          // 0 = any free one, see HttpServer::port()
+
+  /// With it everything is encrypted; an unencrypted request is told so.
+  std::shared_ptr<const TlsServerContext> tls = {};
 
   /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
   /// it.

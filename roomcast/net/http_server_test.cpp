@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/net/loopback_fixture.h"
+#include "roomcast/net/tls/tls_fixture.h"
 #include "roomcast/net/websocket_client.h"
 
 namespace roomcast::net {
@@ -327,6 +328,33 @@ TEST_F(HttpServerTest, destroying_it_while_requests_are_under_way_is_fine) {
   EXPECT_TRUE(io_.stopped());
   EXPECT_EQ(times_asked_, 0);
   EXPECT_TRUE(handlers_.empty());
+}
+
+class EncryptedServerTest : public HttpServerTest {
+ protected:
+  EncryptedServerTest() {
+    auto encrypted = options();
+    encrypted.tls = server_context(certificate_);
+    encrypted.header_within = 200ms;
+    listen(std::move(encrypted));
+  }
+
+  Certificate certificate_ = self_signed();
+};
+
+TEST_F(EncryptedServerTest, tells_who_forgets_the_s) {
+  EXPECT_THAT(exchange(request("GET", "/page")),
+              AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("https://")));
+  EXPECT_EQ(times_asked_, 0);
+}
+
+TEST_F(EncryptedServerTest, drops_who_never_shakes_hands) {
+  auto silent = raw_connection(server_->port());
+  auto noise = raw_connection(server_->port());
+  send(noise, std::string(500, '\x5a'));
+  receive(noise);
+  receive(silent);
+  EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
 }
 
 }  // namespace

@@ -34,6 +34,15 @@ std::string_view path_of(beast::string_view target) {
   return whole.substr(0, whole.find('?'));
 }
 
+constexpr std::string_view kSpeaksTls =
+    "HTTP/1.1 400 Bad Request\r\n"
+    "Content-Type: text/plain; charset=utf-8\r\n"
+    "Content-Length: 67\r\n"
+    "Server: roomcast\r\n"
+    "Connection: close\r\n"
+    "\r\n"
+    "This hub is encrypted: its address begins with https:// or wss://.\n";
+
 bool has_it_already(const RequestHeader& request, std::string_view etag) {
   if (etag.empty()) return false;
   const auto known = request[http::field::if_none_match];
@@ -89,10 +98,10 @@ class TurnedAway final : public ConnectionHandler {
 
 }  // namespace
 
-HttpSession::HttpSession(asio::ip::tcp::socket socket,
-                         std::shared_ptr<const HttpServerOptions> options,
+HttpSession::HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
                          std::shared_ptr<OpenConnections::Lease> lease)
-    : stream_(std::move(socket)),
+    : stream_(std::move(stream)),
+      deadline_(stream_.get_executor()),
       options_(std::move(options)),
       lease_(std::move(lease)),
       buffer_(options_->max_header_bytes + 1) {}
@@ -107,14 +116,14 @@ void HttpSession::start() {
 void HttpSession::read_request() {
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(options_->max_header_bytes));
-  stream_.expires_after(options_->header_within);
+  abort_after(options_->header_within);
   http::async_read_header(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorCode error, std::size_t) { self->on_header(error); });
 }
 
 void HttpSession::on_header(ErrorCode error) {
-  if (!stream_.socket().is_open()) return;  // ended while this was under way
+  if (!stream_.is_open()) return;  // ended while this was under way
   if (error) return answer_fault(error);
   answer_request();
 }
@@ -122,6 +131,10 @@ void HttpSession::on_header(ErrorCode error) {
 /// A request that cannot be understood gets an answer; a connection that is gone or too slow gets
 /// none.
 void HttpSession::answer_fault(ErrorCode error) {
+  if (stream_.peer_speaks_plain_http()) {
+    stream_.write_in_the_clear(kSpeaksTls);
+    return abort();
+  }
   if (error == http::error::header_limit || error == http::error::buffer_overflow) {
     return send(text_response(431, "The request header is larger than the limit of " +
                                        std::to_string(options_->max_header_bytes) + " bytes.\n"),
@@ -172,7 +185,7 @@ void HttpSession::send(HttpResponse response, bool keep_alive) {
 template <class Message>
 void HttpSession::write(std::shared_ptr<Message> message, bool keep_alive,
                         std::shared_ptr<const std::string> viewed) {
-  stream_.expires_after(options_->response_within);
+  abort_after(options_->response_within);
   auto& to_write = *message;
   http::async_write(
       stream_, to_write,
@@ -181,23 +194,20 @@ void HttpSession::write(std::shared_ptr<Message> message, bool keep_alive,
 }
 
 void HttpSession::on_written(ErrorCode error, bool keep_alive) {
-  if (error || !stream_.socket().is_open()) return abort();
+  if (error || !stream_.is_open()) return abort();
   if (keep_alive) return read_request();
-  ErrorCode ignored;
-  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
-  stream_.expires_after(options_->goodbye_within);
-  say_goodbye(std::chrono::steady_clock::now() + options_->goodbye_within);
+  stream_.shutdown_send();
+  abort_after(options_->goodbye_within);
+  say_goodbye();
 }
 
 /// Reads on until the peer has closed its side too, so that our last word is not lost to a TCP
-/// reset. The stream's own timer never fires while there is always something to read, hence
-/// `until`.
-void HttpSession::say_goodbye(std::chrono::steady_clock::time_point until) {
-  if (std::chrono::steady_clock::now() >= until) return abort();
+/// reset.
+void HttpSession::say_goodbye() {
   stream_.async_read_some(asio::buffer(discarded_),
-                          [self = shared_from_this(), until](ErrorCode error, std::size_t) {
+                          [self = shared_from_this()](ErrorCode error, std::size_t) {
                             if (error) return self->abort();
-                            self->say_goodbye(until);
+                            self->say_goodbye();
                           });
 }
 
@@ -207,16 +217,16 @@ void HttpSession::upgrade() {
     return send(*std::move(refusal), false);
   }
   auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
-  stream_.expires_after(options_->response_within);
+  abort_after(options_->response_within);
   http::async_write(stream_, *response,
                     [self = shared_from_this(), response](ErrorCode error, std::size_t) {
-                      if (error || !self->stream_.socket().is_open()) return self->abort();
+                      if (error || !self->stream_.is_open()) return self->abort();
                       self->become_websocket();
                     });
 }
 
 void HttpSession::become_websocket() {
-  stream_.expires_never();
+  deadline_.cancel();
   const auto received = buffer_.cdata();
   ConnectionOptions connection_options;
   connection_options.role = WebSocketRole::kServer;
@@ -224,7 +234,7 @@ void HttpSession::become_websocket() {
   connection_options.timings = options_->websocket_timings;
   connection_options.lease = lease_;
   auto connection = std::make_shared<WebSocketConnection>(
-      stream_.release_socket(), std::move(connection_options),
+      std::move(stream_), std::move(connection_options),
       std::span(static_cast<const std::uint8_t*>(received.data()), received.size()));
   lease_->end_with([weak = std::weak_ptr(connection)] {
     if (const auto open = weak.lock()) open->close(close_code::kGoingAway, "The hub stops.");
@@ -238,7 +248,18 @@ void HttpSession::become_websocket() {
 }
 
 void HttpSession::abort() {
+  deadline_.cancel();
   stream_.close();
+}
+
+void HttpSession::abort_after(std::chrono::milliseconds time) {
+  deadline_.expires_after(time);
+  deadline_.async_wait([weak = weak_from_this()](ErrorCode cancelled) {
+    const auto self = weak.lock();
+    if (cancelled || self == nullptr) return;
+    const bool put_off = self->deadline_.expiry() > std::chrono::steady_clock::now();
+    if (!put_off) self->stream_.close();
+  });
 }
 
 }  // namespace roomcast::net

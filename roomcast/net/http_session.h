@@ -11,22 +11,22 @@
 #include <string>
 #include <string_view>
 
-#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
 
 #include "roomcast/net/http_response.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/open_connections.h"
+#include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_handshake.h"
 
 namespace roomcast::net {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(boost::asio::ip::tcp::socket socket, std::shared_ptr<const HttpServerOptions> options,
+  HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
               std::shared_ptr<OpenConnections::Lease> lease);
 
   void start();
@@ -46,13 +46,16 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void write(std::shared_ptr<Message> message, bool keep_alive,
              std::shared_ptr<const std::string> viewed = nullptr);
   void on_written(ErrorCode error, bool keep_alive);
-  void say_goodbye(std::chrono::steady_clock::time_point until);
+  void say_goodbye();
 
   void upgrade();
   void become_websocket();
   void abort();
+  /// Aborts unless it is called again before this has passed.
+  void abort_after(std::chrono::milliseconds time);
 
-  boost::beast::tcp_stream stream_;
+  Stream stream_;
+  boost::asio::steady_timer deadline_;
   std::shared_ptr<const HttpServerOptions> options_;
   std::shared_ptr<OpenConnections::Lease> lease_;
   boost::beast::flat_buffer buffer_;

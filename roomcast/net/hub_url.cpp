@@ -11,11 +11,24 @@ namespace {
 
 constexpr std::size_t kMaxHostLength = 253;
 constexpr std::size_t kMaxPathLength = 1024;
+constexpr std::string_view kPinPrefix = "#sha256=";
 
 Error not_an_address(std::string_view text) {
   return {ErrorCode::kInvalidArgument,
           "'" + std::string(text) +
               "' is not a hub's address; write ws://host:port, for example ws://127.0.0.1:7600."};
+}
+
+Error not_a_pin(std::string_view text) {
+  return {ErrorCode::kInvalidArgument,
+          "'" + std::string(text) +
+              "' does not end in a fingerprint; write wss://host:port#sha256= and the 64 digits "
+              "that the hub shows when it starts."};
+}
+
+std::optional<Fingerprint> parse_pin(std::string_view fragment) {
+  if (!fragment.starts_with(kPinPrefix)) return std::nullopt;
+  return parse_fingerprint(fragment.substr(kPinPrefix.size()));
 }
 
 /// Takes `prefix` off the front, in whatever case it is written.
@@ -78,19 +91,21 @@ std::optional<Authority> split(std::string_view authority) {
 }  // namespace
 
 Result<HubUrl> parse_hub_url(std::string_view text) {
+  HubUrl url;
   std::string_view rest = text;
-  if (take_scheme(rest, "wss://") || take_scheme(rest, "https://")) {
-    return Error{ErrorCode::kUnsupported,
-                 "Encrypted connections (wss://) are not supported yet; use ws://."};
+  url.tls = take_scheme(rest, "wss://") || take_scheme(rest, "https://");
+  if (!url.tls && !take_scheme(rest, "ws://")) take_scheme(rest, "http://");
+  if (const auto hash = rest.find('#'); hash != std::string_view::npos) {
+    url.pinned = url.tls ? parse_pin(rest.substr(hash)) : std::nullopt;
+    if (!url.pinned) return not_a_pin(text);
+    rest = rest.substr(0, hash);
   }
-  if (!take_scheme(rest, "ws://")) take_scheme(rest, "http://");
 
   const auto slash = std::min(rest.find('/'), rest.size());
   const auto authority = split(rest.substr(0, slash));
   const std::string_view path = rest.substr(slash);
   if (!authority || !is_path(path)) return not_an_address(text);
 
-  HubUrl url;
   url.host = authority->host;
   if (!authority->port.empty()) {
     const auto port =
@@ -109,7 +124,9 @@ std::string host_and_port(const HubUrl& url) {
 }
 
 std::string to_string(const HubUrl& url) {
-  return "ws://" + host_and_port(url) + url.path;
+  const std::string plain = "://" + host_and_port(url) + url.path;
+  if (!url.tls) return "ws" + plain;
+  return "wss" + plain + (url.pinned ? std::string(kPinPrefix) + to_string(*url.pinned) : "");
 }
 
 }  // namespace roomcast::net

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a hub is: "ws://host:port/ws", "http://host:port", "host:port", "host", "[::1]:7600".
+// Where a hub is: "ws://host:port/ws", "http://host:port", "host:port", "host", "[::1]:7600"; with
+// TLS "wss://host:port/ws", "https://host". "wss://host#sha256=<64 hexadecimal digits>" trusts the
+// one certificate with this fingerprint, whoever signed it. Without a port it is 7600, with
+// https:// and wss:// too: a hub behind a proxy is "https://host:443".
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "roomcast/core/result.h"
+#include "roomcast/net/tls/fingerprint.h"
 
 namespace roomcast::net {
 
@@ -16,14 +21,16 @@ struct HubUrl {
   std::string host;  // without the brackets of an IPv6 address
   std::uint16_t port = kDefaultPort;
   std::string path = "/ws";
+  bool tls = false;
+  std::optional<Fingerprint> pinned = std::nullopt;  // with TLS only
 };
 
-/// Errors: kInvalidArgument (not such an address), kUnsupported (wss:// and https://).
+/// kInvalidArgument: not such an address.
 [[nodiscard]] Result<HubUrl> parse_hub_url(std::string_view text);
 
 /// "host:port", "[::1]:port"
 [[nodiscard]] std::string host_and_port(const HubUrl& url);
-/// "ws://host:port/ws"
+/// "ws://host:port/ws", "wss://host:port/ws#sha256=..."
 [[nodiscard]] std::string to_string(const HubUrl& url);
 
 }  // namespace roomcast::net

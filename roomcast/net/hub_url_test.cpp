@@ -47,12 +47,23 @@ TEST(HubUrl, refuses_overlong_parts) {
   EXPECT_FALSE(parse_hub_url("host/" + std::string(2000, 'a')).ok());
 }
 
-TEST(HubUrl, says_that_encryption_is_not_there_yet) {
-  for (const std::string_view text : {"wss://hub.example", "https://hub.example"}) {
+TEST(HubUrl, knows_where_there_is_encryption) {
+  EXPECT_EQ(parsed("wss://hub.example"), "wss://hub.example:7600/ws");
+  EXPECT_EQ(parsed("https://hub.example:443/"), "wss://hub.example:443/ws");
+  EXPECT_FALSE(parse_hub_url("hub.example")->tls);
+}
+
+TEST(HubUrl, pins_a_certificate_by_its_fingerprint) {
+  const std::string pin = "#sha256=" + std::string(64, 'a');
+  EXPECT_EQ(parsed("wss://hub.example:1/" + pin), "wss://hub.example:1/ws" + pin);
+  ASSERT_TRUE(parse_hub_url("https://hub.example" + pin)->pinned);
+  EXPECT_EQ(parse_hub_url("https://hub.example" + pin)->pinned->front(), 0xAA);
+  for (const std::string& text :
+       {"ws://hub.example" + pin, std::string("wss://hub.example#sha256=aa"),
+        "wss://hub.example#md5=" + std::string(64, 'a')}) {
     const auto url = parse_hub_url(text);
-    ASSERT_FALSE(url.ok());
-    EXPECT_EQ(url.error().code, ErrorCode::kUnsupported);
-    EXPECT_NE(url.error().message.find("ws://"), std::string::npos);
+    ASSERT_FALSE(url.ok()) << text;
+    EXPECT_NE(url.error().message.find("fingerprint"), std::string::npos);
   }
 }
 

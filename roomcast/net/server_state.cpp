@@ -84,23 +84,37 @@ void ServerState::on_accept(ErrorCode error, Tcp::socket socket) {
   if (connections_->count() >= options_->max_connections) {
     turn_away(std::move(socket));
   } else {
-    std::make_shared<HttpSession>(std::move(socket), options_, connections_->open())->start();
+    serve(std::move(socket));
   }
   accept();
 }
 
 void ServerState::accept_later(ErrorCode error) {
-  if (log_) {
-    log_(LogLevel::kWarning, "A connection could not be accepted: " + error.message() + ".");
-  }
+  log_warning(error.message());
   retry_.expires_after(kAcceptAgainAfter);
   retry_.async_wait([self = shared_from_this()](ErrorCode cancelled) {
     if (!cancelled && self->acceptor_.is_open()) self->accept();
   });
 }
 
+void ServerState::serve(Tcp::socket socket) {
+  std::optional<TlsSession> tls;
+  if (options_->tls != nullptr) {
+    auto session = TlsSession::accept(socket.native_handle(), *options_->tls);
+    if (!session) return log_warning(session.error().message);
+    tls = *std::move(session);
+  }
+  Stream stream(std::move(socket), std::move(tls));
+  std::make_shared<HttpSession>(std::move(stream), options_, connections_->open())->start();
+}
+
+void ServerState::log_warning(const std::string& why) const {
+  if (log_) log_(LogLevel::kWarning, "A connection could not be accepted: " + why + ".");
+}
+
 /// As far as that goes without spending anything on it.
-void ServerState::turn_away(Tcp::socket socket) {
+void ServerState::turn_away(Tcp::socket socket) const {
+  if (options_->tls != nullptr) return;  // a reason inside TLS would cost a handshake
   ErrorCode ignored;
   socket.non_blocking(true, ignored);
   socket.write_some(asio::buffer(kTurnedAway), ignored);

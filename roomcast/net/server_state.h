@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -37,7 +38,9 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   [[nodiscard]] Error listen_error(ErrorCode error) const;
   void on_accept(ErrorCode error, Tcp::socket socket);
   void accept_later(ErrorCode error);
-  static void turn_away(Tcp::socket socket);
+  void serve(Tcp::socket socket);
+  void turn_away(Tcp::socket socket) const;
+  void log_warning(const std::string& why) const;
 
   Tcp::acceptor acceptor_;
   boost::asio::steady_timer retry_;

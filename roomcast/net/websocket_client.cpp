@@ -3,22 +3,25 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 
+#include <boost/asio/connect.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 
+#include "roomcast/net/stream.h"
+#include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_handshake.h"
 
 namespace roomcast::net {
@@ -40,7 +43,7 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   Attempt(asio::io_context& io, const HubUrl& url, ClientOptions options, ConnectCallback callback)
       : resolver_(io),
         deadline_(io),
-        stream_(io),
+        socket_(io),
         url_(url),
         where_(host_and_port(url)),
         options_(std::move(options)),
@@ -54,6 +57,9 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   void on_resolved(SystemError error, const Tcp::resolver::results_type& endpoints);
   void connect_to(const Tcp::resolver::results_type& endpoints);
   void on_connected(SystemError error);
+  void encrypt();
+  void on_encrypted(SystemError error);
+  void ask();
   void read_answer();
   void on_answer(SystemError error);
   void succeed();
@@ -71,7 +77,8 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
 
   Tcp::resolver resolver_;
   asio::steady_timer deadline_;
-  beast::tcp_stream stream_;
+  Tcp::socket socket_;            // while it connects...
+  std::optional<Stream> stream_;  // ...and from then on
   HubUrl url_;
   std::string where_;
   ClientOptions options_;
@@ -114,8 +121,8 @@ void Attempt::on_resolved(SystemError error, const Tcp::resolver::results_type& 
 }
 
 void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
-  stream_.async_connect(endpoints,
-                        then([](Attempt& self, SystemError error) { self.on_connected(error); }));
+  asio::async_connect(socket_, endpoints,
+                      then([](Attempt& self, SystemError error) { self.on_connected(error); }));
 }
 
 void Attempt::on_connected(SystemError error) {
@@ -125,16 +132,42 @@ void Attempt::on_connected(SystemError error) {
   if (error) {
     return fail(ErrorCode::kUnavailable, where_ + " cannot be reached: " + error.message() + ".");
   }
+  if (url_.tls) return encrypt();
+  stream_.emplace(std::move(socket_));
+  ask();
+}
+
+void Attempt::encrypt() {
+  const auto context = TlsClientContext::create();
+  if (!context) return fail(context.error().code, context.error().message);
+  auto tls = TlsSession::connect(socket_.native_handle(), **context, {url_.host, url_.pinned});
+  if (!tls) return fail(tls.error().code, tls.error().message);
+  stream_.emplace(std::move(socket_), *std::move(tls));
+  stream_->async_handshake(
+      then([](Attempt& self, SystemError error) { self.on_encrypted(error); }));
+}
+
+void Attempt::on_encrypted(SystemError error) {
+  if (!error) return ask();
+  const std::string fault(stream_->tls_fault());
+  if (fault.empty()) {
+    return fail(ErrorCode::kUnavailable, where_ + " closed the connection without an answer.");
+  }
+  fail(ErrorCode::kUnsupported,
+       where_ + " " + fault + "; check its address with whoever runs the hub.");
+}
+
+void Attempt::ask() {
   request_ = make_upgrade_request(where_, url_.path, key_, options_.subprotocol);
   answer_.header_limit(kMaxAnswerHeader);
   answer_.body_limit(kMaxRefusal);
-  http::async_write(stream_, request_,
+  http::async_write(*stream_, request_,
                     then([](Attempt& self, SystemError) { self.read_answer(); }));
 }
 
 /// Also when writing failed: reading then fails too, and may find out why.
 void Attempt::read_answer() {
-  http::async_read(stream_, buffer_, answer_,
+  http::async_read(*stream_, buffer_, answer_,
                    then([](Attempt& self, SystemError error) { self.on_answer(error); }));
 }
 
@@ -161,7 +194,7 @@ void Attempt::succeed() {
   options.max_message_bytes = options_.max_message_bytes;
   options.timings = options_.timings;
   finish(std::make_shared<WebSocketConnection>(
-      stream_.release_socket(), std::move(options),
+      *std::move(stream_), std::move(options),
       std::span(static_cast<const std::uint8_t*>(received.data()), received.size())));
 }
 
@@ -196,7 +229,9 @@ void Attempt::cancel() {
   callback_ = nullptr;
   deadline_.cancel();
   resolver_.cancel();
-  stream_.close();
+  SystemError ignored;
+  socket_.close(ignored);
+  if (stream_) stream_->close();
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens a WebSocket to a hub: look up the name, connect, shake hands; all of it bounded in time.
+// Opens a WebSocket to a hub: look up the name, connect, encrypt, shake hands; bounded in time.
 // Threading: call from, and called back on, the thread that runs `io`.
 // Source: RFC 6455 section 4.1 (client handshake); HTTP by Boost.Beast.
 #pragma once
@@ -27,7 +27,8 @@ struct ClientOptions {
 
 /// Called once, never from within connect(). The connection is open and waits for start().
 /// Errors: kNotFound (no such host), kUnavailable (nobody listens there, or no answer in time, or
-/// the hub is full), kUnsupported (answers, but is no hub of this version).
+/// the hub is full), kUnsupported (answers, but is no hub of this version, or shows a certificate
+/// that cannot be trusted).
 using ConnectCallback = std::function<void(Result<std::shared_ptr<WebSocketConnection>>)>;
 
 /// An attempt under way. Letting go of it changes nothing.

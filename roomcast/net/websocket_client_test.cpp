@@ -11,6 +11,7 @@
 
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/loopback_fixture.h"
+#include "roomcast/net/tls/tls_fixture.h"
 
 namespace roomcast::net {
 namespace {
@@ -160,6 +161,63 @@ TEST_F(WebSocketClientTest, a_cancelled_attempt_does_not_call_back) {
   EXPECT_TRUE(io_.stopped());
   EXPECT_FALSE(called);
   attempt->cancel();
+}
+
+/// A server with a certificate of its own.
+class EncryptedClientTest : public WebSocketClientTest {
+ protected:
+  HubUrl pinned_url() const {
+    return {"127.0.0.1", server_->port(), "/ws", true, certificate_.fingerprint()};
+  }
+
+  Certificate certificate_ = self_signed();
+  std::unique_ptr<HttpServer> server_ = listen({.tls = server_context(certificate_)});
+};
+
+TEST_F(EncryptedClientTest, exchanges_messages_with_the_server_it_was_told_of) {
+  auto connection = outcome_of(pinned_url());
+  ASSERT_TRUE(connection.ok()) << connection.error().message;
+  const auto client = std::make_shared<RecordingHandler>();
+  const std::string large(300'000, 'x');
+  client->to_send = {message_of("hello"), message_of(std::string(10'000, 'y'))};
+  handler_->to_send = {message_of(large), message_of("good day")};
+  served_->wake();
+  (*connection)->start(client);
+  EXPECT_TRUE(
+      run_until([&] { return handler_->messages.size() == 2 && client->messages.size() == 2; }));
+  EXPECT_EQ(client->messages.front().size(), large.size());
+  (*connection)->close(close_code::kNormal, "done");
+  EXPECT_TRUE(run_until([&] { return handler_->closed.has_value(); }));
+  EXPECT_EQ(handler_->closed->code, close_code::kNormal);
+}
+
+TEST_F(EncryptedClientTest, refuses_a_server_with_another_certificate) {
+  HubUrl url = pinned_url();
+  url.pinned = self_signed().fingerprint();
+  expect_error(outcome_of(url), ErrorCode::kUnsupported, "another certificate");
+  EXPECT_EQ(served_, nullptr);
+}
+
+TEST_F(EncryptedClientTest, refuses_a_server_that_nobody_vouches_for) {
+  HubUrl url = pinned_url();
+  url.pinned.reset();
+  expect_error(outcome_of(url), ErrorCode::kUnsupported, "cannot be trusted");
+  EXPECT_EQ(served_, nullptr);
+}
+
+TEST_F(EncryptedClientTest, says_when_only_one_side_encrypts) {
+  expect_error(outcome_of(url(server_->port())), ErrorCode::kUnsupported, "wss://");
+  HubUrl to_plain = pinned_url();
+  const auto plain = listen();
+  to_plain.port = plain->port();
+  expect_error(outcome_of(to_plain), ErrorCode::kUnsupported, "does not speak TLS");
+}
+
+TEST_F(EncryptedClientTest, gives_up_on_a_server_that_never_shakes_hands) {
+  Tcp::acceptor silent(io_, Tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
+  HubUrl url = pinned_url();
+  url.port = silent.local_endpoint().port();
+  expect_error(outcome_of(url, {.connect_within = 100ms}), ErrorCode::kUnavailable, "in time");
 }
 
 }  // namespace

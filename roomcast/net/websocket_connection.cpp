@@ -46,16 +46,16 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 
 }  // namespace
 
-WebSocketConnection::WebSocketConnection(Socket socket, ConnectionOptions options,
+WebSocketConnection::WebSocketConnection(Stream stream, ConnectionOptions options,
                                          std::span<const std::uint8_t> received)
-    : socket_(std::move(socket)),
-      timer_(socket_.get_executor()),
+    : stream_(std::move(stream)),
+      timer_(stream_.get_executor()),
       options_(std::move(options)),
-      peer_address_(address_of(socket_)),
+      peer_address_(address_of(stream_.socket())),
       reader_(options_.role, options_.max_message_bytes),
       received_before_start_(received.begin(), received.end()),
       pull_limit_bytes_(kMaxPull) {
-  tune_for_live_streams(socket_);
+  tune_for_live_streams(stream_.socket());
 }
 
 void WebSocketConnection::start(std::shared_ptr<ConnectionHandler> handler) {
@@ -63,7 +63,7 @@ void WebSocketConnection::start(std::shared_ptr<ConnectionHandler> handler) {
   handler_ = std::move(handler);
   last_heard_ = std::chrono::steady_clock::now();
   if (stage_ == Stage::kOpen) watch_silence();
-  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+  asio::post(stream_.get_executor(), [self = shared_from_this()] {
     self->take(std::exchange(self->received_before_start_, {}));
     self->read();
   });
@@ -96,7 +96,7 @@ void WebSocketConnection::read() {
   const auto wanted = static_cast<std::size_t>(
       std::clamp<std::uint64_t>(reader_.missing_bytes(), kMinReadBuffer, kMaxReadBuffer));
   if (read_buffer_.size() < wanted) read_buffer_ = std::vector<std::uint8_t>(wanted);
-  socket_.async_read_some(asio::buffer(read_buffer_),
+  stream_.async_read_some(asio::buffer(read_buffer_),
                           [self = shared_from_this()](ErrorCode error, std::size_t size) {
                             self->on_read(error, size);
                           });
@@ -153,7 +153,7 @@ void WebSocketConnection::take_event(Violation violation) {
 void WebSocketConnection::schedule_write() {
   if (write_scheduled_ || waiting_until_writable_) return;
   write_scheduled_ = true;
-  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+  asio::post(stream_.get_executor(), [self = shared_from_this()] {
     self->write_scheduled_ = false;
     self->write();
   });
@@ -167,14 +167,14 @@ void WebSocketConnection::write() {
   ErrorCode error;
   const auto& buffers = outgoing_.gather();
   const std::size_t offered = asio::buffer_size(buffers);
-  const std::size_t size = socket_.write_some(buffers, error);
+  const std::size_t size = stream_.write_some(buffers, error);
   if (error && error != asio::error::would_block) return on_write_failed();
   on_wrote(size, offered);
 }
 
 /// Everything is written: what comes next? False: nothing before the socket is writable.
 bool WebSocketConnection::refill() {
-  if (pull_limit_bytes_ < kMaxPull && !is_writable_now(socket_)) {
+  if (pull_limit_bytes_ < kMaxPull && !stream_.is_writable_now()) {
     wait_until_writable();
     return false;
   }
@@ -214,7 +214,7 @@ void WebSocketConnection::on_wrote(std::size_t size, std::size_t offered) {
 
 void WebSocketConnection::wait_until_writable() {
   waiting_until_writable_ = true;
-  socket_.async_wait(Socket::wait_write, [self = shared_from_this()](ErrorCode error) {
+  stream_.async_wait_writable([self = shared_from_this()](ErrorCode error) {
     self->waiting_until_writable_ = false;
     if (error || self->stage_ == Stage::kClosed) return;
     self->heard_from_peer();  // there is room again, so it has acknowledged something
@@ -301,8 +301,7 @@ void WebSocketConnection::on_write_failed() {
 void WebSocketConnection::on_all_written() {
   if (stage_ != Stage::kAnswering) return;
   stage_ = Stage::kDraining;
-  ErrorCode ignored;
-  socket_.shutdown(Socket::shutdown_send, ignored);
+  stream_.shutdown_send();
   report(reason_);
 }
 
@@ -321,9 +320,8 @@ void WebSocketConnection::report(CloseReason reason) {
 void WebSocketConnection::shut(CloseReason reason) {
   if (stage_ == Stage::kClosed) return;
   stage_ = Stage::kClosed;
-  ErrorCode ignored;
   timer_.cancel();
-  socket_.close(ignored);
+  stream_.close();
   outgoing_.clear();
   options_.lease.reset();
   report(std::move(reason));

@@ -21,11 +21,11 @@
 #include <string_view>
 #include <vector>
 
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/net/outgoing_frames.h"
 #include "roomcast/net/sealed_message.h"
+#include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_frame.h"
 #include "roomcast/net/websocket_reader.h"
 
@@ -81,10 +81,8 @@ struct ConnectionCounters {
 
 class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnection> {
  public:
-  using Socket = boost::asio::ip::tcp::socket;
-
-  /// `socket` is connected and the handshake is done; `received` came after it in the same read.
-  WebSocketConnection(Socket socket, ConnectionOptions options,
+  /// `stream` is connected and the handshake is done; `received` came after it in the same read.
+  WebSocketConnection(Stream stream, ConnectionOptions options,
                       std::span<const std::uint8_t> received);
   WebSocketConnection(const WebSocketConnection&) = delete;
   WebSocketConnection& operator=(const WebSocketConnection&) = delete;
@@ -156,7 +154,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   void report(CloseReason reason);
   void shut(CloseReason reason);
 
-  Socket socket_;
+  Stream stream_;
   boost::asio::steady_timer timer_;
   ConnectionOptions options_;
   std::string peer_address_;

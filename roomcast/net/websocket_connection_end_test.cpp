@@ -58,8 +58,9 @@ TEST_F(WebSocketConnectionEnd, close_after_sends_a_last_message) {
 
 TEST_F(WebSocketConnectionEnd, closing_before_start_still_says_why) {
   auto sockets = connected_sockets();
-  server_.connection = std::make_shared<WebSocketConnection>(
-      std::move(sockets.ours), options(WebSocketRole::kServer), std::span<const std::uint8_t>());
+  server_.connection = std::make_shared<WebSocketConnection>(Stream(std::move(sockets.ours)),
+                                                             options(WebSocketRole::kServer),
+                                                             std::span<const std::uint8_t>());
   server_.connection->close_after(message_of("full"), close_code::kTryAgainLater, "full");
   server_.connection->start(server_.handler);
   client_ = open(std::move(sockets.theirs), options(WebSocketRole::kClient));

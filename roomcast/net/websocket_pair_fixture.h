@@ -56,8 +56,8 @@ class WebSocketPairTest : public LoopbackTest {
   End open(Tcp::socket socket, ConnectionOptions options,
            std::span<const std::uint8_t> received = {}) {
     End end;
-    end.connection =
-        std::make_shared<WebSocketConnection>(std::move(socket), std::move(options), received);
+    end.connection = std::make_shared<WebSocketConnection>(Stream(std::move(socket)),
+                                                           std::move(options), received);
     end.connection->start(end.handler);
     return end;
   }

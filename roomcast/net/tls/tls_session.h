@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// TlsSession: TLS on one connected, non-blocking socket, without ever waiting: each call does what
+// can be done now and says what it would have to wait for. OpenSSL encrypts straight from the
+// caller's memory to the socket.
+// Threading: one thread at a time. Source: RFC 8446 (TLS 1.3), by OpenSSL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <openssl/types.h>
+
+#include "roomcast/core/result.h"
+#include "roomcast/net/tls/tls_context.h"
+
+namespace roomcast::net {
+
+class TlsSession {
+ public:
+  enum class Outcome {
+    kDone,
+    kWaitsToRead,   // call again when the socket is readable
+    kWaitsToWrite,  // call again, with the same data, when the socket is writable
+    kEnded,         // the peer has said goodbye, or the socket has ended
+    kFailed,        // see fault()
+  };
+  struct Step {
+    Outcome outcome = Outcome::kFailed;
+    std::size_t size = 0;  // bytes read or written
+  };
+
+  /// The socket stays the caller's and must outlive the session. kUnavailable: out of memory.
+  static Result<TlsSession> accept(int fd, const TlsServerContext& context);
+  static Result<TlsSession> connect(int fd, const TlsClientContext& context, TlsTrust trust);
+
+  /// Also done by the first read() or write(). A client fails here when it does not trust.
+  Step handshake();
+  Step read(std::span<std::uint8_t> into);
+  /// At most one record's worth, 16 KiB, at a time.
+  Step write(std::span<const std::uint8_t> from);
+  /// Tells the peer that nothing more comes, if that can be told now.
+  void say_goodbye();
+
+  /// What went wrong, a sentence without its subject ("... shows a certificate that nobody
+  /// vouches for"); empty while nothing did.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// The peer has sent an ordinary HTTP request instead.
+  [[nodiscard]] bool peer_speaks_plain_http() const { return plain_http_; }
+
+ private:
+  using Ssl = std::unique_ptr<SSL, void (*)(SSL*)>;
+
+  TlsSession(Ssl ssl, TlsTrust trust) : ssl_(std::move(ssl)), trust_(std::move(trust)) {}
+  static Result<TlsSession> create(int fd, SSL_CTX* context, TlsTrust trust);
+  Step ready();
+  Step outcome_of(int result);
+  [[nodiscard]] bool is_trusted();
+  void explain();
+
+  Ssl ssl_;
+  TlsTrust trust_;
+  bool ready_ = false;  // the handshake is done, and the peer is who it should be
+  bool failed_ = false;
+  bool plain_http_ = false;
+  std::string fault_;
+};
+
+}  // namespace roomcast::net

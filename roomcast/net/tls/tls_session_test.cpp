@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/tls/tls_session.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "roomcast/net/tls/tls_fixture.h"
+
+namespace roomcast::net {
+namespace {
+
+using Outcome = TlsSession::Outcome;
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Both ends of one non-blocking connection.
+class TlsSessionTest : public ::testing::Test {
+ protected:
+  TlsSessionTest() {
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, fds_.data()), 0);
+  }
+  ~TlsSessionTest() override {
+    for (const int fd : fds_) {
+      if (fd >= 0) ::close(fd);
+    }
+  }
+
+  TlsSession server() {
+    auto session = TlsSession::accept(fds_[0], *server_context_);
+    EXPECT_TRUE(session.ok());
+    return *std::move(session);
+  }
+  TlsSession client(TlsTrust trust) {
+    const auto context = TlsClientContext::create();
+    EXPECT_TRUE(context.ok());
+    auto session = TlsSession::connect(fds_[1], **context, std::move(trust));
+    EXPECT_TRUE(session.ok());
+    return *std::move(session);
+  }
+  TlsTrust pinned() const { return {"anything", certificate_.fingerprint()}; }
+
+  /// Lets both speak until neither waits; gives what became of the client.
+  static Outcome shake_hands(TlsSession& server, TlsSession& client) {
+    Outcome outcome = Outcome::kWaitsToRead;
+    for (int turn = 0; turn < 10 && outcome == Outcome::kWaitsToRead; ++turn) {
+      outcome = client.handshake().outcome;
+      server.handshake();
+    }
+    return outcome;
+  }
+
+  std::array<int, 2> fds_{-1, -1};
+  Certificate certificate_ = self_signed();
+  std::shared_ptr<const TlsServerContext> server_context_ = server_context(certificate_);
+};
+
+TEST_F(TlsSessionTest, carries_bytes_both_ways_once_the_pin_is_right) {
+  auto server = this->server();
+  auto client = this->client(pinned());
+  ASSERT_EQ(shake_hands(server, client), Outcome::kDone) << client.fault();
+  std::array<std::uint8_t, 16> buffer{};
+  EXPECT_EQ(client.write(bytes_of("hello")).size, 5U);
+  EXPECT_EQ(server.read(buffer).size, 5U);
+  EXPECT_EQ(server.write(bytes_of("good day")).size, 8U);
+  EXPECT_EQ(client.read(buffer).size, 8U);
+  EXPECT_EQ(std::string(buffer.begin(), buffer.begin() + 8), "good day");
+  EXPECT_EQ(client.read(buffer).outcome, Outcome::kWaitsToRead);
+}
+
+TEST_F(TlsSessionTest, does_not_trust_another_certificate_than_the_pinned_one) {
+  auto server = this->server();
+  auto client = this->client({"localhost", self_signed().fingerprint()});
+  EXPECT_EQ(shake_hands(server, client), Outcome::kFailed);
+  EXPECT_NE(client.fault().find(to_string(certificate_.fingerprint())), std::string::npos);
+  EXPECT_EQ(client.write(bytes_of("secret")).outcome, Outcome::kFailed);
+}
+
+TEST_F(TlsSessionTest, without_a_pin_only_authorities_are_trusted) {
+  auto server = this->server();
+  auto client = this->client({"localhost", {}});
+  EXPECT_EQ(shake_hands(server, client), Outcome::kFailed);
+  EXPECT_NE(client.fault().find("cannot be trusted"), std::string::npos) << client.fault();
+}
+
+TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
+  auto server = this->server();
+  auto client = this->client(pinned());
+  ASSERT_EQ(shake_hands(server, client), Outcome::kDone);
+  std::vector<std::uint8_t> sent(1 << 20), received;
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    sent[i] = static_cast<std::uint8_t>(i * 7 + (i >> 8));
+  std::vector<std::uint8_t> buffer(5000);
+  bool waited = false;
+  for (std::size_t at = 0; received.size() < sent.size();) {
+    const auto step = server.write(std::span<const std::uint8_t>(sent).subspan(at));
+    at += step.size;
+    if (at < sent.size() && step.outcome != Outcome::kWaitsToWrite) continue;
+    waited = waited || step.outcome == Outcome::kWaitsToWrite;
+    const auto got = client.read(buffer);
+    ASSERT_TRUE(got.outcome == Outcome::kDone || got.outcome == Outcome::kWaitsToRead);
+    received.insert(received.end(), buffer.begin(),
+                    buffer.begin() + static_cast<std::ptrdiff_t>(got.size));
+  }
+  EXPECT_TRUE(waited);
+  EXPECT_EQ(received, sent);
+}
+
+TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing) {
+  auto server = this->server();
+  auto client = this->client(pinned());
+  ASSERT_EQ(shake_hands(server, client), Outcome::kDone);
+  std::array<std::uint8_t, 16> buffer{};
+  server.say_goodbye();
+  EXPECT_EQ(client.read(buffer).outcome, Outcome::kEnded);
+  ::close(std::exchange(fds_[1], -1));
+  EXPECT_EQ(server.read(buffer).outcome, Outcome::kEnded);
+  EXPECT_NE(server.write(bytes_of("x")).outcome, Outcome::kDone);  // and no SIGPIPE
+}
+
+TEST_F(TlsSessionTest, recognises_who_does_not_speak_tls) {
+  auto server = this->server();
+  constexpr std::string_view kRequest = "GET / HTTP/1.1\r\n\r\n";
+  ASSERT_EQ(::send(fds_[1], kRequest.data(), kRequest.size(), 0),
+            static_cast<ssize_t>(kRequest.size()));
+  EXPECT_EQ(server.handshake().outcome, Outcome::kFailed);
+  EXPECT_TRUE(server.peer_speaks_plain_http());
+}
+
+TEST_F(TlsSessionTest, garbage_is_a_failure_that_stays_one) {
+  auto server = this->server();
+  const std::vector<std::uint8_t> garbage(1000, 0x5A);
+  ASSERT_GT(::send(fds_[1], garbage.data(), garbage.size(), 0), 0);
+  std::array<std::uint8_t, 16> buffer{};
+  EXPECT_EQ(server.read(buffer).outcome, Outcome::kFailed);
+  EXPECT_FALSE(server.fault().empty());
+  EXPECT_EQ(server.read(buffer).outcome, Outcome::kFailed);
+  EXPECT_FALSE(server.peer_speaks_plain_http());
+}
+
+}  // namespace
+}  // namespace roomcast::net
