@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_certificate.h"
 #include "roomcast/cli/listen_address.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
@@ -19,32 +20,61 @@ struct HubCommandOptions {
   std::string listen = "127.0.0.1:7600";
   std::string room = "room";
   std::string web;
+  HubCertificateOptions certificate;
   bool insecure = false;
   bool verbose = false;
 };
+
+/// A sentence when the hub would speak in the clear to other machines, and nobody said it may.
+Status check_secrecy(const HubCommandOptions& options, bool loopback, bool encrypted) {
+  if (encrypted && options.insecure) {
+    return Error{ErrorCode::kInvalidArgument, "--insecure and TLS exclude each other"};
+  }
+  if (loopback || encrypted || options.insecure) return {};
+  return Error{ErrorCode::kInvalidArgument,
+               "beyond this machine a hub encrypts: say --tls-self-signed, or --tls-cert and "
+               "--tls-key; or --insecure if you trust everyone on the network"};
+}
+
+void print_where(const ListenAddress& listen, std::uint16_t port,
+                 const std::optional<net::Certificate>& certificate, bool self_signed) {
+  const bool v6 = listen.address.find(':') != std::string::npos;
+  const std::string where =
+      fmt::format("{}{}{}:{}", v6 ? "[" : "", listen.address, v6 ? "]" : "", port);
+  fmt::print("roomcast hub: open {}://{}/\n", certificate ? "https" : "http", where);
+  if (self_signed) {
+    fmt::print(
+        "roomcast hub: browsers will ask whether to trust its certificate; sensors and viewers "
+        "trust it with\n  --hub wss://{}#sha256={}\n",
+        where, net::to_string(certificate->fingerprint()));
+  }
+  std::fflush(stdout);
+}
 
 Status run_hub(const HubCommandOptions& options) {
   StopOnSignal stop;
   const auto listen = parse_listen_address(options.listen);
   if (!listen) return listen.error();
-  if (!listen->loopback && !options.insecure) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "without TLS a hub listens on this machine only: use 127.0.0.1, or say --insecure "
-                 "if you trust everyone "
-                 "on the network"};
-  }
+  HubCertificateOptions certificate_options = options.certificate;
+  certificate_options.listen_address = listen->address;
+  const auto certificate = find_hub_certificate(certificate_options);
+  if (!certificate) return certificate.error();
+  const bool encrypted = certificate->has_value();
+  if (auto status = check_secrecy(options, listen->loopback, encrypted); !status) return status;
   hub::HubOptions hub;
   hub.address = listen->address;
   hub.port = listen->port;
   hub.room = options.room;
   hub.web_directory = find_web_directory(options.web);
+  if (encrypted) {
+    auto tls = net::TlsServerContext::create(**certificate);
+    if (!tls) return tls.error();
+    hub.tls = *std::move(tls);
+  }
   hub.log = stderr_log("hub", options.verbose);
   auto server = hub::HubServer::open(std::move(hub));
   if (!server) return server.error();
-  const bool v6 = listen->address.find(':') != std::string::npos;
-  fmt::print("roomcast hub: open http://{}{}{}:{}/\n", v6 ? "[" : "", listen->address,
-             v6 ? "]" : "", (*server)->port());
-  std::fflush(stdout);
+  print_where(*listen, (*server)->port(), *certificate, options.certificate.self_signed);
   (*server)->run(stop.token());
   return {};
 }
@@ -60,12 +90,22 @@ void add_hub_command(CLI::App& app, Command& chosen) {
   command->add_option("--room", options->room, "The room's name")->capture_default_str();
   command->add_option("--web", options->web,
                       "Folder of the built page (default: the one beside this program)");
+  command->add_option("--tls-cert", options->certificate.certificate_file,
+                      "PEM file: the certificate, then those that sign it");
+  command->add_option("--tls-key", options->certificate.key_file, "PEM file: its private key");
+  command->add_flag("--tls-self-signed", options->certificate.self_signed,
+                    "Encrypt with a certificate that the hub makes for itself and keeps");
+  command->add_option("--data", options->certificate.data_folder,
+                      "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
   command->add_flag("--insecure", options->insecure,
                     "Listen beyond this machine although nothing is encrypted");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer(
-      "Example:\n  roomcast hub --listen 127.0.0.1:7600\nThen open http://127.0.0.1:7600/ and "
-      "start sensors.");
+      "Examples:\n"
+      "  roomcast hub\n"
+      "  roomcast hub --listen 0.0.0.0:7600 --tls-self-signed\n"
+      "  roomcast hub --listen 0.0.0.0:443 --tls-cert fullchain.pem --tls-key privkey.pem\n"
+      "Then open the address it prints and start sensors.");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("hub", run_hub(*options)); }; });
 }

@@ -82,6 +82,7 @@ Status HubServer::Loop::listen() {
   net::HttpServerOptions http;
   http.address = options_.address;
   http.port = options_.port;
+  http.tls = options_.tls;
   http.on_get = [this](std::string_view path) { return answer(path); };
   http.on_websocket = [this](auto connection) { return welcome(std::move(connection)); };
   http.max_message_bytes = wire::kMaxControlFromClientBytes;

@@ -13,6 +13,7 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/net/tls/tls_context.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -20,6 +21,7 @@ namespace roomcast::hub {
 struct HubOptions {
   std::string address = "127.0.0.1";
   std::uint16_t port = 7600;  // 0: any free one
+  std::shared_ptr<const net::TlsServerContext> tls;  // without it nothing is encrypted
   std::string room = "room";
   std::optional<std::filesystem::path>
       web_directory;  // the page to serve; without it "/" says how to get one

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// An encrypted hub: whom it serves, who trusts it, and what those hear who do not.
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { request as plainRequest } from 'node:http';
+import { request as encryptedRequest } from 'node:https';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+
+const certificateOfItsOwn = (folder) => ['--tls-self-signed', '--data', folder];
+
+async function startEncryptedHub(t) {
+  const hub = await startHub(t, ...certificateOfItsOwn(scratchFolder(t)));
+  const [, url, fingerprint] = await hub.program.prints(/--hub (wss:\S+#sha256=([0-9a-f]{64}))/);
+  return { ...hub, url, fingerprint };
+}
+
+function get(request, options) {
+  return new Promise((resolve, reject) => {
+    const sent = request({ host: '127.0.0.1', path: '/healthz', ...options }, (answer) => {
+      const fingerprint = answer.socket.getPeerCertificate?.().fingerprint256;
+      let body = '';
+      answer.on('data', (text) => (body += text));
+      answer.on('end', () => resolve({ status: answer.statusCode, body, fingerprint }));
+    });
+    sent.on('error', reject).end();
+  });
+}
+
+test('page_is_served_encrypted_with_the_certificate_that_was_printed', async (t) => {
+  const hub = await startEncryptedHub(t);
+  const { status, fingerprint } = await get(encryptedRequest, { port: hub.port, rejectUnauthorized: false });
+  assert.equal(status, 200);
+  assert.equal(fingerprint.replaceAll(':', '').toLowerCase(), hub.fingerprint);
+});
+
+test('who_forgets_the_s_is_told', async (t) => {
+  const hub = await startEncryptedHub(t);
+  const { status, body } = await get(plainRequest, { port: hub.port });
+  assert.equal(status, 400);
+  assert.match(body, /https:/);
+});
+
+test('room_is_seen_through_an_encrypted_hub', async (t) => {
+  const hub = await startEncryptedHub(t);
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
+  t.after(() => sensor.stop('SIGKILL'));
+  await sensor.prints(/joined/);
+  const picture = join(scratchFolder(t), 'room.png');
+  const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);
+  assert.equal(code, 0, stderr);
+  assert.ok(existsSync(picture));
+});
+
+test('hub_that_nobody_vouches_for_is_refused', async (t) => {
+  const hub = await startEncryptedHub(t);
+  const sensor = ['sensor', '--source', 'sim', '--hub'];
+  assertFailed(await run(...sensor, `wss://127.0.0.1:${hub.port}`), 1, /cannot be trusted/);
+  const wrong = `wss://127.0.0.1:${hub.port}#sha256=${'0'.repeat(64)}`;
+  assertFailed(await run(...sensor, wrong), 1, /another certificate.*whoever runs the hub/);
+  assertFailed(await run(...sensor, `ws://127.0.0.1:${hub.port}`), 1, /https:/);
+});
+
+test('certificate_stays_the_same_from_start_to_start', async (t) => {
+  const folder = scratchFolder(t);
+  const fingerprints = [];
+  for (let start = 0; start < 2; ++start) {
+    const hub = await startHub(t, ...certificateOfItsOwn(folder));
+    fingerprints.push((await hub.program.prints(/sha256=([0-9a-f]{64})/))[1]);
+    await hub.program.stop();
+  }
+  assert.equal(fingerprints[0], fingerprints[1]);
+});
+
+test('certificate_files_that_do_not_serve_are_named', async () => {
+  const files = (certificate, key) => ['hub', '--listen', '127.0.0.1:0', '--tls-cert', certificate, '--tls-key', key];
+  assertFailed(await run(...files('/no/such.pem', '/no/such.key')), 1, /such\.pem/);
+  assertFailed(await run(...files('/dev/null', '/dev/null')), 1, /no certificate/);
+  assertFailed(await run('hub', '--tls-cert', 'a.pem'), 2, /--tls-key/);
+  assertFailed(await run('hub', '--tls-self-signed', '--insecure'), 2, /exclude/);
+});
