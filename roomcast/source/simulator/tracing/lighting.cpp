@@ -71,16 +71,20 @@ float share_of_lamp_seen(const RayScene& scene, const Light& light, const LitPoi
   return static_cast<float>(seen) / static_cast<float>(ray_count);
 }
 
+Vector3f cosine_direction(const Vector3f& normal, int number, int count) {
+  const Tangents tangents = tangents_of(normal);
+  const float squared = (static_cast<float>(number) + 0.5F) / static_cast<float>(count);
+  const float angle = kGoldenAngle * static_cast<float>(number);
+  return std::sqrt(1.0F - squared) * normal +
+         std::sqrt(squared) *
+             (std::cos(angle) * tangents.first + std::sin(angle) * tangents.second);
+}
+
 float openness_at(const RayScene& scene, const LitPoint& at) {
-  const Tangents tangents = tangents_of(at.normal);
   const Vector3f lifted = at.position_m + 0.004F * at.normal;
   int open = 0;
   for (int i = 0; i < kOpennessRays; ++i) {
-    const float squared = (static_cast<float>(i) + 0.5F) / static_cast<float>(kOpennessRays);
-    const float angle = kGoldenAngle * static_cast<float>(i);
-    const Vector3f direction =
-        std::sqrt(1.0F - squared) * at.normal +
-        std::sqrt(squared) * (std::cos(angle) * tangents.first + std::sin(angle) * tangents.second);
+    const Vector3f direction = cosine_direction(at.normal, i, kOpennessRays);
     if (!scene.blocked(lifted, lifted + kOpennessReach_m * direction)) ++open;
   }
   return static_cast<float>(open) / static_cast<float>(kOpennessRays);

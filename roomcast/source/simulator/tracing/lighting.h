@@ -29,6 +29,10 @@ struct LitPoint {
 [[nodiscard]] float share_of_lamp_seen(const RayScene& scene, const Light& light,
                                        const LitPoint& at, int ray_count, std::uint32_t dither);
 
+/// The n-th of `count` unit vectors spread about the normal by the cosine law.
+[[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, int number,
+                                               int count);
+
 /// Share of the directions around the normal, weighted by their cosine, that are free for the first
 /// metre.
 [[nodiscard]] float openness_at(const RayScene& scene, const LitPoint& at);

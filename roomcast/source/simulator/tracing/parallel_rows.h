@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a function for every row of a picture on the machine's cores. The rows must not depend on
-// each other; then the result does not depend on the number of threads.
+// Runs a function for every row of a picture on several threads. The rows must not depend on each
+// other; then the result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,29 @@
 
 namespace roomcast::sim {
 
+inline constexpr int kMostThreads = 64;
+
+/// `threads`; 0: as many as the machine has cores.
+[[nodiscard]] inline int thread_count(int threads) {
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(threads > 0 ? threads : cores, 1, kMostThreads);
+}
+
 template <class RowFunction>
-void for_each_row(int rows, const RowFunction& row_function) {
-  constexpr unsigned kMostThreads = 8;
-  const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads);
+void for_each_row(int rows, int threads, const RowFunction& row_function) {
   std::atomic<int> next_row = 0;
   const auto work = [&] {
     for (int row = next_row++; row < rows; row = next_row++) row_function(row);
   };
   std::vector<std::jthread> helpers;
-  for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(work);
+  for (int i = 1; i < thread_count(threads); ++i) helpers.emplace_back(work);
   work();
+}
+
+/// On all cores.
+template <class RowFunction>
+void for_each_row(int rows, const RowFunction& row_function) {
+  for_each_row(rows, 0, row_function);
 }
 
 }  // namespace roomcast::sim

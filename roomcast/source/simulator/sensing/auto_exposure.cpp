@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/sensing/auto_exposure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace roomcast::sim {
+
+float AutoExposure::next(nanoseconds scene_time, float brightness) {
+  constexpr float kLag_s = 0.4F;
+  constexpr float kLargest = 0.7F;  // one stop
+  if (started_) {
+    const float passed_s = std::chrono::duration<float>(scene_time - last_).count();
+    log_gain_ += (log_aim_ - log_gain_) * (1.0F - std::exp(-std::max(0.0F, passed_s) / kLag_s));
+  }
+  started_ = true;
+  last_ = scene_time;
+  log_aim_ = std::clamp(std::log(wanted_ / std::max(brightness, 1e-4F)), -kLargest, kLargest);
+  return std::exp(log_gain_);
+}
+
+}  // namespace roomcast::sim

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulated sensor is and which of its flaws are on. Plain data; the flaws themselves are
+// described where they are made (docs/simulator.md lists them with their sources).
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace roomcast::sim {
+
+enum class CameraModel {
+  kKinect2,  // time of flight, 512x424; colour 1920x1080
+  kAzure,    // Azure Kinect and Orbbec Femto Bolt: time of flight, 640x576; colour 1920x1080
+  kD435,     // Intel RealSense D435: active stereo, 848x480; colour 1920x1080
+};
+
+/// "kinect2", "azure" or "d435".
+[[nodiscard]] std::optional<CameraModel> camera_model_named(std::string_view name);
+[[nodiscard]] std::string_view name_of(CameraModel model);
+inline constexpr std::string_view kCameraModelNames = "kinect2, azure or d435";
+
+struct SensingOptions {
+  CameraModel camera = CameraModel::kKinect2;
+  bool half_color = false;             // 960x540: what live use can afford
+  bool noise = true;                   // all of depth's and colour's errors
+  bool calibration_error = true;       // what the sensor says of its lenses is a little wrong
+  bool auto_exposure = true;           // exposure follows the scene; white balance differs per unit
+  double interference_per_minute = 0;  // bursts of infrared interference between sensors
+
+  /// A perfect sensor of the same kind.
+  [[nodiscard]] SensingOptions clean() const {
+    SensingOptions perfect = *this;
+    perfect.noise = perfect.calibration_error = perfect.auto_exposure = false;
+    perfect.interference_per_minute = 0;
+    return perfect;
+  }
+};
+
+}  // namespace roomcast::sim

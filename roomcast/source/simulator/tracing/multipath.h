@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light that reaches a time-of-flight camera by way of two surfaces travels further, and pulls the
+// measured depth with it: corners of rooms come out too far (Fuchs, "Multipath interference
+// compensation in time-of-flight camera images", ICPR 2010). One bounce: for a point P, rays spread
+// by the cosine law find surfaces Q; each sends on to P a share of the camera's light that is
+// reflectance * cos / distance^2 of Q against cos / distance^2 of P, along a path that is
+// (|PQ| + |QC| - |PC|) / 2 too long. Surfaces count as matt; of what stands still only. Worked out
+// on every fourth pixel and interpolated on the same surface.
+#pragma once
+
+#include "roomcast/core/image.h"
+#include "roomcast/source/simulator/scene/room.h"
+#include "roomcast/source/simulator/tracing/placed_camera.h"
+#include "roomcast/source/simulator/tracing/ray_scene.h"
+
+namespace roomcast::sim {
+
+/// How much too far the surface at each pixel appears along the optical axis, in metres. `z_m`: its
+/// depth.
+[[nodiscard]] Image<float> trace_detours(const Room& room, const RayScene& scene,
+                                         const PlacedCamera& camera, ImageView<const float> z_m,
+                                         int threads);
+
+}  // namespace roomcast::sim
