@@ -25,7 +25,8 @@ struct FrameEncoderOptions {
   int width = 0, height = 0;   // of the depth grid; both 16..4096
   double fps = 30;             // nominal, for rate control
   int color_kbit_per_s = 900;  // target of the colour stream
-  int temporal_layers = 2;     // 1 or 2; layer 1 frames can be dropped without harm to others
+  int temporal_layers = 2;     // 1..3; frames of layer 1 and up can be dropped without harm
+  double key_interval_s = 4;   // from one key frame to the next, at most
   DepthMode depth_mode = DepthMode::kLossless;
   /// kInvalidArgument with the field that is wrong; kUnsupported for a depth mode to come.
   [[nodiscard]] Status check() const;
@@ -33,7 +34,7 @@ struct FrameEncoderOptions {
 
 struct EncodedFrameInfo {
   bool key = false;        // can be decoded alone
-  std::uint8_t layer = 0;  // 0: later frames may need it; 1: none do
+  std::uint8_t layer = 0;  // 0: later frames may need it; 1, 2: none do
 };
 
 class FrameEncoder {
@@ -49,8 +50,9 @@ class FrameEncoder {
 };
 
 struct DecodedFrame {
-  DepthImage depth_mm;   // bit for bit what was encoded (lossless mode)
-  ColorImage color;      // empty when the frame carries none
+  DepthImage depth_mm;  // what was encoded, as exactly as the depth mode says; readings that vanish
+                        // for a moment are kept in live mode
+  ColorImage color;     // empty when the frame carries none
   MaskImage color_seen;  // 255 where `color` is to be believed
 };
 

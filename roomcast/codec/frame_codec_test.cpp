@@ -191,7 +191,7 @@ TEST(FrameCodec, options_are_checked) {
   EXPECT_TRUE(options_for(16, 4096).check().ok());
   EXPECT_FALSE(options_for(15, 64).check().ok());
   EXPECT_FALSE(options_for(64, 4097).check().ok());
-  EXPECT_FALSE(options_for(64, 64, 3).check().ok());
+  EXPECT_FALSE(options_for(64, 64, 4).check().ok());
   FrameEncoderOptions options = options_for(64, 64);
   options.fps = std::nan("");
   EXPECT_FALSE(options.check().ok());

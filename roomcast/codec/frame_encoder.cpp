@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/codec/layer_schedule.h"
+#include "roomcast/codec/live/live_depth_encoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
@@ -12,6 +15,8 @@ namespace {
 
 constexpr double kMostFps = 240;
 constexpr int kLeastKbit = 50, kMostKbit = 100000;
+constexpr int kMostLayers = 3;
+constexpr double kMostKeyInterval_s = 3600;
 
 Status invalid(const char* message) {
   return Error{ErrorCode::kInvalidArgument, message};
@@ -21,22 +26,35 @@ bool is_side(int side) {
   return side >= kLeastGridSide && side <= kMostGridSide;
 }
 
+/// Frames from one key frame to the next.
+int key_interval(const FrameEncoderOptions& options) {
+  return std::max(1, static_cast<int>(std::lround(options.key_interval_s * options.fps)));
+}
+
 class SectionFrameEncoder final : public FrameEncoder {
  public:
-  explicit SectionFrameEncoder(const FrameEncoderOptions& options) : options_(options) {}
+  explicit SectionFrameEncoder(const FrameEncoderOptions& options)
+      : options_(options), schedule_(options.temporal_layers, key_interval(options)) {
+    if (options.depth_mode == DepthMode::kLive) {
+      live_ = std::make_unique<LiveDepthEncoder>(LiveDepthOptions{options.width, options.height});
+    }
+  }
 
   Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                   bool want_key, std::vector<std::uint8_t>& out) override {
     if (Status status = check_sizes(depth_mm, color, color_seen); !status.ok())
       return status.error();
+    const bool has_color = color.data != nullptr;
+    const FrameRole role = schedule_.next(want_key || (has_color && !color_started_));
+    if (role.key) color_started_ = has_color;
     const std::size_t begin = out.size();
-    const std::size_t section = begin_section(SectionKind::kDepth, kLosslessDepth, out);
-    depth_.encode(depth_mm, out);
-    end_section(section, out);
-    if (color.data == nullptr) return without_color(want_key);
-    auto info = append_color(depth_mm, color, color_seen, want_key, out);
-    if (!info.ok()) out.resize(begin);
-    return info;
+    append_depth(depth_mm, role, out);
+    if (!has_color) return without_color(role);
+    const Status status = append_color(depth_mm, color, color_seen, role, out);
+    if (status.ok()) return EncodedFrameInfo{role.key, role.layer};
+    out.resize(begin);
+    color_started_ = false;
+    return status.error();
   }
 
  private:
@@ -53,36 +71,64 @@ class SectionFrameEncoder final : public FrameEncoder {
     return {};
   }
 
-  /// Depth alone can be decoded alone, but only ends the need for earlier frames if colour starts
-  /// anew after it.
-  EncodedFrameInfo without_color(bool want_key) {
-    if (want_key) next_color_is_key_ = true;
-    if (next_color_is_key_) return {true, 0};
+  void append_depth(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
+    const std::size_t section =
+        begin_section(SectionKind::kDepth, live_ ? kLiveDepth : kLosslessDepth, out);
+    if (live_) {
+      live_->encode(depth_mm, role, out);
+    } else {
+      lossless_.encode(depth_mm, out);
+    }
+    end_section(section, out);
+  }
+
+  /// Depth without loss can be decoded alone and leaves no trace; but only ends the need for
+  /// earlier frames if colour starts anew after it.
+  [[nodiscard]] EncodedFrameInfo without_color(FrameRole role) const {
+    if (live_) return {role.key, role.layer};
+    if (!color_started_) return {true, 0};
     return {false, 1};
   }
 
-  Result<EncodedFrameInfo> append_color(DepthView depth_mm, ColorView color, MaskView seen,
-                                        bool want_key, std::vector<std::uint8_t>& out) {
+  [[nodiscard]] Status append_color(DepthView depth_mm, ColorView color, MaskView seen,
+                                    FrameRole role, std::vector<std::uint8_t>& out) {
     if (color_ == nullptr) {
       auto created = Vp9ColorEncoder::create(options_);
       if (!created.ok()) return created.error();
       color_ = std::move(*created);
     }
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
-    auto info = color_->encode(color, seen, want_key || next_color_is_key_, out);
-    if (!info.ok()) return info;
+    if (Status status = color_->encode(color, seen, role, out); !status.ok()) return status;
     end_section(section, out);
-    next_color_is_key_ = false;
     section = begin_section(SectionKind::kColorMask, kAdaptiveMask, out);
-    encode_mask(seen, depth_mm, out);
+    if (live_) {
+      hold_seen(depth_mm, seen);
+      encode_mask(held_seen_, live_->shown_mm(), out);
+    } else {
+      encode_mask(seen, depth_mm, out);
+    }
     end_section(section, out);
-    return info;
+    return {};
+  }
+
+  /// Where a reading is missing, what was known of its colour stays known.
+  void hold_seen(DepthView depth_mm, MaskView seen) {
+    if (held_seen_.empty()) held_seen_.resize(options_.width, options_.height);
+    for (int y = 0; y < options_.height; ++y) {
+      const std::uint16_t* depth = depth_mm.row(y);
+      const std::uint8_t* from = seen.row(y);
+      std::uint8_t* to = held_seen_.view().row(y);
+      for (int x = 0; x < options_.width; ++x) to[x] = depth[x] != 0 ? from[x] : to[x];
+    }
   }
 
   const FrameEncoderOptions options_;
-  LosslessDepthEncoder depth_;
+  LayerSchedule schedule_;
+  LosslessDepthEncoder lossless_;
+  std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
-  bool next_color_is_key_ = true;
+  MaskImage held_seen_;                     // in live mode
+  bool color_started_ = false;              // since the last key frame
 };
 
 }  // namespace
@@ -96,11 +142,14 @@ Status FrameEncoderOptions::check() const {
   if (color_kbit_per_s < kLeastKbit || color_kbit_per_s > kMostKbit) {
     return invalid("FrameEncoderOptions.color_kbit_per_s must be 50..100000.");
   }
-  if (temporal_layers != 1 && temporal_layers != 2) {
-    return invalid("FrameEncoderOptions.temporal_layers must be 1 or 2.");
+  if (temporal_layers < 1 || temporal_layers > kMostLayers) {
+    return invalid("FrameEncoderOptions.temporal_layers must be 1, 2 or 3.");
   }
-  if (depth_mode != DepthMode::kLossless) {
-    return Error{ErrorCode::kUnsupported, "This version codes depth without loss only."};
+  if (!(key_interval_s > 0 && key_interval_s <= kMostKeyInterval_s)) {
+    return invalid("FrameEncoderOptions.key_interval_s must be above 0 and at most 3600.");
+  }
+  if (depth_mode == DepthMode::kNearLossless) {
+    return Error{ErrorCode::kUnsupported, "This version has no near-lossless depth."};
   }
   return {};
 }

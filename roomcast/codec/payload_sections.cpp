@@ -11,7 +11,9 @@ constexpr std::size_t kLengthOffset = 4;
 /// Where the section belongs; nothing if this version knows no such kind and codec.
 std::span<const std::uint8_t>* place_of(std::uint8_t kind, std::uint8_t codec,
                                         PayloadSections& sections) {
-  if (kind == static_cast<std::uint8_t>(SectionKind::kDepth) && codec == kLosslessDepth) {
+  if (kind == static_cast<std::uint8_t>(SectionKind::kDepth) &&
+      (codec == kLosslessDepth || codec == kLiveDepth)) {
+    sections.depth_codec = codec;
     return &sections.depth;
   }
   if (kind == static_cast<std::uint8_t>(SectionKind::kColor) && codec == kVp9Color) {

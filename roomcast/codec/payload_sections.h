@@ -12,7 +12,7 @@ namespace roomcast::codec {
 
 enum class SectionKind : std::uint8_t { kDepth = 1, kColor = 2, kColorMask = 3 };
 
-inline constexpr std::uint8_t kLosslessDepth = 1;
+inline constexpr std::uint8_t kLosslessDepth = 1, kLiveDepth = 2;
 inline constexpr std::uint8_t kVp9Color = 1;
 inline constexpr std::uint8_t kAdaptiveMask = 1;
 
@@ -27,6 +27,7 @@ inline constexpr int kLeastGridSide = 16, kMostGridSide = 4096;
 /// Bytes of each section within a payload; colour and its mask are both there or not.
 struct PayloadSections {
   std::span<const std::uint8_t> depth;
+  std::uint8_t depth_codec = kLosslessDepth;
   std::span<const std::uint8_t> color;
   std::span<const std::uint8_t> color_mask;
   bool has_color = false;

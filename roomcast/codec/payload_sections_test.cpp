@@ -65,7 +65,7 @@ TEST(PayloadSections, parse_calls_other_kinds_and_codecs_unsupported) {
     EXPECT_EQ(refusal(payload_of({1, kind})), ErrorCode::kUnsupported);
   }
   Bytes payload;
-  append(payload, 1, 2, {});
+  append(payload, 1, 99, {});
   EXPECT_EQ(refusal(payload), ErrorCode::kUnsupported);
 }
 

@@ -23,15 +23,15 @@ constexpr vpx_enc_frame_flags_t kLeavesNoTrace = VP8_EFLAG_NO_UPD_LAST | VP8_EFL
 
 void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
   config.ss_number_layers = 1;
-  config.ts_number_layers = static_cast<unsigned>(options.temporal_layers);
+  config.ts_number_layers = options.temporal_layers > 1 ? 2 : 1;
   if (options.temporal_layers == 1) return;
   // Without it a frame uses motion and probabilities of the one before, which may have been left
   // out.
   config.g_error_resilient = VPX_ERROR_RESILIENT_DEFAULT;
   config.temporal_layering_mode = VP9E_TEMPORAL_LAYERING_MODE_BYPASS;
-  config.ts_periodicity = 2;
+  config.ts_periodicity = 2;  // to libvpx all layers above 0 are one
   config.ts_layer_id[1] = 1;
-  config.ts_rate_decimator[0] = 2;
+  config.ts_rate_decimator[0] = 1u << (options.temporal_layers - 1);
   config.ts_rate_decimator[1] = 1;
   config.layer_target_bitrate[0] = config.rc_target_bitrate * kBaseLayerPercent / 100;
   config.layer_target_bitrate[1] = config.rc_target_bitrate;
@@ -111,15 +111,13 @@ Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
   return std::unique_ptr<Vp9ColorEncoder>(new Vp9ColorEncoder(options, std::move(codec)));
 }
 
-Result<EncodedFrameInfo> Vp9ColorEncoder::encode(ColorView color, MaskView seen, bool want_key,
-                                                 std::vector<std::uint8_t>& out) {
-  const bool key = want_key || frame_count_ == 0;
+Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
+                               std::vector<std::uint8_t>& out) {
   convert_seen(color, seen, input_);
-  if (key) fill_unseen(seen);
-  frames_since_key_ = key ? 0 : frames_since_key_ + 1;
-  const bool droppable = options_.temporal_layers > 1 && frames_since_key_ % 2 == 1;
+  if (role.key) fill_unseen(seen);
+  const bool droppable = role.layer > 0;
 
-  vpx_enc_frame_flags_t flags = key ? VPX_EFLAG_FORCE_KF : kOnlyLastFrame;
+  vpx_enc_frame_flags_t flags = role.key ? VPX_EFLAG_FORCE_KF : kOnlyLastFrame;
   if (droppable) flags |= kLeavesNoTrace;
   if (options_.temporal_layers > 1) {
     vpx_svc_layer_id_t layer{};
@@ -132,15 +130,13 @@ Result<EncodedFrameInfo> Vp9ColorEncoder::encode(ColorView color, MaskView seen,
       VPX_CODEC_OK) {
     return Error{ErrorCode::kUnavailable, "libvpx failed to encode a colour picture."};
   }
-  EncodedFrameInfo info{false, static_cast<std::uint8_t>(droppable)};
   vpx_codec_iter_t position = nullptr;
   while (const vpx_codec_cx_pkt_t* packet = vpx_codec_get_cx_data(&codec_->context, &position)) {
     if (packet->kind != VPX_CODEC_CX_FRAME_PKT) continue;
     const auto* bytes = static_cast<const std::uint8_t*>(packet->data.frame.buf);
     out.insert(out.end(), bytes, bytes + packet->data.frame.sz);
-    info.key = (packet->data.frame.flags & VPX_FRAME_IS_KEY) != 0;
   }
-  return info;
+  return {};
 }
 
 void Vp9ColorEncoder::fill_unseen(MaskView seen) {

@@ -12,6 +12,7 @@
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/hole_fill.h"
 #include "roomcast/codec/i420_image.h"
+#include "roomcast/codec/layer_schedule.h"
 
 namespace roomcast::codec {
 
@@ -21,9 +22,10 @@ class Vp9ColorEncoder {
   static Result<std::unique_ptr<Vp9ColorEncoder>> create(const FrameEncoderOptions& options);
   ~Vp9ColorEncoder();
 
-  /// Appends one VP9 frame to `out`. Sizes must be those of the options.
-  [[nodiscard]] Result<EncodedFrameInfo> encode(ColorView color, MaskView seen, bool want_key,
-                                                std::vector<std::uint8_t>& out);
+  /// Appends one VP9 frame to `out`. Sizes must be those of the options. The first frame's role is
+  /// a key frame's; frames of layer 1 and up leave no trace.
+  [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
+                              std::vector<std::uint8_t>& out);
 
   /// What the newest frame was encoded from, for measuring.
   [[nodiscard]] const I420Image& input() const { return input_; }
@@ -39,7 +41,6 @@ class Vp9ColorEncoder {
   MaskImage chroma_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;
-  int frames_since_key_ = 0;
 };
 
 }  // namespace roomcast::codec

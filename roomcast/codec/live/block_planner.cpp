@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/live/block_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "roomcast/codec/live/picture_pass.h"
+
+namespace roomcast::codec {
+namespace {
+
+constexpr int kLeastUrgency = 3;
+constexpr int kPersistentUrgency = 3;
+constexpr float kSameSurface =
+    3.5f;  // standard deviations between a reading and what is there already
+constexpr int kReach = 6 * kLevelsPerSigma;
+constexpr int kMostPatience = 9;  // frames; with the base a change waits half a second at most
+
+constexpr int kRefinementsPerFrame = 48;
+constexpr unsigned kRefinementTurns = 8;  // each block is looked at in one frame of so many
+constexpr int kFirstRefinement = 16, kNextRefinement = 48;  // samples of each pixel
+constexpr float kFirstGain = 0.35f * kLevelsPerSigma, kNextGain = 0.30f * kLevelsPerSigma;
+constexpr float kRefinementRounding = 0.35f;
+
+/// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
+struct Neighbourhoods {
+  float count[kBlockPixels] = {}, value[kBlockPixels] = {};
+};
+
+Neighbourhoods surfaces_around(const BlockCode& code, const BlockTarget& target) {
+  constexpr int kSide = kBlockSide + 2;
+  float count[kSide][kSide] = {}, value[kSide][kSide] = {};
+  for (int k = 0; k < kBlockPixels; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const float on = code.labels[i] == PixelLabel::kFirst ? 1.0f : 0.0f;
+    count[k / 8 + 1][k % 8 + 1] = on;
+    value[k / 8 + 1][k % 8 + 1] = on * target[i];
+  }
+  Neighbourhoods sums;
+  for (int y = 0; y < kBlockSide; ++y) {
+    for (int x = 0; x < kBlockSide; ++x) {
+      float c = -count[y + 1][x + 1], v = -value[y + 1][x + 1];
+      for (int dy = 0; dy < 3; ++dy) {
+        for (int dx = 0; dx < 3; ++dx) {
+          c += count[y + dy][x + dx];
+          v += value[y + dy][x + dx];
+        }
+      }
+      sums.count[y * 8 + x] = c;
+      sums.value[y * 8 + x] = v;
+    }
+  }
+  return sums;
+}
+
+/// Neighbours of a pixel within its block.
+int neighbours_in_block(int x, int y) {
+  return (x == 0 || x == 7 ? 2 : 3) * (y == 0 || y == 7 ? 2 : 3) - 1;
+}
+
+std::int32_t rounded(float value, float step, float rounding) {
+  const auto size = static_cast<std::int32_t>(std::abs(value) / step + rounding);
+  return value < 0 ? -size : size;
+}
+
+}  // namespace
+
+void BlockPlanner::resize() {
+  refined_.assign(state_.block_count(), 0);
+}
+
+void BlockPlanner::begin_frame(bool reference) {
+  reference_ = reference;
+  refinements_left_ = reference ? kRefinementsPerFrame : 0;
+  if (reference) ++frame_;
+}
+
+BlockPlanner::Area BlockPlanner::area(int bx, int by) const {
+  const int x0 = bx * kBlockSide, y0 = by * kBlockSide;
+  return {x0, y0, std::min(kBlockSide, state_.width - x0),
+          std::min(kBlockSide, state_.height - y0)};
+}
+
+void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target) {
+  const Area here = area(bx, by);
+  const std::size_t block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
+  code.mode = BlockMode::kSkip;
+  drifts = drifts && reference_;
+  if (urgency(here, drifts) >= kLeastUrgency) {
+    if (plan_labels(here, drifts, code, target)) code.mode = BlockMode::kLabels;
+  } else if (refinements_left_ > 0 && (block + frame_) % kRefinementTurns == 0 &&
+             plan_refinement(here, block, code)) {
+    --refinements_left_;
+    code.mode = BlockMode::kRefine;
+  }
+}
+
+int BlockPlanner::urgency(const Area& here, bool drifts) const {
+  int urgency = 0;
+  for (int y = 0; y < here.rows; ++y) {
+    for (int x = 0; x < here.columns; ++x) {
+      const std::size_t at = pixel(here, x, y);
+      const unsigned flags = change_.flags[at];
+      if (flags & kPersistent) {
+        urgency += kPersistentUrgency;
+      } else {
+        urgency += flags != 0 || (drifts && change_.close[at]);
+      }
+    }
+  }
+  return urgency;
+}
+
+bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
+                               BlockTarget& target) {
+  code.labels.fill(PixelLabel::kStay);
+  target.fill(0);
+  for (int y = 0; y < here.rows; ++y) {
+    for (int x = 0; x < here.columns; ++x) {
+      const std::size_t at = pixel(here, x, y);
+      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
+      const bool biased = change_.flags[at] == kBiased || (drifts && change_.close[at]);
+      target[k] = change_.reading[at];
+      code.labels[k] = label_of(at, here.x0 + x, here.y0 + y, biased);
+    }
+  }
+  for (int round = 0; round < 2; ++round) smooth_labels(here, code, target);
+  return std::any_of(code.labels.begin(), code.labels.end(),
+                     [](PixelLabel label) { return label != PixelLabel::kStay; });
+}
+
+PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) const {
+  const int reading = change_.reading[at], old = state_.picture[at], back = state_.background[at];
+  if (reading == 0) return label_of_missing(at, x, y);
+  const float same = kSameSurface * static_cast<float>(history_.sigma(at));
+  const auto near = [same, reading](int value) {
+    return value != 0 && static_cast<float>(std::abs(reading - value)) <= same;
+  };
+  if (near(old) && !biased) return PixelLabel::kStay;
+  const bool back_is_old = std::abs(back - old) < 4 * kLevelsPerSigma;
+  if (near(back) && !(biased && back_is_old)) return PixelLabel::kBackground;
+  return PixelLabel::kFirst;
+}
+
+PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
+  const int old = state_.picture[at], back = state_.background[at];
+  if (old == 0) return PixelLabel::kStay;
+  if (history_.missing[at] >= kHoldFrames) return PixelLabel::kVanished;
+  int readings = 0, like_old = 0, like_back = 0;
+  for (int yy = std::max(0, y - 2); yy <= std::min(state_.height - 1, y + 2); ++yy) {
+    for (int xx = std::max(0, x - 2); xx <= std::min(state_.width - 1, x + 2); ++xx) {
+      const int near =
+          change_.reading[static_cast<std::size_t>(yy) * static_cast<std::size_t>(state_.width) +
+                          static_cast<std::size_t>(xx)];
+      if (near == 0) continue;
+      ++readings;
+      like_old += std::abs(near - old) < kReach;
+      like_back += back != 0 && std::abs(near - back) < kReach;
+    }
+  }
+  if (readings < 4 || like_old > 0) return PixelLabel::kStay;
+  return like_back > 0 ? PixelLabel::kBackground : PixelLabel::kVanished;
+}
+
+// Pixels that stay among new ones of their distance join them, so that contours are short; a lone
+// new pixel stays after all.
+void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
+                                 const BlockTarget& target) const {
+  const Neighbourhoods around = surfaces_around(code, target);
+  for (int y = 0; y < here.rows; ++y) {
+    for (int x = 0; x < here.columns; ++x) {
+      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
+      const std::size_t at = pixel(here, x, y);
+      const float all = static_cast<float>(neighbours_in_block(x, y));
+      const float fresh = around.count[k];
+      PixelLabel& label = code.labels[k];
+      if (label == PixelLabel::kStay && fresh > 0) {
+        const bool joins = target[k] > 0
+                               ? fresh * 2 >= all && std::abs(target[k] * fresh - around.value[k]) <
+                                                         static_cast<float>(kReach) * fresh
+                               : fresh * 4 >= all * 3 && state_.picture[at] != 0;
+        if (joins) label = PixelLabel::kFirst;
+      } else if (label == PixelLabel::kFirst && fresh <= 1 && all >= 5 && state_.picture[at] != 0 &&
+                 !(change_.flags[at] & kPersistent)) {
+        label = PixelLabel::kStay;
+      }
+    }
+  }
+}
+
+// Worth its bits once the averaged difference from the reference is more than what is left of the
+// noise in it.
+bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCode& code) {
+  const bool again = refined_[block] != 0;
+  const int least = again ? kNextRefinement : kFirstRefinement;
+  std::array<float, kBlockPixels> mean{};
+  float energy = 0, noise = 0;
+  int pixels = 0;
+  for (int y = 0; y < here.rows; ++y) {
+    for (int x = 0; x < here.columns; ++x) {
+      const std::size_t at = pixel(here, x, y);
+      const int count = history_.count[at];
+      if (state_.picture[at] == 0 || count < 8) continue;
+      if (count < least) return false;
+      const auto sigma = static_cast<float>(history_.deviation[at]) * (1.25f / (1 << kNoiseShift));
+      const float off = static_cast<float>(history_.sum[at]) / static_cast<float>(count);
+      mean[static_cast<std::size_t>(y * kBlockSide + x)] = off;
+      energy += off * off;
+      noise += sigma * sigma / static_cast<float>(count);
+      ++pixels;
+    }
+  }
+  const float gain = again ? kNextGain : kFirstGain;
+  if (pixels < 16 || energy - noise <= gain * gain * static_cast<float>(pixels)) return false;
+  std::array<float, kBlockPixels> coefficients;
+  forward_transform(mean, coefficients);
+  bool any = false;
+  for (std::size_t k = 0; k + 1 < kBlockPixels; ++k) {
+    code.refinement[k] = rounded(coefficients[k], kRefinementStep, kRefinementRounding);
+    any |= code.refinement[k] != 0;
+  }
+  code.refinement[kBlockPixels - 1] = 0;
+  return any;
+}
+
+void BlockPlanner::coded(int bx, int by, const BlockCode& code,
+                         const std::array<std::uint16_t, kBlockPixels>& before) {
+  const Area here = area(bx, by);
+  const bool refined = code.mode == BlockMode::kRefine;
+  refined_[static_cast<std::size_t>(by * state_.blocks_wide + bx)] = refined;
+  for (int y = 0; y < here.rows; ++y) {
+    for (int x = 0; x < here.columns; ++x) {
+      const std::size_t at = pixel(here, x, y);
+      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
+      if (refined) {
+        const int moved = state_.picture[at] - before[k];
+        history_.sum[at] = static_cast<std::int16_t>(
+            std::clamp(history_.sum[at] - moved * history_.count[at], -8000, 8000));
+        continue;
+      }
+      if (code.labels[k] == PixelLabel::kStay) continue;
+      const unsigned flags = change_.flags[at];
+      if (flags & kPersistent) {
+        history_.patience[at] =
+            static_cast<std::uint16_t>(std::min(history_.patience[at] * 2 + 4, kMostPatience));
+        history_.persistence[at] = 0;
+      } else if (flags != 0) {
+        history_.patience[at] /= 2;
+      }
+      history_.sum[at] = 0;
+      history_.count[at] = 0;
+      if (on_surface(code.labels[k])) {
+        constexpr int kFresh = 6 << kNoiseShift;
+        history_.deviation[at] =
+            static_cast<std::uint16_t>((history_.deviation[at] + 3 * kFresh) / 4);
+      }
+    }
+  }
+}
+
+}  // namespace roomcast::codec

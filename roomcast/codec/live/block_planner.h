@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides for each block of a frame what is worth coding: nothing, a correction of noise that has
+// averaged out, or labels and the values that its surfaces should have. The live encoder's own
+// affair.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/codec/live/block_code.h"
+#include "roomcast/codec/live/drift_detector.h"
+#include "roomcast/codec/live/live_state.h"
+#include "roomcast/codec/live/pixel_history.h"
+
+namespace roomcast::codec {
+
+/// Levels that a block should get; 0 = none known.
+using BlockTarget = std::array<float, kBlockPixels>;
+
+class BlockPlanner {
+ public:
+  BlockPlanner(const LiveState& state, PixelHistory& history, const FrameChange& change)
+      : state_(state), history_(history), change_(change) {}
+
+  void resize();
+  /// Before the blocks of a frame. Frames that are no reference show motion and leave the rest.
+  void begin_frame(bool reference);
+  /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and `target`; with kRefine
+  /// code.refinement.
+  void plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target);
+  /// A block of a reference frame was coded: `before` is what its pixels were.
+  void coded(int bx, int by, const BlockCode& code,
+             const std::array<std::uint16_t, kBlockPixels>& before);
+
+ private:
+  struct Area {
+    int x0, y0, columns, rows;
+  };
+  [[nodiscard]] Area area(int bx, int by) const;
+  [[nodiscard]] std::size_t pixel(const Area& area, int x, int y) const {
+    return static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(state_.width) +
+           static_cast<std::size_t>(area.x0 + x);
+  }
+  [[nodiscard]] int urgency(const Area& area, bool drifts) const;
+  [[nodiscard]] bool plan_labels(const Area& area, bool drifts, BlockCode& code,
+                                 BlockTarget& target);
+  [[nodiscard]] PixelLabel label_of(std::size_t at, int x, int y, bool biased) const;
+  [[nodiscard]] PixelLabel label_of_missing(std::size_t at, int x, int y) const;
+  void smooth_labels(const Area& area, BlockCode& code, const BlockTarget& target) const;
+  [[nodiscard]] bool plan_refinement(const Area& area, std::size_t block, BlockCode& code);
+
+  const LiveState& state_;
+  PixelHistory& history_;
+  const FrameChange& change_;
+  std::vector<std::uint8_t> refined_;  // per block: since its surfaces were coded
+  unsigned frame_ = 0;
+  int refinements_left_ = 0;
+  bool reference_ = false;
+};
+
+}  // namespace roomcast::codec

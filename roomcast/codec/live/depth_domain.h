@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scale on which live depth is coded: eight levels per standard deviation of the sensor's
+// noise, which grows with distance. On it the same error means the same everywhere (a
+// variance-stabilising transform, Anscombe 1948). Integers only, so that every machine builds the
+// same tables. docs/spec/codec.md, "Domain".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace roomcast::codec {
+
+inline constexpr int kLevelsPerSigma = 8;
+inline constexpr int kSigmaKnotCount = 33;
+inline constexpr int kMostLevel = 65535;
+
+/// Noise at distances kSigmaKnots_mm, as coded: see sigma_of_code.
+using SigmaCodes = std::array<std::uint8_t, kSigmaKnotCount>;
+
+/// Distance of a knot: four per octave from 256 mm to 65536 mm.
+[[nodiscard]] constexpr int sigma_knot_mm(int knot) {
+  return (4 + knot % 4) << (6 + knot / 4);
+}
+
+/// In 1/256 mm, from 1/16 mm to 3968 mm.
+[[nodiscard]] constexpr std::uint32_t sigma_of_code(std::uint8_t code) {
+  return (16u + code % 16) << (code / 16);
+}
+/// The code whose sigma is nearest.
+[[nodiscard]] std::uint8_t code_of_sigma(double sigma_mm);
+
+/// Tables between millimetres and levels. 0 is no reading in both.
+class DepthDomain {
+ public:
+  DepthDomain();
+  /// Does nothing when the codes are those it already has.
+  void set(const SigmaCodes& codes);
+
+  [[nodiscard]] const SigmaCodes& codes() const { return codes_; }
+  [[nodiscard]] std::uint16_t level_of(std::uint16_t depth_mm) const {
+    return level_of_mm_[depth_mm];
+  }
+  [[nodiscard]] std::uint16_t mm_of(std::uint16_t level) const { return mm_of_level_[level]; }
+  [[nodiscard]] const std::uint16_t* level_table() const { return level_of_mm_.data(); }
+  [[nodiscard]] const std::uint16_t* mm_table() const { return mm_of_level_.data(); }
+
+ private:
+  void build();
+  SigmaCodes codes_{};
+  std::vector<std::uint16_t> level_of_mm_, mm_of_level_;
+};
+
+}  // namespace roomcast::codec

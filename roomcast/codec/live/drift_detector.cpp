@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/live/drift_detector.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomcast/codec/live/vector_clones.h"
+
+namespace roomcast::codec {
+namespace {
+
+constexpr int kPatchSide = 4;
+constexpr int kLeastSamples = 10;     // of 16 pixels
+constexpr float kNewest = 0.3f;       // weight of the newest frame
+constexpr float kMostOffset = 0.65f;  // of the noise of one pixel
+
+struct Columns {
+  std::int16_t* off;
+  std::uint16_t* close;
+  std::uint16_t* deviation;
+};
+
+ROOMCAST_VECTOR_CLONES
+void add_row(const std::int16_t* __restrict off, const std::uint16_t* __restrict close,
+             const std::uint16_t* __restrict deviation, int width, const Columns& columns) {
+  std::int16_t* __restrict to_off = columns.off;
+  std::uint16_t* __restrict to_close = columns.close;
+  std::uint16_t* __restrict to_deviation = columns.deviation;
+  for (int x = 0; x < width; ++x) {
+    to_off[x] = static_cast<std::int16_t>(to_off[x] + off[x]);
+    to_close[x] = static_cast<std::uint16_t>(to_close[x] + close[x]);
+    to_deviation[x] = static_cast<std::uint16_t>(to_deviation[x] + deviation[x]);
+  }
+}
+
+}  // namespace
+
+void DriftDetector::resize(int width, int height, int blocks_wide, int blocks_high) {
+  width_ = width;
+  height_ = height;
+  blocks_wide_ = blocks_wide;
+  const auto padded = static_cast<std::size_t>(blocks_wide * kBlockSide);
+  column_off_.assign(padded, 0);
+  column_close_.assign(padded, 0);
+  column_deviation_.assign(padded, 0);
+  const std::size_t blocks =
+      static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
+  offset_.assign(4 * blocks, 0);
+  drifts_.assign(blocks, 0);
+}
+
+void DriftDetector::update(const FrameChange& change, const PixelHistory& history) {
+  std::fill(drifts_.begin(), drifts_.end(), std::uint8_t{0});
+  for (int y = 0; y < height_; y += kPatchSide) {
+    add_up_rows(change, history, y);
+    for (int x = 0; x < width_; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
+  }
+}
+
+void DriftDetector::add_up_rows(const FrameChange& change, const PixelHistory& history, int y) {
+  std::fill(column_off_.begin(), column_off_.end(), std::int16_t{0});
+  std::fill(column_close_.begin(), column_close_.end(), std::uint16_t{0});
+  std::fill(column_deviation_.begin(), column_deviation_.end(), std::uint16_t{0});
+  const Columns columns{column_off_.data(), column_close_.data(), column_deviation_.data()};
+  for (int row = y; row < std::min(height_, y + kPatchSide); ++row) {
+    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
+    add_row(&change.off[at], &change.close[at], &history.deviation[at], width_, columns);
+  }
+}
+
+void DriftDetector::update_patch(int patch_x, int patch_y) {
+  int off = 0, close = 0, deviation = 0;
+  for (int x = patch_x * kPatchSide; x < (patch_x + 1) * kPatchSide; ++x) {
+    const auto i = static_cast<std::size_t>(x);
+    off += column_off_[i];
+    close += column_close_[i];
+    deviation += column_deviation_[i];
+  }
+  if (close < kLeastSamples) return;
+  const std::size_t block =
+      static_cast<std::size_t>(patch_y / 2) * static_cast<std::size_t>(blocks_wide_) +
+      static_cast<std::size_t>(patch_x / 2);
+  float& offset = offset_[4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2))];
+  offset += (static_cast<float>(off) / static_cast<float>(close) - offset) * kNewest;
+  // The mean size of Gaussian noise is 4/5 of its standard deviation.
+  const float sigma = std::max(static_cast<float>(kLevelsPerSigma),
+                               static_cast<float>(deviation) * (1.25f / (1 << kNoiseShift) / 16));
+  if (std::abs(offset) > kMostOffset * sigma) drifts_[block] = 1;
+}
+
+void DriftDetector::reset(std::size_t block) {
+  std::fill_n(offset_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, 0.0f);
+}
+
+}  // namespace roomcast::codec

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds surfaces that move slowly: by less than the noise of a pixel, but all pixels of a patch
+// together. Keeps an average of each 4x4 patch's offset from the reference over the last frames.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/codec/live/pixel_history.h"
+
+namespace roomcast::codec {
+
+class DriftDetector {
+ public:
+  void resize(int width, int height, int blocks_wide, int blocks_high);
+  /// Takes the newest frame in.
+  void update(const FrameChange& change, const PixelHistory& history);
+  /// Whether some patch of the block has drifted away from the reference.
+  [[nodiscard]] bool drifts(std::size_t block) const { return drifts_[block] != 0; }
+  /// The block was coded: its offsets start anew.
+  void reset(std::size_t block);
+
+ private:
+  void add_up_rows(const FrameChange& change, const PixelHistory& history, int y);
+  void update_patch(int patch_x, int patch_y);
+
+  int width_ = 0, height_ = 0, blocks_wide_ = 0;
+  std::vector<std::int16_t> column_off_;
+  std::vector<std::uint16_t> column_close_, column_deviation_;
+  std::vector<float> offset_;  // four patches for each block
+  std::vector<std::uint8_t> drifts_;
+};
+
+}  // namespace roomcast::codec

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Encodes depth as it looks, not as it flickers: sections of codec 2. What a fixed sensor sees
+// again and again is sent once and made more exact as noise averages out; what moves is sent as
+// smooth surfaces with outlines. docs/spec/codec.md. Any decision here may change without a new
+// format.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/codec/layer_schedule.h"
+#include "roomcast/codec/live/block_planner.h"
+#include "roomcast/codec/live/drift_detector.h"
+#include "roomcast/codec/live/live_section.h"
+#include "roomcast/codec/live/live_state.h"
+#include "roomcast/codec/live/picture_pass.h"
+#include "roomcast/codec/live/pixel_history.h"
+#include "roomcast/codec/live/sensor_noise.h"
+#include "roomcast/core/image.h"
+
+namespace roomcast::codec {
+
+struct LiveDepthOptions {
+  int width = 0, height = 0;
+  int step = 4 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
+  int key_step = 3 * kLevelsPerSigma;  // of the background in key frames
+};
+
+class LiveDepthEncoder {
+ public:
+  explicit LiveDepthEncoder(const LiveDepthOptions& options);
+
+  /// Appends a section's bytes. `depth_mm` has the size of the options. The first frame's role is a
+  /// key frame's; frames of layer 1 and up are no references.
+  void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
+
+  /// What decoders show for the last frame.
+  [[nodiscard]] DepthView shown_mm() const;
+  [[nodiscard]] const LiveState& state() const { return state_; }
+
+ private:
+  using Pass = PicturePass<LiveWriter>;
+  void encode_memory(LiveWriter& writer);
+  void begin_anew(const SigmaCodes& sigma);
+  void choose_memory();
+  void encode_memory_block(Pass& pass, int bx, int by);
+  std::uint32_t encode_changes(LiveWriter& writer, bool reference);
+  void encode_block(Pass& pass, int bx, int by, bool reference);
+  void prepare_surfaces(Pass& pass, int bx, int by, int step, BlockCode& code, BlockTarget& target);
+  void follow_new_reference();
+
+  LiveDepthOptions options_;
+  LiveState state_;
+  PassScratch scratch_;
+  LiveContexts passing_contexts_;
+  SensorNoise noise_;
+  ChangeAnalysis analysis_;
+  PixelHistory history_;
+  FrameChange change_;
+  DriftDetector drift_;
+  BlockPlanner planner_;
+  BlockCode code_;
+  BlockTarget target_{};
+  std::vector<std::uint16_t> memory_;       // what the first pass of a key frame is to show
+  std::vector<std::uint16_t> old_picture_;  // the reference before a key frame
+  bool started_ = false;                    // there was a key frame
+  bool shown_is_reference_ = true;
+};
+
+}  // namespace roomcast::codec

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a live depth encoder and its decoders both remember from one reference frame to the next,
+// and must agree on to the last bit. docs/spec/codec.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/codec/live/depth_domain.h"
+#include "roomcast/codec/live/live_contexts.h"
+
+namespace roomcast::codec {
+
+/// Lowest coefficients of a coded surface: they predict those of its neighbours.
+struct SurfaceParameters {
+  std::int32_t mean = 0, slope_x = 0, slope_y = 0;
+  bool known = false;
+};
+
+enum class BlockActivity : std::uint8_t { kSkipped = 0, kMixed = 1, kUniform = 2 };
+
+/// What later blocks ask about one that was coded.
+struct BlockTrace {
+  BlockActivity activity = BlockActivity::kSkipped;
+  std::array<SurfaceParameters, 2> surfaces;
+};
+
+struct LiveState {
+  int width = 0, height = 0;
+  int blocks_wide = 0, blocks_high = 0;
+  DepthDomain domain;
+  std::vector<std::uint16_t> picture;     // levels, 0 = no reading
+  std::vector<std::uint16_t> picture_mm;  // the same in millimetres
+  std::vector<std::uint16_t> background;  // levels, what was there before
+  std::vector<std::uint8_t> calm;         // per block: reference frames in a row without a change
+  std::vector<BlockTrace> trace;          // per block: of the newest reference frame
+  LiveContexts contexts;
+  std::uint32_t hash = 0;
+
+  void resize(int new_width, int new_height);
+  /// As a key frame finds it. Keeps memory.
+  void clear();
+  /// Everything that is seen is background.
+  void remember_picture_as_background() { background = picture; }
+
+  [[nodiscard]] std::size_t block_count() const {
+    return static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
+  }
+};
+
+}  // namespace roomcast::codec

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/live/sensor_noise.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+namespace roomcast::codec {
+namespace {
+
+constexpr std::uint32_t kLeastSamples = 400;      // fewer say nothing about a distance
+constexpr std::uint32_t kMostSamples = 1u << 18;  // then old ones are halved away
+constexpr double kTrim = 3.5;                     // standard deviations
+constexpr double kLeastSigma_mm = 0.25;
+constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane comes as stairs
+
+/// The knot nearest below; readings nearer than the first knot count to it.
+int knot_of(int depth_mm) {
+  if (depth_mm < sigma_knot_mm(0)) return 0;
+  const int octave = static_cast<int>(std::bit_width(static_cast<unsigned>(depth_mm))) - 9;
+  return 4 * octave + ((depth_mm >> (octave + 6)) & 3);
+}
+
+/// Standard deviation of the differences whose sizes are counted, those of outliers left out.
+template <class Histogram>
+double trimmed_deviation(const Histogram& sizes) {
+  double limit = static_cast<double>(sizes.size()), deviation = 0;
+  for (int round = 0; round < 8; ++round) {
+    double squares = 0, count = 0;
+    for (std::size_t size = 0; size < sizes.size() && static_cast<double>(size) <= limit; ++size) {
+      squares += static_cast<double>(sizes[size]) * static_cast<double>(size * size);
+      count += sizes[size];
+    }
+    if (count == 0) return 0;
+    deviation = std::sqrt(squares / count);
+    limit = std::max(1.0, kTrim * deviation);
+  }
+  return deviation;
+}
+
+/// Of a time-of-flight camera; for distances that were never seen.
+double usual_sigma_mm(double depth_mm) {
+  const double z = depth_mm / 1000;
+  return 1.5 + 0.25 * z * z;
+}
+
+}  // namespace
+
+void SensorNoise::observe(DepthView depth_mm) {
+  const auto width = static_cast<std::size_t>(depth_mm.width);
+  if (width_ != depth_mm.width || height_ != depth_mm.height) {
+    *this = {};
+    width_ = depth_mm.width;
+    height_ = depth_mm.height;
+    seen_mm_.assign(65536, 0);
+    before_.assign(width * static_cast<std::size_t>(height_), 0);
+  }
+  for (int y = phase_; y < height_; y += kRowsApart) {
+    observe_row(depth_mm.row(y), &before_[static_cast<std::size_t>(y) * width], width_);
+  }
+  // The next frame looks at other rows, and must know them as they are now.
+  phase_ = (phase_ + 3) % kRowsApart;
+  for (int y = phase_; y < height_; y += kRowsApart) {
+    std::copy_n(depth_mm.row(y), width, &before_[static_cast<std::size_t>(y) * width]);
+  }
+}
+
+void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* before, int width) {
+  for (int x = 1; x < width - 1; ++x) {
+    const int z = row[x];
+    if (z == 0) continue;
+    const auto knot = static_cast<std::size_t>(knot_of(z));
+    seen_mm_[static_cast<std::size_t>(z)] = 1;
+    if (before[x] != 0) {
+      const auto change = static_cast<std::size_t>(std::abs(z - before[x]));
+      if (change < kMostChange_mm) {
+        ++in_time_[knot][change];
+        ++time_samples_[knot];
+      }
+    }
+    if (row[x - 1] != 0 && row[x + 1] != 0) {
+      const auto bend = static_cast<std::size_t>(std::abs(2 * z - row[x - 1] - row[x + 1]));
+      if (bend < kMostChange_mm) {
+        ++in_space_[knot][bend];
+        ++space_samples_[knot];
+      }
+    }
+  }
+  const auto forget = [](Histogram& histogram, std::uint32_t& samples) {
+    if (samples < kMostSamples) return;
+    for (std::uint32_t& count : histogram) count /= 2;
+    samples /= 2;
+  };
+  for (std::size_t knot = 0; knot < kSigmaKnotCount; ++knot) {
+    forget(in_time_[knot], time_samples_[knot]);
+    forget(in_space_[knot], space_samples_[knot]);
+  }
+}
+
+double SensorNoise::step_at(int knot) const {
+  const int begin = knot == 0 ? 1 : sigma_knot_mm(knot);
+  const int end = std::min(65536, sigma_knot_mm(knot + 1));
+  const auto first = std::find(seen_mm_.begin() + begin, seen_mm_.begin() + end, 1);
+  int values = 0, last = begin;
+  for (int z = begin; z < end; ++z) {
+    values += seen_mm_[static_cast<std::size_t>(z)];
+    if (seen_mm_[static_cast<std::size_t>(z)]) last = z;
+  }
+  const auto span = last - static_cast<int>(first - seen_mm_.begin());
+  return values < 2 ? 1 : static_cast<double>(span) / (values - 1);
+}
+
+/// 0 when too little was seen there.
+double SensorNoise::sigma_at(int knot) const {
+  const auto k = static_cast<std::size_t>(knot);
+  double noise = 0;
+  if (time_samples_[k] >= kLeastSamples) {
+    noise = trimmed_deviation(in_time_[k]) / std::sqrt(2.0);
+  } else if (space_samples_[k] >= kLeastSamples) {
+    noise = trimmed_deviation(in_space_[k]) / std::sqrt(6.0);
+  } else {
+    return 0;
+  }
+  const double step = step_at(knot);
+  const double stairs = step > 1.5 ? kStepWeight * step : 0;
+  return std::max(kLeastSigma_mm, std::hypot(noise, stairs));
+}
+
+SigmaCodes SensorNoise::table() const {
+  std::array<double, kSigmaKnotCount> sigma{};
+  // A histogram covers the distances from its knot to the next: its value belongs half way.
+  double known = 0, known_at = 0;
+  for (int knot = 0; knot < kSigmaKnotCount; ++knot) {
+    const double here = knot + 1 < kSigmaKnotCount ? sigma_at(knot) : 0;
+    const double z = sigma_knot_mm(knot);
+    if (here > 0) {
+      sigma[static_cast<std::size_t>(knot)] = here;
+      known = here;
+      known_at = z;
+    } else if (known > 0) {
+      sigma[static_cast<std::size_t>(knot)] = known * (z / known_at) * (z / known_at);
+    }
+  }
+  for (int knot = kSigmaKnotCount; knot-- > 0;) {  // nearer than anything that was seen
+    double& here = sigma[static_cast<std::size_t>(knot)];
+    if (here > 0) continue;
+    here = knot + 1 < kSigmaKnotCount && known > 0 ? sigma[static_cast<std::size_t>(knot) + 1]
+                                                   : usual_sigma_mm(sigma_knot_mm(knot));
+  }
+  SigmaCodes codes{};
+  for (std::size_t knot = 0; knot < kSigmaKnotCount; ++knot) {
+    // Mean of the intervals on both sides: the table is linear between knots.
+    const double before = sigma[knot == 0 ? 0 : knot - 1];
+    codes[knot] = code_of_sigma(std::sqrt(before * sigma[knot]));
+  }
+  return codes;
+}
+
+}  // namespace roomcast::codec

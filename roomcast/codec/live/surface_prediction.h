@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which surfaces near a block may predict its own. Shared by encoder and decoder.
+// docs/spec/codec.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "roomcast/codec/live/live_state.h"
+
+namespace roomcast::codec {
+
+inline constexpr std::int32_t kMostCoefficient = 1 << 20;
+[[nodiscard]] constexpr std::int32_t limited(std::int64_t coefficient) {
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(coefficient, -kMostCoefficient, kMostCoefficient));
+}
+
+/// The surface as it would go on one block to the right or further down.
+[[nodiscard]] inline SurfaceParameters continued(SurfaceParameters surface, bool right, bool down) {
+  // A slope coefficient of c changes the mean coefficient of the next block by -3.512 c.
+  constexpr std::int64_t kStep = 899;  // of 256
+  const std::int64_t along =
+      (right ? surface.slope_x : 0) + std::int64_t{down ? surface.slope_y : 0};
+  surface.mean = limited(surface.mean - (along * kStep >> 8));
+  return surface;
+}
+
+using SurfaceCandidates = std::array<SurfaceParameters, kSurfaceCandidates>;
+
+/// Of surface `which` (0, 1) of block (bx, by): left and upper block (same surface), the block
+/// itself in the reference frame, left and upper block (the other surface), the surface coded last.
+[[nodiscard]] inline SurfaceCandidates surface_candidates(const LiveState& state,
+                                                          const std::vector<BlockTrace>& now,
+                                                          int bx, int by, std::size_t which,
+                                                          const SurfaceParameters& last) {
+  const std::size_t block =
+      static_cast<std::size_t>(by) * static_cast<std::size_t>(state.blocks_wide) +
+      static_cast<std::size_t>(bx);
+  SurfaceCandidates candidates;
+  if (bx > 0) {
+    candidates[0] = continued(now[block - 1].surfaces[which], true, false);
+    candidates[3] = continued(now[block - 1].surfaces[1 - which], true, false);
+  }
+  if (by > 0) {
+    const BlockTrace& above = now[block - static_cast<std::size_t>(state.blocks_wide)];
+    candidates[1] = continued(above.surfaces[which], false, true);
+    candidates[4] = continued(above.surfaces[1 - which], false, true);
+  }
+  candidates[2] = state.trace[block].surfaces[which];
+  candidates[5] = last;
+  return candidates;
+}
+
+/// Coefficients of a surface from its steps; only the first `rows` rows are not 0.
+[[nodiscard]] inline int surface_coefficients(const BlockCoefficients& steps, int step,
+                                              const SurfaceParameters& prediction,
+                                              BlockCoefficients& coefficients) {
+  int rows = 2;
+  for (int k = 0; k < kBlockPixels; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    coefficients[i] = limited(std::int64_t{steps[i]} * step);
+    if (steps[i] != 0) rows = std::max(rows, k / kBlockSide + 1);
+  }
+  if (prediction.known) {
+    coefficients[0] = limited(std::int64_t{coefficients[0]} + prediction.mean);
+    coefficients[1] = limited(std::int64_t{coefficients[1]} + prediction.slope_x);
+    coefficients[8] = limited(std::int64_t{coefficients[8]} + prediction.slope_y);
+  }
+  return rows;
+}
+
+}  // namespace roomcast::codec
