@@ -32,7 +32,6 @@ class MovingLayer {
 
  private:
   void clear();
-  void place_vertices(const MovingThings& things, const PlacedCamera& camera);
   void draw_part(const MovingThings& things, const MovingPart& part, const PlacedCamera& camera);
   void draw_triangle(const TriangleMesh& mesh, std::uint32_t number, const PixelBox& limits,
                      const PlacedCamera& camera);

@@ -2,8 +2,12 @@
 // Puts what moves into the pictures of the empty room: depth, colours, and the shade on the floor.
 #pragma once
 
+#include <vector>
+
 #include "roomcast/core/image.h"
+#include "roomcast/source/simulator/people/floor_shade.h"
 #include "roomcast/source/simulator/people/moving_layer.h"
+#include "roomcast/source/simulator/people/surface_texels.h"
 #include "roomcast/source/simulator/scene/room.h"
 #include "roomcast/source/simulator/tracing/static_plate.h"
 
@@ -17,14 +21,25 @@ namespace roomcast::sim {
 void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,
                       ImageView<std::uint16_t> depth_mm);
 
-/// Darkens the floor under and around what moves.
-void put_floor_shade(const MovingThings& things, const Room& room, const PlacedCamera& camera,
-                     const ColorPlate& plate, ImageView<Rgb8> color);
+/// Colours of what moves: light is worked out per vertex, so that a pixel costs a look-up. Reused
+/// from frame to frame. Single-threaded.
+class MovingColors {
+ public:
+  /// To be called for each instant before the others.
+  void light(const MovingThings& things, const Room& room);
 
-/// Lit cloth and skin where something moving is nearer than the plate; half-covered pixels of the
-/// outline are blended.
-void put_moving_color(const MovingThings& things, const MovingLayer& layer,
-                      const PlacedCamera& camera, const ColorPlate& plate, const Room& room,
-                      ImageView<Rgb8> color);
+  /// Darkens the floor under and around what moves.
+  void put_shade(const Room& room, const PlacedCamera& camera, const ColorPlate& plate,
+                 ImageView<Rgb8> color) const;
+
+  /// Lit cloth and skin where something moving is nearer than the plate; half-covered pixels of the
+  /// outline are blended.
+  void put(const MovingThings& things, const MovingLayer& layer, const ColorPlate& plate,
+           const SurfaceTexels& texels, ImageView<Rgb8> color) const;
+
+ private:
+  std::vector<Eigen::Vector3f> light_;  // per vertex, linear
+  FloorShade shade_;
+};
 
 }  // namespace roomcast::sim

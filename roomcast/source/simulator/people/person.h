@@ -32,10 +32,10 @@ struct Outfit {
 /// What somebody does where they stop.
 enum class Deed : std::uint8_t {
   kStand,    // breathes, sways, looks around a little
-  kSit,      // sits down on the target, rests, stands up
+  kSit,      // sits down, rests, stands up
   kTalk,     // gestures with both hands, standing
-  kSitTalk,  // gestures, sitting on the target
-  kType,     // sits on the target with both hands before them, typing
+  kSitTalk,  // gestures, sitting
+  kType,     // sits, both hands at the target, typing
   kReach,    // moves the right hand to the target and back
   kWrite,    // writes about the target with the right hand
   kPlug,     // bends or crouches and works at the target with the right hand
@@ -48,11 +48,11 @@ struct Stop {
   float heading_rad = 0;                           // 0: facing +z; a quarter turn: facing +x
   float stay_s = 2;
   Deed deed = Deed::kStand;
-  /// Of the deed: a seat's middle, where a hand goes, or where the burden's middle rests. With
-  /// kStand and kTalk: what is looked at.
+  /// Where a hand goes, or where the burden's middle rests (its front towards the person). With
+  /// kStand, kTalk and kSitTalk: what is looked at.
   Eigen::Vector3f target_m = Eigen::Vector3f::Zero();
-  float target_yaw_rad = 0;            // of the burden at rest, as a heading
-  std::vector<Eigen::Vector2f> via_m;  // on the way here from the stop before
+  Eigen::Vector3f seat_m = Eigen::Vector3f::Zero();  // middle of the seat's top, of those who sit
+  std::vector<Eigen::Vector2f> via_m;                // on the way here from the stop before
 };
 
 /// Something carried with both hands, held at its sides. Local frame: y up, its front towards +z,

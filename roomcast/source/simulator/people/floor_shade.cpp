@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/people/floor_shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomcast/source/simulator/tracing/lighting.h"
+
+namespace roomcast::sim {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr float kCell_m = 0.05F;
+constexpr float kReach_m = 1.1F;  // beyond the balls
+
+float brightness(const Vector3f& light) {
+  return light.sum() / 3.0F;
+}
+
+/// Share of the sky over a floor point that a ball hides.
+float sky_hidden(const ShadeBall& ball, const Vector3f& floor_m) {
+  const Vector3f way = ball.centre_m - floor_m;
+  const float squared = std::max(way.squaredNorm(), ball.radius_m * ball.radius_m);
+  return std::max(0.0F, way.y()) / std::sqrt(squared) * ball.radius_m * ball.radius_m / squared;
+}
+
+/// Share of a lamp that a ball hides from a point: by how near the ball's rim the ray passes.
+float lamp_hidden(const ShadeBall& ball, const Vector3f& floor_m, const Light& lamp) {
+  const Vector3f to_lamp = lamp.position_m - floor_m;
+  const float distance = to_lamp.norm();
+  const Vector3f towards = to_lamp / distance;
+  const Vector3f way = ball.centre_m - floor_m;
+  const float along = way.dot(towards);
+  if (along <= 0.0F || along >= distance) return 0.0F;
+  const float beside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
+  const float blur = std::max(0.02F, lamp.radius_m * along / distance);
+  return std::clamp(0.5F + 0.5F * (ball.radius_m - beside) / blur, 0.0F, 1.0F);
+}
+
+float light_left_at(std::span<const ShadeBall> balls, const Room& room, const Vector3f& floor_m) {
+  const LitPoint at{floor_m, Vector3f::UnitY()};
+  const float ambient = brightness(ambient_light(room, at, 1.0F));
+  float hidden_sky = 0.0F;
+  for (const ShadeBall& ball : balls) hidden_sky += sky_hidden(ball, floor_m);
+  float all = ambient;
+  float left = ambient * (1.0F - std::min(0.75F, 0.7F * hidden_sky));
+  for (const Light& lamp : room.lights) {
+    const float light = brightness(light_from(lamp, at));
+    float open = 1.0F;
+    for (const ShadeBall& ball : balls)
+      open = std::min(open, 1.0F - lamp_hidden(ball, floor_m, lamp));
+    all += light;
+    left += open * light;
+  }
+  return left / all;
+}
+
+}  // namespace
+
+void FloorShade::work_out(std::span<const ShadeBall> balls, const Room& room) {
+  area_.setEmpty();
+  for (const ShadeBall& ball : balls) {
+    const Vector2f at(ball.centre_m.x(), ball.centre_m.z());
+    area_.extend(Vector2f(at.array() - kReach_m));
+    area_.extend(Vector2f(at.array() + kReach_m));
+  }
+  if (balls.empty()) return;
+  const Vector2f half(0.5F * room.size_m.x(), 0.5F * room.size_m.z());
+  area_ = area_.intersection(Eigen::AlignedBox2f(-half, half));
+  const Vector2f size = area_.sizes() / kCell_m;
+  const int width = std::max(2, static_cast<int>(std::ceil(size.x())) + 1);
+  const int height = std::max(2, static_cast<int>(std::ceil(size.y())) + 1);
+  left_.resize(width, height);
+  for (int j = 0; j < height; ++j) {
+    for (int i = 0; i < width; ++i) {
+      const Vector2f at =
+          area_.min() + kCell_m * Vector2f(static_cast<float>(i), static_cast<float>(j));
+      left_.at(i, j) = light_left_at(balls, room, {at.x(), 0.0F, at.y()});
+    }
+  }
+}
+
+float FloorShade::light_left(float x_m, float z_m) const {
+  const float x = std::clamp((x_m - area_.min().x()) / kCell_m, 0.0F,
+                             static_cast<float>(left_.width() - 1) - 0.001F);
+  const float z = std::clamp((z_m - area_.min().y()) / kCell_m, 0.0F,
+                             static_cast<float>(left_.height() - 1) - 0.001F);
+  const int i = static_cast<int>(x);
+  const int j = static_cast<int>(z);
+  const float across = x - static_cast<float>(i);
+  const float down = z - static_cast<float>(j);
+  return (1.0F - down) * ((1.0F - across) * left_.at(i, j) + across * left_.at(i + 1, j)) +
+         down * ((1.0F - across) * left_.at(i, j + 1) + across * left_.at(i + 1, j + 1));
+}
+
+}  // namespace roomcast::sim

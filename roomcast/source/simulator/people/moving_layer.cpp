@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/people/moving_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace roomcast::sim {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr float kNowhere_m = std::numeric_limits<float>::infinity();
+constexpr float kNearest_m = 0.05F;
+
+PixelBox joined(const PixelBox& a, const PixelBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+PixelBox common(const PixelBox& a, const PixelBox& b) {
+  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+          std::min(a.bottom, b.bottom)};
+}
+
+}  // namespace
+
+MovingLayer::MovingLayer(int width, int height)
+    : z_m_(width, height, kNowhere_m),
+      triangle_(width, height, kNoTriangle),
+      shares_(width, height, Vector2f::Zero()) {}
+
+void MovingLayer::clear() {
+  for (int y = box_.top; y < box_.bottom; ++y) {
+    std::fill(z_m_.view().row(y) + box_.left, z_m_.view().row(y) + box_.right, kNowhere_m);
+    std::fill(triangle_.view().row(y) + box_.left, triangle_.view().row(y) + box_.right,
+              kNoTriangle);
+  }
+  box_ = {};
+}
+
+void MovingLayer::draw(const MovingThings& things, const PlacedCamera& camera) {
+  clear();
+  vertices_.resize(things.mesh().positions.size());
+  for (const MovingPart& part : things.parts()) draw_part(things, part, camera);
+}
+
+void MovingLayer::draw_part(const MovingThings& things, const MovingPart& part,
+                            const PlacedCamera& camera) {
+  const PixelBox limits =
+      camera.pixels_of_box(Eigen::Affine3f::Identity(), part.box_m.min(), part.box_m.max());
+  if (limits.empty()) return;
+  box_ = joined(box_, limits);
+  const TriangleMesh& mesh = things.mesh();
+  for (std::uint32_t i = part.first_vertex; i < part.first_vertex + part.vertex_count; ++i) {
+    Seen& seen = vertices_[i];
+    seen.in_camera_m = camera.axes().transpose() * (mesh.positions[i] - camera.eye_m());
+    const auto pixel =
+        seen.in_camera_m.z() > kNearest_m ? camera.pixel_of(seen.in_camera_m) : std::nullopt;
+    seen.has_pixel = pixel.has_value();
+    if (pixel) seen.pixel = *pixel;
+  }
+  for (std::uint32_t i = 0; i < part.triangle_count; ++i)
+    draw_triangle(mesh, part.first_triangle + i, limits, camera);
+}
+
+void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
+                                const PixelBox& limits, const PlacedCamera& camera) {
+  const auto& corner = mesh.triangles[number];
+  const Seen& a = vertices_[corner[0]];
+  const Seen& b = vertices_[corner[1]];
+  const Seen& c = vertices_[corner[2]];
+  const Vector3f normal = (b.in_camera_m - a.in_camera_m).cross(c.in_camera_m - a.in_camera_m);
+  const float plane = normal.dot(a.in_camera_m);
+  if (plane >= 0.0F) return;  // seen from behind
+  PixelBox box = limits;
+  if (a.has_pixel && b.has_pixel && c.has_pixel) {
+    constexpr float kBulge = 0.6F;  // pixels: the lens bends edges a little
+    const Vector2f low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel).array() - kBulge;
+    const Vector2f high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel).array() + kBulge + 1.0F;
+    const auto whole = [](float value) {
+      constexpr float kFar = 30000.0F;
+      return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar)));
+    };
+    box = common(limits, {whole(low.x()), whole(low.y()), whole(high.x()), whole(high.y())});
+  }
+  if (box.empty()) return;
+  // Signed volumes of the ray with the edges; the ray is inside where all have the same sign.
+  const Vector3f edge_a = c.in_camera_m.cross(b.in_camera_m);
+  const Vector3f edge_b = a.in_camera_m.cross(c.in_camera_m);
+  const Vector3f edge_c = b.in_camera_m.cross(a.in_camera_m);
+  for (int y = box.top; y < box.bottom; ++y) {
+    const Vector2f* rays = camera.ray_row(y);
+    float* z_row = z_m_.view().row(y);
+    for (int x = box.left; x < box.right; ++x) {
+      const Vector2f& ray = rays[x];
+      const float wa = edge_a.x() * ray.x() + edge_a.y() * ray.y() + edge_a.z();
+      const float wb = edge_b.x() * ray.x() + edge_b.y() * ray.y() + edge_b.z();
+      const float wc = edge_c.x() * ray.x() + edge_c.y() * ray.y() + edge_c.z();
+      if (wa < 0.0F || wb < 0.0F || wc < 0.0F) continue;
+      const float sum = wa + wb + wc;
+      const float z = plane / (normal.x() * ray.x() + normal.y() * ray.y() + normal.z());
+      if (!(sum > 0.0F) || !(z > kNearest_m) || z >= z_row[x]) continue;
+      z_row[x] = z;
+      triangle_.at(x, y) = number;
+      shares_.at(x, y) = Vector2f(wb, wc) / sum;
+    }
+  }
+}
+
+MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
+                         const PlacedCamera& camera, int x, int y) {
+  const TriangleMesh& mesh = things.mesh();
+  const std::uint32_t number = layer.triangle().at(x, y);
+  const auto& corner = mesh.triangles[number];
+  const Vector2f share = layer.corner_shares().at(x, y);
+  const float first = 1.0F - share.x() - share.y();
+  const Vector3f direction = camera.direction(x, y);
+  MovingPoint point;
+  point.position_m = camera.eye_m() + layer.z_m().at(x, y) * direction;
+  point.normal = (first * mesh.normals[corner[0]] + share.x() * mesh.normals[corner[1]] +
+                  share.y() * mesh.normals[corner[2]])
+                     .normalized();
+  point.uv_m = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
+               share.y() * mesh.uv_m[corner[2]];
+  point.surface = mesh.surface[number];
+  point.facing = std::max(0.0F, -point.normal.dot(direction.normalized()));
+  return point;
+}
+
+}  // namespace roomcast::sim
