@@ -64,6 +64,7 @@ class TestSensor {
     codec::FrameEncoderOptions encoding;
     encoding.width = kWidth;
     encoding.height = kHeight;
+    encoding.depth_mode = codec::DepthMode::kLossless;
     encoder_ = std::move(*codec::FrameEncoder::create(encoding));
   }
 

@@ -30,6 +30,7 @@ struct DemoOptions {
   std::string rig;
   std::vector<std::string> sources;
   double sim_fps = 15;
+  CodecChoice codec;
   int port = 7600;
   std::string web;
   bool headless = false;
@@ -67,6 +68,7 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
     if (!source) return source.error();
     SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
+    feed_options.codec = options.codec;
     feed_options.log = stderr_log("demo", options.verbose);
     auto feed = SensorFeed::start(std::move(*source), std::move(feed_options));
     if (!feed) return feed.error();
@@ -175,6 +177,7 @@ void add_demo_command(CLI::App& app, Command& chosen) {
   command->add_option("--fps", options->sim_fps, "Frames per second of simulated sensors")
       ->check(CLI::Range(1.0, 60.0))
       ->capture_default_str();
+  add_codec_options(*command, options->codec);
   command->add_option("--rig", options->rig, "Play this recorded rig instead");
   command->add_option("--source", options->sources,
                       "Play these sources instead: rig:DIR#s0, tum:DIR, sim[:scene][#n]");

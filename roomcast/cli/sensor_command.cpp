@@ -77,11 +77,7 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
                    "Simulated: how many stand around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  command
-      ->add_option("--color-kbit", options->feed.color_kbit_per_s,
-                   "Bit rate of the colour stream, kbit/s")
-      ->check(CLI::Range(50, 20'000))
-      ->capture_default_str();
+  add_codec_options(*command, options->feed.codec);
   command->add_flag("--once", options->once,
                     "Stop at the end of a recording instead of starting again");
   command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying when there is no hub yet");

@@ -31,7 +31,9 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
   options.width = sensor.calibration.depth.width;
   options.height = sensor.calibration.depth.height;
   options.fps = sensor.fps;
-  options.color_kbit_per_s = feed.color_kbit_per_s;
+  options.color_kbit_per_s = feed.codec.color_kbit_per_s;
+  options.temporal_layers = feed.codec.layers;
+  options.depth_mode = feed.codec.depth_mode;
   return options;
 }
 
@@ -84,7 +86,9 @@ class SensorFeed::Worker {
                                        turn->want_key, message.appendable());
     if (!info) return info.error();
     const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
-    if (sent && frame_log_) frame_log_->add(sent->seq, sent->capture_time, captured_.depth_mm);
+    if (sent && frame_log_) {
+      frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
+    }
     return {};
   }
 

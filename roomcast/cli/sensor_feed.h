@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "roomcast/cli/codec_option.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
@@ -21,7 +22,7 @@ struct SensorFeedOptions {
   std::string hub_url;
   std::string room;
   std::string name;  // empty: the source's own
-  int color_kbit_per_s = 900;
+  CodecChoice codec;
   bool wait_for_hub = false;
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   LogSink log;

@@ -43,6 +43,7 @@ class SendingSensor {
     codec::FrameEncoderOptions options;
     options.width = kWidth;
     options.height = kHeight;
+    options.depth_mode = codec::DepthMode::kLossless;
     encoder_ = std::move(*codec::FrameEncoder::create(options));
   }
 

@@ -36,6 +36,7 @@ net::SealedMessagePtr frame_message(bool key) {
   codec::FrameEncoderOptions options;
   options.width = kWidth;
   options.height = kHeight;
+  options.depth_mode = codec::DepthMode::kLossless;
   net::MessageBuffer message;
   message.appendable().resize(net::MessageBuffer::kHeadroom + wire::kFrameHeaderBytes);
   const DepthImage depth(kWidth, kHeight, 1234);

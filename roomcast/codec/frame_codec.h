@@ -27,7 +27,7 @@ struct FrameEncoderOptions {
   int color_kbit_per_s = 900;  // target of the colour stream
   int temporal_layers = 2;     // 1..3; frames of layer 1 and up can be dropped without harm
   double key_interval_s = 4;   // from one key frame to the next, at most
-  DepthMode depth_mode = DepthMode::kLossless;
+  DepthMode depth_mode = DepthMode::kLive;
   /// kInvalidArgument with the field that is wrong; kUnsupported for a depth mode to come.
   [[nodiscard]] Status check() const;
 };
@@ -47,6 +47,10 @@ class FrameEncoder {
   /// frame.
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
+
+  /// Depth of the newest frame as decoders will show it. Valid until the next call, and as long as
+  /// the picture that was encoded.
+  [[nodiscard]] virtual DepthView decoded_depth() const = 0;
 };
 
 struct DecodedFrame {

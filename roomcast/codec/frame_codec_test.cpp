@@ -44,6 +44,7 @@ FrameEncoderOptions options_for(int width, int height, int layers = 2) {
   FrameEncoderOptions options;
   options.width = width;
   options.height = height;
+  options.depth_mode = DepthMode::kLossless;
   options.temporal_layers = layers;
   return options;
 }

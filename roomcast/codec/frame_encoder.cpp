@@ -57,6 +57,10 @@ class SectionFrameEncoder final : public FrameEncoder {
     return status.error();
   }
 
+  [[nodiscard]] DepthView decoded_depth() const override {
+    return live_ ? live_->shown_mm() : input_depth_;
+  }
+
  private:
   [[nodiscard]] Status check_sizes(DepthView depth, ColorView color, MaskView seen) const {
     if (depth.data == nullptr || depth.width != options_.width || depth.height != options_.height) {
@@ -72,6 +76,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   }
 
   void append_depth(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
+    input_depth_ = depth_mm;
     const std::size_t section =
         begin_section(SectionKind::kDepth, live_ ? kLiveDepth : kLosslessDepth, out);
     if (live_) {
@@ -128,6 +133,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
   MaskImage held_seen_;                     // in live mode
+  DepthView input_depth_;                   // of the newest frame; not owned
   bool color_started_ = false;              // since the last key frame
 };
 

@@ -50,6 +50,7 @@ class GoldenWriter {
     FrameEncoderOptions options;
     options.width = frames[0].depth_mm.width();
     options.height = frames[0].depth_mm.height();
+    options.depth_mode = DepthMode::kLossless;
     auto encoder = FrameEncoder::create(options);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       std::vector<std::uint8_t> payload;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/codec/live/live_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
@@ -25,7 +26,8 @@ struct Decoder {
   std::vector<std::uint8_t> payload;
   DepthImage depth;
   MaskImage mask;
-  LosslessDepthDecoder depth_decoder;
+  LosslessDepthDecoder lossless;
+  LiveDepthDecoder live;
   bool has_color = false, color_is_key = false;
   std::uint32_t color_offset = 0, color_length = 0;
   std::string error;
@@ -55,7 +57,9 @@ Status decode(Decoder& decoder, std::size_t length) {
   const auto payload = std::span<const std::uint8_t>(decoder.payload).first(length);
   const auto sections = parse_sections(payload, decoder.width, decoder.height);
   if (!sections.ok()) return sections.error();
-  const Status depth = decoder.depth_decoder.decode(sections->depth, decoder.depth.view());
+  const Status depth = sections->depth_codec == kLosslessDepth
+                           ? decoder.lossless.decode(sections->depth, decoder.depth.view())
+                           : decoder.live.decode(sections->depth, decoder.depth.view());
   if (!depth.ok() || !sections->has_color) return depth;
   return take_color(decoder, *sections);
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a sensor's frames are coded, as options of a command.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "roomcast/codec/frame_codec.h"
+
+namespace roomcast::cli {
+
+struct CodecChoice {
+  codec::DepthMode depth_mode = codec::DepthMode::kLive;
+  int layers = 2;
+  int color_kbit_per_s = 900;
+};
+
+/// Adds --codec, --layers and --color-kbit.
+inline void add_codec_options(CLI::App& command, CodecChoice& choice) {
+  const std::map<std::string, codec::DepthMode> modes = {
+      {"live", codec::DepthMode::kLive},
+      {"near-lossless", codec::DepthMode::kNearLossless},
+      {"lossless", codec::DepthMode::kLossless}};
+  command
+      .add_option("--codec", choice.depth_mode,
+                  "Depth: live (fewest bytes, without the noise), near-lossless, lossless")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->default_str("live");
+  command
+      .add_option("--layers", choice.layers,
+                  "Temporal layers: a slow network leaves out all but the lowest")
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  command
+      .add_option("--color-kbit", choice.color_kbit_per_s, "Bit rate of the colour stream, kbit/s")
+      ->check(CLI::Range(50, 20'000))
+      ->capture_default_str();
+}
+
+}  // namespace roomcast::cli
