@@ -16,10 +16,14 @@ bool starts_with(const std::string& text, const char* prefix) {
   return text.rfind(prefix, 0) == 0;
 }
 
+bool is_simulator(const std::string& input) {
+  return input == "sim" || starts_with(input, "sim:") || starts_with(input, "sim#");
+}
+
 /// A folder as it is named on the command line -> the source that it holds.
 std::string source_of(const std::string& input) {
   std::error_code ignored;
-  if (!fs::is_directory(input, ignored)) return input;
+  if (is_simulator(input) || !fs::is_directory(input, ignored)) return input;
   return (fs::exists(fs::path(input) / "rig.json", ignored) ? "rig:" : "tum:") + input;
 }
 
@@ -43,7 +47,7 @@ Result<std::unique_ptr<BenchInput>> open_bench_input(const std::string& input,
                                                      const BenchInputOptions& options) {
   const std::string source = source_of(input);
   if (starts_with(source, "rig:")) return open_rig(source.substr(4));
-  if (starts_with(source, "sim")) return open_simulated_input(source, options);
+  if (is_simulator(source)) return open_simulated_input(source, options);
   const bool is_tum = starts_with(source, "tum:");
   return open_recorded_input(source, is_tum ? fs::path(source.substr(4)) / "truth" : fs::path());
 }

@@ -2,7 +2,9 @@
 // What `roomcast bench codec` measures on: the frames of one sensor with what is known of the
 // truth.
 //   rig:DIR#s0, tum:DIR, a folder   a recording; depth truth from DIR/truth/<sensor>/%06d.png where
-//                                   it is there. A rig without #sensor: its first.
+//                                   it is there, clean colour from
+//                                   DIR/truth/<sensor>/color/%06d.jpg likewise. A rig without
+//                                   #sensor: its first.
 //   sim[:scene][#n]                 the simulator; depth truth, and colour as a camera without
 //   noise
 //                                   would have seen it
@@ -44,6 +46,7 @@ struct BenchInputOptions {
   double sim_fps = 30;
   int sim_sensor_count = 3;
   std::uint64_t sim_seed = 1;
+  double sim_speed = 1;  // of all motion: 0 stands still
 };
 
 /// kInvalidArgument for an INPUT that is none of the above; else errors of the source.

@@ -52,6 +52,23 @@ TEST_F(SimulatedRig, knows_no_truth_where_none_lies) {
   EXPECT_TRUE(truth.depth_mm.empty());
 }
 
+TEST(BenchInput, takes_clean_colour_from_the_truth_where_it_lies) {
+  TemporaryFolder folder;
+  SimulateRigOptions options;
+  options.sensor_count = 1;
+  options.seconds = 0.04;
+  options.truth_color = true;
+  ASSERT_TRUE(simulate_rig(folder / "rig", options).ok());
+  auto input = open_bench_input((folder / "rig").string());
+  ASSERT_TRUE(input.ok());
+  EXPECT_EQ((*input)->color_reference(), ColorReference::kClean);
+  BenchFrame frame;
+  BenchTruth truth;
+  ASSERT_TRUE((*input)->next(frame, truth).value());
+  EXPECT_NE(truth.color, frame.color);
+  EXPECT_EQ(truth.color.width(), frame.color.width());
+}
+
 TEST(BenchInput, the_simulator_knows_clean_depth_and_colour) {
   auto input = open_bench_input("sim#1");
   ASSERT_TRUE(input.ok()) << input.error().message;

@@ -73,7 +73,7 @@ std::optional<double> if_any(double value) {
 }
 
 void put_row(std::ostream& out, const CodecBenchRow& row) {
-  out << std::left << std::setw(13) << row.codec << std::setw(9) << row.mode << std::right;
+  out << std::left << std::setw(13) << row.codec << std::setw(11) << row.mode << std::right;
   put(out, 9, 0, if_any(row.depth_bytes));
   put(out, 7, 3, if_any(row.depth_bits_per_pixel));
   put(out, 9, 0, if_any(row.color_bytes));
@@ -125,12 +125,10 @@ void print_table(const CodecBenchReport& report, std::ostream& out) {
   out << "\nBytes per frame with a key frame every " << std::setprecision(1) << std::fixed
       << report.key_every_s << " s; MB/s at 30 frames/s; CPU ms of one thread; depth errors in mm; "
       << "PSNR of luma against " << name_of(report.color_reference) << " colour\n\n"
-      << "                          depth                               ------- depth error to "
-         "input"
-         " and truth -------   >20mm   lost  colour\n"
-      << "codec        mode     B/frame    bpp colour B    MB/s  encode  decode   input   max   "
-         "truth"
-         " static  slow moving  /frame /frame    PSNR\n";
+      << "                           depth          colour             CPU ms       to input  "
+         "      depth error to truth      >20mm    lost  colour\n"
+      << "codec        mode        B/frame    bpp  B/frame    MB/s  encode  decode     rms   max  "
+         "   rms static  slow moving  /frame /frame    PSNR\n";
   for (const CodecBenchRow& row : report.rows) put_row(out, row);
 }
 

@@ -18,9 +18,11 @@ std::vector<CodecChoice> codec_choices(const std::string& only) {
       {"roomcast", "lossless", false, 0, make_roomcast_lossless},
       {"temporal-rvl", "10mm", false, {}, make_temporal_rvl},
       {"av1", "depth", false, {}, make_av1_depth},
+      {"roomcast", "live", false, {}, make_roomcast_live},
       {"jpeg", "color", true, {}, make_jpeg},
       {"h264", "color", true, {}, make_h264_color},
       {"roomcast", "color", true, {}, make_roomcast_color},
+      {"roomcast", "live+color", true, {}, make_roomcast_live_with_color},
   };
   if (only.empty()) return choices;
   choices.erase(std::remove_if(choices.begin(), choices.end(),

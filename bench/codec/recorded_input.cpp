@@ -15,26 +15,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The truth of a recording, as it lies in a folder; any of it may be missing.
+class TruthFolder {
+ public:
+  TruthFolder(fs::path folder, const SensorCalibration& calibration)
+      : folder_(std::move(folder)), calibration_(calibration) {}
+
+  [[nodiscard]] bool has_color() const {
+    std::error_code ignored;
+    return !folder_.empty() && fs::is_directory(folder_ / "color", ignored);
+  }
+  /// Empty where none lies.
+  Status read_depth(std::uint64_t index, DepthImage& depth_mm) {
+    const fs::path file = folder_ / file_name(index, "png");
+    depth_mm = {};
+    std::error_code ignored;
+    if (folder_.empty() || !fs::exists(file, ignored)) return {};
+    return reader_.read_depth(file, {calibration_.depth.width, calibration_.depth.height},
+                              depth_mm);
+  }
+  Status read_color(std::uint64_t index, ColorImage& color) {
+    return reader_.read_color(folder_ / "color" / file_name(index, "jpg"),
+                              {calibration_.color.width, calibration_.color.height}, color);
+  }
+
+ private:
+  static std::string file_name(std::uint64_t index, const char* kind) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%06llu.%s", static_cast<unsigned long long>(index), kind);
+    return name;
+  }
+
+  const fs::path folder_;
+  const SensorCalibration calibration_;
+  ImageFileReader reader_;
+};
+
 class RecordedInput final : public BenchInput {
  public:
   RecordedInput(std::string name, std::unique_ptr<FrameSource> source, Registration registration,
-                fs::path truth)
+                const fs::path& truth)
       : name_(std::move(name)),
         source_(std::move(source)),
         registration_(std::move(registration)),
-        truth_(std::move(truth)) {}
+        truth_(truth, source_->description().calibration) {}
 
   std::string name() const override { return name_; }
   double fps() const override { return source_->description().fps; }
-  ColorReference color_reference() const override { return ColorReference::kDenoised; }
+  ColorReference color_reference() const override {
+    return truth_.has_color() ? ColorReference::kClean : ColorReference::kDenoised;
+  }
 
   Result<bool> next(BenchFrame& frame, BenchTruth& truth) override {
     if (Status s = look_ahead(); !s.ok()) return s.error();
     if (at_ == frames_.size()) return false;
     const Recorded& now = frames_[at_];
     frame = now.frame;
-    denoise(truth.color);
-    if (Status s = read_truth(now.index, truth.depth_mm); !s.ok()) return s.error();
+    if (Status s = truth_.read_depth(now.index, truth.depth_mm); !s.ok()) return s.error();
+    if (Status s = make_reference(now, truth.color); !s.ok()) return s.error();
     if (at_ == kMeanReach) {
       frames_.pop_front();
     } else {
@@ -68,12 +106,20 @@ class RecordedInput final : public BenchInput {
     return {};
   }
 
-  void denoise(ColorImage& out) const {
-    const BenchFrame& now = frames_[at_].frame;
-    if (now.color.empty()) {
-      out = {};
-      return;
+  Status make_reference(const Recorded& now, ColorImage& out) {
+    out = {};
+    if (now.frame.color.empty()) return {};
+    if (!truth_.has_color()) {
+      denoise(now.frame, out);
+      return {};
     }
+    if (Status s = truth_.read_color(now.index, clean_); !s.ok()) return s;
+    if (Status s = registration_.run(now.frame.depth_mm, clean_, registered_); !s.ok()) return s;
+    out = registered_.color;
+    return {};
+  }
+
+  void denoise(const BenchFrame& now, ColorImage& out) const {
     std::vector<SeenColor> around;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       const BenchFrame& other = frames_[i].frame;
@@ -82,24 +128,12 @@ class RecordedInput final : public BenchInput {
     temporal_mean({now.color, now.seen}, around, out);
   }
 
-  Status read_truth(std::uint64_t index, DepthImage& depth_mm) {
-    char file[32];
-    std::snprintf(file, sizeof file, "%06llu.png", static_cast<unsigned long long>(index));
-    std::error_code ignored;
-    if (truth_.empty() || !fs::exists(truth_ / file, ignored)) {
-      depth_mm = {};
-      return {};
-    }
-    const CameraIntrinsics& camera = source_->description().calibration.depth;
-    return reader_.read_depth(truth_ / file, {camera.width, camera.height}, depth_mm);
-  }
-
   const std::string name_;
   std::unique_ptr<FrameSource> source_;
   Registration registration_;
-  const fs::path truth_;
-  ImageFileReader reader_;
+  TruthFolder truth_;
   CapturedFrame captured_;
+  ColorImage clean_;
   RegisteredColor registered_;
   std::deque<Recorded> frames_;  // up to kMeanReach before and after the next
   std::size_t at_ = 0;           // the next one

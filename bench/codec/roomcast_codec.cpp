@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/codec/roomcast_codec.h"
 
+#include <limits>
 #include <vector>
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_decoder.h"
 #include "roomcast/codec/vp9_color_encoder.h"
@@ -12,11 +14,15 @@
 namespace roomcast::bench {
 namespace {
 
-codec::FrameEncoderOptions options_for(const BenchPicture& picture) {
+constexpr double kWhenAskedFor_s = 3600;
+
+codec::FrameEncoderOptions options_for(const BenchPicture& picture, codec::DepthMode mode) {
   codec::FrameEncoderOptions options;
   options.width = picture.width;
   options.height = picture.height;
   options.fps = picture.fps;
+  options.depth_mode = mode;
+  options.key_interval_s = kWhenAskedFor_s;
   options.color_kbit_per_s = picture.color_kbit_per_s;
   return options;
 }
@@ -67,15 +73,19 @@ class RoomcastFrames final : public CodecUnderTest {
 
 class RoomcastColor final : public CodecUnderTest {
  public:
-  RoomcastColor(std::unique_ptr<codec::Vp9ColorEncoder> encoder,
+  RoomcastColor(const codec::FrameEncoderOptions& options,
+                std::unique_ptr<codec::Vp9ColorEncoder> encoder,
                 std::unique_ptr<codec::Vp9ColorDecoder> decoder)
-      : encoder_(std::move(encoder)), decoder_(std::move(decoder)) {}
+      : schedule_(options.temporal_layers, std::numeric_limits<int>::max()),
+        encoder_(std::move(encoder)),
+        decoder_(std::move(decoder)) {}
 
   Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
     bytes_.clear();
     const CpuStopwatch encoding;
-    const auto info = encoder_->encode(frame.color, frame.seen, want_key, bytes_);
-    if (!info.ok()) return info.error();
+    const codec::FrameRole role = schedule_.next(want_key);
+    if (Status s = encoder_->encode(frame.color, frame.seen, role, bytes_); !s.ok())
+      return s.error();
     const double encode_ms = encoding.ms();
     const CpuStopwatch decoding;
     if (Status s = decoder_->decode(bytes_, decoded.color); !s.ok()) return s.error();
@@ -84,6 +94,7 @@ class RoomcastColor final : public CodecUnderTest {
   }
 
  private:
+  codec::LayerSchedule schedule_;
   std::unique_ptr<codec::Vp9ColorEncoder> encoder_;
   std::unique_ptr<codec::Vp9ColorDecoder> decoder_;
   std::vector<std::uint8_t> bytes_;
@@ -102,16 +113,25 @@ Result<std::unique_ptr<CodecUnderTest>> make_frames(const codec::FrameEncoderOpt
 }  // namespace
 
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture) {
-  return make_frames(options_for(picture), false);
+  return make_frames(options_for(picture, codec::DepthMode::kLossless), false);
+}
+
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& picture) {
+  return make_frames(options_for(picture, codec::DepthMode::kLive), false);
+}
+
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_with_color(const BenchPicture& picture) {
+  return make_frames(options_for(picture, codec::DepthMode::kLive), true);
 }
 
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture) {
-  auto encoder = codec::Vp9ColorEncoder::create(options_for(picture));
+  const auto options = options_for(picture, codec::DepthMode::kLive);
+  auto encoder = codec::Vp9ColorEncoder::create(options);
   if (!encoder.ok()) return encoder.error();
   auto decoder = codec::Vp9ColorDecoder::create(picture.width, picture.height);
   if (!decoder.ok()) return decoder.error();
   return std::unique_ptr<CodecUnderTest>(
-      std::make_unique<RoomcastColor>(std::move(*encoder), std::move(*decoder)));
+      std::make_unique<RoomcastColor>(options, std::move(*encoder), std::move(*decoder)));
 }
 
 }  // namespace roomcast::bench

@@ -11,6 +11,10 @@ namespace roomcast::bench {
 
 // Depth alone.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture);
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& picture);
+
+/// What `roomcast sensor` sends by default: depth and colour in one payload, two temporal layers.
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_with_color(const BenchPicture& picture);
 
 /// Colour alone, as a frame carries it: VP9 at the picture's rate. (The mask needs depth, and
 /// counts as depth where both are measured.)

@@ -28,6 +28,28 @@ TEST(RoomcastCodec, lossless_gives_back_depth_and_sends_no_colour) {
   EXPECT_GT(cost->depth_bytes, 0u);
 }
 
+TEST(RoomcastCodec, live_sends_less_than_lossless_and_stays_near) {
+  auto live = make_roomcast_live(kPicture);
+  auto lossless = make_roomcast_lossless(kPicture);
+  ASSERT_TRUE(live.ok() && lossless.ok());
+  BenchFrame decoded, exact;
+  const auto cost = (*live)->run(frame_of(0), true, decoded);
+  ASSERT_TRUE(cost.ok());
+  EXPECT_LT(cost->depth_bytes, (*lossless)->run(frame_of(0), true, exact)->depth_bytes);
+  EXPECT_EQ(decoded.depth_mm.width(), kPicture.width);
+}
+
+TEST(RoomcastCodec, live_with_color_counts_depth_and_colour_apart) {
+  auto codec = make_roomcast_live_with_color(kPicture);
+  ASSERT_TRUE(codec.ok());
+  BenchFrame decoded;
+  const auto cost = (*codec)->run(frame_of(0), true, decoded);
+  ASSERT_TRUE(cost.ok());
+  EXPECT_GT(cost->depth_bytes, 0u);
+  EXPECT_GT(cost->color_bytes, 0u);
+  EXPECT_EQ(decoded.color.width(), kPicture.width);
+}
+
 TEST(RoomcastCodec, color_gives_back_colour_alone) {
   auto codec = make_roomcast_color(kPicture);
   ASSERT_TRUE(codec.ok());

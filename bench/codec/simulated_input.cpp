@@ -17,6 +17,7 @@ std::optional<SimulatedSensor::Options> parse(const std::string& source,
   SimulatedSensor::Options sensor;
   sensor.sensor_count = options.sim_sensor_count;
   sensor.seed = options.sim_seed;
+  sensor.speed = options.sim_speed;
   const std::size_t hash = std::min(source.find('#'), source.size());
   if (hash < source.size()) {
     const char *first = source.data() + hash + 1, *last = source.data() + source.size();
@@ -24,7 +25,6 @@ std::optional<SimulatedSensor::Options> parse(const std::string& source,
     if (error != std::errc() || end != last) return std::nullopt;
   }
   const std::string kind = source.substr(0, hash);
-  if (kind.size() > 3 && kind[3] != ':') return std::nullopt;
   if (kind.size() > 3) sensor.scene = kind.substr(4);
   return sensor;
 }

@@ -62,6 +62,9 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--fps", options->simulator.sim_fps, "Of a simulated sensor")
       ->check(CLI::Range(1.0, 60.0))
       ->capture_default_str();
+  command->add_option("--speed", options->simulator.sim_speed, "Of a simulated room's motion")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "For scripts");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
   command->callback([options, &chosen] {
