@@ -13,6 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   roomcast::codec::LosslessDepthDecoder decoder;
   const roomcast::Status status = decoder.decode(section, depth.view());
   if (!status.ok() && status.error().message.empty()) __builtin_trap();
+  const roomcast::Status near_lossless = decoder.decode_near_lossless(section, depth.view());
+  if (!near_lossless.ok() && near_lossless.error().message.empty()) __builtin_trap();
   roomcast::codec::decode_mask(section, depth, mask.view());
   return 0;
 }

@@ -7,6 +7,16 @@
 #include "bench/codec/roomcast_codec.h"
 
 namespace roomcast::bench {
+namespace {
+
+CodecChoice near_lossless(int bound_mm) {
+  return {"roomcast", "near-" + std::to_string(bound_mm) + "mm", false, bound_mm,
+          [bound_mm](const BenchPicture& picture) {
+            return make_roomcast_near_lossless(picture, bound_mm);
+          }};
+}
+
+}  // namespace
 
 std::vector<CodecChoice> codec_choices(const std::string& only) {
   std::vector<CodecChoice> choices = {
@@ -16,6 +26,9 @@ std::vector<CodecChoice> codec_choices(const std::string& only) {
       {"png16", "lossless", false, 0, make_png16},
       {"rvl", "lossless", false, 0, make_rvl},
       {"roomcast", "lossless", false, 0, make_roomcast_lossless},
+      near_lossless(1),
+      near_lossless(2),
+      near_lossless(5),
       {"temporal-rvl", "10mm", false, {}, make_temporal_rvl},
       {"av1", "depth", false, {}, make_av1_depth},
       {"roomcast", "live", false, {}, make_roomcast_live},

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lossless depth on recordings, where they are at hand (ROOMCAST_DATA): bit exact and smaller than
-// RVL on each.
+// Depth on recordings, where they are at hand (ROOMCAST_DATA): lossless is bit exact and smaller
+// than RVL on each; near-lossless is within its bound at every pixel.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "bench/codec/measure/depth_error.h"
 #include "bench/codec/peers/rvl.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
@@ -44,9 +45,22 @@ void encode_both(const DepthImage& depth, Sizes& sizes) {
   sizes.rvl += rvl.size();
 }
 
+void expect_within_bound(const DepthImage& depth, int bound_mm) {
+  std::vector<std::uint8_t> section;
+  codec::LosslessDepthEncoder().encode_near_lossless(depth, bound_mm, section);
+  DepthImage decoded(depth.width(), depth.height());
+  const Status status = codec::LosslessDepthDecoder().decode_near_lossless(section, decoded.view());
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  DepthError error;
+  error.add(decoded, depth, {});
+  EXPECT_LE(error.max_input_mm(), bound_mm);
+  EXPECT_EQ(error.lost(), 0);
+  EXPECT_EQ(error.made_up(), 0);
+}
+
 class RecordedDepth : public testing::TestWithParam<const char*> {};
 
-TEST_P(RecordedDepth, is_bit_exact_and_smaller_than_rvl) {
+TEST_P(RecordedDepth, is_bit_exact_and_smaller_than_rvl_and_within_every_bound) {
   if (!std::filesystem::exists(data_folder() / "README.md")) {
     GTEST_SKIP() << "no recordings at " << data_folder() << "; set ROOMCAST_DATA to test with them";
   }
@@ -61,6 +75,7 @@ TEST_P(RecordedDepth, is_bit_exact_and_smaller_than_rvl) {
     ASSERT_TRUE(more.ok()) << more.error().message;
     if (!*more) break;
     encode_both(frame.depth_mm, sizes);
+    for (const int bound_mm : {1, 2, 5}) expect_within_bound(frame.depth_mm, bound_mm);
   }
   EXPECT_GT(sizes.ours, 0u);
   EXPECT_LT(sizes.ours, sizes.rvl);

@@ -116,6 +116,13 @@ Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPictur
   return make_frames(options_for(picture, codec::DepthMode::kLossless), false);
 }
 
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_near_lossless(const BenchPicture& picture,
+                                                                    int bound_mm) {
+  auto options = options_for(picture, codec::DepthMode::kNearLossless);
+  options.depth_bound_mm = bound_mm;
+  return make_frames(options, false);
+}
+
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& picture) {
   return make_frames(options_for(picture, codec::DepthMode::kLive), false);
 }

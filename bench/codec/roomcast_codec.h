@@ -11,6 +11,9 @@ namespace roomcast::bench {
 
 // Depth alone.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture);
+/// No reading is off by more than `bound_mm`.
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_near_lossless(const BenchPicture& picture,
+                                                                    int bound_mm);
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& picture);
 
 /// What `roomcast sensor` sends by default: depth and colour in one payload, two temporal layers.

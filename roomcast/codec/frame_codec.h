@@ -17,7 +17,7 @@ namespace roomcast::codec {
 /// How depth is coded. docs/spec/codec.md.
 enum class DepthMode {
   kLive,          // noise is not sent: few bytes, less error than the sensor's own
-  kNearLossless,  // every reading within a bound, each frame by itself
+  kNearLossless,  // every reading within depth_bound_mm, each frame by itself
   kLossless,      // every reading as it was, each frame by itself
 };
 
@@ -28,7 +28,8 @@ struct FrameEncoderOptions {
   int temporal_layers = 2;     // 1..3; frames of layer 1 and up can be dropped without harm
   double key_interval_s = 4;   // from one key frame to the next, at most
   DepthMode depth_mode = DepthMode::kLive;
-  /// kInvalidArgument with the field that is wrong; kUnsupported for a depth mode to come.
+  int depth_bound_mm = 2;  // near-lossless: no reading is off by more; 1..63
+  /// kInvalidArgument with the field that is wrong.
   [[nodiscard]] Status check() const;
 };
 

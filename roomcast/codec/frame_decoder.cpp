@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/depth_section_decoder.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/live/live_depth_decoder.h"
-#include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_decoder.h"
@@ -23,7 +22,7 @@ class SectionFrameDecoder final : public FrameDecoder {
     const auto sections = parse_sections(payload, width_, height_);
     if (!sections.ok()) return sections.error();
     make_size(out.depth_mm, width_, height_);
-    if (Status s = decode_depth(*sections, out.depth_mm.view()); !s.ok()) return s;
+    if (Status s = depth_.decode(*sections, out.depth_mm.view()); !s.ok()) return s;
     if (!sections->has_color) {
       out.color.resize(0, 0);
       out.color_seen.resize(0, 0);
@@ -36,11 +35,6 @@ class SectionFrameDecoder final : public FrameDecoder {
   }
 
  private:
-  Status decode_depth(const PayloadSections& sections, ImageView<std::uint16_t> depth_mm) {
-    if (sections.depth_codec == kLosslessDepth) return lossless_.decode(sections.depth, depth_mm);
-    return live_.decode(sections.depth, depth_mm);
-  }
-
   Status decode_color(std::span<const std::uint8_t> frame, ColorImage& color) {
     if (color_ == nullptr) {
       auto created = Vp9ColorDecoder::create(width_, height_);
@@ -51,8 +45,7 @@ class SectionFrameDecoder final : public FrameDecoder {
   }
 
   const int width_, height_;
-  LosslessDepthDecoder lossless_;
-  LiveDepthDecoder live_;
+  DepthSectionDecoder depth_;
   std::unique_ptr<Vp9ColorDecoder> color_;  // made when the first colour comes
 };
 

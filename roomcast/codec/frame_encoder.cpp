@@ -6,6 +6,7 @@
 #include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
+#include "roomcast/codec/lossless/residual.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_encoder.h"
@@ -58,7 +59,15 @@ class SectionFrameEncoder final : public FrameEncoder {
   }
 
   [[nodiscard]] DepthView decoded_depth() const override {
-    return live_ ? live_->shown_mm() : input_depth_;
+    switch (options_.depth_mode) {
+      case DepthMode::kLive:
+        return live_->shown_mm();
+      case DepthMode::kNearLossless:
+        return intra_.decoded_mm();
+      case DepthMode::kLossless:
+        break;
+    }
+    return input_depth_;
   }
 
  private:
@@ -77,14 +86,30 @@ class SectionFrameEncoder final : public FrameEncoder {
 
   void append_depth(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
     input_depth_ = depth_mm;
-    const std::size_t section =
-        begin_section(SectionKind::kDepth, live_ ? kLiveDepth : kLosslessDepth, out);
-    if (live_) {
-      live_->encode(depth_mm, role, out);
-    } else {
-      lossless_.encode(depth_mm, out);
+    const std::size_t section = begin_section(SectionKind::kDepth, depth_codec(), out);
+    switch (options_.depth_mode) {
+      case DepthMode::kLive:
+        live_->encode(depth_mm, role, out);
+        break;
+      case DepthMode::kNearLossless:
+        intra_.encode_near_lossless(depth_mm, options_.depth_bound_mm, out);
+        break;
+      case DepthMode::kLossless:
+        intra_.encode(depth_mm, out);
+        break;
     }
     end_section(section, out);
+  }
+  [[nodiscard]] std::uint8_t depth_codec() const {
+    switch (options_.depth_mode) {
+      case DepthMode::kLive:
+        return kLiveDepth;
+      case DepthMode::kNearLossless:
+        return kNearLosslessDepth;
+      case DepthMode::kLossless:
+        break;
+    }
+    return kLosslessDepth;
   }
 
   /// Depth without loss can be decoded alone and leaves no trace; but only ends the need for
@@ -108,9 +133,9 @@ class SectionFrameEncoder final : public FrameEncoder {
     section = begin_section(SectionKind::kColorMask, kAdaptiveMask, out);
     if (live_) {
       hold_seen(depth_mm, seen);
-      encode_mask(held_seen_, live_->shown_mm(), out);
+      encode_mask(held_seen_, decoded_depth(), out);
     } else {
-      encode_mask(seen, depth_mm, out);
+      encode_mask(seen, decoded_depth(), out);
     }
     end_section(section, out);
     return {};
@@ -129,7 +154,7 @@ class SectionFrameEncoder final : public FrameEncoder {
 
   const FrameEncoderOptions options_;
   LayerSchedule schedule_;
-  LosslessDepthEncoder lossless_;
+  LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
   MaskImage held_seen_;                     // in live mode
@@ -154,8 +179,8 @@ Status FrameEncoderOptions::check() const {
   if (!(key_interval_s > 0 && key_interval_s <= kMostKeyInterval_s)) {
     return invalid("FrameEncoderOptions.key_interval_s must be above 0 and at most 3600.");
   }
-  if (depth_mode == DepthMode::kNearLossless) {
-    return Error{ErrorCode::kUnsupported, "This version has no near-lossless depth."};
+  if (depth_bound_mm < 1 || depth_bound_mm > kMostBound_mm) {
+    return invalid("FrameEncoderOptions.depth_bound_mm must be 1..63.");
   }
   return {};
 }

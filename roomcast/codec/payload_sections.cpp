@@ -12,7 +12,7 @@ constexpr std::size_t kLengthOffset = 4;
 std::span<const std::uint8_t>* place_of(std::uint8_t kind, std::uint8_t codec,
                                         PayloadSections& sections) {
   if (kind == static_cast<std::uint8_t>(SectionKind::kDepth) &&
-      (codec == kLosslessDepth || codec == kLiveDepth)) {
+      (codec == kLosslessDepth || codec == kLiveDepth || codec == kNearLosslessDepth)) {
     sections.depth_codec = codec;
     return &sections.depth;
   }

@@ -12,7 +12,7 @@ namespace roomcast::codec {
 
 enum class SectionKind : std::uint8_t { kDepth = 1, kColor = 2, kColorMask = 3 };
 
-inline constexpr std::uint8_t kLosslessDepth = 1, kLiveDepth = 2;
+inline constexpr std::uint8_t kLosslessDepth = 1, kLiveDepth = 2, kNearLosslessDepth = 3;
 inline constexpr std::uint8_t kVp9Color = 1;
 inline constexpr std::uint8_t kAdaptiveMask = 1;
 

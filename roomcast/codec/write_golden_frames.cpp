@@ -25,14 +25,15 @@ std::uint32_t crc_of(const Image<T>& image) {
 }
 
 ordered_json description(const std::string& file, std::span<const std::uint8_t> payload,
-                         const SyntheticFrame& frame, const EncodedFrameInfo& info) {
+                         const SyntheticFrame& frame, const EncodedFrameInfo& info,
+                         DepthView decoded_mm) {
   ordered_json entry;
   entry["file"] = file;
   entry["width"] = frame.depth_mm.width();
   entry["height"] = frame.depth_mm.height();
   entry["key"] = info.key;
   entry["layer"] = info.layer;
-  entry["depth_crc32"] = crc_of(frame.depth_mm);
+  entry["depth_crc32"] = crc32(std::as_bytes(std::span(decoded_mm.data, decoded_mm.pixel_count())));
   if (frame.color.empty()) return entry;
   const auto sections = parse_sections(payload, frame.depth_mm.width(), frame.depth_mm.height());
   entry["mask_crc32"] = crc_of(frame.seen);
@@ -41,16 +42,28 @@ ordered_json description(const std::string& file, std::span<const std::uint8_t> 
   return entry;
 }
 
+FrameEncoderOptions lossless() {
+  FrameEncoderOptions options;
+  options.depth_mode = DepthMode::kLossless;
+  return options;
+}
+
+FrameEncoderOptions near_lossless(int bound_mm) {
+  FrameEncoderOptions options;
+  options.depth_mode = DepthMode::kNearLossless;
+  options.depth_bound_mm = bound_mm;
+  return options;
+}
+
 class GoldenWriter {
  public:
   explicit GoldenWriter(std::string folder) : folder_(std::move(folder)) {}
 
   /// Frames of one stream, in order.
-  bool write(const std::string& name, const std::vector<SyntheticFrame>& frames) {
-    FrameEncoderOptions options;
+  bool write(const std::string& name, const std::vector<SyntheticFrame>& frames,
+             FrameEncoderOptions options = lossless()) {
     options.width = frames[0].depth_mm.width();
     options.height = frames[0].depth_mm.height();
-    options.depth_mode = DepthMode::kLossless;
     auto encoder = FrameEncoder::create(options);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       std::vector<std::uint8_t> payload;
@@ -64,7 +77,7 @@ class GoldenWriter {
       out.write(reinterpret_cast<const char*>(payload.data()),
                 static_cast<std::streamsize>(payload.size()));
       if (!out) return false;
-      list_.push_back(description(file, payload, frames[i], *info));
+      list_.push_back(description(file, payload, frames[i], *info, (*encoder)->decoded_depth()));
     }
     return true;
   }
@@ -92,7 +105,17 @@ bool write_all(GoldenWriter& writer) {
   if (!writer.write("dense", {{std::move(dense), {}, {}}})) return false;
   std::vector<SyntheticFrame> stream;
   for (int i = 0; i < 4; ++i) stream.push_back(synthetic_frame(75, 51, i));
-  return writer.write("color_", stream) && writer.write_list();
+  if (!writer.write("color_", stream)) return false;
+  for (const int bound_mm : {1, 5, 63}) {
+    const std::string name = "near_" + std::to_string(bound_mm) + "_mm";
+    if (!writer.write(name, {{synthetic_room(160, 121, 9), {}, {}}}, near_lossless(bound_mm)))
+      return false;
+  }
+  const DepthImage extremes = synthetic_depths(33, 18)[4].depth_mm;
+  return writer.write("near_extremes", {{extremes, {}, {}}}, near_lossless(2)) &&
+         writer.write("near_disparity_room", {{synthetic_disparity_room(33, 18), {}, {}}},
+                      near_lossless(2)) &&
+         writer.write("near_color_", stream, near_lossless(2)) && writer.write_list();
 }
 
 }  // namespace

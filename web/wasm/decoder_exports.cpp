@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/codec/live/live_depth_decoder.h"
-#include "roomcast/codec/lossless/lossless_depth_decoder.h"
+#include "roomcast/codec/depth_section_decoder.h"
 #include "roomcast/codec/mask_codec.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_header.h"
@@ -26,8 +25,7 @@ struct Decoder {
   std::vector<std::uint8_t> payload;
   DepthImage depth;
   MaskImage mask;
-  LosslessDepthDecoder lossless;
-  LiveDepthDecoder live;
+  DepthSectionDecoder depth_decoder;
   bool has_color = false, color_is_key = false;
   std::uint32_t color_offset = 0, color_length = 0;
   std::string error;
@@ -57,9 +55,7 @@ Status decode(Decoder& decoder, std::size_t length) {
   const auto payload = std::span<const std::uint8_t>(decoder.payload).first(length);
   const auto sections = parse_sections(payload, decoder.width, decoder.height);
   if (!sections.ok()) return sections.error();
-  const Status depth = sections->depth_codec == kLosslessDepth
-                           ? decoder.lossless.decode(sections->depth, decoder.depth.view())
-                           : decoder.live.decode(sections->depth, decoder.depth.view());
+  const Status depth = decoder.depth_decoder.decode(*sections, decoder.depth.view());
   if (!depth.ok() || !sections->has_color) return depth;
   return take_color(decoder, *sections);
 }

@@ -6,6 +6,7 @@
 
 #include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/lossless/depth_tokens.h"
+#include "roomcast/codec/lossless/residual.h"
 
 namespace roomcast::codec {
 namespace {
@@ -79,13 +80,15 @@ struct LosslessDepthDecoder::Slice {
   std::uint16_t* out = nullptr;
 
   // Inlined twice into one loop, so that the processor works on both slices at once.
+  template <class Residual>
   [[gnu::always_inline]] void decode_pixel(RowWalk& walk, const SideInformation& side,
+                                           const Residual& residual,
                                            const std::uint32_t* const* tables) {
     const std::uint32_t token = words.take_token(tables[walk.context()]);
     const TokenMeaning meaning = kTokenMeanings[token & 127];
     const std::uint32_t folded = meaning.base + words.take_bits(meaning.extra_bits);
     const std::int32_t error = unfold(folded);
-    const auto value = static_cast<std::uint16_t>(walk.prediction(side.predictors) + error);
+    const std::uint16_t value = residual.value(walk.prediction(side.predictors), error);
     const auto magnitude = static_cast<std::uint8_t>(std::min(std::abs(error), kLargestMagnitude));
     const bool hole = token == kHoleToken;
     *out++ = hole ? 0 : value;
@@ -95,6 +98,26 @@ struct LosslessDepthDecoder::Slice {
 
 Status LosslessDepthDecoder::decode(std::span<const std::uint8_t> section,
                                     ImageView<std::uint16_t> depth_mm) {
+  const auto slices = read_side_information(section);
+  if (!slices.ok()) return slices.error();
+  if (Status s = decode_slices(*slices, ExactResidual{}, depth_mm); !s.ok()) return s;
+  return side_.mapped ? values_from_indices(depth_mm) : Status();
+}
+
+Status LosslessDepthDecoder::decode_near_lossless(std::span<const std::uint8_t> section,
+                                                  ImageView<std::uint16_t> depth_mm) {
+  if (section.empty()) return malformed("The depth section is cut short.");
+  const int bound = section[0];
+  if (bound == 0) return decode(section.subspan(1), depth_mm);
+  if (bound > kMostBound_mm) return malformed("The depth section's bound is beyond 63.");
+  const auto slices = read_side_information(section.subspan(1));
+  if (!slices.ok()) return slices.error();
+  if (side_.mapped) return malformed("The depth section has both a bound and a value table.");
+  return decode_slices(*slices, BoundedResidual(bound), depth_mm);
+}
+
+Result<LosslessDepthDecoder::Slices> LosslessDepthDecoder::read_side_information(
+    std::span<const std::uint8_t> section) {
   if (section.size() < kHeaderLength) return malformed("The depth section is cut short.");
   const std::size_t side_length = read_u32(section.data());
   const std::size_t top_length = read_u32(section.data() + 4);
@@ -102,14 +125,10 @@ Status LosslessDepthDecoder::decode(std::span<const std::uint8_t> section,
   if (side_length > body.size() || top_length > body.size() - side_length) {
     return malformed("The lengths in the depth section do not add up.");
   }
-  if (Status s = get_side_information(body.first(side_length), side_); !s.ok()) return s;
+  if (Status s = get_side_information(body.first(side_length), side_); !s.ok()) return s.error();
   build_lookup();
   const auto slices = body.subspan(side_length);
-  if (Status s = decode_slices(slices.first(top_length), slices.subspan(top_length), depth_mm);
-      !s.ok()) {
-    return s;
-  }
-  return side_.mapped ? values_from_indices(depth_mm) : Status();
+  return Slices{slices.first(top_length), slices.subspan(top_length)};
 }
 
 void LosslessDepthDecoder::build_lookup() {
@@ -125,11 +144,11 @@ void LosslessDepthDecoder::build_lookup() {
   }
 }
 
-Status LosslessDepthDecoder::decode_slices(std::span<const std::uint8_t> top,
-                                           std::span<const std::uint8_t> bottom,
+template <class Residual>
+Status LosslessDepthDecoder::decode_slices(const Slices& slices, const Residual& residual,
                                            ImageView<std::uint16_t> depth) {
-  const std::size_t top_length = padded_copy(top, depth.width, padded_top_);
-  const std::size_t bottom_length = padded_copy(bottom, depth.width, padded_bottom_);
+  const std::size_t top_length = padded_copy(slices.top, depth.width, padded_top_);
+  const std::size_t bottom_length = padded_copy(slices.bottom, depth.width, padded_bottom_);
   top_rows_.restart(depth.width);
   bottom_rows_.restart(depth.width);
   std::array<const std::uint32_t*, kContextCount> tables;
@@ -146,8 +165,8 @@ Status LosslessDepthDecoder::decode_slices(std::span<const std::uint8_t> top,
     lower.out = depth.row(top_height + y);
     RowWalk upper_walk(upper.rows), lower_walk(lower.rows);
     for (int x = 0; x < depth.width; ++x) {
-      upper.decode_pixel(upper_walk, side_, tables.data());
-      lower.decode_pixel(lower_walk, side_, tables.data());
+      upper.decode_pixel(upper_walk, side_, residual, tables.data());
+      lower.decode_pixel(lower_walk, side_, residual, tables.data());
     }
     upper_walk.end();
     lower_walk.end();
@@ -158,7 +177,7 @@ Status LosslessDepthDecoder::decode_slices(std::span<const std::uint8_t> top,
     upper.rows.advance();
     upper.out = depth.row(bottom_height);
     RowWalk walk(upper.rows);
-    for (int x = 0; x < depth.width; ++x) upper.decode_pixel(walk, side_, tables.data());
+    for (int x = 0; x < depth.width; ++x) upper.decode_pixel(walk, side_, residual, tables.data());
     walk.end();
   }
   if (!upper.words.ended_well() || !lower.words.ended_well()) {

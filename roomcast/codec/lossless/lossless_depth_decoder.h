@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes a depth section of codec 1: lossless, each frame by itself. docs/spec/codec.md §2.
+// Decodes depth sections of codec 1, lossless, and of codec 3, near-lossless; each frame by itself.
+// docs/spec/codec.md §2.
 // Takes hostile bytes: memory and work depend on the picture's size only. Integer only, the same
 // bits everywhere.
 #pragma once
@@ -22,11 +23,19 @@ class LosslessDepthDecoder {
   [[nodiscard]] Status decode(std::span<const std::uint8_t> section,
                               ImageView<std::uint16_t> depth_mm);
 
+  /// The same for a section of codec 3.
+  [[nodiscard]] Status decode_near_lossless(std::span<const std::uint8_t> section,
+                                            ImageView<std::uint16_t> depth_mm);
+
  private:
   struct Slice;
+  struct Slices {
+    std::span<const std::uint8_t> top, bottom;
+  };
+  [[nodiscard]] Result<Slices> read_side_information(std::span<const std::uint8_t> section);
   void build_lookup();
-  [[nodiscard]] Status decode_slices(std::span<const std::uint8_t> top,
-                                     std::span<const std::uint8_t> bottom,
+  template <class Residual>
+  [[nodiscard]] Status decode_slices(const Slices& slices, const Residual& residual,
                                      ImageView<std::uint16_t> depth);
   [[nodiscard]] Status values_from_indices(ImageView<std::uint16_t> depth) const;
 

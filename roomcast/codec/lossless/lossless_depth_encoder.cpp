@@ -4,6 +4,7 @@
 #include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/lossless/depth_tokens.h"
 #include "roomcast/codec/lossless/predictor_fitting.h"
+#include "roomcast/codec/lossless/residual.h"
 
 namespace roomcast::codec {
 namespace {
@@ -20,6 +21,16 @@ constexpr std::uint32_t pack_symbol(int token, int context, int extra_bits, std:
 }
 static_assert(kTokenCount <= 1 << kContextShift);
 static_assert(kContextCount <= 1 << (kExtraCountShift - kContextShift));
+
+/// Keeps the memory of an image that already has the size.
+void make_size(DepthImage& image, int width, int height) {
+  if (image.width() != width || image.height() != height) image.resize(width, height);
+}
+
+/// Without the gaps between rows.
+void copy_rows(DepthView from, DepthImage& to) {
+  for (int y = 0; y < from.height; ++y) std::copy_n(from.row(y), from.width, to.view().row(y));
+}
 
 /// Range asymmetric numeral system, encoding side: writes words from the end of its memory towards
 /// the front.
@@ -50,25 +61,47 @@ class WordWriter {
   std::uint8_t* next_;
 };
 
-/// Whether few enough distances occur that naming them by index pays.
-bool worth_mapping(std::size_t count, std::size_t span) {
-  return count > 0 && 2 * count < span;
-}
-
 }  // namespace
 
 void LosslessDepthEncoder::encode(DepthView depth_mm, std::vector<std::uint8_t>& out) {
-  map_values(depth_mm);
-  const DepthView plane{plane_.data(), depth_mm.width, depth_mm.height, depth_mm.width};
-  side_.predictors = fit_predictors(plane);
+  map_values(depth_mm, 0);
+  encode_plane(ExactResidual{}, out);
+}
 
-  const int top_height = (plane.height + 1) / 2;
+void LosslessDepthEncoder::encode_near_lossless(DepthView depth_mm, int bound_mm,
+                                                std::vector<std::uint8_t>& out) {
+  map_values(depth_mm, bound_mm);
+  out.push_back(static_cast<std::uint8_t>(side_.mapped ? 0 : bound_mm));
+  if (!side_.mapped) {
+    encode_plane(BoundedResidual(bound_mm), out);
+    return;
+  }
+  encode_plane(ExactResidual{}, out);
+  for (std::size_t i = 0; i < plane_.view().pixel_count(); ++i) {
+    plane_.data()[i] = side_.values[plane_.data()[i]];
+  }
+}
+
+void LosslessDepthEncoder::map_values(DepthView depth_mm, int bound_mm) {
+  side_.mapped = values_.choose(depth_mm, bound_mm, side_.values);
+  make_size(plane_, depth_mm.width, depth_mm.height);
+  if (side_.mapped) {
+    values_.map(depth_mm, plane_.view());
+  } else {
+    copy_rows(depth_mm, plane_);
+  }
+}
+
+template <class Residual>
+void LosslessDepthEncoder::encode_plane(const Residual& residual, std::vector<std::uint8_t>& out) {
+  side_.predictors = fit_predictors(plane_);
+  const int height = plane_.height(), top_height = (height + 1) / 2;
   const std::size_t top_pixels =
-      static_cast<std::size_t>(top_height) * static_cast<std::size_t>(plane.width);
-  symbols_.resize(plane.pixel_count());
+      static_cast<std::size_t>(top_height) * static_cast<std::size_t>(plane_.width());
+  symbols_.resize(plane_.view().pixel_count());
   for (TokenCounts& counts : counts_) counts.fill(0);
-  tokenise(plane, 0, top_height);
-  tokenise(plane, top_height, plane.height);
+  tokenise(residual, 0, top_height);
+  tokenise(residual, top_height, height);
   merge_tables(counts_, side_);
 
   const std::size_t header = out.size();
@@ -84,42 +117,18 @@ void LosslessDepthEncoder::encode(DepthView depth_mm, std::vector<std::uint8_t>&
   write_u32(&out[header + 4], static_cast<std::uint32_t>(bottom - top));
 }
 
-void LosslessDepthEncoder::map_values(DepthView depth_mm) {
-  index_of_value_.assign(kDepthValueCount, 0);
-  for (int y = 0; y < depth_mm.height; ++y) {
-    const std::uint16_t* row = depth_mm.row(y);
-    for (int x = 0; x < depth_mm.width; ++x) index_of_value_[row[x]] = 1;
-  }
-  side_.values.assign(1, 0);
-  for (std::size_t value = 1; value < kDepthValueCount; ++value) {
-    if (!index_of_value_[value]) continue;
-    index_of_value_[value] = static_cast<std::uint16_t>(side_.values.size());
-    side_.values.push_back(static_cast<std::uint16_t>(value));
-  }
-  index_of_value_[0] = 0;
-  const std::size_t count = side_.values.size() - 1;
-  side_.mapped = worth_mapping(count, count ? side_.values.back() - side_.values[1] + 1u : 0);
-  plane_.resize(depth_mm.pixel_count());
-  std::uint16_t* to = plane_.data();
-  for (int y = 0; y < depth_mm.height; ++y, to += depth_mm.width) {
-    const std::uint16_t* row = depth_mm.row(y);
-    if (!side_.mapped) {
-      std::copy(row, row + depth_mm.width, to);
-    } else {
-      for (int x = 0; x < depth_mm.width; ++x) to[x] = index_of_value_[row[x]];
-    }
-  }
-}
-
-void LosslessDepthEncoder::tokenise(DepthView plane, int first_row, int end_row) {
-  rows_.restart(plane.width);
-  Symbol* symbol = symbols_.data() + static_cast<std::ptrdiff_t>(first_row) * plane.width;
+template <class Residual>
+void LosslessDepthEncoder::tokenise(const Residual& residual, int first_row, int end_row) {
+  const int width = plane_.width();
+  rows_.restart(width);
+  Symbol* symbol = symbols_.data() + static_cast<std::ptrdiff_t>(first_row) * width;
   for (int y = first_row; y < end_row; ++y) {
     rows_.advance();
     RowWalk walk(rows_);
-    const std::uint16_t* row = plane.row(y);
-    for (int x = 0; x < plane.width; ++x) {
-      const auto error = static_cast<std::int16_t>(row[x] - walk.prediction(side_.predictors));
+    std::uint16_t* row = plane_.view().row(y);
+    for (int x = 0; x < width; ++x) {
+      const int prediction = walk.prediction(side_.predictors);
+      const std::int16_t error = residual.error(row[x], prediction);
       const std::uint32_t folded = fold(error);
       const bool hole = row[x] == 0;
       const int token = hole ? kHoleToken : token_of(folded);
@@ -130,7 +139,9 @@ void LosslessDepthEncoder::tokenise(DepthView plane, int first_row, int end_row)
       ++counts_[static_cast<std::size_t>(context)][static_cast<std::size_t>(token)];
       const auto magnitude =
           static_cast<std::uint8_t>(std::min(std::abs(int{error}), kLargestMagnitude));
-      walk.take(hole ? walk.hole() : Cell{row[x], magnitude, 1});
+      const std::uint16_t decoded = hole ? std::uint16_t{0} : residual.value(prediction, error);
+      row[x] = decoded;
+      walk.take(hole ? walk.hole() : Cell{decoded, magnitude, 1});
     }
     walk.end();
   }

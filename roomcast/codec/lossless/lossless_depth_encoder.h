@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes depth without loss, each frame by itself: a depth section of codec 1. docs/spec/codec.md
-// §2.
+// Encodes depth without loss (a depth section of codec 1) or within a bound (codec 3), each frame
+// by itself. docs/spec/codec.md §2.
 //
 // Two passes: the first predicts every pixel and counts the tokens, the second codes them backwards
 // with an asymmetric numeral system (Duda 2013, arXiv:1311.2540), which is what makes the decoder
@@ -12,6 +12,7 @@
 
 #include "roomcast/codec/lossless/side_information.h"
 #include "roomcast/codec/lossless/table_merging.h"
+#include "roomcast/codec/lossless/value_table.h"
 #include "roomcast/core/image.h"
 
 namespace roomcast::codec {
@@ -22,16 +23,26 @@ class LosslessDepthEncoder {
   /// Appends the section's bytes to `out`. Any values, at least 16x16 pixels.
   void encode(DepthView depth_mm, std::vector<std::uint8_t>& out);
 
+  /// The same for a section of codec 3: every reading decodes to at most `bound_mm`
+  /// (1..kMostBound_mm) from what it is, and what has none stays without.
+  void encode_near_lossless(DepthView depth_mm, int bound_mm, std::vector<std::uint8_t>& out);
+
+  /// What the newest near-lossless section decodes to. Valid until the next call.
+  [[nodiscard]] DepthView decoded_mm() const { return plane_; }
+
  private:
   using Symbol = std::uint32_t;
-  void map_values(DepthView depth_mm);
-  void tokenise(DepthView plane, int first_row, int end_row);
+  void map_values(DepthView depth_mm, int bound_mm);
+  template <class Residual>
+  void encode_plane(const Residual& residual, std::vector<std::uint8_t>& out);
+  template <class Residual>
+  void tokenise(const Residual& residual, int first_row, int end_row);
   void append_slice(std::size_t first_symbol, std::size_t end_symbol,
                     std::vector<std::uint8_t>& out);
 
   SideInformation side_;
-  std::vector<std::uint16_t> index_of_value_;
-  std::vector<std::uint16_t> plane_;
+  ValueTable values_;
+  DepthImage plane_;  // what is coded: depth, or indices of values; then what it decodes to
   std::vector<Symbol> symbols_;
   std::array<TokenCounts, kContextCount> counts_{};
   std::vector<FrequencyTable> tables_;
