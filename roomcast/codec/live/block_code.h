@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One 8x8 block of a live depth picture, as coded: what the encoder decides and the decoder reads.
-// docs/spec/codec.md, "Blocks".
+// One 8x8 block of a live depth picture, as coded: what the encoder decides and
+// the decoder reads. docs/spec/codec.md, "Blocks".
 #pragma once
 
 #include <array>

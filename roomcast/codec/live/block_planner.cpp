@@ -10,17 +10,19 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kLeastUrgency = 3;
 constexpr int kPersistentUrgency = 3;
+constexpr int kLeastMoved = 24;  // pixels; fewer that are coded are not taken for another surface
+constexpr int kLeastUrgency = 10, kLeastPassingUrgency = 9;  // of 64
 constexpr float kSameSurface =
-    3.5f;  // standard deviations between a reading and what is there already
+    2;  // standard deviations between a reading and what is there already
 constexpr int kReach = 6 * kLevelsPerSigma;
 constexpr int kMostPatience = 9;  // frames; with the base a change waits half a second at most
 
-constexpr int kRefinementsPerFrame = 48;
-constexpr unsigned kRefinementTurns = 8;  // each block is looked at in one frame of so many
-constexpr int kFirstRefinement = 16, kNextRefinement = 48;  // samples of each pixel
-constexpr float kFirstGain = 0.35f * kLevelsPerSigma, kNextGain = 0.30f * kLevelsPerSigma;
+constexpr int kRefinementsPerFrame = 200;
+constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
+constexpr int kFirstRefinement = 10,
+              kNextRefinement = 30;  // samples of each pixel
+constexpr float kFirstGain = 0.2f * kLevelsPerSigma, kNextGain = 0.15f * kLevelsPerSigma;
 constexpr float kRefinementRounding = 0.35f;
 
 /// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
@@ -87,7 +89,8 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
   const std::size_t block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
   code.mode = BlockMode::kSkip;
   drifts = drifts && reference_;
-  if (urgency(here, drifts) >= kLeastUrgency) {
+
+  if (urgency(here, drifts) >= (reference_ ? kLeastUrgency : kLeastPassingUrgency)) {
     if (plan_labels(here, drifts, code, target)) code.mode = BlockMode::kLabels;
   } else if (refinements_left_ > 0 && (block + frame_) % kRefinementTurns == 0 &&
              plan_refinement(here, block, code)) {
@@ -103,7 +106,7 @@ int BlockPlanner::urgency(const Area& here, bool drifts) const {
       const std::size_t at = pixel(here, x, y);
       const unsigned flags = change_.flags[at];
       if (flags & kPersistent) {
-        urgency += kPersistentUrgency;
+        if (reference_) urgency += flags & kOverdue ? kLeastUrgency : kPersistentUrgency;
       } else {
         urgency += flags != 0 || (drifts && change_.close[at]);
       }
@@ -163,8 +166,8 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
   return like_back > 0 ? PixelLabel::kBackground : PixelLabel::kVanished;
 }
 
-// Pixels that stay among new ones of their distance join them, so that contours are short; a lone
-// new pixel stays after all.
+// Pixels that stay among new ones of their distance join them, so that contours
+// are short; a lone new pixel stays after all.
 void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
                                  const BlockTarget& target) const {
   const Neighbourhoods around = surfaces_around(code, target);
@@ -177,7 +180,7 @@ void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
       PixelLabel& label = code.labels[k];
       if (label == PixelLabel::kStay && fresh > 0) {
         const bool joins = target[k] > 0
-                               ? fresh * 2 >= all && std::abs(target[k] * fresh - around.value[k]) <
+                               ? fresh * 3 >= all && std::abs(target[k] * fresh - around.value[k]) <
                                                          static_cast<float>(kReach) * fresh
                                : fresh * 4 >= all * 3 && state_.picture[at] != 0;
         if (joins) label = PixelLabel::kFirst;
@@ -189,8 +192,8 @@ void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
   }
 }
 
-// Worth its bits once the averaged difference from the reference is more than what is left of the
-// noise in it.
+// Worth its bits once the averaged difference from the reference is more than
+// what is left of the noise in it.
 bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCode& code) {
   const bool again = refined_[block] != 0;
   const int least = again ? kNextRefinement : kFirstRefinement;
@@ -228,15 +231,18 @@ void BlockPlanner::coded(int bx, int by, const BlockCode& code,
                          const std::array<std::uint16_t, kBlockPixels>& before) {
   const Area here = area(bx, by);
   const bool refined = code.mode == BlockMode::kRefine;
+
+  const bool moved =
+      std::count_if(code.labels.begin(), code.labels.end(), on_surface) >= kLeastMoved;
   refined_[static_cast<std::size_t>(by * state_.blocks_wide + bx)] = refined;
   for (int y = 0; y < here.rows; ++y) {
     for (int x = 0; x < here.columns; ++x) {
       const std::size_t at = pixel(here, x, y);
       const auto k = static_cast<std::size_t>(y * kBlockSide + x);
       if (refined) {
-        const int moved = state_.picture[at] - before[k];
+        const int shift = state_.picture[at] - before[k];
         history_.sum[at] = static_cast<std::int16_t>(
-            std::clamp(history_.sum[at] - moved * history_.count[at], -8000, 8000));
+            std::clamp(history_.sum[at] - shift * history_.count[at], -8000, 8000));
         continue;
       }
       if (code.labels[k] == PixelLabel::kStay) continue;
@@ -250,7 +256,7 @@ void BlockPlanner::coded(int bx, int by, const BlockCode& code,
       }
       history_.sum[at] = 0;
       history_.count[at] = 0;
-      if (on_surface(code.labels[k])) {
+      if (on_surface(code.labels[k]) && moved) {
         constexpr int kFresh = 6 << kNoiseShift;
         history_.deviation[at] =
             static_cast<std::uint16_t>((history_.deviation[at] + 3 * kFresh) / 4);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides for each block of a frame what is worth coding: nothing, a correction of noise that has
-// averaged out, or labels and the values that its surfaces should have. The live encoder's own
-// affair.
+// Decides for each block of a frame what is worth coding: nothing, a correction
+// of noise that has averaged out, or labels and the values that its surfaces
+// should have. The live encoder's own affair.
 #pragma once
 
 #include <array>
@@ -24,10 +24,11 @@ class BlockPlanner {
       : state_(state), history_(history), change_(change) {}
 
   void resize();
-  /// Before the blocks of a frame. Frames that are no reference show motion and leave the rest.
+  /// Before the blocks of a frame. Frames that are no reference show motion and
+  /// leave the rest.
   void begin_frame(bool reference);
-  /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and `target`; with kRefine
-  /// code.refinement.
+  /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and
+  /// `target`; with kRefine code.refinement.
   void plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target);
   /// A block of a reference frame was coded: `before` is what its pixels were.
   void coded(int bx, int by, const BlockCode& code,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cosine transform of 8x8 blocks, of H.265 (ITU-T H.265 §8.6.4.2): its inverse in integers, the
-// same on every machine. A coefficient is eight times the amplitude's mean square root; that of a
-// flat block is eight times its value. docs/spec/codec.md, "Transform".
+// Cosine transform of 8x8 blocks, of H.265 (ITU-T H.265 §8.6.4.2): its inverse
+// in integers, the same on every machine. A coefficient is eight times the
+// amplitude's mean square root; that of a flat block is eight times its value.
+// docs/spec/codec.md, "Transform".
 #pragma once
 
 #include <array>
@@ -18,8 +19,9 @@ using BlockValues = std::array<std::int32_t, kBlockPixels>;        // row by row
 /// Positions from low to high frequency.
 extern const std::array<std::uint8_t, kBlockPixels> kZigzag;
 
-/// Arithmetic modulo 2^32: any coefficients are legal. `rows` is how many rows of coefficients may
-/// be other than 0, counted from the top; the result does not depend on it being tight.
+/// Arithmetic modulo 2^32: any coefficients are legal. `rows` is how many rows
+/// of coefficients may be other than 0, counted from the top; the result does
+/// not depend on it being tight.
 void inverse_transform(const BlockCoefficients& coefficients, int rows, BlockValues& values);
 
 /// The same one number at a time, as the specification writes it. For tests.

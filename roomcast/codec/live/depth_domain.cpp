@@ -48,8 +48,9 @@ void DepthDomain::set(const SigmaCodes& codes) {
   build();
 }
 
-// Position P(z) = sum over millimetres below z of 8 / sigma, in 1/65536 levels. Level v stands for
-// the z whose position is nearest to v - 1, and the other way round.
+// Position P(z) = sum over millimetres below z of 8 / sigma, in 1/65536 levels.
+// Level v stands for the z whose position is nearest to v - 1, and the other
+// way round.
 void DepthDomain::build() {
   level_of_mm_[0] = mm_of_level_[0] = 0;
   std::uint64_t position = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scale on which live depth is coded: eight levels per standard deviation of the sensor's
-// noise, which grows with distance. On it the same error means the same everywhere (a
-// variance-stabilising transform, Anscombe 1948). Integers only, so that every machine builds the
-// same tables. docs/spec/codec.md, "Domain".
+// The scale on which live depth is coded: eight levels per standard deviation
+// of the sensor's noise, which grows with distance. On it the same error means
+// the same everywhere (a variance-stabilising transform, Anscombe 1948).
+// Integers only, so that every machine builds the same tables.
+// docs/spec/codec.md, "Domain".
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomcast/codec/live/vector_clones.h"
+#include "roomcast/codec/live/vector_loop.h"
 
 namespace roomcast::codec {
 namespace {
@@ -21,11 +21,12 @@ struct Columns {
 };
 
 ROOMCAST_VECTOR_CLONES
-void add_row(const std::int16_t* __restrict off, const std::uint16_t* __restrict close,
-             const std::uint16_t* __restrict deviation, int width, const Columns& columns) {
-  std::int16_t* __restrict to_off = columns.off;
-  std::uint16_t* __restrict to_close = columns.close;
-  std::uint16_t* __restrict to_deviation = columns.deviation;
+void add_row(const std::int16_t* off, const std::uint16_t* close, const std::uint16_t* deviation,
+             int width, const Columns& columns) {
+  std::int16_t* to_off = columns.off;
+  std::uint16_t* to_close = columns.close;
+  std::uint16_t* to_deviation = columns.deviation;
+  ROOMCAST_INDEPENDENT_ITERATIONS
   for (int x = 0; x < width; ++x) {
     to_off[x] = static_cast<std::int16_t>(to_off[x] + off[x]);
     to_close[x] = static_cast<std::uint16_t>(to_close[x] + close[x]);

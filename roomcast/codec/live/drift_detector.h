@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds surfaces that move slowly: by less than the noise of a pixel, but all pixels of a patch
-// together. Keeps an average of each 4x4 patch's offset from the reference over the last frames.
+// Finds surfaces that move slowly: by less than the noise of a pixel, but all
+// pixels of a patch together. Keeps an average of each 4x4 patch's offset from
+// the reference over the last frames.
 #pragma once
 
 #include <cstdint>

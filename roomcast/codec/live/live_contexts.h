@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adaptive probabilities of the live depth stream, and numbers made of them.
-// docs/spec/codec.md.
+// The adaptive probabilities of the live depth stream, and numbers made of
+// them. docs/spec/codec.md.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace roomcast::codec {
 
-/// A number from 0 up: one adaptive bit for each step up to `Steps`, then its length, then its
-/// bits.
+/// A number from 0 up: one adaptive bit for each step up to `Steps`, then its
+/// length, then its bits.
 template <int Steps>
 struct NumberModel {
   static constexpr int kMostLength = 19;
@@ -49,7 +49,8 @@ struct LiveContexts {
   NumberModel<14> raw_difference;
 };
 
-/// Writes the values it is given; stands in for LiveReader in code that does both.
+/// Writes the values it is given; stands in for LiveReader in code that does
+/// both.
 class LiveWriter {
  public:
   static constexpr bool kWrites = true;

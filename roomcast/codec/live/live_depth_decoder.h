@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes live depth: sections of codec 2. docs/spec/codec.md. Any bytes are safe; work is bounded
-// by the picture's size.
+// Decodes live depth: sections of codec 2. docs/spec/codec.md. Any bytes are
+// safe; work is bounded by the picture's size.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,10 @@ namespace roomcast::codec {
 /// Keeps its memory from frame to frame.
 class LiveDepthDecoder {
  public:
-  /// Every pixel of `depth_mm` is written. kMalformed: damaged, or a frame that builds on one that
-  /// was not decoded; the picture is then not to be shown, and if the frame was a reference only a
-  /// key frame helps. kUnsupported: of a later version.
+  /// Every pixel of `depth_mm` is written. kMalformed: damaged, or a frame that
+  /// builds on one that was not decoded; the picture is then not to be shown,
+  /// and if the frame was a reference only a key frame helps. kUnsupported: of
+  /// a later version.
   Status decode(std::span<const std::uint8_t> section, ImageView<std::uint16_t> depth_mm);
 
   /// What the last frame left; for tests that compare it with the encoder's.

@@ -70,7 +70,8 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
   started_ = true;
 }
 
-// The state is cleared as decoders clear theirs. What was known moves to the new scale of levels.
+// The state is cleared as decoders clear theirs. What was known moves to the
+// new scale of levels.
 void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   old_picture_ = state_.picture;
   choose_memory();
@@ -82,8 +83,8 @@ void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   }
 }
 
-// The background where it is known to lie behind what is seen now, else what is seen, as exactly as
-// it is known.
+// The background where it is known to lie behind what is seen now, else what is
+// seen, as exactly as it is known.
 void LiveDepthEncoder::choose_memory() {
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const std::uint16_t old = state_.picture[i], back = state_.background[i];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes depth as it looks, not as it flickers: sections of codec 2. What a fixed sensor sees
-// again and again is sent once and made more exact as noise averages out; what moves is sent as
-// smooth surfaces with outlines. docs/spec/codec.md. Any decision here may change without a new
-// format.
+// Encodes depth as it looks, not as it flickers: sections of codec 2. What a
+// fixed sensor sees again and again is sent once and made more exact as noise
+// averages out; what moves is sent as smooth surfaces with outlines.
+// docs/spec/codec.md. Any decision here may change without a new format.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace roomcast::codec {
 
 struct LiveDepthOptions {
   int width = 0, height = 0;
-  int step = 4 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
+  int step = 2 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
   int key_step = 3 * kLevelsPerSigma;  // of the background in key frames
 };
 
@@ -30,8 +30,9 @@ class LiveDepthEncoder {
  public:
   explicit LiveDepthEncoder(const LiveDepthOptions& options);
 
-  /// Appends a section's bytes. `depth_mm` has the size of the options. The first frame's role is a
-  /// key frame's; frames of layer 1 and up are no references.
+  /// Appends a section's bytes. `depth_mm` has the size of the options. The
+  /// first frame's role is a key frame's; frames of layer 1 and up are no
+  /// references.
   void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
 
   /// What decoders show for the last frame.

@@ -20,10 +20,12 @@ struct LiveSectionHead {
   SigmaCodes sigma{};         // of key frames
 };
 
-/// The hash of the state is written when it is known, at this offset from the section's begin.
+/// The hash of the state is written when it is known, at this offset from the
+/// section's begin.
 inline constexpr std::size_t kLiveHashOffset = 2;
 
-/// kMalformed, or kUnsupported for flags of a later version. `bytes` is left at the coded blocks.
+/// kMalformed, or kUnsupported for flags of a later version. `bytes` is left at
+/// the coded blocks.
 Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std::uint32_t& hash);
 /// Appends; the hash is left 0.
 void write_live_head(const LiveSectionHead& head, std::vector<std::uint8_t>& out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a live depth encoder and its decoders both remember from one reference frame to the next,
-// and must agree on to the last bit. docs/spec/codec.md.
+// What a live depth encoder and its decoders both remember from one reference
+// frame to the next, and must agree on to the last bit. docs/spec/codec.md.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace roomcast::codec {
 
-/// Lowest coefficients of a coded surface: they predict those of its neighbours.
+/// Lowest coefficients of a coded surface: they predict those of its
+/// neighbours.
 struct SurfaceParameters {
   std::int32_t mean = 0, slope_x = 0, slope_y = 0;
   bool known = false;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pass over the blocks of a live depth picture: codes each block and applies it. The one
-// template is both the encoder's writing and the decoder's reading, so that the two cannot
-// disagree. docs/spec/codec.md, "A pass".
+// One pass over the blocks of a live depth picture: codes each block and
+// applies it. The one template is both the encoder's writing and the decoder's
+// reading, so that the two cannot disagree. docs/spec/codec.md, "A pass".
 //
-// Background memory after long-term reference pictures (H.264 Annex; Wiegand 1999), here per block;
-// labels coded by context like the masks of JBIG2 (ITU-T T.88).
+// Background memory after long-term reference pictures (H.264 Annex; Wiegand
+// 1999), here per block; labels coded by context like the masks of JBIG2 (ITU-T
+// T.88).
 #pragma once
 
 #include <cstdlib>
@@ -15,9 +16,9 @@
 
 namespace roomcast::codec {
 
-inline constexpr int kCalmFrames = 20;      // then a block becomes background
-inline constexpr int kRefinementStep = 12;  // levels
-inline constexpr int kReadingStep = 2;      // levels
+inline constexpr int kCalmFrames = 20;     // then a block becomes background
+inline constexpr int kRefinementStep = 6;  // levels
+inline constexpr int kReadingStep = 2;     // levels
 inline constexpr int kNear = 3 * kLevelsPerSigma;
 
 /// Memory of a pass, kept from frame to frame.
@@ -56,8 +57,9 @@ class StateHash {
 template <class Coder>
 class PicturePass {
  public:
-  /// `step` is the quantiser's, in levels. A pass over a `reference` frame changes the state; one
-  /// over another only `shown_mm`, which must hold the reference picture.
+  /// `step` is the quantiser's, in levels. A pass over a `reference` frame
+  /// changes the state; one over another only `shown_mm`, which must hold the
+  /// reference picture.
   PicturePass(LiveState& state, PassScratch& scratch, LiveContexts& contexts, Coder& coder,
               int step, bool reference, std::uint16_t* shown_mm)
       : state_(state),
@@ -122,8 +124,8 @@ class PicturePass {
     return first_pixel_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
            static_cast<std::size_t>(x);
   }
-  /// For each pixel of the block that lies in the picture: its number in the block and in the
-  /// picture.
+  /// For each pixel of the block that lies in the picture: its number in the
+  /// block and in the picture.
   template <class Do>
   void for_each_pixel(Do&& what) {
     for (int y = 0; y < rows_; ++y) {
@@ -357,8 +359,9 @@ class PicturePass {
                : PixelLabel::kStay;
   }
 
-  /// How the reference lies to the surfaces at this pixel and its right and lower neighbours, which
-  /// are not coded yet; and whether something stands before the background there. 0..63.
+  /// How the reference lies to the surfaces at this pixel and its right and
+  /// lower neighbours, which are not coded yet; and whether something stands
+  /// before the background there. 0..63.
   [[nodiscard]] std::size_t relation(const BlockCode& code, std::size_t k, int x, int y) const {
     const std::size_t at = pixel(x, y);
     const int old = state_.picture[at], background = state_.background[at];

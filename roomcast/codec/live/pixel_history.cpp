@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "roomcast/codec/live/vector_clones.h"
+#include "roomcast/codec/live/vector_loop.h"
 
 namespace roomcast::codec {
 namespace {
@@ -19,6 +19,7 @@ constexpr u16 kHeld = 64;  // first_flags_: kept without a reading, support not 
 constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
 constexpr int kMostPersistence = 200;
+constexpr int kOverdueFrames = 12;
 constexpr int kLeastCluster = 4;  // changed pixels of 3x3
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
 
@@ -35,8 +36,8 @@ constexpr u16 sigma_of(u16 deviation) {
 }
 
 ROOMCAST_VECTOR_CLONES
-void drop_flying_row(const u16* __restrict above, const u16* __restrict here,
-                     const u16* __restrict below, int width, u16* __restrict out) {
+void drop_flying_row(const u16* above, const u16* here, const u16* below, int width, u16* out) {
+  ROOMCAST_INDEPENDENT_ITERATIONS
   for (int x = 1; x < width - 1; ++x) {
     const u16 v = here[x];
     const auto near = [v](u16 q) { return static_cast<u16>(distance(q, v) < kSupportReach); };
@@ -62,15 +63,16 @@ struct ComparedRow {
 // Without branches, 16-bit lanes: the compiler makes vector code of it.
 ROOMCAST_VECTOR_CLONES
 void compare_pixels(const ComparedRow& row, int n) {
-  const u16* __restrict reading = row.reading;
-  const u16* __restrict reference = row.reference;
-  u16* __restrict deviation = row.deviation;
-  s16* __restrict sum = row.sum;
-  u16* __restrict count = row.count;
-  u16* __restrict missing = row.missing;
-  u16* __restrict flags = row.flags;
-  s16* __restrict off = row.off;
-  u16* __restrict close = row.close;
+  const u16* reading = row.reading;
+  const u16* reference = row.reference;
+  u16* deviation = row.deviation;
+  s16* sum = row.sum;
+  u16* count = row.count;
+  u16* missing = row.missing;
+  u16* flags = row.flags;
+  s16* off = row.off;
+  u16* close = row.close;
+  ROOMCAST_INDEPENDENT_ITERATIONS
   for (int i = 0; i < n; ++i) {
     const u16 v = reading[i], r = reference[i];
     const u16 has_v = mask(v != 0), has_r = mask(r != 0), both = has_v & has_r;
@@ -82,9 +84,11 @@ void compare_pixels(const ComparedRow& row, int n) {
     const s16 learn = static_cast<s16>(
         static_cast<s16>(static_cast<u16>(apart << kNoiseShift) - deviation[i]) >> 5);
     deviation[i] = static_cast<u16>(deviation[i] + (learn & static_cast<s16>(sample)));
-    const u16 full = static_cast<u16>(count[i] >= kMostSamples);
-    sum[i] = static_cast<s16>((sum[i] >> full) + (difference & static_cast<s16>(sample)));
-    count[i] = static_cast<u16>((count[i] >> full) + (sample & 1));
+    const u16 full = mask(count[i] >= kMostSamples);
+    const s16 kept_sum = static_cast<s16>((full & (sum[i] >> 1)) | (~full & sum[i]));
+    const u16 kept_count = static_cast<u16>((full & (count[i] >> 1)) | (~full & count[i]));
+    sum[i] = static_cast<s16>(kept_sum + (difference & static_cast<s16>(sample)));
+    count[i] = static_cast<u16>(kept_count + (sample & 1));
     const u16 gone =
         std::min<u16>(static_cast<u16>(missing[i] + (has_r & 1)), 250) & static_cast<u16>(~has_v);
     missing[i] = gone;
@@ -99,10 +103,10 @@ void compare_pixels(const ComparedRow& row, int n) {
 }
 
 ROOMCAST_VECTOR_CLONES
-void sum_three(const u16* __restrict flags, const s16* __restrict off, const u16* __restrict close,
-               int width, u16* __restrict flag_count, s16* __restrict off_sum,
-               u16* __restrict close_sum) {
+void sum_three(const u16* flags, const s16* off, const u16* close, int width, u16* flag_count,
+               s16* off_sum, u16* close_sum) {
   const auto changed = [](u16 f) { return static_cast<u16>((f & kAnyChange) != 0); };
+  ROOMCAST_INDEPENDENT_ITERATIONS
   for (int x = 1; x < width - 1; ++x) {
     flag_count[x] =
         static_cast<u16>(changed(flags[x - 1]) + changed(flags[x]) + changed(flags[x + 1]));
@@ -127,16 +131,17 @@ struct SettledRow {
 
 ROOMCAST_VECTOR_CLONES
 void settle_row(const SettledRow& row, int width) {
-  const u16* __restrict first = row.first_flags;
+  const u16* first = row.first_flags;
   const u16 *f0 = row.row_flags - row.stride, *f1 = row.row_flags, *f2 = row.row_flags + row.stride;
   const s16 *o0 = row.row_off - row.stride, *o1 = row.row_off, *o2 = row.row_off + row.stride;
   const u16 *c0 = row.row_close - row.stride, *c1 = row.row_close, *c2 = row.row_close + row.stride;
-  const u16* __restrict reading = row.reading;
-  const u16* __restrict close = row.close;
-  const u16* __restrict deviation = row.deviation;
-  const u16* __restrict patience = row.patience;
-  u16* __restrict persistence = row.persistence;
-  u16* __restrict flags = row.flags;
+  const u16* reading = row.reading;
+  const u16* close = row.close;
+  const u16* deviation = row.deviation;
+  const u16* patience = row.patience;
+  u16* persistence = row.persistence;
+  u16* flags = row.flags;
+  ROOMCAST_INDEPENDENT_ITERATIONS
   for (int x = 0; x < width; ++x) {
     const u16 change = first[x] & kAnyChange;
     const u16 changed = mask(change != 0);
@@ -156,6 +161,7 @@ void settle_row(const SettledRow& row, int width) {
         changed & mask(lasting >= static_cast<u16>(kBasePersistence + patience[x]));
     const u16 counts = changed & (mask(cluster >= kLeastCluster) | persists);
     flags[x] = static_cast<u16>((counts & change) | (persists & kPersistent) |
+                                (changed & mask(lasting >= kOverdueFrames) & kOverdue) |
                                 (~changed & biased & kBiased));
   }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the live depth encoder remembers of each pixel, and how the newest frame differs from the
-// reference. All in levels. The encoder's own affair: decoders know nothing of it.
+// What the live depth encoder remembers of each pixel, and how the newest frame
+// differs from the reference. All in levels. The encoder's own affair: decoders
+// know nothing of it.
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "roomcast/codec/live/live_state.h"
@@ -17,7 +19,8 @@ enum ChangeFlag : std::uint16_t {
   kVanished = 2,     // no reading for kHoldFrames
   kUnsupported = 4,  // no reading, and no neighbour still agrees with the reference
   kBiased = 8,       // a little off, but so are its neighbours
-  kPersistent = 16   // and has been for long: code it even if it is alone
+  kPersistent = 16,  // and has been for a while: code it even if few others changed
+  kOverdue = 32      // and has been for too long: code it even if it is alone
 };
 
 inline constexpr int kHoldFrames = 6;    // that a reading is kept when it vanishes

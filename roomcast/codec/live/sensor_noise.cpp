@@ -22,7 +22,8 @@ int knot_of(int depth_mm) {
   return 4 * octave + ((depth_mm >> (octave + 6)) & 3);
 }
 
-/// Standard deviation of the differences whose sizes are counted, those of outliers left out.
+/// Standard deviation of the differences whose sizes are counted, those of
+/// outliers left out.
 template <class Histogram>
 double trimmed_deviation(const Histogram& sizes) {
   double limit = static_cast<double>(sizes.size()), deviation = 0;
@@ -129,7 +130,8 @@ double SensorNoise::sigma_at(int knot) const {
 
 SigmaCodes SensorNoise::table() const {
   std::array<double, kSigmaKnotCount> sigma{};
-  // A histogram covers the distances from its knot to the next: its value belongs half way.
+  // A histogram covers the distances from its knot to the next: its value
+  // belongs half way.
   double known = 0, known_at = 0;
   for (int knot = 0; knot < kSigmaKnotCount; ++knot) {
     const double here = knot + 1 < kSigmaKnotCount ? sigma_at(knot) : 0;

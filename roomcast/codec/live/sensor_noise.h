@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a depth sensor's noise grows with distance, measured from its own frames: the trimmed mean of
-// what readings change from one frame to the next, so that moving things do not count, together
-// with the steps that the sensor quantises distances to. Before there are two frames, how
-// neighbours scatter around the line between them. Millimetres. docs/spec/codec.md, "Domain".
+// How a depth sensor's noise grows with distance, measured from its own frames:
+// the trimmed mean of what readings change from one frame to the next, so that
+// moving things do not count, together with the steps that the sensor quantises
+// distances to. Before there are two frames, how neighbours scatter around the
+// line between them. Millimetres. docs/spec/codec.md, "Domain".
 #pragma once
 
 #include <array>

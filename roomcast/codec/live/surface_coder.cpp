@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kLeastGap = 10 * kLevelsPerSigma;
 constexpr float kLowRounding = 0.45f, kHighRounding = 0.10f;
+constexpr float kWorthCoding = 3;  // standard deviations of noise in a coefficient
 constexpr float kVisibleError = 4.5f * kLevelsPerSigma;
 constexpr int kMostVisible = 2;  // pixels of a block that may be off by more
 
@@ -84,8 +85,19 @@ std::uint8_t cheapest(const SurfaceCandidates& candidates,
   return best;
 }
 
+/// Standard deviation of the noise in the block's coefficients, from the size
+/// of the high ones.
+float noise_of(const std::array<float, kBlockPixels>& wanted, float share_seen) {
+  constexpr std::size_t kFirstHigh = 28, kCount = kBlockPixels - kFirstHigh;
+  std::array<float, kCount> sizes;
+  for (std::size_t i = 0; i < kCount; ++i) sizes[i] = std::abs(wanted[kZigzag[kFirstHigh + i]]);
+  std::nth_element(sizes.begin(), sizes.begin() + kCount / 2, sizes.end());
+  constexpr float kMedianOfGaussian = 0.6745f;
+  return sizes[kCount / 2] / (kMedianOfGaussian * std::sqrt(share_seen));
+}
+
 void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& prediction, int step,
-              BlockCoefficients& steps) {
+              float least, BlockCoefficients& steps) {
   if (prediction.known) {
     wanted[0] -= static_cast<float>(prediction.mean);
     wanted[1] -= static_cast<float>(prediction.slope_x);
@@ -93,7 +105,12 @@ void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& p
   }
   for (std::size_t k = 0; k + 1 < kBlockPixels; ++k) {
     const bool low = k <= 1 || k == 8;
-    steps[k] = rounded(wanted[k], static_cast<float>(step), low ? kLowRounding : kHighRounding);
+    if (low)
+      steps[k] = rounded(wanted[k], static_cast<float>(step), kLowRounding);
+    else
+      steps[k] = std::abs(wanted[k]) < least
+                     ? 0
+                     : rounded(wanted[k], static_cast<float>(step), kHighRounding);
   }
   steps[kBlockPixels - 1] = 0;  // the highest frequency is never coded
 }
@@ -151,8 +168,13 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
   forward_transform(filled, wanted);
   surface.candidate = cheapest(candidates, wanted, step);
   const SurfaceParameters& prediction = candidates[surface.candidate];
+  float seen = 0;
+  for (std::size_t k = 0; k < kBlockPixels; ++k) seen += on(code, target, label, k);
+  const float noise = std::clamp(noise_of(wanted, seen / kBlockPixels), 0.5f * kLevelsPerSigma,
+                                 2.0f * kLevelsPerSigma);
   for (surface.finer = 0;; ++surface.finer) {
-    quantise(wanted, prediction, step >> surface.finer, surface.steps);
+    quantise(wanted, prediction, step >> surface.finer,
+             kWorthCoding * noise / static_cast<float>(1 << surface.finer), surface.steps);
     BlockCoefficients coefficients;
     BlockValues values;
     const int rows =

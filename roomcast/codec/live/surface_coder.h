@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns a block's labelled target into at most two surfaces: splits it at the largest gap in depth,
-// goes on with a plane where a surface has no pixels, and quantises what a neighbour does not
-// predict. The live encoder's own affair.
+// Turns a block's labelled target into at most two surfaces: splits it at the
+// largest gap in depth, goes on with a plane where a surface has no pixels, and
+// quantises what a neighbour does not predict. The live encoder's own affair.
 #pragma once
 
 #include "roomcast/codec/live/block_code.h"
@@ -16,7 +16,8 @@ inline constexpr int kErrorBound = 12 * kLevelsPerSigma;
 /// Sets surface_count, and kSecond in the labels of farther pixels.
 void split_surfaces(BlockCode& code, BlockTarget& target);
 
-/// Chooses a candidate and quantises. False: even the finest step breaks the bound.
+/// Chooses a candidate and quantises. False: even the finest step breaks the
+/// bound.
 bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int step,
                     const BlockCode& code, const BlockTarget& target, SurfaceCode& surface);
 
