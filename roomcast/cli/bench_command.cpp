@@ -9,6 +9,7 @@
 
 #include "bench/codec/codec_bench.h"
 #include "bench/register_bench.h"
+#include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 
@@ -108,6 +109,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   bench->footer("Example: roomcast bench register");
   add_codec_bench(*bench, chosen);
   add_register_bench(*bench, chosen);
+  add_fanout_bench(*bench, chosen);
 }
 
 }  // namespace roomcast::cli

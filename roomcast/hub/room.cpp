@@ -77,7 +77,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   out.push_back(AcceptConnection{from, true});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.push_back(RestartSensor{viewer_connections(), sensor->id});
-  announce(out);
+  announce(now, out);
   send_closed_sets(now, out);
 }
 
@@ -101,7 +101,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, false});
   out.push_back(SendControl{{from}, std::move(welcome)});
-  announce(out);
+  if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
   for (Sensor& sensor : sensors_) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
   }
@@ -200,10 +200,10 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     sensor.connection.reset();
     sets_.remove_sensor(sensor.id);
     sensor_of_.erase(found);
-    announce(out);
+    announce(now, out);
     send_closed_sets(now, out);
   } else if (viewers_.erase(from) > 0) {
-    announce(out);
+    announce_in_time(now, out);
   }
   return out;
 }
@@ -215,6 +215,7 @@ RoomActions Room::tick(RoomTime now) {
     if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
   }
   if (now >= next_poses_) send_poses(now, out);
+  if (roster_is_news_ && now >= next_roster_) announce(now, out);
   return out;
 }
 
@@ -229,6 +230,7 @@ std::optional<RoomTime> Room::next_tick() const {
   const bool news = std::any_of(viewers_.begin(), viewers_.end(),
                                 [](const auto& v) { return v.second.pose_is_news; });
   if (news) consider(next_poses_);
+  if (roster_is_news_) consider(next_roster_);
   return next;
 }
 
@@ -267,12 +269,28 @@ void Room::send_poses(RoomTime now, RoomActions& out) {
   out.push_back(SendControl{viewer_connections(), std::move(control)});
 }
 
-void Room::announce(RoomActions& out) {
-  ++roster_revision_;
+/// For what concerns the pictures: nobody may get a sensor's frames before its calibration.
+void Room::announce(RoomTime now, RoomActions& out) {
+  roster_is_news_ = false;
   if (viewers_.empty()) return;
+  next_roster_ = now + wire::kRosterInterval;
+  out.push_back(SendControl{viewer_connections(), roster_message()});
+}
+
+/// For people who come and go: now, or with others a little later. When a whole class arrives, each
+/// would otherwise be told of each. False: later.
+bool Room::announce_in_time(RoomTime now, RoomActions& out) {
+  roster_is_news_ = true;
+  if (now < next_roster_) return false;
+  announce(now, out);
+  return true;
+}
+
+pb::Control Room::roster_message() {
+  ++roster_revision_;
   pb::Control control;
   *control.mutable_roster() = roster();
-  out.push_back(SendControl{viewer_connections(), std::move(control)});
+  return control;
 }
 
 std::vector<ConnectionId> Room::viewer_connections() const {

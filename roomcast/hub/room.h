@@ -79,7 +79,9 @@ class Room {
   void ask_for_key(const Sensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void send_poses(RoomTime now, RoomActions& out);
-  void announce(RoomActions& out);
+  void announce(RoomTime now, RoomActions& out);
+  bool announce_in_time(RoomTime now, RoomActions& out);
+  [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
   [[nodiscard]] wire::pb::Roster roster() const;
   [[nodiscard]] Matrix4 next_start_pose() const;
@@ -95,6 +97,8 @@ class Room {
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
   RoomTime next_poses_{};
+  RoomTime next_roster_{};
+  bool roster_is_news_ = false;  // to some viewers
 };
 
 }  // namespace roomcast::hub

@@ -151,11 +151,36 @@ TEST_F(RoomTest, a_viewer_is_welcomed_with_a_place_and_the_roster) {
 TEST_F(RoomTest, rosters_go_to_all_viewers_and_their_revision_grows) {
   const auto a = enter(viewer_join());
   const auto first = newest_roster(actions).revision();
-  const auto b = enter(viewer_join());
+  const auto b = enter(viewer_join(), 1s);
   EXPECT_THAT(messages(actions, pb::Control::kRoster)[0].to, UnorderedElementsAre(a, b));
   EXPECT_GT(newest_roster(actions).revision(), first);
-  const auto after = newest_roster(room.leave(a, at(1s)));
+  const auto after = newest_roster(room.leave(a, at(2s)));
   EXPECT_EQ(after.viewers_size(), 1);
+}
+
+TEST_F(RoomTest, a_class_that_arrives_at_once_is_announced_once) {
+  const auto first = enter(viewer_join());
+  for (int i = 1; i < 30; ++i) {
+    const auto viewer = enter(viewer_join(), 1ms);
+    const auto rosters = messages(actions, pb::Control::kRoster);
+    ASSERT_EQ(rosters.size(), 1U);
+    EXPECT_THAT(rosters[0].to, ElementsAre(viewer)) << "who arrives is told at once";
+    EXPECT_EQ(newest_roster(actions).viewers_size(), i + 1);
+  }
+  ASSERT_TRUE(room.next_tick());
+  EXPECT_EQ(*room.next_tick(), at(wire::kRosterInterval));
+  EXPECT_TRUE(messages(room.tick(at(50ms)), pb::Control::kRoster).empty());
+  const auto rosters = messages(room.tick(at(wire::kRosterInterval)), pb::Control::kRoster);
+  ASSERT_EQ(rosters.size(), 1U);
+  EXPECT_THAT(rosters[0].to, testing::Contains(first));
+  EXPECT_EQ(rosters[0].message.roster().viewers_size(), 30);
+  EXPECT_TRUE(messages(room.tick(at(1s)), pb::Control::kRoster).empty());
+}
+
+TEST_F(RoomTest, a_sensor_is_announced_before_its_first_frame_however_many_come_and_go) {
+  const auto viewer = enter(viewer_join());
+  enter(sensor_join("left"), 1ms);
+  EXPECT_THAT(messages(actions, pb::Control::kRoster).at(0).to, ElementsAre(viewer));
 }
 
 TEST_F(RoomTest, a_late_viewer_makes_all_sensors_send_key_frames) {
@@ -232,7 +257,7 @@ pb::Control pose_message(float x) {
 }
 
 TEST_F(RoomTest, poses_are_relayed_under_the_senders_id_at_most_20_times_a_second) {
-  const auto a = enter(viewer_join());
+  const auto a = enter(viewer_join(), -1s);
   const auto b = enter(viewer_join());
   EXPECT_THAT(room.control(a, pose_message(1), at(10ms)), IsEmpty());
   EXPECT_THAT(room.control(a, pose_message(2), at(20ms)), IsEmpty());

@@ -39,5 +39,6 @@ inline constexpr std::chrono::seconds kMaxCaptureAhead{1};
 // Pace.
 inline constexpr std::chrono::milliseconds kKeyRequestInterval{500};  // per sensor
 inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers
+inline constexpr std::chrono::milliseconds kRosterInterval{100};      // when only viewers changed
 
 }  // namespace roomcast::wire

@@ -30,6 +30,7 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxCaptureAhead, 1s);
   EXPECT_EQ(kKeyRequestInterval, 500ms);
   EXPECT_EQ(kPoseInterval, 50ms);
+  EXPECT_EQ(kRosterInterval, 100ms);
 }
 
 }  // namespace

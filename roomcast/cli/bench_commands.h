@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands of `roomcast bench` that have files of their own.
+#pragma once
+
+#include "roomcast/cli/command.h"
+
+namespace roomcast::cli {
+
+void add_fanout_bench(CLI::App& bench, Command& chosen);
+
+}  // namespace roomcast::cli

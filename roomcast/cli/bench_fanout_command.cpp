@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast bench fanout: the hub beside the least that is possible, and beside message brokers.
+#include <iostream>
+#include <memory>
+
+#include "bench/fanout/fanout_bench.h"
+#include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/status_line.h"
+
+namespace roomcast::cli {
+namespace {
+
+Status run_fanout(const bench::FanoutBenchOptions& options, bool json) {
+  StatusLine line;
+  const auto report =
+      bench::run_fanout_bench(options, [&line](const std::string& next) { line.show(next); });
+  if (!report) return report.error();
+  json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
+  return {};
+}
+
+}  // namespace
+
+void add_fanout_bench(CLI::App& bench, Command& chosen) {
+  auto options = std::make_shared<bench::FanoutBenchOptions>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "fanout", "One frame to many viewers: CPU time and delay of the hub, brokers beside it");
+  command->add_option("--viewers", options->viewers, "How many, at full speed")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 900))
+      ->capture_default_str();
+  command->add_option("--rounds", options->rounds, "Each server so often, in turns")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command->add_option("--load", options->loads, "max, room, stall")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"max", "room", "stall"}));
+  command->add_option("--only", options->only, "Servers whose name contains this");
+  command->add_flag("--json", *json, "For scripts");
+  command->footer(
+      "Example:\n  roomcast bench fanout --viewers 100,500 --rounds 5\n"
+      "nats-server, redis-server and mosquitto are measured too where they are installed.");
+  command->callback([options, json, &chosen] {
+    chosen = [options, json] { return finish("bench fanout", run_fanout(*options, *json)); };
+  });
+}
+
+}  // namespace roomcast::cli
