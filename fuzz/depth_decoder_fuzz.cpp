@@ -2,7 +2,8 @@
 // Any bytes as a depth section and as a colour mask. Input: width - 16, height - 16, then the
 // section.
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/color_mask.h"
+#include "roomcast/codec/payload_sections.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
@@ -15,6 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!status.ok() && status.error().message.empty()) __builtin_trap();
   const roomcast::Status near_lossless = decoder.decode_near_lossless(section, depth.view());
   if (!near_lossless.ok() && near_lossless.error().message.empty()) __builtin_trap();
-  roomcast::codec::decode_mask(section, depth, mask.view());
+  roomcast::codec::ColorMaskDecoder masks;
+  for (const std::uint8_t codec : {roomcast::codec::kIntraMask, roomcast::codec::kMaskChange}) {
+    (void)masks.decode(codec, section, depth, mask.view());
+  }
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/depth_section_decoder.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_decoder.h"
 
@@ -30,8 +30,8 @@ class SectionFrameDecoder final : public FrameDecoder {
     }
     if (Status s = decode_color(sections->color, out.color); !s.ok()) return s;
     make_size(out.color_seen, width_, height_);
-    decode_mask(sections->color_mask, out.depth_mm, out.color_seen.view());
-    return {};
+    return mask_.decode(sections->mask_codec, sections->color_mask, out.depth_mm,
+                        out.color_seen.view());
   }
 
  private:
@@ -46,6 +46,7 @@ class SectionFrameDecoder final : public FrameDecoder {
 
   const int width_, height_;
   DepthSectionDecoder depth_;
+  ColorMaskDecoder mask_;
   std::unique_ptr<Vp9ColorDecoder> color_;  // made when the first colour comes
 };
 

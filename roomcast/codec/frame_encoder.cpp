@@ -7,7 +7,8 @@
 #include "roomcast/codec/live/live_depth_encoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/lossless/residual.h"
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/color_mask.h"
+#include "roomcast/codec/mask/steady_mask.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_color_encoder.h"
 
@@ -130,26 +131,10 @@ class SectionFrameEncoder final : public FrameEncoder {
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
     if (Status status = color_->encode(color, seen, role, out); !status.ok()) return status;
     end_section(section, out);
-    section = begin_section(SectionKind::kColorMask, kAdaptiveMask, out);
-    if (live_) {
-      hold_seen(depth_mm, seen);
-      encode_mask(held_seen_, decoded_depth(), out);
-    } else {
-      encode_mask(seen, decoded_depth(), out);
-    }
+    section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
+    mask_.encode(live_ ? steady_.update(seen, depth_mm) : seen, decoded_depth(), role, out);
     end_section(section, out);
     return {};
-  }
-
-  /// Where a reading is missing, what was known of its colour stays known.
-  void hold_seen(DepthView depth_mm, MaskView seen) {
-    if (held_seen_.empty()) held_seen_.resize(options_.width, options_.height);
-    for (int y = 0; y < options_.height; ++y) {
-      const std::uint16_t* depth = depth_mm.row(y);
-      const std::uint8_t* from = seen.row(y);
-      std::uint8_t* to = held_seen_.view().row(y);
-      for (int x = 0; x < options_.width; ++x) to[x] = depth[x] != 0 ? from[x] : to[x];
-    }
   }
 
   const FrameEncoderOptions options_;
@@ -157,9 +142,10 @@ class SectionFrameEncoder final : public FrameEncoder {
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
-  MaskImage held_seen_;                     // in live mode
-  DepthView input_depth_;                   // of the newest frame; not owned
-  bool color_started_ = false;              // since the last key frame
+  SteadyMask steady_;                       // in live mode
+  ColorMaskEncoder mask_;
+  DepthView input_depth_;       // of the newest frame; not owned
+  bool color_started_ = false;  // since the last key frame
 };
 
 }  // namespace

@@ -19,7 +19,9 @@ std::span<const std::uint8_t>* place_of(std::uint8_t kind, std::uint8_t codec,
   if (kind == static_cast<std::uint8_t>(SectionKind::kColor) && codec == kVp9Color) {
     return &sections.color;
   }
-  if (kind == static_cast<std::uint8_t>(SectionKind::kColorMask) && codec == kAdaptiveMask) {
+  if (kind == static_cast<std::uint8_t>(SectionKind::kColorMask) &&
+      (codec == kIntraMask || codec == kMaskChange)) {
+    sections.mask_codec = codec;
     return &sections.color_mask;
   }
   return nullptr;

@@ -14,7 +14,7 @@ enum class SectionKind : std::uint8_t { kDepth = 1, kColor = 2, kColorMask = 3 }
 
 inline constexpr std::uint8_t kLosslessDepth = 1, kLiveDepth = 2, kNearLosslessDepth = 3;
 inline constexpr std::uint8_t kVp9Color = 1;
-inline constexpr std::uint8_t kAdaptiveMask = 1;
+inline constexpr std::uint8_t kIntraMask = 1, kMaskChange = 2;
 
 inline constexpr std::size_t kSectionHeaderLength = 8;
 inline constexpr int kLeastGridSide = 16, kMostGridSide = 4096;
@@ -30,6 +30,7 @@ struct PayloadSections {
   std::uint8_t depth_codec = kLosslessDepth;
   std::span<const std::uint8_t> color;
   std::span<const std::uint8_t> color_mask;
+  std::uint8_t mask_codec = kIntraMask;
   bool has_color = false;
 };
 

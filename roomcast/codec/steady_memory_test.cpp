@@ -8,7 +8,8 @@
 
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/color_mask.h"
+#include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/synthetic_color.h"
 
 namespace {
@@ -35,6 +36,9 @@ TEST(SteadyMemory, coding_depth_and_mask_allocates_nothing_after_the_first_frame
   const SyntheticFrame frames[] = {synthetic_frame(96, 80, 0), synthetic_frame(96, 80, 1)};
   LosslessDepthEncoder encoder;
   LosslessDepthDecoder decoder;
+  ColorMaskEncoder mask_encoder;
+  ColorMaskDecoder mask_decoder;
+  FrameRole role{true, 0};
   std::vector<std::uint8_t> section, mask_section;
   DepthImage depth(96, 80);
   MaskImage mask(96, 80);
@@ -42,10 +46,10 @@ TEST(SteadyMemory, coding_depth_and_mask_allocates_nothing_after_the_first_frame
     section.clear();
     mask_section.clear();
     encoder.encode(frame.depth_mm, section);
-    encode_mask(frame.seen, frame.depth_mm, mask_section);
+    mask_encoder.encode(frame.seen, frame.depth_mm, role, mask_section);
     const bool ok = decoder.decode(section, depth.view()).ok();
-    decode_mask(mask_section, depth, mask.view());
-    return ok;
+    const std::uint8_t codec = std::exchange(role.key, false) ? kIntraMask : kMaskChange;
+    return ok && mask_decoder.decode(codec, mask_section, depth, mask.view()).ok();
   };
   for (const SyntheticFrame& frame : frames) ASSERT_TRUE(code(frame));
   const int before = allocation_count;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "roomcast/codec/depth_section_decoder.h"
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_header.h"
 
@@ -26,6 +26,7 @@ struct Decoder {
   DepthImage depth;
   MaskImage mask;
   DepthSectionDecoder depth_decoder;
+  ColorMaskDecoder mask_decoder;
   bool has_color = false, color_is_key = false;
   std::uint32_t color_offset = 0, color_length = 0;
   std::string error;
@@ -42,7 +43,9 @@ Status take_color(Decoder& decoder, const PayloadSections& sections) {
   if (header->width != 0 && (header->width != decoder.width || header->height != decoder.height)) {
     return Error{ErrorCode::kMalformed, "The colour is not of the sensor's size."};
   }
-  decode_mask(sections.color_mask, decoder.depth, decoder.mask.view());
+  const Status mask = decoder.mask_decoder.decode(sections.mask_codec, sections.color_mask,
+                                                  decoder.depth, decoder.mask.view());
+  if (!mask.ok()) return mask;
   decoder.has_color = true;
   decoder.color_is_key = header->key;
   decoder.color_offset = static_cast<std::uint32_t>(sections.color.data() - decoder.payload.data());

@@ -47,6 +47,21 @@ inline constexpr auto kTokenMeanings = token_meanings();
 }
 static_assert(token_of(65535) == kTokenCount - 1);
 
+inline constexpr std::uint32_t kTabledErrors = 1024;
+[[nodiscard]] constexpr std::array<std::uint8_t, kTabledErrors> token_table() {
+  std::array<std::uint8_t, kTabledErrors> table{};
+  for (std::uint32_t folded = 0; folded < kTabledErrors; ++folded) {
+    table[folded] = static_cast<std::uint8_t>(token_of(folded));
+  }
+  return table;
+}
+inline constexpr auto kTokens = token_table();
+
+/// token_of without a branch that noise decides.
+[[nodiscard]] inline int quick_token_of(std::uint32_t folded) {
+  return folded < kTabledErrors ? kTokens[folded] : token_of(folded);
+}
+
 [[nodiscard]] constexpr std::uint32_t fold(std::int16_t error) {
   return static_cast<std::uint16_t>(static_cast<std::uint32_t>(error) << 1 ^
                                     static_cast<std::uint32_t>(error >> 15));

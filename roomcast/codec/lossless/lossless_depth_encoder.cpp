@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kHeaderLength = 8;
 constexpr std::uint32_t kStateLow = 1u << 16;
+// At most two words: one before its token, one before its plain bits.
+constexpr std::size_t kMostBytesPerSymbol = 4;
 
 // A symbol: token, context, number of plain bits, the bits.
 constexpr int kContextShift = 7, kExtraCountShift = 13, kExtraShift = 17;
@@ -32,18 +34,28 @@ void copy_rows(DepthView from, DepthImage& to) {
   for (int y = 0; y < from.height; ++y) std::copy_n(from.row(y), from.width, to.view().row(y));
 }
 
+constexpr int kReciprocalBits = 44;
+
+/// state / frequency without dividing. Exact, and without overflow, for state < frequency * 2^20
+/// and frequency <= 2^12: the reciprocal is too large by less than 1, hence the quotient by less
+/// than frequency / 2^24, which is at most 1 / frequency.
+std::uint32_t divided(std::uint32_t state, const TokenCode& code) {
+  return static_cast<std::uint32_t>(state * code.reciprocal >> kReciprocalBits);
+}
+
 /// Range asymmetric numeral system, encoding side: writes words from the end of its memory towards
 /// the front.
 class WordWriter {
  public:
-  explicit WordWriter(std::uint8_t* end) : next_(end) {}
+  explicit WordWriter(std::vector<std::uint8_t>& memory) : next_(memory.data() + memory.size()) {}
   void put_bits(std::uint32_t bits, int count) {
     if (static_cast<std::uint64_t>(state_) >> (32 - count)) put_word();
     state_ = state_ << count | bits;
   }
-  void put_token(std::uint32_t frequency, std::uint32_t start) {
-    if (state_ >> 20 >= frequency) put_word();
-    state_ = (state_ / frequency << kFrequencyBits) + state_ % frequency + start;
+  void put_token(const TokenCode& code) {
+    if (state_ >> 20 >= code.frequency) put_word();
+    const std::uint32_t quotient = divided(state_, code);
+    state_ = (quotient << kFrequencyBits) + state_ - quotient * code.frequency + code.start;
   }
   std::uint8_t* finish() {
     next_ -= 4;
@@ -108,13 +120,10 @@ void LosslessDepthEncoder::encode_plane(const Residual& residual, std::vector<st
   out.resize(header + kHeaderLength);
   put_side_information(side_, out);
   const std::size_t top = out.size();
-  tables_.clear();
-  for (const Weights& weights : side_.tables) tables_.push_back(normalised(weights));
-  append_slice(0, top_pixels, out);
-  const std::size_t bottom = out.size();
-  append_slice(top_pixels, symbols_.size(), out);
+  build_codes();
+  const std::size_t top_length = append_slices(top_pixels, out);
   write_u32(&out[header], static_cast<std::uint32_t>(top - header - kHeaderLength));
-  write_u32(&out[header + 4], static_cast<std::uint32_t>(bottom - top));
+  write_u32(&out[header + 4], static_cast<std::uint32_t>(top_length));
 }
 
 template <class Residual>
@@ -131,7 +140,7 @@ void LosslessDepthEncoder::tokenise(const Residual& residual, int first_row, int
       const std::int16_t error = residual.error(row[x], prediction);
       const std::uint32_t folded = fold(error);
       const bool hole = row[x] == 0;
-      const int token = hole ? kHoleToken : token_of(folded);
+      const int token = hole ? kHoleToken : quick_token_of(folded);
       const TokenMeaning meaning = kTokenMeanings[static_cast<std::size_t>(token)];
       const int context = walk.context();
       const std::uint32_t extra = hole ? 0 : folded - meaning.base;
@@ -147,21 +156,48 @@ void LosslessDepthEncoder::tokenise(const Residual& residual, int first_row, int
   }
 }
 
-void LosslessDepthEncoder::append_slice(std::size_t first_symbol, std::size_t end_symbol,
-                                        std::vector<std::uint8_t>& out) {
-  words_.resize(4 * (end_symbol - first_symbol) + 4);
-  std::uint8_t* const end = words_.data() + words_.size();
-  WordWriter writer(end);
-  for (std::size_t i = end_symbol; i-- > first_symbol;) {
-    const Symbol symbol = symbols_[i];
+void LosslessDepthEncoder::build_codes() {
+  codes_.resize(side_.tables.size());
+  for (std::size_t i = 0; i < codes_.size(); ++i) {
+    const FrequencyTable table = normalised(side_.tables[i]);
+    for (std::size_t token = 0; token < kTokenCount; ++token) {
+      const std::uint32_t frequency = table.frequency[token];
+      if (frequency == 0) continue;
+      constexpr std::uint64_t kOne = std::uint64_t{1} << kReciprocalBits;
+      codes_[i][token] = {(kOne + frequency - 1) / frequency, frequency, table.start[token]};
+    }
+  }
+}
+
+std::size_t LosslessDepthEncoder::append_slices(std::size_t top_pixels,
+                                                std::vector<std::uint8_t>& out) {
+  const std::size_t bottom_pixels = symbols_.size() - top_pixels;
+  top_words_.resize(kMostBytesPerSymbol * top_pixels + 4);
+  bottom_words_.resize(kMostBytesPerSymbol * bottom_pixels + 4);
+  std::array<const TokenCode*, kContextCount> codes;
+  for (std::size_t c = 0; c < kContextCount; ++c)
+    codes[c] = codes_[side_.table_of_context[c]].data();
+  const auto put = [&codes](WordWriter& writer, Symbol symbol) {
     const auto token = symbol & ((1u << kContextShift) - 1);
     const auto context = symbol >> kContextShift & ((1u << (kExtraCountShift - kContextShift)) - 1);
     const int extra_bits = symbol >> kExtraCountShift & 15;
     if (extra_bits) writer.put_bits(symbol >> kExtraShift, extra_bits);
-    const FrequencyTable& table = tables_[side_.table_of_context[context]];
-    writer.put_token(table.frequency[token], table.start[token]);
+    writer.put_token(codes[context][token]);
+  };
+  // Both at once keeps the processor busy while one waits for its state.
+  WordWriter top(top_words_), bottom(bottom_words_);
+  const Symbol *next_top = symbols_.data() + top_pixels,
+               *next_bottom = symbols_.data() + symbols_.size();
+  for (std::size_t i = 0; i < bottom_pixels; ++i) {
+    put(top, *--next_top);
+    put(bottom, *--next_bottom);
   }
-  out.insert(out.end(), writer.finish(), end);
+  while (next_top != symbols_.data()) put(top, *--next_top);
+  const std::size_t begin = out.size();
+  out.insert(out.end(), top.finish(), top_words_.data() + top_words_.size());
+  const std::size_t top_length = out.size() - begin;
+  out.insert(out.end(), bottom.finish(), bottom_words_.data() + bottom_words_.size());
+  return top_length;
 }
 
 }  // namespace roomcast::codec

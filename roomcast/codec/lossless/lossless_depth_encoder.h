@@ -17,6 +17,12 @@
 
 namespace roomcast::codec {
 
+/// A token in a frequency table, as the coder needs it.
+struct TokenCode {
+  std::uint64_t reciprocal = 0;  // 2^44 / frequency, rounded up
+  std::uint32_t frequency = 0, start = 0;
+};
+
 /// Keeps its memory from frame to frame.
 class LosslessDepthEncoder {
  public:
@@ -37,16 +43,17 @@ class LosslessDepthEncoder {
   void encode_plane(const Residual& residual, std::vector<std::uint8_t>& out);
   template <class Residual>
   void tokenise(const Residual& residual, int first_row, int end_row);
-  void append_slice(std::size_t first_symbol, std::size_t end_symbol,
-                    std::vector<std::uint8_t>& out);
+  void build_codes();
+  /// Both slices, whose border this is; gives the length of the first.
+  std::size_t append_slices(std::size_t top_pixels, std::vector<std::uint8_t>& out);
 
   SideInformation side_;
   ValueTable values_;
   DepthImage plane_;  // what is coded: depth, or indices of values; then what it decodes to
   std::vector<Symbol> symbols_;
   std::array<TokenCounts, kContextCount> counts_{};
-  std::vector<FrequencyTable> tables_;
-  std::vector<std::uint8_t> words_;
+  std::vector<std::array<TokenCode, kTokenCount>> codes_;  // one for each frequency table
+  std::vector<std::uint8_t> top_words_, bottom_words_;
   CellRows rows_;
 };
 

@@ -7,7 +7,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kRowStep = 4;
+constexpr int kRowStep = 8;
 constexpr int kLeastSamples = 64;  // of a class; below, the median is good enough
 constexpr int kLargestError =
     60;  // of the median; beyond it is an edge, which says nothing of surfaces

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the predictors of a lossless depth frame: for each class of neighbourhoods least-squares
-// weights, where they do better on this picture than the median. Looks at every fourth row. The
+// weights, where they do better on this picture than the median. Looks at every eighth row. The
 // encoder's choice alone: any weights decode.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/codec/mask_codec.h"
+#include "roomcast/codec/mask/intra_mask.h"
 
 #include <algorithm>
 #include <array>
@@ -26,9 +26,8 @@ class MaskWalk {
     for (Row& row : rows_) row.fill(1);
   }
 
-  /// `row_done(y, mask_row)` gets 0 and 1 for every pixel of each row.
-  template <class RowDone>
-  void run(RowDone row_done) {
+  /// Fills `known` with 0 and 1.
+  void run(ImageView<std::uint8_t> known) {
     for (int y = 0; y < depth_.height; ++y) {
       std::uint8_t* const above = rows_[(y + 1) % 2].data() + 1;
       std::uint8_t* const row = rows_[y % 2].data() + 1;
@@ -37,7 +36,7 @@ class MaskWalk {
       for (int x = 0; x < depth_.width; x += kGroupWidth) {
         code_group(y, x, std::min(x + kGroupWidth, depth_.width), above, row);
       }
-      row_done(y, row);
+      std::copy_n(row, depth_.width, known.row(y));
     }
   }
 
@@ -113,20 +112,17 @@ struct MaskReader {
 
 }  // namespace
 
-void encode_mask(MaskView mask, DepthView depth_mm, std::vector<std::uint8_t>& out) {
+void encode_intra_mask(MaskView mask, DepthView depth_mm, ImageView<std::uint8_t> known,
+                       std::vector<std::uint8_t>& out) {
   MaskWriter writer{ArithmeticEncoder(out), mask, depth_mm};
-  MaskWalk<MaskWriter>(writer, depth_mm).run([](int, const std::uint8_t*) {});
+  MaskWalk<MaskWriter>(writer, depth_mm).run(known);
   writer.encoder.finish();
 }
 
-void decode_mask(std::span<const std::uint8_t> section, DepthView depth_mm,
-                 ImageView<std::uint8_t> mask) {
+void decode_intra_mask(std::span<const std::uint8_t> section, DepthView depth_mm,
+                       ImageView<std::uint8_t> known) {
   MaskReader reader{ArithmeticDecoder(section)};
-  MaskWalk<MaskReader>(reader, depth_mm).run([&](int y, const std::uint8_t* row) {
-    const std::uint16_t* depth = depth_mm.row(y);
-    std::uint8_t* out = mask.row(y);
-    for (int x = 0; x < mask.width; ++x) out[x] = depth[x] && row[x] ? 255 : 0;
-  });
+  MaskWalk<MaskReader>(reader, depth_mm).run(known);
 }
 
 }  // namespace roomcast::codec
