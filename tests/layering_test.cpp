@@ -34,6 +34,7 @@ const std::vector<Layer> kLayers = {
                                           "roomcast/source/source_factory.h"}},
     {"roomcast/source",                  {"roomcast/core", "roomcast/geometry", "roomcast/source/frame_source.h",
                                           "roomcast/source/source_factory.h", "roomcast/source/simulator"}},
+    {"roomcast/align",                   {"roomcast/core", "roomcast/geometry"}},
     {"roomcast/render",                  {"roomcast/core", "roomcast/geometry"}},
     {"roomcast/hub",                     {"roomcast/core", "roomcast/wire", "roomcast/net"}},
     {"roomcast/client",                  {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",

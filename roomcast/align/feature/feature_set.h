@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Features of one sensor's colour picture that have a place in space. Descriptors are RootSIFT
+// (Arandjelovic & Zisserman 2012) in 16-bit integers, so that their dot products are exact and
+// quick. Metres in the depth camera's frame, pixels of the ColorPicture. Plain data.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace roomcast::align {
+
+inline constexpr std::size_t kDescriptorSize = 128;
+/// Length of every descriptor; the largest dot product is its square.
+inline constexpr int kDescriptorLength = 512;
+
+using Descriptor = std::array<std::int16_t, kDescriptorSize>;
+
+struct Feature {
+  Eigen::Vector3f point_m;
+  Eigen::Vector2f pixel;
+  float size_m = 0;      // in space, where it is known (plane-rectified); else 0
+  float look_alike = 2;  // distance to the most similar feature elsewhere; small = repeats
+};
+
+struct FeatureSet {
+  std::vector<Feature> features;
+  std::vector<Descriptor> descriptors;  // one each
+
+  [[nodiscard]] std::size_t size() const { return features.size(); }
+};
+
+/// A histogram as SIFT makes it -> RootSIFT: its Hellinger kernel becomes a dot product.
+[[nodiscard]] Descriptor root_descriptor(std::span<const float, kDescriptorSize> histogram);
+
+/// Euclidean distance, 0..2, of two descriptors of length 1 that have this dot product.
+[[nodiscard]] float descriptor_distance(std::int32_t dot);
+
+}  // namespace roomcast::align

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/feature/picture_features.h"
+
+#include "roomcast/align/feature/sift_detector.h"
+
+namespace roomcast::align {
+
+FeatureSet picture_features(const ColorPicture& picture) {
+  FeatureSet set;
+  for (const SiftFeature& found : detect_sift(picture.grey, {}, SiftOptions{})) {
+    const auto point_m = picture.lift(found.pixel);
+    if (!point_m) continue;
+    set.features.push_back({*point_m, found.pixel});
+    set.descriptors.push_back(found.descriptor);
+  }
+  return set;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/feature/sift_detector.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <opencv2/core.hpp>
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace roomcast::align {
+namespace {
+
+constexpr int kOctaveLayers = 3;
+constexpr double kClaheLimit = 2;
+constexpr int kClaheTiles = 8;
+constexpr int kLeastSide = 16;  // pixels; nothing is found in smaller pictures
+
+/// A view of our pixels; OpenCV takes no const pointers but does not write through this one.
+cv::Mat mat_of(ImageView<const std::uint8_t> image) {
+  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
+          static_cast<std::size_t>(image.stride)};
+}
+
+cv::Mat equalised(ImageView<const std::uint8_t> grey) {
+  cv::Mat out;
+  cv::createCLAHE(kClaheLimit, {kClaheTiles, kClaheTiles})->apply(mat_of(grey), out);
+  return out;
+}
+
+bool comes_before(const cv::KeyPoint& a, const cv::KeyPoint& b) {
+  return std::tie(a.pt.y, a.pt.x, a.size, a.angle) < std::tie(b.pt.y, b.pt.x, b.size, b.angle);
+}
+
+}  // namespace
+
+std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,
+                                     const SiftOptions& options) {
+  if (grey.width < kLeastSide || grey.height < kLeastSide) return {};
+  cv::setNumThreads(1);
+  const auto sift = cv::SIFT::create(options.most_features, kOctaveLayers, options.least_contrast,
+                                     options.largest_edge_ratio);
+  const cv::Mat picture = equalised(grey);
+  const cv::Mat wanted = mask.data == nullptr ? cv::Mat() : mat_of(mask);
+  std::vector<cv::KeyPoint> points;
+  sift->detect(picture, points, wanted);
+  std::stable_sort(points.begin(), points.end(), comes_before);
+  cv::Mat histograms;
+  sift->compute(picture, points, histograms);
+  std::vector<SiftFeature> features;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float* const row = histograms.ptr<float>(static_cast<int>(i));
+    features.push_back(
+        {{points[i].pt.x, points[i].pt.y},
+         points[i].size,
+         root_descriptor(std::span<const float, kDescriptorSize>(row, kDescriptorSize))});
+  }
+  return features;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SIFT (Lowe 2004) as OpenCV has it, on a contrast-equalised picture, with RootSIFT descriptors.
+// The only file besides rectified_features that touches OpenCV's detector. One thread: OpenCV's
+// thread count, which is the process's, is set to one. Thread-safe otherwise (no state).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/align/feature/feature_set.h"
+#include "roomcast/core/image.h"
+
+namespace roomcast::align {
+
+struct SiftOptions {
+  int most_features = 6000;
+  double least_contrast = 0.01;
+  double largest_edge_ratio = 20;
+};
+
+struct SiftFeature {
+  Eigen::Vector2f pixel;
+  float size = 0;  // pixels
+  Descriptor descriptor;
+};
+
+/// In an order that depends on the picture only. `mask` (may be empty) is 0 where nothing is
+/// sought.
+[[nodiscard]] std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey,
+                                                   MaskView mask, const SiftOptions& options);
+
+}  // namespace roomcast::align

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reprojection residuals of matched features, both ways: where one sensor's feature, lifted into
+// space by its own depth, falls in the other's colour picture. Pixels. Thread-safe (no state).
+#pragma once
+
+#include <span>
+
+#include "roomcast/align/pair/pair_equations.h"
+#include "roomcast/align/pair/rigid_fit.h"
+#include "roomcast/align/view/color_picture.h"
+
+namespace roomcast::align {
+
+/// What the matches say, when their places are known to within `sigma_px`; those further off than
+/// 25 pixels say nothing.
+[[nodiscard]] PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
+                                              const PairState& state,
+                                              std::span<const PointMatch> matches, double sigma_px);
+
+/// To within how many pixels the places of these matches are known: from the median residual,
+/// within reason.
+[[nodiscard]] double feature_sigma_px(const ColorPicture& a, const ColorPicture& b,
+                                      const PairState& state, std::span<const PointMatch> matches);
+
+/// Before anything is known about it: static sensors do better, hand-held ones do not.
+inline constexpr double kUsualFeatureSigma_px = 2;
+
+}  // namespace roomcast::align

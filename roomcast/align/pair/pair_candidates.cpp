@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/pair/pair_candidates.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/align/pair/pose_difference.h"
+#include "roomcast/align/pair/settling.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr float kInlier_m = 0.07F;
+constexpr std::size_t kTestedPoints = 1500;
+constexpr std::size_t kMostCandidates = 12;
+
+// The score. Its unit is the weight of one unique match.
+constexpr double kMostMatchScore = 60;
+constexpr double kViolationScore = 300, kForgivenConflict = 0.03;
+constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMostPhotoScore = 60;
+
+// Gates: what is beyond them is refuted, whatever the matches say.
+constexpr double kMostConflict = 0.12, kNegligibleViolation = 0.01;
+constexpr double kRefuted = -15;
+constexpr double kLeastTextured = 0.01;
+
+constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
+constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
+
+constexpr double kLeastSupportKept = 0.5;  // by which settling may lose matches
+constexpr double kFurthestSettled_m = 0.3;
+
+bool violates_space(const FreeSpaceCheck& space) {
+  return space.conflict() > kMostConflict && space.violating > kNegligibleViolation;
+}
+
+double score_of(const PoseEvidence& evidence) {
+  const FreeSpaceCheck& space = evidence.space;
+  const PhotoConsistency& photo = evidence.photo;
+  double score = std::min(evidence.matches.weight, kMostMatchScore);
+  score -=
+      kViolationScore *
+      std::max(0.0, space.violating - kForgivenConflict * (space.consistent + space.violating));
+  score += std::clamp(kPhotoScore * photo.textured * (photo.correlation - kNeutralCorrelation),
+                      -kMostPhotoScore, kMostPhotoScore);
+  if (violates_space(space)) score = std::min(score, 0.0) + kRefuted;
+  const bool looks_different =
+      photo.textured > kLeastTextured && photo.correlation < kNeutralCorrelation;
+  return looks_different ? std::min(score, 0.0) : score;
+}
+
+}  // namespace
+
+bool is_strong(const PoseEvidence& evidence) {
+  return evidence.matches.weight >= kStrongSupport && evidence.space.consistent > kStrongOverlap &&
+         evidence.space.conflict() <= kMostConflict &&
+         evidence.photo.correlation > kStrongCorrelation &&
+         evidence.photo.textured > kStrongTextured;
+}
+
+PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
+                               std::vector<PointMatch> matches)
+    : a_(&a), b_(&b), matches_(std::move(matches)) {
+  std::vector<PoseEvidence> found;
+  for (const PoseHypothesis& hypothesis : vote_for_poses(matches_)) {
+    found.push_back(settled(hypothesis));
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const PoseEvidence& x, const PoseEvidence& y) { return x.score > y.score; });
+  for (const PoseEvidence& candidate : found) {
+    const bool is_new =
+        std::all_of(ranked_.begin(), ranked_.end(), [&](const PoseEvidence& better) {
+          return are_rivals(candidate.a_from_b, better.a_from_b);
+        });
+    if (is_new && ranked_.size() < kMostCandidates) ranked_.push_back(candidate);
+  }
+}
+
+double PairCandidates::margin() const {
+  if (ranked_.empty()) return 0;
+  return ranked_.size() == 1 ? ranked_[0].score : ranked_[0].score - ranked_[1].score;
+}
+
+PoseEvidence PairCandidates::examine(const RigidTransform& a_from_b) const {
+  PoseEvidence evidence;
+  evidence.a_from_b = a_from_b;
+  evidence.matches = match_support(agreeing_matches(matches_, a_from_b, kInlier_m));
+  evidence.space = check_free_space(a_->surface, b_->surface, a_from_b, kTestedPoints);
+  if (!violates_space(evidence.space)) {
+    evidence.photo = check_photo_consistency(*a_, *b_, a_from_b);
+  }
+  evidence.score = score_of(evidence);
+  return evidence;
+}
+
+/// Surfaces alone would let it slide along floors and walls, so whichever explains more is kept.
+PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis) const {
+  const RigidTransform& start = hypothesis.a_from_b;
+  const RigidTransform moved = settled_pose(*a_, *b_, matches_, start);
+  const PoseEvidence before = examine(start);
+  if (difference(moved, start, Eigen::Vector3d::Zero()).distance_m > kFurthestSettled_m)
+    return before;
+  const PoseEvidence after = examine(moved);
+  if (after.matches.weight < kLeastSupportKept * before.matches.weight) return before;
+  return after.score > before.score ? after : before;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that two sensors say about how they stand to each other: several pose hypotheses, each with
+// the evidence for and against it, ranked. Which of them is true is decided later, by the whole
+// rig. Metres. Single-threaded.
+#pragma once
+
+#include <vector>
+
+#include "roomcast/align/pair/feature_matches.h"
+#include "roomcast/align/pair/free_space.h"
+#include "roomcast/align/pair/match_support.h"
+#include "roomcast/align/pair/photo_consistency.h"
+#include "roomcast/align/pair/spatial_vote.h"
+#include "roomcast/align/sensor_view.h"
+
+namespace roomcast::align {
+
+/// What speaks for a pose and what against it.
+struct PoseEvidence {
+  RigidTransform a_from_b;
+  MatchSupport matches;
+  FreeSpaceCheck space;
+  PhotoConsistency photo;
+  double score =
+      0;  // all of it in one number: about the weight of unique matches; below 0: refuted
+};
+
+/// Enough for a pose to be believed if no other fits as well.
+[[nodiscard]] bool is_strong(const PoseEvidence& evidence);
+
+/// By this much an answer must be ahead of its best rival.
+inline constexpr double kLeastMargin = 6;
+
+class PairCandidates {
+ public:
+  /// The views must outlive this.
+  PairCandidates(const SensorView& a, const SensorView& b, std::vector<PointMatch> matches);
+
+  /// Best first; no two of them say the same.
+  [[nodiscard]] const std::vector<PoseEvidence>& ranked() const { return ranked_; }
+  /// How far the best is ahead of the best that says something else.
+  [[nodiscard]] double margin() const;
+
+  /// The evidence for any pose.
+  [[nodiscard]] PoseEvidence examine(const RigidTransform& a_from_b) const;
+
+  [[nodiscard]] const SensorView& a() const { return *a_; }
+  [[nodiscard]] const SensorView& b() const { return *b_; }
+  [[nodiscard]] const std::vector<PointMatch>& matches() const { return matches_; }
+
+ private:
+  [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis) const;
+
+  const SensorView* a_;
+  const SensorView* b_;
+  std::vector<PointMatch> matches_;
+  std::vector<PoseEvidence> ranked_;
+};
+
+}  // namespace roomcast::align

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Normal equations of a Gauss-Newton step for a pair of sensors. Unknown are the motion
+// xi = (rotation, shift), applied on the left: a_from_b <- exp(xi) a_from_b, and what both sensors'
+// calibrations are off by. Radians, metres, pixels. Thread-safe (no state).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "roomcast/align/pair/sensor_correction.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::align {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Places of the unknowns.
+inline constexpr Eigen::Index kMotion = 0, kShiftA = 6, kShiftB = 8;
+inline constexpr Eigen::Index kPairUnknowns = 10;
+
+using PairVector = Eigen::Matrix<double, kPairUnknowns, 1>;
+using PairMatrix = Eigen::Matrix<double, kPairUnknowns, kPairUnknowns>;
+
+/// How a pair stands, and what its sensors' calibrations are off by.
+struct PairState {
+  RigidTransform a_from_b;
+  SensorCorrection a, b;
+};
+
+struct PairEquations {
+  PairMatrix information = PairMatrix::Zero();  // sum of w J^T J
+  PairVector gradient = PairVector::Zero();     // sum of w J^T r
+  int terms = 0;
+
+  void add(const PairVector& jacobian, double residual, double weight) {
+    information.noalias() += weight * jacobian * jacobian.transpose();
+    gradient.noalias() += weight * residual * jacobian;
+    ++terms;
+  }
+  void add(const PairEquations& other, double factor = 1) {
+    information += factor * other.information;
+    gradient += factor * other.gradient;
+    terms += other.terms;
+  }
+};
+
+/// exp(xi) for the small steps of an iteration; the rotation is exactly one.
+[[nodiscard]] RigidTransform step_transform(const Vector6& xi);
+
+/// The motion that solves the equations with the calibrations left as they are; zero where they
+/// hold on to nothing.
+[[nodiscard]] Vector6 solve_motion(const PairEquations& equations);
+
+/// Weight of a residual (in sigmas) that may be an outlier: Geman & McClure 1985.
+[[nodiscard]] inline double robust_weight(double sigmas) {
+  const double part = 1 + sigmas * sigmas / 4;
+  return 1 / (part * part);
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rigid motion that takes points to their partners, by weighted least squares (Kabsch 1976;
+// Umeyama 1991). Metres. Thread-safe (no state).
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::align {
+
+/// A point seen by both sensors of a pair.
+struct PointMatch {
+  Eigen::Vector3f a_m, b_m;          // in the depth frames
+  Eigen::Vector2f a_pixel, b_pixel;  // in the colour pictures
+  float weight = 1;                  // 0..1: what the match is worth
+};
+
+/// `weights` are not negative, one for each match. Nothing when fewer than three have a weight, or
+/// they lie on a line.
+[[nodiscard]] std::optional<RigidTransform> fit_a_from_b(std::span<const PointMatch> matches,
+                                                         std::span<const float> weights);
+
+/// Distance between a and where `a_from_b` puts b.
+[[nodiscard]] inline float distance_m(const Eigen::Matrix3f& rotation, const Eigen::Vector3f& shift,
+                                      const PointMatch& match) {
+  return (rotation * match.b_m + shift - match.a_m).norm();
+}
+
+}  // namespace roomcast::align

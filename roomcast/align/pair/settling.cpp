@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/pair/settling.h"
+
+#include <algorithm>
+
+#include "roomcast/align/pair/feature_residuals.h"
+#include "roomcast/align/pair/match_support.h"
+#include "roomcast/align/pair/surface_residuals.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr std::size_t kPoints = 1500;
+constexpr int kSteps = 16;
+constexpr float kReach_m = 0.12F, kLeastReach_m = 0.05F, kShrink = 0.86F;
+constexpr float kFeatureReach_m = 0.08F;
+constexpr double kStill = 1e-4;  // radians and metres
+
+}  // namespace
+
+RigidTransform settled_pose(const SensorView& a, const SensorView& b,
+                            std::span<const PointMatch> matches, const RigidTransform& a_from_b) {
+  const auto agreeing = agreeing_matches(matches, a_from_b, kFeatureReach_m);
+  PairState state{a_from_b, {}, {}};
+  float reach = kReach_m;
+  for (int i = 0; i < kSteps; ++i) {
+    PairEquations equations =
+        surface_equations(a.surface, b.surface, state.a_from_b, {reach, kPoints, 1});
+    equations.add(feature_equations(a.picture, b.picture, state, agreeing, kUsualFeatureSigma_px));
+    const Vector6 step = solve_motion(equations);
+    state.a_from_b = step_transform(step) * state.a_from_b;
+    if (reach == kLeastReach_m && step.cwiseAbs().maxCoeff() < kStill) break;
+    reach = std::max(kLeastReach_m, kShrink * reach);
+  }
+  return state.a_from_b;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What alignment found out, and how sure it is. Millimetres where a name says so, metres elsewhere.
+// Plain data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/align/pair/sensor_correction.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::align {
+
+struct PairReport {
+  std::string a, b;
+  bool accepted = false;
+  std::optional<RigidTransform> b_from_a;
+  double overlap = 0;      // share of its surface that the sensor which shares less shares
+  int inliers = 0;         // places in space (5 cm cells) where features of both agree
+  double residual_mm = 0;  // median distance between the surfaces that both see
+  double conflict = 0;     // share of what can be judged that contradicts the pose
+  double correlation = 0;  // of the colours on common surfaces
+  double margin = 0;       // by how much the answer is ahead of its best rival
+  std::string reason;      // one sentence: why it was accepted, or what would help
+};
+
+struct SensorReport {
+  std::string id;
+  bool placed = false;
+  std::optional<RigidTransform> world_from_depth;  // of placed sensors only
+  double expected_error_mm =
+      0;                        // of surfaces 2.5 m ahead, one standard deviation; 0 for the origin
+  SensorCorrection correction;  // what its calibration seems to be off by
+  std::string reason;
+};
+
+struct AlignmentReport {
+  std::vector<SensorReport> sensors;  // in the order given
+  std::vector<PairReport> pairs;
+  bool has_floor = false;
+};
+
+}  // namespace roomcast::align

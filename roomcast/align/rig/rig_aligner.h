@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// RigAligner: places the sensors of a room in one world, without markers. Views can be added while
+// the room runs: only pairs not looked at before are compared. It refuses rather than be wrong: a
+// sensor is placed when no other answer comes near. Deterministic: the same views in the same order
+// give the same bits. Metres. Single-threaded.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "roomcast/align/rig/alignment_report.h"
+#include "roomcast/align/rig/pose_selection.h"
+#include "roomcast/align/sensor_view.h"
+
+namespace roomcast::align {
+
+/// Called before each step with what is being done and how far it is (0..1).
+using AlignProgress = std::function<void(std::string_view step, double done)>;
+
+class RigAligner {
+ public:
+  /// A sensor of that name takes the place of an earlier one.
+  void add(std::shared_ptr<const SensorView> view);
+  void remove(const std::string& name);
+
+  /// Compares what has not been compared yet, and places all sensors. `progress` may be empty.
+  [[nodiscard]] AlignmentReport solve(const AlignProgress& progress = {});
+
+ private:
+  using Names = std::pair<std::string, std::string>;
+
+  void compare_new_pairs(const AlignProgress& progress);
+  [[nodiscard]] std::vector<RigPair> pairs() const;
+
+  std::vector<std::shared_ptr<const SensorView>> views_;
+  std::map<Names, std::unique_ptr<PairCandidates>> candidates_;
+};
+
+}  // namespace roomcast::align

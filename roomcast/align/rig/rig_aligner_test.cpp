@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/rig/rig_aligner.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/align/made_up_views.h"
+#include "roomcast/align/pair/pose_difference.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kMostAngle_rad = 0.3 * M_PI / 180, kMost_m = 0.015;
+
+const std::vector<const MadeUpView*>& corner_views() {
+  static const std::vector<const MadeUpView*> views = {&first_corner(), &second_corner(),
+                                                       &third_corner()};
+  return views;
+}
+
+AlignmentReport align_corners() {
+  RigAligner aligner;
+  for (const MadeUpView* view : corner_views()) aligner.add(view->view);
+  return aligner.solve();
+}
+
+const AlignmentReport& corners_report() {
+  static const AlignmentReport report = align_corners();
+  return report;
+}
+
+TEST(RigAligner, places_three_corners_of_a_room) {
+  const AlignmentReport& report = corners_report();
+  ASSERT_EQ(report.sensors.size(), 3u);
+  for (const SensorReport& sensor : report.sensors) {
+    ASSERT_TRUE(sensor.placed) << sensor.id << ": " << sensor.reason;
+  }
+  for (std::size_t i = 1; i < 3; ++i) {
+    const RigidTransform found =
+        report.sensors[0].world_from_depth->inverse() * *report.sensors[i].world_from_depth;
+    const PoseDifference error =
+        difference(found, true_pose(*corner_views()[0], *corner_views()[i]));
+    EXPECT_LT(error.angle_rad, kMostAngle_rad) << report.sensors[i].id;
+    EXPECT_LT(error.distance_m, kMost_m) << report.sensors[i].id;
+  }
+}
+
+TEST(RigAligner, puts_the_floor_at_zero_and_y_up) {
+  const AlignmentReport& report = corners_report();
+  EXPECT_TRUE(report.has_floor);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RigidTransform& found = *report.sensors[i].world_from_depth;
+    const RigidTransform& truth = corner_views()[i]->world_from_depth;
+    EXPECT_NEAR(found.translation_m.y(), truth.translation_m.y(), kMost_m);
+    EXPECT_GT(found.rotation.row(1).dot(truth.rotation.row(1)), std::cos(kMostAngle_rad));
+  }
+  EXPECT_NEAR(report.sensors[0].world_from_depth->translation_m.x(), 0, 1e-9);
+  EXPECT_LT((report.sensors[0].world_from_depth->rotation * Eigen::Vector3d::UnitZ()).z(), 0);
+}
+
+TEST(RigAligner, reports_every_pair) {
+  const AlignmentReport& report = corners_report();
+  ASSERT_EQ(report.pairs.size(), 3u);
+  for (const PairReport& pair : report.pairs) EXPECT_FALSE(pair.reason.empty());
+  EXPECT_TRUE(report.pairs[0].accepted);
+  EXPECT_LT(report.pairs[0].residual_mm, 5);
+  EXPECT_GT(report.pairs[0].overlap, 0.1);
+  EXPECT_GT(report.pairs[0].inliers, 12);
+}
+
+TEST(RigAligner, gives_the_same_bits_every_time) {
+  const AlignmentReport again = align_corners();
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(row_major_from_transform(*again.sensors[i].world_from_depth),
+              row_major_from_transform(*corners_report().sensors[i].world_from_depth));
+  }
+}
+
+TEST(RigAligner, does_not_place_a_sensor_of_another_room) {
+  MadeUpRoom elsewhere;
+  elsewhere.looks = 7;
+  elsewhere.boxes = {{Eigen::Vector3d(0.5, 0, -1), Eigen::Vector3d(1.5, 1.2, 0)}};
+  const MadeUpView stranger = made_up_view(elsewhere, "far", corner_pose(-2, 1.5));
+  RigAligner aligner;
+  aligner.add(first_corner().view);
+  aligner.add(second_corner().view);
+  aligner.add(stranger.view);
+  const AlignmentReport report = aligner.solve();
+  EXPECT_TRUE(report.sensors[0].placed);
+  EXPECT_TRUE(report.sensors[1].placed);
+  EXPECT_FALSE(report.sensors[2].placed);
+  EXPECT_FALSE(report.sensors[2].world_from_depth.has_value());
+  EXPECT_THAT(report.sensors[2].reason, testing::HasSubstr("far"));
+}
+
+TEST(RigAligner, sensors_that_share_nothing_stay_apart) {
+  const RigidTransform one_way = world_from_optical_looking_at({0, 2, 1}, {2.5, 1.8, 1.9});
+  const RigidTransform other_way = world_from_optical_looking_at({0, 2, -1}, {-2.5, 1.8, -1.9});
+  RigAligner aligner;
+  aligner.add(made_up_view({}, "east", one_way).view);
+  aligner.add(made_up_view({}, "west", other_way).view);
+  const AlignmentReport report = aligner.solve();
+  EXPECT_FALSE(report.sensors[0].placed);
+  EXPECT_FALSE(report.sensors[1].placed);
+  EXPECT_FALSE(report.pairs[0].accepted);
+  EXPECT_FALSE(report.pairs[0].b_from_a.has_value());
+}
+
+TEST(RigAligner, a_sensor_can_leave_and_another_join) {
+  RigAligner aligner;
+  aligner.add(first_corner().view);
+  aligner.add(third_corner().view);
+  (void)aligner.solve();
+  aligner.remove("s2");
+  aligner.add(second_corner().view);
+  const AlignmentReport report = aligner.solve();
+  ASSERT_EQ(report.sensors.size(), 2u);
+  EXPECT_EQ(report.sensors[1].id, "s1");
+  EXPECT_TRUE(report.sensors[1].placed);
+}
+
+TEST(RigAligner, tells_how_far_it_is) {
+  RigAligner aligner;
+  for (const MadeUpView* view : corner_views()) aligner.add(view->view);
+  std::vector<double> done;
+  (void)aligner.solve([&](std::string_view step, double share) {
+    EXPECT_FALSE(step.empty());
+    done.push_back(share);
+  });
+  EXPECT_GE(done.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+}
+
+TEST(RigAligner, nobody_or_one_alone_is_no_trouble) {
+  RigAligner aligner;
+  EXPECT_TRUE(aligner.solve().sensors.empty());
+  aligner.add(first_corner().view);
+  const AlignmentReport alone = aligner.solve();
+  ASSERT_EQ(alone.sensors.size(), 1u);
+  EXPECT_TRUE(alone.sensors[0].placed);
+  EXPECT_TRUE(alone.has_floor);
+}
+
+}  // namespace
+}  // namespace roomcast::align

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/rig/rig_refinement.h"
+
+#include <algorithm>
+
+#include "roomcast/align/pair/feature_residuals.h"
+#include "roomcast/align/pair/surface_residuals.h"
+#include "roomcast/align/rig/rig_equations.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr int kSteps = 16;
+constexpr std::size_t kPoints = 8000;
+constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
+constexpr float kFeatureReach_m = 0.08F;
+constexpr double kStill = 3e-5;  // metres and radians
+
+/// A pair and the matches that agreed with it when refinement began.
+struct HeldPair {
+  const RigPair* pair;
+  std::vector<PointMatch> agreeing;
+};
+
+PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) {
+  const RefinedSensor& a = sensors[pair.first];
+  const RefinedSensor& b = sensors[pair.second];
+  return {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction};
+}
+
+PairEquations equations_of(const HeldPair& held, std::span<const RefinedSensor> sensors,
+                           float reach_m) {
+  const PairState state = state_of(*held.pair, sensors);
+  const SensorView& a = held.pair->candidates->a();
+  const SensorView& b = held.pair->candidates->b();
+  SurfaceResidualOptions options{reach_m, kPoints, 1};
+  options.noise = surface_noise(a.surface, b.surface, state.a_from_b, options);
+  PairEquations equations = surface_equations(a.surface, b.surface, state.a_from_b, options);
+  const double sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
+  equations.add(feature_equations(a.picture, b.picture, state, held.agreeing, sigma_px));
+  return equations;
+}
+
+RigEquations rig_equations(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
+                           std::size_t origin, float reach_m) {
+  RigEquations rig(sensors.size(), origin);
+  for (const HeldPair& held : pairs) {
+    const RigPair& pair = *held.pair;
+    rig.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
+            equations_of(held, sensors, reach_m));
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_expectation(i, sensors[i].correction);
+  return rig;
+}
+
+/// The largest component of any motion.
+double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) {
+  const auto steps = equations.solve();
+  double largest = 0;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const Vector6 motion = steps[i].head<6>();
+    sensors[i].origin_from_sensor = step_transform(motion) * sensors[i].origin_from_sensor;
+    sensors[i].correction.color_shift_px += steps[i].tail<2>();
+    largest = std::max(largest, motion.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_from_sensor,
+                                      std::size_t origin, std::span<const RigPair> pairs) {
+  std::vector<RefinedSensor> sensors;
+  for (const RigidTransform& pose : origin_from_sensor) sensors.push_back({pose, {}});
+  std::vector<HeldPair> held;
+  for (const RigPair& pair : pairs) {
+    const RigidTransform a_from_b = state_of(pair, sensors).a_from_b;
+    held.push_back(
+        {&pair, agreeing_matches(pair.candidates->matches(), a_from_b, kFeatureReach_m)});
+  }
+  float reach_m = kReach_m;
+  for (int i = 0; i < kSteps; ++i) {
+    const double largest = move(sensors, rig_equations(held, sensors, origin, reach_m));
+    if (reach_m == kLeastReach_m && largest < kStill) break;
+    reach_m = std::max(kLeastReach_m, kShrink * reach_m);
+  }
+  const auto covariance = rig_equations(held, sensors, origin, reach_m).motion_covariance();
+  for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
+  return sensors;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/sensor_view.h"
+
+#include <utility>
+
+#include "roomcast/align/feature/picture_features.h"
+#include "roomcast/align/feature/rectified_features.h"
+#include "roomcast/align/feature/repeats.h"
+#include "roomcast/align/view/floor.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr std::size_t kLeastSamples = 200;
+
+}  // namespace
+
+Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
+  if (const Status status = check(bundle); !status) return status.error();
+  DepthSurface surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
+  if (surface.samples.size() < kLeastSamples) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "sensor " + bundle.name +
+                     " sees no surface to hold on to; turn it towards walls, floor or furniture "
+                     "between 0.5 and 5 m away"};
+  }
+  ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
+  Texture texture = make_texture(surface, picture);
+  std::vector<Plane> planes = find_planes(surface.samples);
+  auto floor = find_floor(planes, surface.samples, bundle.up);
+  FeatureSet in_picture = picture_features(picture);
+  FeatureSet on_planes = rectified_features(picture, planes);
+  find_look_alikes(in_picture);
+  find_look_alikes(on_planes);
+  return SensorView{bundle.name,           std::move(surface),  std::move(picture),
+                    std::move(texture),    std::move(planes),   std::move(floor),
+                    std::move(in_picture), std::move(on_planes)};
+}
+
+}  // namespace roomcast::align

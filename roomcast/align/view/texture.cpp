@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/view/texture.h"
+
+#include <array>
+#include <cmath>
+
+namespace roomcast::align {
+namespace {
+
+constexpr int kGridStep = 2;
+constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
+constexpr int kBlurReach = 4;
+constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
+
+std::array<float, 2 * kBlurReach + 1> gaussian() {
+  std::array<float, 2 * kBlurReach + 1> kernel{};
+  float sum = 0;
+  for (int i = -kBlurReach; i <= kBlurReach; ++i) {
+    const float x = static_cast<float>(i) / kBlurSigma;
+    sum += kernel[static_cast<std::size_t>(i + kBlurReach)] = std::exp(-0.5F * x * x);
+  }
+  for (float& k : kernel) k /= sum;
+  return kernel;
+}
+
+/// Pixels nearer to the border than the kernel reaches stay 0; no point uses them.
+Image<float> blurred(const Image<std::uint8_t>& grey) {
+  const auto kernel = gaussian();
+  const int width = grey.width(), height = grey.height();
+  Image<float> across(width, height), out(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int shift = -kBlurReach; shift <= kBlurReach; ++shift) {
+      const float weight = kernel[static_cast<std::size_t>(shift + kBlurReach)];
+      const std::uint8_t* const from = grey.view().row(y) + shift;
+      float* const to = across.view().row(y);
+      for (int x = kBlurReach; x < width - kBlurReach; ++x) to[x] += weight * from[x];
+    }
+  }
+  for (int y = kBlurReach; y < height - kBlurReach; ++y) {
+    for (int shift = -kBlurReach; shift <= kBlurReach; ++shift) {
+      const float weight = kernel[static_cast<std::size_t>(shift + kBlurReach)];
+      const float* const from = across.view().row(y + shift);
+      float* const to = out.view().row(y);
+      for (int x = 0; x < width; ++x) to[x] += weight * from[x];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
+  Texture texture;
+  texture.width = surface.z_m.width() / kGridStep;
+  texture.height = surface.z_m.height() / kGridStep;
+  texture.soft_grey = blurred(picture.grey);
+  for (int y = 0; y < texture.height; ++y) {
+    for (int x = 0; x < texture.width; ++x) {
+      const Eigen::Vector3f& point = surface.at.at(kGridStep * x, kGridStep * y).point_m;
+      if (!(point.z() > 0)) continue;
+      const Eigen::Vector3f in_color = picture.in_color_frame(point);
+      if (!(in_color.z() > kNearestSurface_m)) continue;
+      const auto grey = texture_grey(texture, picture.pixel_of(in_color));
+      if (!grey) continue;
+      const Eigen::Vector2f pixel = picture.pixel_of(in_color);
+      const float seen_z = picture.z_m.at(static_cast<int>(std::lround(pixel.x())),
+                                          static_cast<int>(std::lround(pixel.y())));
+      if (in_color.z() - seen_z > kHidden_m) continue;
+      texture.points.push_back({x, y, point, *grey});
+    }
+  }
+  return texture;
+}
+
+std::optional<float> texture_grey(const Texture& texture, const Eigen::Vector2f& pixel) {
+  const float left = kBlurReach, top = kBlurReach;
+  const float right = static_cast<float>(texture.soft_grey.width() - 1 - kBlurReach);
+  const float bottom = static_cast<float>(texture.soft_grey.height() - 1 - kBlurReach);
+  if (!(pixel.x() >= left && pixel.y() >= top && pixel.x() <= right && pixel.y() <= bottom)) {
+    return std::nullopt;
+  }
+  return texture.soft_grey.at(static_cast<int>(std::lround(pixel.x())),
+                              static_cast<int>(std::lround(pixel.y())));
+}
+
+}  // namespace roomcast::align

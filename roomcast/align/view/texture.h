@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colours of a view's surfaces, for comparing them with what another sensor sees: on every
+// second row and column of the depth grid, the point in space and the (slightly blurred) grey that
+// the colour camera saw there. Metres, grey 0..255. Thread-safe (immutable after being made).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/align/view/color_picture.h"
+#include "roomcast/align/view/depth_surface.h"
+#include "roomcast/core/image.h"
+
+namespace roomcast::align {
+
+struct TexturedPoint {
+  int x = 0, y = 0;  // in the grid
+  Eigen::Vector3f point_m;
+  float grey = 0;
+};
+
+struct Texture {
+  int width = 0, height = 0;          // of the grid
+  std::vector<TexturedPoint> points;  // row by row; only what both cameras see
+  Image<float> soft_grey;             // the colour picture, blurred as the points' greys are
+};
+
+[[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
+
+/// The blurred grey at a pixel of the colour picture; nothing outside it.
+[[nodiscard]] std::optional<float> texture_grey(const Texture& texture,
+                                                const Eigen::Vector2f& pixel);
+
+}  // namespace roomcast::align

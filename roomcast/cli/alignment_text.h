@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// An alignment report as JSON for scripts and as a table for people. Thread-safe (no state).
+#pragma once
+
+#include <string>
+
+#include "roomcast/align/rig/alignment_report.h"
+
+namespace roomcast::cli {
+
+/// {"sensors": [{"id", "placed", "world_from_depth", "expected_error_mm", "reason"}],
+///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm", "conflict",
+///  "correlation", "margin", "reason"}]}; transforms row-major or null.
+[[nodiscard]] std::string alignment_json(const align::AlignmentReport& report);
+
+[[nodiscard]] std::string alignment_table(const align::AlignmentReport& report);
+
+}  // namespace roomcast::cli

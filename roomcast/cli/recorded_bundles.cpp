@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/recorded_bundles.h"
+
+#include <memory>
+#include <utility>
+
+#include "roomcast/align/bundle/bundle_capture.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::cli {
+namespace {
+
+Result<std::unique_ptr<FrameSource>> open_recording(const std::string& spec) {
+  SourceOptions options;
+  options.pace = Pace::kAsFastAsPossible;
+  options.loop = false;
+  return open_source(spec, options);
+}
+
+Result<RecordedBundle> read_sensor(const std::string& spec) {
+  auto source = open_recording(spec);
+  if (!source) return source.error();
+  const SensorDescription& sensor = (*source)->description();
+  align::BundleCapture capture(sensor.name, sensor.calibration);
+  CapturedFrame frame;
+  for (bool enough = false; !enough;) {
+    const auto more = (*source)->next(frame, {});
+    if (!more) return more.error();
+    if (!*more) break;
+    const auto added = capture.add(frame.depth_mm, frame.color);
+    if (!added) return added.error();
+    enough = *added;
+  }
+  return RecordedBundle{sensor.name, capture.finish()};
+}
+
+RecordedBundle bundle_of_frame(const SensorDescription& sensor, const CapturedFrame& frame) {
+  const std::string name = std::to_string(frame.index);
+  align::BundleCapture capture(name, sensor.calibration);
+  const auto added = capture.add(frame.depth_mm, frame.color);
+  if (!added) return {name, added.error()};
+  return {name, capture.finish()};
+}
+
+}  // namespace
+
+Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path& directory,
+                                                     const ReadProgress& progress) {
+  const auto names = rig_sensor_names(directory.string());
+  if (!names) return names.error();
+  std::vector<RecordedBundle> bundles;
+  for (const std::string& name : *names) {
+    progress("reading " + name);
+    auto bundle = read_sensor("rig:" + directory.string() + "#" + name);
+    if (!bundle) return bundle.error();
+    bundles.push_back(std::move(*bundle));
+  }
+  return bundles;
+}
+
+Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
+    const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
+    const ReadProgress& progress) {
+  auto source = open_recording("tum:" + directory.string());
+  if (!source) return source.error();
+  std::map<std::uint64_t, RecordedBundle> bundles;
+  CapturedFrame frame;
+  for (;;) {
+    const auto more = (*source)->next(frame, {});
+    if (!more) return more.error();
+    if (!*more || bundles.size() == frames.size()) break;
+    if (frames.count(frame.index) == 0) continue;
+    progress("reading frame " + std::to_string(frame.index));
+    bundles.emplace(frame.index, bundle_of_frame((*source)->description(), frame));
+  }
+  for (const std::uint64_t wanted : frames) {
+    if (bundles.count(wanted) != 0) continue;
+    return Error{ErrorCode::kNotFound,
+                 directory.string() + " has no frame " + std::to_string(wanted)};
+  }
+  return bundles;
+}
+
+}  // namespace roomcast::cli
