@@ -48,7 +48,7 @@ void add_trunk_of_shirt(Tailor& t, const Build& build) {
   const float g = build.girth;
   const float belly = 0.143F * (0.55F + 0.45F * g) + 0.03F * (g - 1.0F);
   t.bar(Bone::kPelvis, {0, -build.hem_m - 0.05F, 0}, {0, 0.06F, 0.005F},
-        {belly + 0.022F, belly + 0.010F}, {1.10F, 0.84F});
+        {belly + 0.030F, belly + 0.012F}, {1.10F, 0.84F});
   t.bar(Bone::kChest, {0, -0.03F, 0.006F}, {0, 0.10F, 0.004F}, {belly + 0.006F, belly},
         {1.06F, 0.83F}, 0.06F);
   t.bar(Bone::kChest, {0, 0.10F, 0.002F}, {0, 0.30F, 0.004F}, {belly - 0.004F, 0.152F * g},
@@ -84,7 +84,11 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
     }
   }
   if (build.hem_m > 0.2F) {  // a coat follows the thighs
-    for (const Side side : kSides) piece.bones.push_back(on_side(Bone::kLeftThigh, side));
+    for (const Side side : kSides) {
+      const Bone thigh = on_side(Bone::kLeftThigh, side);
+      piece.bones.push_back(thigh);
+      t.sleeve(thigh, m.thigh, {0.0F, 1.1F}, Vector2f(0.125F, 0.120F) * thick, 0.06F);
+    }
   }
   t.cut_across(Bone::kPelvis, build.hem_m * m.scale, 0.5F);
   return piece;

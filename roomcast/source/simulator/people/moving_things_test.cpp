@@ -90,7 +90,7 @@ PlacedCamera camera_at(const Vector3f& eye_m, const Vector3f& target_m) {
   CameraIntrinsics lens;
   lens.width = 256;
   lens.height = 212;
-  lens.fx = lens.fy = 180.0;
+  lens.fx = lens.fy = 270.0;
   lens.cx = 128.0;
   lens.cy = 106.0;
   lens.k1 = 0.09;

@@ -56,6 +56,7 @@ struct Performance::Moment {
   float taken = 0;  // of the burden: 0 at rest, 1 carried
   float held = 0;
   const Stop* rest = nullptr;  // where the burden rests or rested last
+  Quaternionf chest_in_pelvis;
   Isometry3f body, pelvis, chest, burden;
 };
 
@@ -89,28 +90,50 @@ Performance::Instant Performance::at(double time_s) const {
   now.phase_rad = 2.0F * kPi * footsteps_.phase_at(now.round_s);
   if (burden_) place_burden(now);
   now.lean = lean_at(now);
-  now.pelvis = pelvis_at(now);
-  const float twist = -0.16F * now.walking * std::cos(now.phase_rad);
-  const float breath = 0.012F * static_cast<float>(std::sin(1.7 * now.time_s));
+  place_trunk(now);
+  bend_to_reach(now);
   PoseGoals goals;
   goals.pelvis = now.pelvis;
-  goals.chest_in_pelvis =
-      yawed(now.lean.chest_yaw - twist) *
-      pitched(now.lean.chest_pitch + breath + 0.04F * now.walking - 0.10F * now.taken);
-  now.chest = chest_on(now.pelvis, goals.chest_in_pelvis, measures_);
-  now.body = standing(now.pelvis.translation(), now.place.heading_rad);
-  if (burden_) {
-    const float ahead = 0.17F * measures_.girth + burden_->half_size_m.z();
-    const Isometry3f carried =
-        now.body * Eigen::Translation3f(0, 0.20F * measures_.scale, ahead + 0.05F) * yawed(kPi);
-    now.burden = between(resting(*now.rest), carried, now.taken);
-  }
+  goals.chest_in_pelvis = now.chest_in_pelvis;
   goals.head_in_chest = head_at(now);
   for (const Side side : kSides) {
     goals.feet[index_of(side)] = now.feet[index_of(side)].ankle;
     goals.hands[index_of(side)] = hand_at(now, side);
   }
   return {solve_pose(goals, measures_), now.burden, now.held};
+}
+
+void Performance::place_trunk(Moment& now) const {
+  const float twist = -0.16F * now.walking * std::cos(now.phase_rad);
+  const float breath = 0.012F * static_cast<float>(std::sin(1.7 * now.time_s));
+  now.pelvis = pelvis_at(now);
+  now.body = standing(now.pelvis.translation(), now.place.heading_rad);
+  now.chest_in_pelvis =
+      yawed(now.lean.chest_yaw - twist) *
+      pitched(now.lean.chest_pitch + breath + 0.04F * now.walking - 0.10F * now.taken);
+  now.chest = chest_on(now.pelvis, now.chest_in_pelvis, measures_);
+  if (!burden_) return;
+  const float ahead = 0.17F * measures_.girth + burden_->half_size_m.z() + 0.05F;
+  const Isometry3f carried =
+      now.body * Eigen::Translation3f(0, 0.20F * measures_.scale, ahead) * yawed(kPi);
+  now.burden = between(resting(*now.rest), carried, now.taken);
+}
+
+/// Arms are only so long: the trunk comes forward until both hands are in reach.
+void Performance::bend_to_reach(Moment& now) const {
+  constexpr int kSteps = 6;
+  const float arm = 0.985F * (measures_.upper_arm + measures_.forearm);
+  for (int i = 0; i < kSteps; ++i) {
+    float lacking = 0.0F;
+    for (const Side side : kSides) {
+      const Vector3f way = hand_at(now, side).wrist_m - shoulder_of(now.chest, side, measures_);
+      lacking = std::max(lacking, way.norm() - arm);
+    }
+    if (lacking <= 0.0F) return;
+    now.lean.chest_pitch += 1.2F * lacking;
+    now.lean.pelvis_pitch += 0.8F * lacking;
+    place_trunk(now);
+  }
 }
 
 Isometry3f Performance::resting(const Stop& stop) const {

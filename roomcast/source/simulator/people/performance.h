@@ -37,6 +37,8 @@ class Performance {
   [[nodiscard]] Lean lean_at(const Moment& moment) const;
   [[nodiscard]] Eigen::Isometry3f pelvis_at(const Moment& moment) const;
   void place_burden(Moment& moment) const;
+  void place_trunk(Moment& moment) const;
+  void bend_to_reach(Moment& moment) const;
   [[nodiscard]] Eigen::Isometry3f resting(const Stop& stop) const;
   [[nodiscard]] HandGoal hand_at(const Moment& moment, Side side) const;
   [[nodiscard]] HandGoal hanging(const Moment& moment, Side side) const;

@@ -30,6 +30,7 @@ Person carrier() {
   bench.target_m = {1.0F, 0.92F, 1.35F};
   bench.via_m = {{0.1F, -0.3F}};
   Stop take = shelf, leave = bench, take_back = bench, leave_back = shelf;
+  take_back.via_m.clear();
   take.deed = take_back.deed = Deed::kTakeUp;
   leave.deed = leave_back.deed = Deed::kPutDown;
   person.stops = {take, leave, take_back, leave_back};
@@ -66,7 +67,9 @@ TEST(Performance, planted_feet_do_not_slide) {
         const Bone bone = on_side(Bone::kLeftFoot, side);
         const Vector3f sole = performance.at(time_s).pose.of(bone) * foot.pivot_m;
         const bool same_stance = foot.planted && was_planted && was_pivot == foot.pivot_m;
-        if (same_stance) EXPECT_LT((sole - planted_at).norm(), kSlide_m) << time_s;
+        if (same_stance) {
+          EXPECT_LT((sole - planted_at).norm(), kSlide_m) << time_s;
+        }
         if (!same_stance) planted_at = sole;
         was_planted = foot.planted;
         was_pivot = foot.pivot_m;
@@ -86,7 +89,9 @@ TEST(Performance, soles_stay_on_or_above_the_floor_and_one_foot_is_always_down) 
       const float drop = performance.measures().ankle;
       for (const float z : {-0.055F, 0.125F})
         EXPECT_GT((ankle * Vector3f(0, -drop, z)).y(), -0.005F) << time_s;
-      if (foot.planted) EXPECT_NEAR((ankle * foot.pivot_m).y(), 0.0F, 0.005F) << time_s;
+      if (foot.planted) {
+        EXPECT_NEAR((ankle * foot.pivot_m).y(), 0.0F, 0.005F) << time_s;
+      }
     }
     EXPECT_TRUE(down) << time_s;
   });

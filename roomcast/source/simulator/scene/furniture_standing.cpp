@@ -68,7 +68,7 @@ void add_sofa(Room& room, const Affine3f& at, SurfaceIndex cloth, SurfaceIndex w
   for (const float side : {-1.0F, 1.0F}) {
     add_cushion(room.mesh, cloth, at, {side * (x - 0.10F), 0.38F, 0}, {0.11F, 0.25F, 0.43F}, 0.4F);
   }
-  const int seats = width_m > 1.7F ? 3 : 2;
+  const int seats = std::max(1, static_cast<int>((width_m - 0.42F) / 0.52F));
   const float seat_width = (width_m - 0.42F) / static_cast<float>(seats);
   for (int i = 0; i < seats; ++i) {
     const float middle = -x + 0.21F + seat_width * (static_cast<float>(i) + 0.5F);

@@ -24,12 +24,17 @@ Eigen::Vector3f wood(const Surface& s, const Eigen::Vector2f& at_m, float footpr
 Eigen::Vector3f brick(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f wallpaper(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f carpet_tiles(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f tiles(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f flat_paint(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f concrete(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f terrazzo(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
 // Cloth.
 Eigen::Vector3f rug(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f fabric(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f plaid(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f denim(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f stripes(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
 // Pictures, and what is drawn like one.
 Eigen::Vector3f book_spine(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
@@ -39,5 +44,10 @@ Eigen::Vector3f leaf(const Surface& s, const Eigen::Vector2f& at_m, float footpr
 Eigen::Vector3f screen(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f drawings(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f face(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f poster(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+
+// Equipment.
+Eigen::Vector3f rack_face(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f keys(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
 }  // namespace roomcast::sim

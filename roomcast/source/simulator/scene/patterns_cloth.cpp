@@ -82,6 +82,16 @@ Vector3f plaid(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(mix(s.base, s.accent, 0.75F * across), s.trim, 0.6F * along) * folds;
 }
 
+Vector3f stripes(const Surface& s, const Vector2f& at_m, float footprint_m) {
+  const float period = 2.0F * s.size_m.y();
+  const float inside = std::abs(at_m.y() / period - std::round(at_m.y() / period));  // 0 .. 0.5
+  const float blur = std::max(0.02F, footprint_m / period);
+  const float band = std::clamp((0.25F - inside) / blur + 0.5F, 0.0F, 1.0F);
+  const float folds = 1.0F + 0.16F * fractal_noise(at_m, 0.10F, 4, footprint_m, s.seed + 2U);
+  const float weave = 1.0F + 0.12F * fractal_noise(at_m, 0.008F, 2, footprint_m, s.seed);
+  return mix(s.base, s.accent, band) * (folds * weave);
+}
+
 Vector3f denim(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const float threads =
       fractal_noise({at_m.x() * 2.0F, at_m.y() * 0.5F}, 0.012F, 2, footprint_m, s.seed);

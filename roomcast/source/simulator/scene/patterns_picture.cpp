@@ -140,6 +140,23 @@ Vector3f drawings(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return color;
 }
 
+Vector3f poster(const Surface& s, const Vector2f& at_m, float footprint_m) {
+  const Vector2f p = at_m.cwiseQuotient(s.size_m);
+  const float margin = 0.06F;
+  if (p.x() < margin || p.x() > 1.0F - margin || p.y() < margin * 0.7F) return s.base;
+  if (p.y() > 0.86F) {
+    const float title = handwriting(at_m, 0.10F * s.size_m.y(), footprint_m, s.seed + 5U);
+    return p.y() > 0.96F ? s.base : mix(s.base, s.trim, title);
+  }
+  if (p.y() > 0.34F) {
+    const Vector2f inner((p.x() - margin) / (1.0F - 2.0F * margin), (p.y() - 0.34F) / 0.52F);
+    const float footprint = footprint_m / (0.52F * s.size_m.y());
+    return s.seed % 2U == 0U ? landscape(s, inner, footprint) : abstract(s, inner, footprint);
+  }
+  const float words = handwriting(at_m, 0.035F * s.size_m.y(), footprint_m, s.seed + 9U);
+  return mix(s.base, s.trim, p.y() < 0.30F ? words : 0.0F);
+}
+
 Vector3f face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const float mottled = 1.0F + 0.08F * fractal_noise(at_m, 0.05F, 3, footprint_m, s.seed);
   const Vector2f mirrored(std::abs(at_m.x()), at_m.y());

@@ -1,19 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/scene/room.h"
 
-#include "roomcast/source/simulator/scene/livingroom.h"
-#include "roomcast/source/simulator/scene/office.h"
+#include <algorithm>
+#include <array>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/source/simulator/scene/scenes.h"
 #include "roomcast/source/simulator/scene/value_noise.h"
 
 namespace roomcast::sim {
+namespace {
+
+using TryBuild = std::optional<Room> (*)(std::uint32_t seed);
+
+struct Scene {
+  std::string_view name;
+  TryBuild try_build;
+};
+
+constexpr std::array<Scene, kSceneNames.size()> kScenes = {{{kSceneNames[0], try_livingroom},
+                                                            {kSceneNames[1], try_office},
+                                                            {kSceneNames[2], try_lab},
+                                                            {kSceneNames[3], try_meeting},
+                                                            {kSceneNames[4], try_bare},
+                                                            {kSceneNames[5], try_mirror_tiles},
+                                                            {kSceneNames[6], try_corners}}};
+
+/// One throw in a few leaves no place for what a scene needs; the next one is another room.
+Room first_that_fits(TryBuild try_build, std::uint32_t seed) {
+  constexpr std::uint32_t kMostThrows = 200;
+  for (std::uint32_t i = 0; i < kMostThrows; ++i) {
+    if (auto room = try_build(i == 0 ? seed : hash_of(seed, i))) return *std::move(room);
+  }
+  ROOMCAST_ASSERT(false);
+  return {};
+}
+
+}  // namespace
+
+std::string scene_list() {
+  std::string list;
+  for (const std::string_view name : kSceneNames) {
+    if (!list.empty()) list += name == kSceneNames.back() ? " and " : ", ";
+    list += name;
+  }
+  return list;
+}
 
 Result<Room> build_room(std::string_view scene, std::uint64_t seed) {
   const auto folded =
       hash_of(static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(seed));
-  if (scene.empty() || scene == "livingroom") return build_livingroom(folded);
-  if (scene == "office") return build_office(folded);
+  const std::string_view wanted = scene.empty() ? kSceneNames.front() : scene;
+  const auto found = std::find_if(kScenes.begin(), kScenes.end(),
+                                  [&](const Scene& known) { return known.name == wanted; });
+  if (found != kScenes.end()) return first_that_fits(found->try_build, folded);
   return Error{ErrorCode::kNotFound, "There is no simulated scene \"" + std::string(scene) +
-                                         "\"; the scenes are livingroom and office."};
+                                         "\"; the scenes are " + scene_list() + "."};
 }
 
 }  // namespace roomcast::sim

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A furnished room: what stands still in it, how it is lit, where sensors stand, and who walks in
-// it. World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
+// A furnished room: what stands still in it, how it is lit, where sensors stand, and who is in it.
+// World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
+#include "roomcast/source/simulator/people/person.h"
+#include "roomcast/source/simulator/scene/footprint.h"
 #include "roomcast/source/simulator/scene/surface.h"
 #include "roomcast/source/simulator/scene/triangle_mesh.h"
 
@@ -32,19 +33,6 @@ struct SensorStand {
 };
 inline constexpr int kMaxSimulatedSensors = 8;
 
-/// A closed walk round an ellipse on the floor.
-struct Walk {
-  Eigen::Vector2f centre_m;  // x, z
-  Eigen::Vector2f radii_m;
-  nanoseconds lap{};
-  int strides_per_lap = 5;  // a stride is two steps
-};
-
-/// What the walking person wears.
-struct Clothes {
-  Surface shirt, trousers, shoes, skin, hair, face;
-};
-
 struct Room {
   std::string name;
   Eigen::Vector3f size_m;  // x, y (height), z
@@ -53,8 +41,9 @@ struct Room {
   std::vector<Light> lights;
   Eigen::Vector3f ambient;                               // light from everywhere, linear
   std::array<SensorStand, kMaxSimulatedSensors> stands;  // any first few of them see the whole room
-  Walk walk;
-  Clothes clothes;
+  std::vector<Person> people;
+  int unique_things = -1;  // of a room made of repetitions: what is there once; -1: no such room
+  std::vector<Footprint> footprints;  // of what stands on the floor
 
   SurfaceIndex add(const Surface& surface) {
     surfaces.push_back(surface);
@@ -62,7 +51,13 @@ struct Room {
   }
 };
 
-/// "livingroom" ("" too) or "office", its things varied by the seed. kNotFound, listing the scenes,
+/// The default comes first.
+inline constexpr std::array<std::string_view, 7> kSceneNames = {
+    "livingroom", "office", "lab", "meeting", "bare", "mirror-tiles", "corners"};
+/// Their names as part of a sentence.
+[[nodiscard]] std::string scene_list();
+
+/// A room of one kind ("": the default), another one for every seed. kNotFound, listing the scenes,
 /// for another name.
 [[nodiscard]] Result<Room> build_room(std::string_view scene, std::uint64_t seed);
 

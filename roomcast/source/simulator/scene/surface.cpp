@@ -97,6 +97,22 @@ Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m, f
       return drawings(surface, at_m, footprint_m);
     case Pattern::kFace:
       return face(surface, at_m, footprint_m);
+    case Pattern::kTiles:
+      return tiles(surface, at_m, footprint_m);
+    case Pattern::kFlat:
+      return flat_paint(surface, at_m, footprint_m);
+    case Pattern::kConcrete:
+      return concrete(surface, at_m, footprint_m);
+    case Pattern::kTerrazzo:
+      return terrazzo(surface, at_m, footprint_m);
+    case Pattern::kStripes:
+      return stripes(surface, at_m, footprint_m);
+    case Pattern::kPoster:
+      return poster(surface, at_m, footprint_m);
+    case Pattern::kRackFace:
+      return rack_face(surface, at_m, footprint_m);
+    case Pattern::kKeys:
+      return keys(surface, at_m, footprint_m);
   }
   return surface.base;
 }

@@ -29,6 +29,14 @@ enum class Pattern {
   kScreen,
   kDrawings,
   kFace,
+  kTiles,  // repeats exactly with period size_m, and is its own mirror image
+  kFlat,   // paint with next to nothing to see in it
+  kConcrete,
+  kTerrazzo,
+  kStripes,  // across, size_m.y wide
+  kPoster,
+  kRackFace,
+  kKeys,
 };
 
 struct Surface {

@@ -120,6 +120,35 @@ void add_turned(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_
   }
 }
 
+void add_tube(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_from_local,
+              std::span<const Vector3f> line, float radius_m) {
+  constexpr int kSides = 8;
+  float along = 0.0F;
+  Vector3f side = (line[1] - line[0]).normalized().unitOrthogonal();
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vector3f before = line[i > 0 ? i - 1 : i];
+    const Vector3f after = line[std::min(i + 1, line.size() - 1)];
+    const Vector3f way = (after - before).normalized();
+    side = (side - side.dot(way) * way).normalized();  // turns no more than the line does
+    const Vector3f other = way.cross(side);
+    if (i > 0) along += (line[i] - line[i - 1]).norm();
+    for (int k = 0; k <= kSides; ++k) {
+      const float angle = 2.0F * kPi * static_cast<float>(k) / static_cast<float>(kSides);
+      const Vector3f out = std::cos(angle) * side + std::sin(angle) * other;
+      add_vertex(mesh, world_from_local, line[i] + radius_m * out, out, {radius_m * angle, along});
+    }
+  }
+  constexpr std::uint32_t kRing = kSides + 1;
+  for (std::uint32_t i = 0; i + 1 < line.size(); ++i) {
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const std::uint32_t corner = first + i * kRing + k;
+      add_triangle(mesh, surface, corner, corner + 1, corner + kRing);
+      add_triangle(mesh, surface, corner + 1, corner + kRing + 1, corner + kRing);
+    }
+  }
+}
+
 void add_cushion(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_from_local,
                  const Vector3f& centre, const Vector3f& half_size, float roundness) {
   const float around = 2.0F * (half_size.x() + half_size.z());

@@ -40,6 +40,10 @@ void add_box(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& wo
 void add_turned(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                 std::span<const Eigen::Vector2f> radius_and_height);
 
+/// A round bar along a bent line, its ends open; u runs round it, v along it.
+void add_tube(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
+              std::span<const Eigen::Vector3f> line, float radius_m);
+
 /// A soft box or ball: a superellipsoid of the given half sizes. `roundness` 1: ellipsoid, towards
 /// 0: box.
 void add_cushion(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,

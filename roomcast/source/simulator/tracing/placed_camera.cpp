@@ -18,6 +18,12 @@ PlacedCamera::PlacedCamera(const CameraIntrinsics& intrinsics,
       pixel_angle_(static_cast<float>(1.0 / intrinsics.fx)),
       rays_(ray_table(intrinsics)) {}
 
+std::optional<Eigen::Vector2f> PlacedCamera::pixel_of(const Vector3f& in_camera_m) const {
+  const auto pixel = project(intrinsics_, in_camera_m.cast<double>());
+  if (!pixel) return std::nullopt;
+  return Eigen::Vector2f(pixel->cast<float>());
+}
+
 PixelBox PlacedCamera::pixels_of_box(const Eigen::Affine3f& world_from_local, const Vector3f& low,
                                      const Vector3f& high) const {
   constexpr double kNearest_m = 0.1;

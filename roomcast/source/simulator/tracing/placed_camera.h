@@ -3,6 +3,8 @@
 // = 1 in the optical frame, so that a distance along one is the depth. Immutable.
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -44,6 +46,10 @@ class PlacedCamera {
   [[nodiscard]] Eigen::Vector3f point(int x, int y, float z_m) const {
     return eye_m_ + z_m * direction(x, y);
   }
+
+  /// Where a point of the optical frame appears; nothing behind the camera, nor where the lens
+  /// model folds over.
+  [[nodiscard]] std::optional<Eigen::Vector2f> pixel_of(const Eigen::Vector3f& in_camera_m) const;
 
   /// Smallest box of pixels that holds all of an axis-aligned box of a local frame; the whole
   /// picture when part of it is behind the camera.

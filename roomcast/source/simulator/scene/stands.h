@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where sensors stand in a room of a given size, a little different for every seed. Metres.
+#pragma once
+
+#include <array>
+
+#include "roomcast/source/simulator/scene/dice.h"
+#include "roomcast/source/simulator/scene/room.h"
+
+namespace roomcast::sim {
+
+using Stands = std::array<SensorStand, kMaxSimulatedSensors>;
+
+/// In corners and at walls in turn, at different heights, all looking at the room's middle.
+[[nodiscard]] Stands draw_stands_around(const Eigen::Vector3f& room_size_m, Dice& dice);
+
+/// The first four in the four corners, 1.9 to 2.1 m up: the first and third face each other, and
+/// the second and fourth. The others at the walls.
+[[nodiscard]] Stands draw_stands_in_corners(const Eigen::Vector3f& room_size_m, Dice& dice);
+
+}  // namespace roomcast::sim
