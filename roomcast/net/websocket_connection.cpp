@@ -72,7 +72,9 @@ void WebSocketConnection::start(std::shared_ptr<ConnectionHandler> handler) {
 
 void WebSocketConnection::wake() {
   handler_is_dry_ = false;
-  schedule_write();
+  if (pulling_) return;
+  if (handler_ == nullptr || write_scheduled_) return schedule_write();
+  write();
 }
 
 void WebSocketConnection::close(std::uint16_t code, std::string sentence) {
@@ -191,9 +193,12 @@ void WebSocketConnection::pull() {
          outgoing_.count() < OutgoingFrames::kMaxGather &&
          outgoing_.unwritten_bytes() < pull_limit_bytes_) {
     handler_is_dry_ = true;  // before the call, which may call wake()
+    pulling_ = true;
     SealedMessagePtr message = handler_->next_message();
+    pulling_ = false;
     if (message == nullptr) {
       pull_limit_bytes_ = kMaxPull;
+      if (!handler_is_dry_) schedule_write();
       return;
     }
     handler_is_dry_ = false;

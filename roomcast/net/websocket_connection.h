@@ -49,7 +49,7 @@ class ConnectionHandler {
 
   /// The socket can take more: the next message (sealed without a mask), or null when there is
   /// nothing to say now; then call wake() when there is. Not called once close() or on_closed() has
-  /// been called.
+  /// been called; may be called from within wake().
   virtual SealedMessagePtr next_message() = 0;
 
   /// It is over. Called once, never from within a call to the connection; nothing is called after
@@ -90,8 +90,9 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   /// Begins to read and write. Once. The handler is let go after on_closed().
   void start(std::shared_ptr<ConnectionHandler> handler);
 
-  /// next_message() has something to give. Cheap; calls of one turn of the event loop become one
-  /// write.
+  /// next_message() has something to give. It is asked for, and what the socket takes is written,
+  /// before this returns: a hub with hundreds of viewers has no time for a turn of the event loop
+  /// for each.
   void wake();
 
   /// Sends what was already taken from the handler, then `last` if given, then a close frame. Not
@@ -172,6 +173,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   OutgoingFrames outgoing_;
   std::optional<Ping> unanswered_ping_;  // only the newest need be answered
   bool write_scheduled_ = false;
+  bool pulling_ = false;  // the handler is being asked: its wake() changes nothing
   bool write_failed_ = false;
   bool waiting_until_writable_ = false;
   bool handler_is_dry_ = false;  // next_message() gave nothing, and wake() was not called since
