@@ -10,9 +10,10 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPatchSide = 4;
-constexpr int kLeastSamples = 10;     // of 16 pixels
-constexpr float kNewest = 0.3f;       // weight of the newest frame
-constexpr float kMostOffset = 0.65f;  // of the noise of one pixel
+constexpr int kLeastSamples = 10;  // of 16 pixels
+constexpr float kNewest = 0.3f;    // weight of the newest frame
+constexpr float kMostPatchOffset = 0.65f,
+                kMostBlockOffset = 0.25f;  // of the noise of one pixel
 
 struct Columns {
   std::int16_t* off;
@@ -47,11 +48,9 @@ void DriftDetector::resize(int width, int height, int blocks_wide, int blocks_hi
   const std::size_t blocks =
       static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
   offset_.assign(4 * blocks, 0);
-  drifts_.assign(blocks, 0);
 }
 
 void DriftDetector::update(const FrameChange& change, const PixelHistory& history) {
-  std::fill(drifts_.begin(), drifts_.end(), std::uint8_t{0});
   for (int y = 0; y < height_; y += kPatchSide) {
     add_up_rows(change, history, y);
     for (int x = 0; x < width_; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
@@ -82,11 +81,19 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
       static_cast<std::size_t>(patch_y / 2) * static_cast<std::size_t>(blocks_wide_) +
       static_cast<std::size_t>(patch_x / 2);
   float& offset = offset_[4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2))];
-  offset += (static_cast<float>(off) / static_cast<float>(close) - offset) * kNewest;
   // The mean size of Gaussian noise is 4/5 of its standard deviation.
   const float sigma = std::max(static_cast<float>(kLevelsPerSigma),
                                static_cast<float>(deviation) * (1.25f / (1 << kNoiseShift) / 16));
-  if (std::abs(offset) > kMostOffset * sigma) drifts_[block] = 1;
+  offset += (static_cast<float>(off) / static_cast<float>(close) / sigma - offset) * kNewest;
+}
+
+bool DriftDetector::drifts(std::size_t block) const {
+  float sum = 0, largest = 0;
+  for (std::size_t patch = 4 * block; patch < 4 * block + 4; ++patch) {
+    sum += offset_[patch];
+    largest = std::max(largest, std::abs(offset_[patch]));
+  }
+  return largest > kMostPatchOffset || std::abs(sum) > 4 * kMostBlockOffset;
 }
 
 void DriftDetector::reset(std::size_t block) {

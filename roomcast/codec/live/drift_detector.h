@@ -16,8 +16,8 @@ class DriftDetector {
   void resize(int width, int height, int blocks_wide, int blocks_high);
   /// Takes the newest frame in.
   void update(const FrameChange& change, const PixelHistory& history);
-  /// Whether some patch of the block has drifted away from the reference.
-  [[nodiscard]] bool drifts(std::size_t block) const { return drifts_[block] != 0; }
+  /// Whether the block, or a patch of it, has drifted away from the reference.
+  [[nodiscard]] bool drifts(std::size_t block) const;
   /// The block was coded: its offsets start anew.
   void reset(std::size_t block);
 
@@ -28,8 +28,7 @@ class DriftDetector {
   int width_ = 0, height_ = 0, blocks_wide_ = 0;
   std::vector<std::int16_t> column_off_;
   std::vector<std::uint16_t> column_close_, column_deviation_;
-  std::vector<float> offset_;  // four patches for each block
-  std::vector<std::uint8_t> drifts_;
+  std::vector<float> offset_;  // standard deviations of a pixel; four patches for each block
 };
 
 }  // namespace roomcast::codec

@@ -48,8 +48,7 @@ Status LiveDepthDecoder::decode(std::span<const std::uint8_t> section,
 }
 
 std::uint32_t LiveDepthDecoder::decode_key(LiveReader& reader, const LiveSectionHead& head) {
-  state_.clear();
-  state_.domain.set(head.sigma);
+  state_.begin_anew(head.sigma);
   decode_pass(reader, state_.contexts, head.key_step, true, nullptr);
   state_.remember_picture_as_background();
   return decode_pass(reader, state_.contexts, head.step, true, nullptr);

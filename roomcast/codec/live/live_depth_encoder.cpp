@@ -76,8 +76,7 @@ void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   old_picture_ = state_.picture;
   choose_memory();
   const DepthDomain old_domain = state_.domain;
-  state_.clear();
-  state_.domain.set(sigma);
+  state_.begin_anew(sigma);
   for (auto* plane : {&memory_, &old_picture_}) {
     for (std::uint16_t& level : *plane) level = state_.domain.level_of(old_domain.mm_of(level));
   }

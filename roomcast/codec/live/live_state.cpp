@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "roomcast/codec/live/state_hash.h"
+
 namespace roomcast::codec {
 
 void LiveState::resize(int new_width, int new_height) {
@@ -14,17 +16,20 @@ void LiveState::resize(int new_width, int new_height) {
   for (auto* plane : {&picture, &picture_mm, &background}) plane->resize(pixels);
   calm.resize(block_count());
   trace.resize(block_count());
-  clear();
+  begin_anew({});
 }
 
-void LiveState::clear() {
+void LiveState::begin_anew(const SigmaCodes& sigma) {
   for (auto* plane : {&picture, &picture_mm, &background}) {
     std::fill(plane->begin(), plane->end(), std::uint16_t{0});
   }
   std::fill(calm.begin(), calm.end(), std::uint8_t{0});
   std::fill(trace.begin(), trace.end(), BlockTrace{});
   contexts = LiveContexts{};
-  hash = 0;
+  domain.set(sigma);
+  StateHash mixed(0);
+  for (const std::uint8_t code : sigma) mixed.add(code);
+  hash = mixed.value();
 }
 
 }  // namespace roomcast::codec

@@ -40,8 +40,8 @@ struct LiveState {
   std::uint32_t hash = 0;
 
   void resize(int new_width, int new_height);
-  /// As a key frame finds it. Keeps memory.
-  void clear();
+  /// As a key frame finds it, with its levels. Keeps memory.
+  void begin_anew(const SigmaCodes& sigma);
   /// Everything that is seen is background.
   void remember_picture_as_background() { background = picture; }
 

@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "roomcast/codec/live/block_code.h"
+#include "roomcast/codec/live/state_hash.h"
 #include "roomcast/codec/live/surface_prediction.h"
 
 namespace roomcast::codec {
@@ -32,26 +33,6 @@ struct PassScratch {
     labels.resize(static_cast<std::size_t>(state.width + 2) *
                   static_cast<std::size_t>(state.height + 1));
   }
-};
-
-/// Mixes a block's levels into the hash of the state.
-class StateHash {
- public:
-  explicit StateHash(std::uint32_t seed) : hash_(seed) {}
-  void add(std::uint64_t word) {
-    hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
-    hash_ ^= hash_ >> 32;
-  }
-  void add(const std::array<std::uint16_t, kBlockPixels>& levels) {
-    for (std::size_t i = 0; i < kBlockPixels; i += 4) {
-      add(std::uint64_t{levels[i]} | std::uint64_t{levels[i + 1]} << 16 |
-          std::uint64_t{levels[i + 2]} << 32 | std::uint64_t{levels[i + 3]} << 48);
-    }
-  }
-  [[nodiscard]] std::uint32_t value() const { return static_cast<std::uint32_t>(hash_); }
-
- private:
-  std::uint64_t hash_;
 };
 
 template <class Coder>

@@ -9,7 +9,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint32_t kLeastSamples = 400;      // fewer say nothing about a distance
+constexpr std::uint32_t kLeastSamples = 100;      // fewer say nothing about a distance
 constexpr std::uint32_t kMostSamples = 1u << 18;  // then old ones are halved away
 constexpr double kTrim = 3.5;                     // standard deviations
 constexpr double kLeastSigma_mm = 0.25;
@@ -40,6 +40,26 @@ double trimmed_deviation(const Histogram& sizes) {
   return deviation;
 }
 
+using Sigmas = std::array<double, kSigmaKnotCount>;
+
+double levels_needed(const Sigmas& sigma) {
+  double levels = 0;
+  for (int knot = 0; knot + 1 < kSigmaKnotCount; ++knot) {
+    const double begin = knot == 0 ? 0 : sigma_knot_mm(knot);
+    levels += (sigma_knot_mm(knot + 1) - begin) / sigma[static_cast<std::size_t>(knot)];
+  }
+  return kLevelsPerSigma * levels;
+}
+
+/// Where a sensor has hardly any noise it would need more levels than there are: then each covers
+/// more.
+void fit_into_levels(Sigmas& sigma) {
+  constexpr double kMostLevels = 50000;  // leaves some for the rounding of codes
+  for (double least = kLeastSigma_mm; levels_needed(sigma) > kMostLevels; least *= 1.1) {
+    for (double& value : sigma) value = std::max(value, least);
+  }
+}
+
 /// Of a time-of-flight camera; for distances that were never seen.
 double usual_sigma_mm(double depth_mm) {
   const double z = depth_mm / 1000;
@@ -50,14 +70,16 @@ double usual_sigma_mm(double depth_mm) {
 
 void SensorNoise::observe(DepthView depth_mm) {
   const auto width = static_cast<std::size_t>(depth_mm.width);
-  if (width_ != depth_mm.width || height_ != depth_mm.height) {
+  const bool first = width_ != depth_mm.width || height_ != depth_mm.height;
+  if (first) {
     *this = {};
     width_ = depth_mm.width;
     height_ = depth_mm.height;
     seen_mm_.assign(65536, 0);
     before_.assign(width * static_cast<std::size_t>(height_), 0);
   }
-  for (int y = phase_; y < height_; y += kRowsApart) {
+  const int apart = first ? 1 : kRowsApart;  // the first frame has to do for the first table
+  for (int y = first ? 0 : phase_; y < height_; y += apart) {
     observe_row(depth_mm.row(y), &before_[static_cast<std::size_t>(y) * width], width_);
   }
   // The next frame looks at other rows, and must know them as they are now.
@@ -99,17 +121,20 @@ void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* bef
   }
 }
 
+// The lower quartile of the gaps between distances that occur: larger ones are those of the scene.
 double SensorNoise::step_at(int knot) const {
   const int begin = knot == 0 ? 1 : sigma_knot_mm(knot);
   const int end = std::min(65536, sigma_knot_mm(knot + 1));
-  const auto first = std::find(seen_mm_.begin() + begin, seen_mm_.begin() + end, 1);
-  int values = 0, last = begin;
-  for (int z = begin; z < end; ++z) {
-    values += seen_mm_[static_cast<std::size_t>(z)];
-    if (seen_mm_[static_cast<std::size_t>(z)]) last = z;
+  std::vector<int> gaps;
+  for (int z = begin, last = 0; z < end; ++z) {
+    if (!seen_mm_[static_cast<std::size_t>(z)]) continue;
+    if (last > 0) gaps.push_back(z - last);
+    last = z;
   }
-  const auto span = last - static_cast<int>(first - seen_mm_.begin());
-  return values < 2 ? 1 : static_cast<double>(span) / (values - 1);
+  if (gaps.size() < 2) return 1;
+  const auto quartile = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 4);
+  std::nth_element(gaps.begin(), quartile, gaps.end());
+  return *quartile;
 }
 
 /// 0 when too little was seen there.
@@ -129,7 +154,7 @@ double SensorNoise::sigma_at(int knot) const {
 }
 
 SigmaCodes SensorNoise::table() const {
-  std::array<double, kSigmaKnotCount> sigma{};
+  Sigmas sigma{};
   // A histogram covers the distances from its knot to the next: its value
   // belongs half way.
   double known = 0, known_at = 0;
@@ -147,9 +172,11 @@ SigmaCodes SensorNoise::table() const {
   for (int knot = kSigmaKnotCount; knot-- > 0;) {  // nearer than anything that was seen
     double& here = sigma[static_cast<std::size_t>(knot)];
     if (here > 0) continue;
-    here = knot + 1 < kSigmaKnotCount && known > 0 ? sigma[static_cast<std::size_t>(knot) + 1]
-                                                   : usual_sigma_mm(sigma_knot_mm(knot));
+    here = known > 0 ? sigma[static_cast<std::size_t>(knot) + 1] * sigma_knot_mm(knot) /
+                           sigma_knot_mm(knot + 1)
+                     : usual_sigma_mm(sigma_knot_mm(knot));
   }
+  fit_into_levels(sigma);
   SigmaCodes codes{};
   for (std::size_t knot = 0; knot < kSigmaKnotCount; ++knot) {
     // Mean of the intervals on both sides: the table is linear between knots.

@@ -171,7 +171,7 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
   float seen = 0;
   for (std::size_t k = 0; k < kBlockPixels; ++k) seen += on(code, target, label, k);
   const float noise = std::clamp(noise_of(wanted, seen / kBlockPixels), 0.5f * kLevelsPerSigma,
-                                 2.0f * kLevelsPerSigma);
+                                 1.2f * kLevelsPerSigma);
   for (surface.finer = 0;; ++surface.finer) {
     quantise(wanted, prediction, step >> surface.finer,
              kWorthCoding * noise / static_cast<float>(1 << surface.finer), surface.steps);

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/live/sensor_noise.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace roomcast::codec {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;
+
+double sigma_in(const SigmaCodes& codes, int depth_mm) {
+  int knot = 0;
+  while (sigma_knot_mm(knot + 1) <= depth_mm) ++knot;
+  const double part = static_cast<double>(depth_mm - sigma_knot_mm(knot)) /
+                      (sigma_knot_mm(knot + 1) - sigma_knot_mm(knot));
+  const auto at = [&](int k) { return sigma_of_code(codes[static_cast<std::size_t>(k)]) / 256.0; };
+  return at(knot) * (1 - part) + at(knot + 1) * part;
+}
+
+/// A floor from 1 m to 5 m; `sigma` of the distance in metres.
+template <class Sigma>
+DepthImage floor_with_noise(Sigma sigma, std::mt19937& random) {
+  std::normal_distribution<double> gauss;
+  DepthImage depth(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double z = 1000 + 4000.0 * y / kHeight;
+      depth.at(x, y) = static_cast<std::uint16_t>(std::lround(z + sigma(z / 1000) * gauss(random)));
+    }
+  }
+  return depth;
+}
+
+TEST(SensorNoise, finds_noise_that_grows_with_distance) {
+  std::mt19937 random(1);
+  const auto sigma = [](double z) { return 1.5 + 0.5 * z * z; };
+  SensorNoise noise;
+  for (int frame = 0; frame < 12; ++frame) noise.observe(floor_with_noise(sigma, random));
+  for (const int z : {1300, 2000, 3000, 4500}) {
+    EXPECT_NEAR(sigma_in(noise.table(), z), sigma(z / 1000.0), 0.25 * sigma(z / 1000.0)) << z;
+  }
+}
+
+TEST(SensorNoise, one_frame_is_enough_for_a_start) {
+  std::mt19937 random(2);
+  const auto sigma = [](double z) { return 2 * z; };
+  SensorNoise noise;
+  noise.observe(floor_with_noise(sigma, random));
+  for (const int z : {1500, 3000}) {
+    EXPECT_NEAR(sigma_in(noise.table(), z), sigma(z / 1000.0), 0.4 * sigma(z / 1000.0)) << z;
+  }
+}
+
+TEST(SensorNoise, things_that_move_do_not_count) {
+  std::mt19937 random(3);
+  const auto sigma = [](double) { return 3.0; };
+  SensorNoise noise;
+  for (int frame = 0; frame < 12; ++frame) {
+    DepthImage depth = floor_with_noise(sigma, random);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 10 * frame; x < 10 * frame + 30; ++x) depth.at(x, y) = 1000;
+    }
+    noise.observe(depth);
+  }
+  EXPECT_NEAR(sigma_in(noise.table(), 3000), 3, 1);
+}
+
+TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
+  DepthImage depth(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double z = 1000 + 4000.0 * (y + x / double{kWidth}) / kHeight;
+      const double disparity = std::floor(350000 / z);  // 1/z in whole steps, nothing else
+      depth.at(x, y) = static_cast<std::uint16_t>(350000 / disparity);
+    }
+  }
+  SensorNoise noise;
+  for (int frame = 0; frame < 4; ++frame) noise.observe(depth);
+  for (const int z : {2500, 4000}) {
+    const double step = static_cast<double>(z) * z / 350000;
+    EXPECT_GT(sigma_in(noise.table(), z), 0.25 * step) << z;
+    EXPECT_LT(sigma_in(noise.table(), z), 1.2 * step) << z;
+  }
+}
+
+TEST(SensorNoise, without_noise_there_are_still_levels_for_every_distance) {
+  SensorNoise noise;
+  DepthImage depth(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) depth.at(x, y) = static_cast<std::uint16_t>(500 + 60 * y + x);
+  }
+  for (int frame = 0; frame < 4; ++frame) noise.observe(depth);
+  DepthDomain domain;
+  domain.set(noise.table());
+  EXPECT_LT(domain.level_of(65535), kMostLevel);
+}
+
+TEST(SensorNoise, is_sane_before_anything_was_seen) {
+  const SigmaCodes codes = SensorNoise().table();
+  EXPECT_GT(sigma_in(codes, 1000), 0.5);
+  EXPECT_LT(sigma_in(codes, 1000), 5);
+  EXPECT_GT(sigma_in(codes, 8000), sigma_in(codes, 1000));
+}
+
+TEST(SensorNoise, a_picture_of_another_size_starts_anew) {
+  std::mt19937 random(4);
+  SensorNoise noise;
+  noise.observe(floor_with_noise([](double) { return 3.0; }, random));
+  noise.observe(DepthImage(32, 16, 2000));
+  EXPECT_LT(sigma_in(noise.table(), 2000), 20);
+}
+
+}  // namespace
+}  // namespace roomcast::codec
