@@ -6,17 +6,13 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint8_t kMostNeeded = 16;
-constexpr std::uint8_t kCalmFrames = 90;
+constexpr std::uint8_t kLeastNeeded = 2, kMostToHide = 32, kMostToShow = 4;
+constexpr std::uint8_t kCalmFrames = 120;
 
 }  // namespace
 
 MaskView SteadyMask::update(MaskView seen, DepthView depth_mm) {
-  const bool first = shown_.empty();
-  if (first) {
-    shown_.resize(seen.width, seen.height);
-    pixels_.resize(seen.width, seen.height);
-  }
+  if (shown_.empty()) begin(seen);
   for (int y = 0; y < seen.height; ++y) {
     const std::uint16_t* depth = depth_mm.row(y);
     const std::uint8_t* from = seen.row(y);
@@ -29,20 +25,29 @@ MaskView SteadyMask::update(MaskView seen, DepthView depth_mm) {
   return shown_;
 }
 
-void SteadyMask::step(Pixel& pixel, bool seen, std::uint8_t& shown) {
-  pixel.run = seen && shown == 0 ? static_cast<std::uint8_t>(pixel.run + 1) : std::uint8_t{0};
-  if (shown != 0 && !seen) {
-    shown = 0;
-    pixel.calm = 0;
-  } else if (pixel.run >= pixel.needed) {
-    shown = 255;
-    pixel = {std::min<std::uint8_t>(kMostNeeded, static_cast<std::uint8_t>(2 * pixel.needed)), 0,
-             0};
-  } else if (pixel.calm < kCalmFrames) {
-    ++pixel.calm;
-  } else {
-    pixel.needed = 1;
+void SteadyMask::begin(MaskView seen) {
+  shown_.resize(seen.width, seen.height);
+  pixels_.resize(seen.width, seen.height);
+  for (int y = 0; y < seen.height; ++y) {
+    for (int x = 0; x < seen.width; ++x) shown_.at(x, y) = seen.at(x, y) != 0 ? 255 : 0;
   }
+}
+
+void SteadyMask::step(Pixel& pixel, bool seen, std::uint8_t& shown) {
+  if (seen == (shown != 0)) {
+    pixel.against = 0;
+    if (++pixel.agreeing == kCalmFrames) {
+      pixel.agreeing = 0;
+      pixel.needed = std::max<std::uint8_t>(kLeastNeeded, pixel.needed / 2);
+    }
+    return;
+  }
+  pixel.agreeing = 0;
+  const std::uint8_t needed = seen ? std::min(pixel.needed, kMostToShow) : pixel.needed;
+  if (++pixel.against < needed) return;
+  shown = seen ? 255 : 0;
+  pixel.against = 0;
+  pixel.needed = std::min<std::uint8_t>(kMostToHide, static_cast<std::uint8_t>(2 * pixel.needed));
 }
 
 }  // namespace roomcast::codec

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes the flicker out of a sensor's colour mask, for the encoder. At the edges of what the colour
-// camera sees, depth noise decides anew in every frame whether a pixel is seen; each change costs
-// bits and disturbs the eye. A pixel that is hidden is so at once. To be seen again it must be seen
-// in as many frames in a row as it has shown to be restless: one at first, twice as many after each
-// return, at most half a second; calm for three seconds, it starts anew. Where a reading is
-// missing, what was known stays. Frames are thought to come at about 30 a second. Single-threaded.
+// Takes the flicker out of a sensor's colour mask, for the encoder. Depth noise decides anew in
+// every frame whether the colour camera is thought to see a pixel; each change costs bits and
+// disturbs the eye. A pixel changes when the sensor has said so in as many frames in a row as the
+// pixel has shown to be restless: two at first, twice as many after each change, half as many again
+// after four seconds without a word against what is shown. Hiding a pixel takes a second at most,
+// showing it four frames: while in doubt it is shown, for the stream goes on with the colour that
+// the pixel last had, which is right for a background that something passes before. Where a reading
+// is missing, what was known stays. Frames are thought to come at about 30 a second.
+// Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +23,11 @@ class SteadyMask {
 
  private:
   struct Pixel {
-    std::uint8_t needed = 1;  // frames in a row that it takes to be seen again
-    std::uint8_t run = 0;     // frames in a row that it was seen while hidden
-    std::uint8_t calm = 0;    // frames since it last changed
+    std::uint8_t needed = 2;                 // frames in a row that a change takes
+    std::uint8_t against = 0, agreeing = 0;  // frames in a row that said so
   };
   static void step(Pixel& pixel, bool seen, std::uint8_t& shown);
+  void begin(MaskView seen);
 
   MaskImage shown_;
   Image<Pixel> pixels_;
