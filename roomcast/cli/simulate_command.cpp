@@ -7,50 +7,108 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/source/simulate_rig.h"
 #include "roomcast/source/simulator/simulated_source.h"
+#include "roomcast/source/simulator/simulated_spec.h"
 
 namespace roomcast::cli {
 namespace {
 
-Status run_simulate(const std::string& out, const SimulateRigOptions& options) {
+struct SimulateCommand {
+  std::string out;
+  SimulateRigOptions rig;
+  std::string camera = "kinect2";
+  double lost_percent = 0.5;
+  bool clean = false;
+};
+
+Status run_simulate(SimulateCommand command) {
+  StopOnSignal stop;
+  command.rig.sensing.camera = *sim::camera_model_named(command.camera);
+  command.rig.timing.lost_share = 0.01 * command.lost_percent;
+  if (command.clean) command.rig.clean();
   StatusLine line;
-  line.show("building the room");
-  return simulate_rig(out, options, [&line](int done, int total) {
-    line.show(fmt::format("{} of {} frames written", done, total));
-  });
+  return simulate_rig(
+      command.out, command.rig,
+      [&line](const SimulateProgress& progress) {
+        line.show_progress(progress.doing, progress.done, progress.total);
+      },
+      stop.token());
+}
+
+void add_room_options(CLI::App& command, SimulateCommand& values) {
+  command.add_option("--scene", values.rig.scene, "Which room; a wrong name lists them");
+  command.add_option("--sensors", values.rig.sensor_count, "How many stand around the room")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command.add_option("--seconds", values.rig.seconds, "Length")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--fps", values.rig.fps, "Frames per second")
+      ->check(CLI::Range(1.0, kMaxSimulatedFps))
+      ->capture_default_str();
+  command.add_option("--seed", values.rig.seed, "Of noise, devices and looks")
+      ->capture_default_str();
+  command.add_option("--speed", values.rig.speed, "Of all motion: 1 as in life, 0.05 slow, 0 none")
+      ->check(CLI::Range(0.0, kMaxSimulatedSpeed))
+      ->capture_default_str();
+}
+
+void add_sensor_options(CLI::App& command, SimulateCommand& values) {
+  command.add_option("--camera", values.camera, "kinect2, azure or d435")
+      ->check(CLI::IsMember({"kinect2", "azure", "d435"}))
+      ->capture_default_str();
+  command.add_flag("--half-color", values.rig.sensing.half_color, "Colour of 960x540");
+  command
+      .add_option("--clock-offset", values.rig.timing.clock_offset_s,
+                  "Sensors' clocks are off by up to so many seconds")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command
+      .add_option("--clock-drift", values.rig.timing.rate_ppm,
+                  "Frame rates are off by up to so many millionths")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command.add_option("--drops", values.lost_percent, "Percentage of frames that are lost")
+      ->check(CLI::Range(0.0, 50.0))
+      ->capture_default_str();
+  command
+      .add_option("--interference", values.rig.sensing.interference_per_minute,
+                  "Bursts of infrared interference per minute and sensor")
+      ->check(CLI::Range(0.0, kMaxInterferencePerMinute))
+      ->capture_default_str();
+  command.add_flag("--clean", values.clean, "Perfect sensors: no errors of any kind");
+}
+
+void add_truth_options(CLI::App& command, SimulateCommand& values) {
+  command.add_flag("--truth-color", values.rig.truth_color,
+                   "Write noise-free colour into truth/, too");
+  command.add_option("--views", values.rig.views, "Free viewpoints in truth/")
+      ->check(CLI::Range(0, kMaxSimulatedViews))
+      ->capture_default_str();
+  command.add_option("--threads", values.rig.threads, "0: one per core")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Command& chosen) {
-  auto out = std::make_shared<std::string>();
-  auto options = std::make_shared<SimulateRigOptions>();
+  auto values = std::make_shared<SimulateCommand>();
   CLI::App* command =
       app.add_subcommand("simulate", "Write a recording of a simulated room, with its truth");
-  command->add_option("out", *out, "Folder to make")->required();
-  command->add_option("--scene", options->scene, "livingroom (default) or office");
-  command->add_option("--sensors", options->sensor_count, "How many stand around the room")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "Length")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--fps", options->fps, "Frames per second")
-      ->check(CLI::Range(1.0, kMaxSimulatedFps))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of noise and looks")->capture_default_str();
-  command
-      ->add_option("--speed", options->speed,
-                   "Of all motion: 1 as in life, 0.05 slow motion, 0 none")
-      ->check(CLI::Range(0.0, kMaxSimulatedSpeed))
-      ->capture_default_str();
-  command->add_flag("--truth-color", options->truth_color,
-                    "Write noise-free colour into truth/, too");
-  command->add_flag("--clean", options->clean, "Without noise");
-  command->footer("Example:\n  roomcast simulate recordings/sim --sensors 3 --seconds 5 --seed 7");
-  command->callback([out, options, &chosen] {
-    chosen = [out, options] { return finish("simulate", run_simulate(*out, *options)); };
+  command->add_option("out", values->out, "Folder to make")->required();
+  add_room_options(*command, *values);
+  add_sensor_options(*command, *values);
+  add_truth_options(*command, *values);
+  command->footer(
+      "Writes a rig and, in OUT/truth, what it is to be judged by: docs/simulator.md.\n"
+      "The same options give the same files on any number of threads.\n"
+      "Example:\n"
+      "  roomcast simulate recordings/office --scene office --sensors 3 --seconds 5 --seed 7");
+  command->callback([values, &chosen] {
+    chosen = [values] { return finish("simulate", run_simulate(*values)); };
   });
 }
 

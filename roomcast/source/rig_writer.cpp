@@ -130,7 +130,8 @@ Result<RigWriter> RigWriter::create(const fs::path& directory, double fps,
   if (Status status = make_empty_folder(directory); !status.ok()) return status.error();
   RigWriter writer(directory, fps, {sensors.begin(), sensors.end()}, options);
   if (Status status = writer.write_cameras(); !status.ok()) return status.error();
-  if (Status status = writer.write_rig_json(); !status.ok()) return status.error();
+  const std::string unfinished = options.source + " (not finished)";
+  if (Status status = writer.write_rig_json(unfinished); !status.ok()) return status.error();
   return writer;
 }
 
@@ -144,8 +145,8 @@ Status RigWriter::write_cameras() const {
   return {};
 }
 
-Status RigWriter::write_rig_json() const {
-  RigDescription rig{fps_, options_.source, {}};
+Status RigWriter::write_rig_json(const std::string& source) const {
+  RigDescription rig{fps_, source, {}};
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorDescription& description = sensors_[i].description;
     rig.sensors.push_back({description.name, description.name, description.world_from_depth,
@@ -169,31 +170,50 @@ void RigWriter::note_written(Progress& progress, std::uint64_t index) {
   progress.next_index = index + 1;
 }
 
-Status RigWriter::add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp) {
+Status RigWriter::write_pictures(std::size_t sensor, const CapturedFrame& frame) const {
   ROOMCAST_ASSERT(sensor < sensors_.size());
-  Progress& progress = progress_[sensor];
   const SensorDescription& description = sensors_[sensor].description;
-  if (Status status = check_index(progress, frame.index); !status.ok()) return status;
   if (Status status = check_frame(description.calibration, frame); !status.ok()) return status;
   const fs::path folder = directory_ / description.name;
-  const std::string depth = numbered(frame.index, "depth", ".png");
-  if (Status status = write_depth_png(folder / depth, frame.depth_mm); !status.ok()) return status;
-  if (!frame.color.empty()) {
-    const std::string color = numbered(frame.index, "rgb", ".jpg");
-    Status status = write_color_jpeg(folder / color, frame.color, options_.jpeg_quality);
-    if (status.ok()) status = append_line(folder / "rgb.txt", list_line(timestamp, color));
-    if (!status.ok()) return status;
+  const fs::path depth = folder / numbered(frame.index, "depth", ".png");
+  if (Status status = write_depth_png(depth, frame.depth_mm); !status.ok()) return status;
+  if (frame.color.empty()) return {};
+  const fs::path color = folder / numbered(frame.index, "rgb", ".jpg");
+  return write_color_jpeg(color, frame.color, options_.jpeg_quality);
+}
+
+Status RigWriter::list(std::size_t sensor, std::uint64_t index, bool has_color,
+                       nanoseconds timestamp) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], index); !status.ok()) return status;
+  const fs::path folder = directory_ / sensors_[sensor].description.name;
+  if (has_color) {
+    const std::string line = list_line(timestamp, numbered(index, "rgb", ".jpg"));
+    if (Status status = append_line(folder / "rgb.txt", line); !status.ok()) return status;
   }
-  if (Status status = append_line(folder / "depth.txt", list_line(timestamp, depth));
-      !status.ok()) {
-    return status;
-  }
-  note_written(progress, frame.index);
+  const std::string line = list_line(timestamp, numbered(index, "depth", ".png"));
+  if (Status status = append_line(folder / "depth.txt", line); !status.ok()) return status;
+  note_written(progress_[sensor], index);
   return {};
 }
 
+Status RigWriter::drop(std::size_t sensor, std::uint64_t index) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], index); !status.ok()) return status;
+  note_written(progress_[sensor], index);
+  progress_[sensor].dropped.push_back(index);
+  return {};
+}
+
+Status RigWriter::add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], frame.index); !status.ok()) return status;
+  if (Status status = write_pictures(sensor, frame); !status.ok()) return status;
+  return list(sensor, frame.index, !frame.color.empty(), timestamp);
+}
+
 Status RigWriter::finish() {
-  return write_rig_json();
+  return write_rig_json(options_.source);
 }
 
 }  // namespace roomcast

@@ -2,8 +2,8 @@
 // RigWriter: writes a recording of several sensors as a rig folder, frame by frame (docs: data
 // layout in source/rig_json.h). What is on disk can be played at any moment: pictures appear
 // whole (written under another name, then renamed), and the lists name only pictures that are
-// there. Depth in millimetres, timestamps in nanoseconds of the sensor's own clock.
-// Single-threaded.
+// there; until it is finished, rig.json's "source" says so. Depth in millimetres, timestamps in
+// nanoseconds of the sensor's own clock. Single-threaded, except for write_pictures.
 #pragma once
 
 #include <cstddef>
@@ -45,6 +45,14 @@ class RigWriter {
   /// grow; kUnavailable if the disk fails.
   [[nodiscard]] Status add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp);
 
+  /// The two halves of `add`, for many frames at a time: the pictures, by any threads, and then, in
+  /// order, their lines in the lists.
+  [[nodiscard]] Status write_pictures(std::size_t sensor, const CapturedFrame& frame) const;
+  [[nodiscard]] Status list(std::size_t sensor, std::uint64_t index, bool has_color,
+                            nanoseconds timestamp);
+  /// Says that this number, higher than those before, was lost. Gaps need no saying, ends do.
+  [[nodiscard]] Status drop(std::size_t sensor, std::uint64_t index);
+
   /// Writes rig.json again, now with the dropped frames. Without it the recording still plays.
   [[nodiscard]] Status finish();
 
@@ -59,7 +67,7 @@ class RigWriter {
   [[nodiscard]] static Status check_index(const Progress& progress, std::uint64_t index);
   static void note_written(Progress& progress, std::uint64_t index);
   [[nodiscard]] Status write_cameras() const;
-  [[nodiscard]] Status write_rig_json() const;
+  [[nodiscard]] Status write_rig_json(const std::string& source) const;
 
   std::filesystem::path directory_;
   double fps_;

@@ -36,6 +36,22 @@ TEST(RigWriter, missing_numbers_become_dropped_frames) {
   EXPECT_EQ(rig->sensors[1].clock_offset_s, 7.5);
 }
 
+TEST(RigWriter, frames_said_to_be_dropped_are_listed_even_at_the_end) {
+  const TemporaryFolder folder;
+  auto writer = RigWriter::create(folder / "rig", 30, sensors_named({"s0"}), {"test", 90});
+  ASSERT_TRUE(writer.ok());
+  ASSERT_TRUE(writer->add(0, small_frame(0, 0), nanoseconds(5)).ok());
+  ASSERT_TRUE(writer->drop(0, 1).ok());
+  ASSERT_TRUE(writer->add(0, small_frame(0, 3), nanoseconds(9)).ok());
+  ASSERT_TRUE(writer->drop(0, 4).ok());
+  EXPECT_FALSE(writer->drop(0, 4).ok());
+  EXPECT_EQ(read_rig_json(folder / "rig/rig.json")->source, "test (not finished)");
+  ASSERT_TRUE(writer->finish().ok());
+  const auto rig = read_rig_json(folder / "rig/rig.json");
+  EXPECT_EQ(rig->sensors[0].drop, (std::vector<std::uint64_t>{1, 2, 4}));
+  EXPECT_EQ(rig->source, "test");
+}
+
 TEST(RigWriter, an_interrupted_recording_is_complete_up_to_its_last_frame) {
   const TemporaryFolder folder;
   {

@@ -3,171 +3,244 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <memory>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "roomcast/source/image_file.h"
+#include "roomcast/source/ordered_parallel.h"
+#include "roomcast/source/rig_truth.h"
 #include "roomcast/source/rig_writer.h"
 #include "roomcast/source/simulator/simulated_sensor.h"
 #include "roomcast/source/simulator/simulated_source.h"
+#include "roomcast/source/simulator/simulated_spec.h"
+#include "roomcast/source/simulator/tracing/parallel_rows.h"
 
 namespace roomcast {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Sensors = std::vector<std::unique_ptr<SimulatedSensor>>;
+Error invalid(const char* sentence) {
+  return {ErrorCode::kInvalidArgument, sentence};
+}
 
 Status check(const SimulateRigOptions& options) {
-  if (!(options.seconds > 0 && options.seconds <= kMaxSimulatedSeconds)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "A simulated recording lasts more than 0 and at most 3600 seconds."};
-  }
-  if (!(options.fps > 0 && options.fps <= kMaxSimulatedFps)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "A simulated recording has more than 0 and at most 120 frames per second."};
-  }
-  if (!(options.speed >= 0 && options.speed <= kMaxSimulatedSpeed)) {
-    return Error{ErrorCode::kInvalidArgument, "Things move at 0 to 10 times their natural speed."};
-  }
+  if (!(options.seconds > 0 && options.seconds <= kMaxSimulatedSeconds))
+    return invalid("A simulated recording lasts more than 0 and at most 3600 seconds.");
+  if (!(options.fps > 0 && options.fps <= kMaxSimulatedFps))
+    return invalid("A simulated recording has more than 0 and at most 120 frames per second.");
+  if (!(options.speed >= 0 && options.speed <= kMaxSimulatedSpeed))
+    return invalid("Things move at 0 to 10 times their natural speed.");
+  if (!(options.timing.lost_share >= 0 && options.timing.lost_share <= 0.5))
+    return invalid("At most half of the frames can be lost.");
+  if (options.views < 0 || options.views > kMaxSimulatedViews)
+    return invalid("There are 0 to 16 free viewpoints.");
   return {};
 }
 
-Result<Sensors> open_sensors(const SimulateRigOptions& options) {
-  Sensors sensors;
-  for (int i = 0; i < options.sensor_count || i == 0; ++i) {
-    auto sensor = SimulatedSensor::open(
-        {options.scene, i, options.sensor_count, options.seed, options.speed});
-    if (!sensor) return std::move(sensor).error();
-    sensors.push_back(*std::move(sensor));
-  }
-  return sensors;
+/// One sensor of the recording: what it sees, when, and how its colour is exposed.
+struct Actor {
+  std::unique_ptr<SimulatedSensor> sensor;
+  sim::FrameClock clock;
+  std::vector<float> exposures;  // by frame
+};
+using Actors = std::vector<Actor>;
+
+void report(const SimulateWatcher& watcher, std::string_view doing, int done, int total) {
+  if (watcher) watcher({doing, done, total});
 }
 
-std::vector<RigSensor> rig_sensors(const Sensors& sensors) {
+Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
+                           const SimulateRigOptions& options, const SimulateWatcher& watcher) {
+  Actors actors;
+  const int count = std::max(options.sensor_count, 1);
+  for (int i = 0; i < count; ++i) {
+    report(watcher, "looking at the empty room", i, count);
+    auto sensor = SimulatedSensor::open(room, {i, options.sensor_count, options.seed, options.speed,
+                                               options.threads, options.sensing});
+    if (!sensor) return std::move(sensor).error();
+    const sim::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
+    actors.push_back({*std::move(sensor), clock, {}});
+  }
+  return actors;
+}
+
+/// Exposure follows from frame to frame, so it is worked out before frames go to many threads.
+Status meter(Actors& actors, int frames, int threads) {
+  const auto meter_one = [&](int, int number) {
+    Actor& actor = actors[static_cast<std::size_t>(number)];
+    auto moment = actor.sensor->make_moment();
+    auto control = actor.sensor->auto_exposure();
+    for (int i = 0; i < frames; ++i) {
+      const nanoseconds time = actor.clock.true_time(static_cast<std::uint64_t>(i));
+      actor.exposures.push_back(actor.sensor->next_exposure(time, moment, control));
+    }
+    return Status();
+  };
+  return run_in_order(static_cast<int>(actors.size()), threads, meter_one,
+                      [](int) { return Status(); });
+}
+
+enum class Calibration { kReported, kExact };
+
+std::vector<RigSensor> rig_sensors(const Actors& actors, Calibration which) {
   std::vector<RigSensor> rig;
-  for (std::size_t i = 0; i < sensors.size(); ++i) {
-    RigSensor sensor;
-    sensor.description.name = "s" + std::to_string(i);
-    sensor.description.calibration = sensors[i]->calibration();
-    sensor.description.world_from_depth = sensors[i]->world_from_depth();
-    rig.push_back(std::move(sensor));
+  for (const Actor& actor : actors) {
+    const SimulatedSensor& sensor = *actor.sensor;
+    RigSensor entry;
+    entry.description.name = "s" + std::to_string(rig.size());
+    entry.description.calibration =
+        which == Calibration::kExact ? sensor.exact_calibration() : sensor.calibration();
+    entry.description.world_from_depth = sensor.world_from_depth();
+    entry.clock_offset_s = actor.clock.clock_offset_s();
+    entry.rate_ppm = actor.clock.rate_ppm();
+    rig.push_back(std::move(entry));
   }
   return rig;
 }
 
-std::string provenance(const SimulateRigOptions& options, const SimulatedSensor& sensor) {
-  return "simulated (roomcast simulate, scene " + sensor.room().name + ", seed " +
-         std::to_string(options.seed) + (options.clean ? ", without noise)" : ")");
+std::string provenance(const SimulateRigOptions& options, const sim::Room& room) {
+  return "simulated by roomcast: scene " + room.name + ", seed " + std::to_string(options.seed) +
+         ", camera " + std::string(sim::name_of(options.sensing.camera)) +
+         (options.sensing.noise ? "" : ", without noise");
 }
 
-/// The noise-free pictures of one sensor and when they were.
-class TruthFolder {
+/// Renders frames and writes them. One thread's share of the memory is a Desk.
+class Production {
  public:
-  static Result<TruthFolder> create(const fs::path& folder, bool with_color) {
-    std::error_code error;
-    for (const char* name : {"moving", "color"}) {
-      if (name == std::string_view("color") && !with_color) continue;
-      fs::create_directories(folder / name, error);
-      if (error) return cannot_write(folder / name);
+  Production(const SimulateRigOptions& options, const Actors& actors, RigWriter& rig,
+             RigTruth& truth, int threads)
+      : options_(options), actors_(actors), rig_(rig), truth_(truth) {
+    desks_.resize(static_cast<std::size_t>(threads));
+  }
+
+  /// Tasks go through the sensors first, then on to the next frame.
+  [[nodiscard]] std::size_t sensor_of(int task) const {
+    return static_cast<std::size_t>(task) % actors_.size();
+  }
+  [[nodiscard]] std::uint64_t frame_of(int task) const {
+    return static_cast<std::uint64_t>(task) / actors_.size();
+  }
+
+  Status write_pictures(int thread, int task) {
+    Desk& desk = desks_[static_cast<std::size_t>(thread)];
+    while (desk.moments.size() < actors_.size())
+      desk.moments.push_back(actors_[desk.moments.size()].sensor->make_moment());
+    const std::size_t number = sensor_of(task);
+    const Actor& actor = actors_[number];
+    SimulatedSensor::Moment& moment = desk.moments[number];
+    actor.sensor->look(actor.clock.true_time(frame_of(task)), moment);
+    if (!actor.clock.is_lost(frame_of(task))) {
+      if (Status written = write_reported(number, frame_of(task), moment, desk); !written)
+        return written;
     }
-    TruthFolder truth(folder);
-    truth.times_ << "# frame true_time_s\n";
-    if (!truth.times_) return cannot_write(folder / "times.txt");
-    return truth;
+    return write_truth(number, frame_of(task), moment, desk);
   }
 
-  Status add(std::uint64_t index, nanoseconds time, DepthView depth_mm, MaskView moving) {
-    const std::string name = numbered(index, ".png");
-    if (Status written = write_depth_png(folder_ / name, depth_mm); !written) return written;
-    if (Status written = write_mask_png(folder_ / "moving" / name, moving); !written)
-      return written;
-    char line[64];
-    std::snprintf(line, sizeof(line), "%llu %.9f\n", static_cast<unsigned long long>(index),
-                  static_cast<double>(time.count()) * 1e-9);
-    times_ << line << std::flush;
-    if (!times_) return cannot_write(folder_ / "times.txt");
-    return {};
-  }
-
-  Status add_color(std::uint64_t index, ColorView color) {
-    return write_color_jpeg(folder_ / "color" / numbered(index, ".jpg"), color, kTruthJpegQuality);
+  Status list(int task) {
+    const std::size_t number = sensor_of(task);
+    const std::uint64_t frame = frame_of(task);
+    const Actor& actor = actors_[number];
+    std::array<float, 3> gains = actor.sensor->unit().color_gain;
+    for (float& gain : gains) gain *= actor.exposures[frame];
+    const nanoseconds time = actor.clock.true_time(frame);
+    if (Status listed = truth_.list(number, frame, time, gains); !listed) return listed;
+    if (actor.clock.is_lost(frame)) return rig_.drop(number, frame);
+    return rig_.list(number, frame, true, actor.clock.stamp(frame));
   }
 
  private:
-  static std::string numbered(std::uint64_t index, const char* ending) {
-    char name[32];
-    std::snprintf(name, sizeof(name), "%06llu%s", static_cast<unsigned long long>(index), ending);
-    return name;
-  }
-  explicit TruthFolder(const fs::path& folder) : folder_(folder), times_(folder / "times.txt") {}
-  static Error cannot_write(const fs::path& path) {
-    return {ErrorCode::kUnavailable, "Cannot write " + path.string() + "; is the disk full?"};
+  struct Desk {
+    std::vector<SimulatedSensor::Moment> moments;  // by sensor
+    CapturedFrame frame;
+    MaskImage moving;
+    ColorImage color;
+  };
+
+  Status write_reported(std::size_t number, std::uint64_t frame, SimulatedSensor::Moment& moment,
+                        Desk& desk) {
+    const Actor& actor = actors_[number];
+    desk.frame.index = frame;
+    actor.sensor->read_depth(frame, moment, desk.frame.depth_mm);
+    actor.sensor->read_color(frame, actor.exposures[frame], moment, desk.frame.color);
+    return rig_.write_pictures(number, desk.frame);
   }
 
-  fs::path folder_;
-  std::ofstream times_;
+  Status write_truth(std::size_t number, std::uint64_t frame, const SimulatedSensor::Moment& moment,
+                     Desk& desk) {
+    const Actor& actor = actors_[number];
+    if (options_.truth_color) {
+      actor.sensor->clean_color(actor.exposures[frame], moment, desk.color);
+      if (Status written = truth_.write_color(number, frame, desk.color); !written) return written;
+    }
+    actor.sensor->mark_moving(moment, desk.moving);
+    return truth_.write_depth(number, frame, actor.sensor->clean_depth_mm(moment), desk.moving);
+  }
+
+  const SimulateRigOptions& options_;
+  const Actors& actors_;
+  RigWriter& rig_;
+  RigTruth& truth_;
+  std::vector<Desk> desks_;
 };
 
-Result<std::vector<TruthFolder>> create_truth(const fs::path& directory, std::size_t count,
-                                              bool with_color) {
-  std::vector<TruthFolder> folders;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto folder = TruthFolder::create(directory / "truth" / ("s" + std::to_string(i)), with_color);
-    if (!folder) return std::move(folder).error();
-    folders.push_back(*std::move(folder));
-  }
-  return folders;
+Status write_frames(const SimulateRigOptions& options, const Actors& actors, int frames,
+                    int threads, RigWriter& rig, RigTruth& truth, const SimulateWatcher& watcher,
+                    const std::stop_token& stop) {
+  Production production(options, actors, rig, truth, threads);
+  const int tasks = frames * static_cast<int>(actors.size());
+  return run_in_order(
+      tasks, threads, [&](int thread, int task) { return production.write_pictures(thread, task); },
+      [&](int task) -> Status {
+        if (Status listed = production.list(task); !listed) return listed;
+        report(watcher, "writing frames", task + 1, tasks);
+        if (stop.stop_requested() && production.sensor_of(task + 1) == 0)
+          return Error{ErrorCode::kClosed, "stopped; what was written until then can be played"};
+        return {};
+      });
 }
 
-/// Renders and writes one sensor's instant twice: as the sensor reads it, and as it is.
-Status write_instant(SimulatedSensor& sensor, std::size_t number, const SimulateRigOptions& options,
-                     CapturedFrame& frame, RigWriter& rig, TruthFolder& truth) {
-  sensor.render(frame.device_time, frame.index, frame.depth_mm, frame.color, !options.clean);
-  if (Status added = rig.add(number, frame, frame.device_time); !added) return added;
-  sensor.render(frame.device_time, frame.index, frame.depth_mm, frame.color, false);
-  if (options.truth_color) {
-    if (Status added = truth.add_color(frame.index, frame.color); !added) return added;
-  }
-  MaskImage moving;
-  sensor.render_moving(frame.device_time, moving);
-  return truth.add(frame.index, frame.device_time, frame.depth_mm, moving);
+/// Takes away what a failure leaves behind: never what was there before.
+void remove_contents(const fs::path& directory) {
+  std::error_code ignored;
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(directory, ignored)) entries.push_back(entry);
+  for (const fs::path& entry : entries) fs::remove_all(entry, ignored);
+}
+
+Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
+                 const SimulatedRoom& room, Actors& actors, RigWriter& rig,
+                 const SimulateWatcher& watcher, const std::stop_token& stop) {
+  const std::string source = provenance(options, room.room());
+  const int threads = sim::thread_count(options.threads);
+  const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
+  auto truth =
+      RigTruth::create(directory / "truth", options.fps, rig_sensors(actors, Calibration::kExact),
+                       source, options.truth_color);
+  if (!truth) return std::move(truth).error();
+  if (Status metered = meter(actors, frames, threads); !metered) return metered;
+  Status written = write_frames(options, actors, frames, threads, rig, *truth, watcher, stop);
+  if (!written && written.error().code != ErrorCode::kClosed) return written;
+  if (Status finished = rig.finish(); !finished) return finished;
+  return written;
 }
 
 }  // namespace
 
 Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options,
-                    const std::function<void(int done, int total)>& progress) {
+                    const SimulateWatcher& watcher, std::stop_token stop) {
   if (Status legal = check(options); !legal) return legal;
-  auto sensors = open_sensors(options);
-  if (!sensors) return std::move(sensors).error();
-  RigWriterOptions writing;
-  writing.source = provenance(options, *sensors->front());
-  auto rig = RigWriter::create(directory, options.fps, rig_sensors(*sensors), writing);
+  auto room = SimulatedRoom::build(options.scene, options.seed);
+  if (!room) return std::move(room).error();
+  auto actors = open_actors(*room, options, watcher);
+  if (!actors) return std::move(actors).error();
+  auto rig = RigWriter::create(directory, options.fps, rig_sensors(*actors, Calibration::kReported),
+                               {provenance(options, (*room)->room()), 90});
   if (!rig) return std::move(rig).error();
-  auto truth = create_truth(directory, sensors->size(), options.truth_color);
-  if (!truth) return std::move(truth).error();
-
-  const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
-  const int total = frames * static_cast<int>(sensors->size());
-  int done = 0;
-  CapturedFrame frame;
-  for (int i = 0; i < frames; ++i) {
-    frame.index = static_cast<std::uint64_t>(i);
-    frame.device_time = nanoseconds(std::llround(i * 1e9 / options.fps));
-    frame.capture_time = HostTime(frame.device_time);
-    for (std::size_t number = 0; number < sensors->size(); ++number) {
-      SimulatedSensor& sensor = *(*sensors)[number];
-      const Status written = write_instant(sensor, number, options, frame, *rig, (*truth)[number]);
-      if (!written) return written;
-      if (progress) progress(++done, total);
-    }
-  }
-  return rig->finish();
+  Status written = write_rig(directory, options, **room, *actors, *rig, watcher, stop);
+  if (!written && written.error().code != ErrorCode::kClosed) remove_contents(directory);
+  return written;
 }
 
 }  // namespace roomcast

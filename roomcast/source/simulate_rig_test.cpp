@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <random>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -34,18 +37,37 @@ DepthImage read_depth(const fs::path& path) {
   return depth_mm;
 }
 
-TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line[0] != '#') lines.push_back(line);
+  }
+  return lines;
+}
+
+/// A short recording of one sensor with small colour and no free views.
+SimulateRigOptions brief() {
   SimulateRigOptions options;
+  options.scene = "office";
   options.sensor_count = 1;
   options.seconds = 0.2;
   options.fps = 15;
+  options.sensing.half_color = true;
+  options.views = 0;
+  return options;
+}
+
+TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
+  SimulateRigOptions options = brief();
+  options.timing = sim::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
   SourceOptions playing;
   playing.pace = Pace::kAsFastAsPossible;
   playing.loop = false;
   playing.sim_sensor_count = 1;
   const auto recorded = open_source("rig:" + folder_.string() + "#s0", playing).value();
-  const auto live = open_simulated_source("", 0, playing).value();
+  const auto live = open_simulated_source("office", 0, playing).value();
   const SensorDescription& description = recorded->description();
   EXPECT_EQ(description.name, "s0");
   EXPECT_EQ(description.calibration.depth, live->description().calibration.depth);
@@ -63,29 +85,23 @@ TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
 }
 
 TEST_F(SimulateRig, truth_is_the_recording_without_noise) {
-  SimulateRigOptions options;
-  options.sensor_count = 1;
-  options.seconds = 0.05;
-  options.clean = true;
+  SimulateRigOptions options = brief();
+  options.seconds = 0.15;
+  options.clean();
   ASSERT_TRUE(simulate_rig(folder_, options));
   EXPECT_EQ(read_depth(folder_ / "s0/depth/000000.png"),
             read_depth(folder_ / "truth/s0/000000.png"));
-  std::ifstream times(folder_ / "truth/s0/times.txt");
-  std::string heading, line;
-  std::getline(times, heading);
-  std::getline(times, line);
-  EXPECT_EQ(line, "0 0.000000000");
-  std::getline(times, line);
-  EXPECT_EQ(line, "1 0.033333333");
+  EXPECT_EQ(lines_of(folder_ / "truth/s0/times.txt"),
+            (std::vector<std::string>{"0 0.000000000", "1 0.066666667"}));
+  EXPECT_EQ(lines_of(folder_ / "truth/s0/gains.txt"),
+            (std::vector<std::string>{"0 1.00000 1.00000 1.00000", "1 1.00000 1.00000 1.00000"}));
 }
 
 TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still) {
-  SimulateRigOptions options;
-  options.sensor_count = 1;
-  options.seconds = 0.5;
-  options.fps = 4;
+  SimulateRigOptions options = brief();
   options.truth_color = true;
   options.speed = 0;
+  options.timing = sim::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
   EXPECT_EQ(read_depth(folder_ / "truth/s0/000000.png"),
             read_depth(folder_ / "truth/s0/000001.png"));
@@ -95,31 +111,136 @@ TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still)
   const auto count = std::count(moving.data(), moving.data() + moving.view().pixel_count(), 255);
   EXPECT_GT(count, 1000);
   EXPECT_LT(count, 60000);
-  EXPECT_TRUE(fs::exists(folder_ / "truth/s0/color/000001.jpg"));
+  ColorImage clean, noisy;
+  ASSERT_TRUE(reader.read_color(folder_ / "truth/s0/color/000001.jpg", {960, 540}, clean));
+  ASSERT_TRUE(reader.read_color(folder_ / "s0/rgb/000001.jpg", {960, 540}, noisy));
+  double squares = 0;
+  for (std::size_t i = 0; i < clean.view().pixel_count(); ++i) {
+    const double error = clean.data()[i].g - noisy.data()[i].g;
+    squares += error * error;
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(clean.view().pixel_count()));
+  EXPECT_GT(rms, 0.5);  // grey levels: noise, and JPEG's
+  EXPECT_LT(rms, 4.0);
+}
+
+TEST_F(SimulateRig, clocks_and_losses_are_as_the_rig_says) {
+  SimulateRigOptions options = brief();
+  options.sensor_count = 2;
+  options.seconds = 2;
+  options.timing.lost_share = 0.2;
+  ASSERT_TRUE(simulate_rig(folder_, options));
+  const RigDescription rig = read_rig_json(folder_ / "rig.json").value();
+  std::size_t lost = 0;
+  for (const RigSensorEntry& sensor : rig.sensors) {
+    const fs::path folder = folder_ / sensor.path;
+    const auto truth = lines_of(folder_ / "truth" / sensor.path / "times.txt");
+    ASSERT_EQ(truth.size(), 30U);
+    std::size_t listed = 0;
+    const auto stamps = lines_of(folder / "depth.txt");
+    for (std::size_t frame = 0; frame < truth.size(); ++frame) {
+      const bool dropped = std::count(sensor.drop.begin(), sensor.drop.end(), frame) > 0;
+      char name[32];
+      std::snprintf(name, sizeof(name), "depth/%06zu.png", frame);
+      EXPECT_EQ(fs::exists(folder / name), !dropped);
+      EXPECT_TRUE(fs::exists(folder_ / "truth" / sensor.path / (name + 6)));
+      if (dropped) continue;
+      ASSERT_LT(listed, stamps.size());
+      const std::string& line = stamps[listed++];
+      EXPECT_NE(line.find(name), std::string::npos);
+      const double true_time_s = std::stod(truth[frame].substr(truth[frame].find(' ')));
+      EXPECT_NEAR(std::stod(line) - true_time_s, sensor.clock_offset_s,
+                  2.0 * options.timing.jitter_s + 1e-6);
+    }
+    EXPECT_EQ(listed, stamps.size());
+    EXPECT_GT(std::abs(sensor.clock_offset_s), 0.0);
+    lost += sensor.drop.size();
+  }
+  EXPECT_GE(lost, 3U);
+  EXPECT_LE(lost, 25U);
+}
+
+/// Every file's name and contents.
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    contents[entry.path().lexically_relative(folder).string()] =
+        std::string(std::istreambuf_iterator<char>(file), {});
+  }
+  return contents;
+}
+
+TEST_F(SimulateRig, same_seed_gives_the_same_bytes_on_one_and_on_two_threads) {
+  SimulateRigOptions options = brief();
+  options.sensor_count = 2;
+  options.truth_color = true;
+  options.sensing.interference_per_minute = 30;
+  options.threads = 1;
+  ASSERT_TRUE(simulate_rig(folder_ / "one", options));
+  options.threads = 2;
+  ASSERT_TRUE(simulate_rig(folder_ / "two", options));
+  const auto one = contents_of(folder_ / "one"), two = contents_of(folder_ / "two");
+  EXPECT_GT(one.size(), 20U);
+  ASSERT_EQ(one.size(), two.size());
+  for (const auto& [name, bytes] : one) EXPECT_TRUE(two.at(name) == bytes) << name;
+  options.seed = 2;
+  options.sensor_count = 1;
+  ASSERT_TRUE(simulate_rig(folder_ / "other", options));
+  EXPECT_NE(contents_of(folder_ / "other").at("s0/depth/000000.png"),
+            one.at("s0/depth/000000.png"));
 }
 
 TEST_F(SimulateRig, reports_every_picture) {
-  SimulateRigOptions options;
+  SimulateRigOptions options = brief();
   options.sensor_count = 2;
-  options.seconds = 0.07;
   int calls = 0, last_total = 0;
-  const auto progress = [&](int done, int total) {
-    EXPECT_EQ(done, ++calls);
-    last_total = total;
+  const auto watcher = [&](const SimulateProgress& progress) {
+    if (progress.doing != "writing frames") return;
+    EXPECT_EQ(progress.done, ++calls);
+    last_total = progress.total;
   };
-  ASSERT_TRUE(simulate_rig(folder_, options, progress));
-  EXPECT_EQ(calls, 4);
-  EXPECT_EQ(last_total, 4);
+  ASSERT_TRUE(simulate_rig(folder_, options, watcher));
+  EXPECT_EQ(calls, 6);
+  EXPECT_EQ(last_total, 6);
   EXPECT_EQ(read_rig_json(folder_ / "rig.json")->sensors.size(), 2U);
 }
 
+TEST_F(SimulateRig, stopped_it_leaves_a_shorter_recording) {
+  std::stop_source stop;
+  const auto watcher = [&](const SimulateProgress& progress) {
+    if (progress.doing == "writing frames" && progress.done == 2) stop.request_stop();
+  };
+  const Status status = simulate_rig(folder_, brief(), watcher, stop.get_token());
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kClosed);
+  EXPECT_EQ(lines_of(folder_ / "s0/depth.txt").size(), 2U);
+  EXPECT_EQ(read_rig_json(folder_ / "rig.json")->source.find("not finished"), std::string::npos);
+}
+
+TEST_F(SimulateRig, a_failure_leaves_nothing_behind) {
+  fs::create_directories(folder_);
+  const auto watcher = [&](const SimulateProgress& progress) {
+    if (progress.doing == "writing frames") fs::remove_all(folder_ / "truth");
+  };
+  const Status status = simulate_rig(folder_, brief(), watcher);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kUnavailable);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 TEST_F(SimulateRig, impossible_options_are_refused_and_write_nothing) {
-  SimulateRigOptions endless, frozen, crowded, nowhere;
+  SimulateRigOptions endless = brief(), frozen = brief(), crowded = brief(), hasty = brief(),
+                     blind = brief(), lossy = brief(), nowhere = brief();
   endless.seconds = INFINITY;
   frozen.fps = 0;
   crowded.sensor_count = 9;
+  hasty.speed = 11;
+  blind.views = -1;
+  lossy.timing.lost_share = 0.9;
   nowhere.scene = "attic";
-  for (const auto& options : {endless, frozen, crowded}) {
+  for (const auto& options : {endless, frozen, crowded, hasty, blind, lossy}) {
     const Status status = simulate_rig(folder_, options);
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::kInvalidArgument);
@@ -131,9 +252,8 @@ TEST_F(SimulateRig, impossible_options_are_refused_and_write_nothing) {
 TEST_F(SimulateRig, a_folder_that_holds_something_is_left_alone) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "notes.txt") << "mine";
-  SimulateRigOptions options;
-  options.sensor_count = 1;
-  EXPECT_FALSE(simulate_rig(folder_, options));
+  EXPECT_FALSE(simulate_rig(folder_, brief()));
+  EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "rig.json"));
 }
 

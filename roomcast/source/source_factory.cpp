@@ -14,8 +14,8 @@ namespace roomcast {
 namespace {
 
 constexpr const char* kKinds =
-    "a source is sim[:scene][#sensor], rig:DIR#sensor or tum:DIR, for example sim:livingroom#0, "
-    "rig:house3#s0 or tum:kitchen";
+    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor or tum:DIR, for example "
+    "sim:office,camera=d435#0, rig:house3#s0 or tum:kitchen";
 
 /// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
 /// '#'.

@@ -1,89 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
-// One simulated sensor in its room: renders what it sees at any instant, with
-// or without its noise. The empty room is traced once at opening; a frame then
-// costs the person, the copy and the noise. Without noise the pictures are the
-// truth. Metres; scene time starts at 0 and may be any instant.
-// Single-threaded.
+// One simulated sensor in its room: what it sees at any instant, and what it reports of that. The
+// empty room is traced once at opening; a frame then costs what moves, and the noise. What it
+// reports is a function of (seed, index, frame, scene time, exposure): the same on any thread, in
+// any order. Metres; scene time starts at 0 and may be any instant. Const calls are thread-safe as
+// long as every thread brings its own Moment.
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/source/simulator/people/moving_layer.h"
-#include "roomcast/source/simulator/people/moving_picture.h"
-#include "roomcast/source/simulator/people/moving_things.h"
-#include "roomcast/source/simulator/people/surface_texels.h"
-#include "roomcast/source/simulator/scene/room.h"
-#include "roomcast/source/simulator/sensing/sensor_noise.h"
-#include "roomcast/source/simulator/tracing/static_plate.h"
+#include "roomcast/source/simulator/color_camera.h"
+#include "roomcast/source/simulator/depth_camera.h"
+#include "roomcast/source/simulator/sensing/sensing_options.h"
+#include "roomcast/source/simulator/simulated_room.h"
 
 namespace roomcast {
 
 class SimulatedSensor {
-public:
+ public:
   struct Options {
-    std::string scene; // "" or "livingroom", "office"
-    int sensor_index = 0;
-    int sensor_count =
-        3; // how many stand around the room, 1..sim::kMaxSimulatedSensors
-    std::uint64_t seed = 1; // noise, and how things look
-    double speed = 1; // of all motion: 0.05 is slow motion, 0 stands still
+    int index = 0;
+    int count = 3;           // how many stand around the room, 1..sim::kMaxSimulatedSensors
+    std::uint64_t seed = 1;  // what differs between devices, and the noise
+    double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
+    int threads = 0;         // for tracing the empty room; 0: all cores
+    sim::SensingOptions sensing;
   };
 
-  /// kNotFound for an unknown scene (the message lists them); kInvalidArgument
-  /// for an index or count out of range; kUnavailable when the ray tracer does
-  /// not start.
-  static Result<std::unique_ptr<SimulatedSensor>> open(const Options &options);
+  /// An instant as the sensor sees it, and the memory of one thread for it.
+  class Moment {
+   public:
+    [[nodiscard]] nanoseconds scene_time() const { return scene_time_; }
 
-  [[nodiscard]] const SensorCalibration &calibration() const {
-    return calibration_;
-  }
-  [[nodiscard]] const RigidTransform &world_from_depth() const {
-    return depth_camera_.world_from_camera();
-  }
-  [[nodiscard]] const sim::Room &room() const { return *room_; }
+   private:
+    friend class SimulatedSensor;
+    Moment(const SimulatedSensor& sensor);
+    nanoseconds scene_time_{};
+    sim::MovingThings things_;
+    sim::DepthCamera::Work depth_;
+    sim::ColorCamera::Work color_;
+  };
 
-  /// Depth and colour of `scene_time`. The noise is a function of (seed,
-  /// sensor, frame_index). The pictures keep their memory when they have the
-  /// right size already.
-  void render(nanoseconds scene_time, std::uint64_t frame_index,
-              DepthImage &depth_mm, ColorImage &color, bool with_noise);
+  /// kInvalidArgument for an index or count out of range.
+  static Result<std::unique_ptr<SimulatedSensor>> open(std::shared_ptr<const SimulatedRoom> room,
+                                                       const Options& options);
 
-  /// Depth of `scene_time` without noise, alone: what `render` without noise
-  /// gives.
-  void render_true_depth(nanoseconds scene_time, DepthImage &depth_mm);
+  /// What the sensor says of its lenses, and what they are.
+  [[nodiscard]] const SensorCalibration& calibration() const { return unit_.reported; }
+  [[nodiscard]] const SensorCalibration& exact_calibration() const { return unit_.exact; }
+  [[nodiscard]] const RigidTransform& world_from_depth() const { return world_from_depth_; }
+  [[nodiscard]] const sim::SensorUnit& unit() const { return unit_; }
+  [[nodiscard]] const sim::DepthCamera& depth_camera() const { return depth_; }
 
-  /// 255 where the depth of `scene_time` is that of something moving, 0
-  /// elsewhere.
-  void render_moving(nanoseconds scene_time, MaskImage &moving);
+  [[nodiscard]] Moment make_moment() const { return Moment(*this); }
 
-private:
-  SimulatedSensor(const Options &options, std::unique_ptr<const sim::Room> room,
-                  const sim::RayScene &scene);
+  /// Looks at the room at an instant. First of all for everything below.
+  void look(nanoseconds scene_time, Moment& moment) const;
 
-  [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame_index) const;
-  void render_depth(std::uint32_t key, bool with_noise,
-                    ImageView<std::uint16_t> out);
-  void render_color(ImageView<Rgb8> out);
+  /// The truth: depth; 255 where it is that of something that can move; colour without noise, but
+  /// with the unit's own colours and exposure. The pictures keep their memory.
+  [[nodiscard]] const DepthImage& clean_depth_mm(const Moment& moment) const;
+  void mark_moving(const Moment& moment, MaskImage& moving) const;
+  void clean_color(float exposure, const Moment& moment, ColorImage& color) const;
 
+  /// What the sensor reports as its frame number `frame`.
+  void read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const;
+  void read_color(std::uint64_t frame, float exposure, const Moment& moment,
+                  ColorImage& color) const;
+
+  /// The exposure gains of consecutive frames: 1 where the unit has no exposure control. Needs no
+  /// look before.
+  [[nodiscard]] sim::AutoExposure auto_exposure() const { return color_.auto_exposure(); }
+  float next_exposure(nanoseconds scene_time, Moment& moment, sim::AutoExposure& control) const;
+
+ private:
+  SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);
+  [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame) const;
+
+  std::shared_ptr<const SimulatedRoom> room_;
   Options options_;
-  std::unique_ptr<const sim::Room> room_;
-  SensorCalibration calibration_;
-  sim::PlacedCamera depth_camera_, color_camera_;
-  sim::DepthPlate depth_plate_;
-  sim::ColorPlate color_plate_;
-  DepthImage plate_mm_;
-  sim::MovingThings things_;
-  sim::SurfaceTexels texels_;
-  sim::MovingLayer things_in_depth_, things_in_color_;
-  sim::MovingColors moving_colors_;
-  sim::GaussianTable gaussians_;
-  sim::DepthNoise depth_noise_;
+  sim::SensorUnit unit_;
+  RigidTransform world_from_depth_;
+  sim::DepthCamera depth_;
+  sim::ColorCamera color_;
 };
 
-} // namespace roomcast
+}  // namespace roomcast

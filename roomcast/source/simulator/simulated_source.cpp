@@ -6,7 +6,9 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "roomcast/source/simulator/simulated_room.h"
 #include "roomcast/source/simulator/simulated_sensor.h"
+#include "roomcast/source/simulator/simulated_spec.h"
 
 namespace roomcast {
 namespace {
@@ -30,6 +32,8 @@ class SimulatedSource final : public FrameSource {
  public:
   SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index, const SourceOptions& options)
       : sensor_(std::move(sensor)),
+        moment_(sensor_->make_moment()),
+        exposure_(sensor_->auto_exposure()),
         pace_(options.pace),
         period_s_(1.0 / options.sim_fps),
         phase_(pace_ == Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
@@ -53,7 +57,10 @@ class SimulatedSource final : public FrameSource {
     frame.index = frame_count_++;
     frame.capture_time = HostTime(scene_time);
     frame.device_time = scene_time + device_offset_;
-    sensor_->render(scene_time, frame.index, frame.depth_mm, frame.color, true);
+    sensor_->look(scene_time, moment_);
+    sensor_->read_depth(frame.index, moment_, frame.depth_mm);
+    const float exposure = sensor_->next_exposure(scene_time, moment_, exposure_);
+    sensor_->read_color(frame.index, exposure, moment_, frame.color);
     return true;
   }
 
@@ -72,6 +79,8 @@ class SimulatedSource final : public FrameSource {
   }
 
   std::unique_ptr<SimulatedSensor> sensor_;
+  SimulatedSensor::Moment moment_;
+  sim::AutoExposure exposure_;
   Pace pace_;
   double period_s_;
   nanoseconds phase_;
@@ -83,15 +92,24 @@ class SimulatedSource final : public FrameSource {
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& scene,
+Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& text,
                                                            int sensor_index,
                                                            const SourceOptions& options) {
   if (!(options.sim_fps > 0.0 && options.sim_fps <= kMaxSimulatedFps)) {
     return Error{ErrorCode::kInvalidArgument,
                  "A simulated source gives more than 0 and at most 120 frames per second."};
   }
-  auto sensor =
-      SimulatedSensor::open({scene, sensor_index, options.sim_sensor_count, options.sim_seed});
+  const auto spec = parse_simulated_spec(text);
+  if (!spec) return spec.error();
+  auto room = SimulatedRoom::build(spec->scene, options.sim_seed);
+  if (!room) return std::move(room).error();
+  SimulatedSensor::Options sensing;
+  sensing.index = sensor_index;
+  sensing.count = options.sim_sensor_count;
+  sensing.seed = options.sim_seed;
+  sensing.speed = spec->speed;
+  sensing.sensing = spec->sensing;
+  auto sensor = SimulatedSensor::open(*std::move(room), sensing);
   if (!sensor) return std::move(sensor).error();
   return std::unique_ptr<FrameSource>(
       std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options));

@@ -5,7 +5,8 @@
 //  not synchronised);
 //    instants that the caller was too slow for are skipped.
 //  - Pace::kAsFastAsPossible: frame i is the instant i / fps, from scene time 0.
-// `device_time` is the scene time on the sensor's own clock, which is off by a fixed amount.
+// `device_time` is the scene time on the sensor's own clock, which is off by a fixed amount. No
+// frames are lost, and the frame rate is exact.
 #pragma once
 
 #include <memory>
@@ -20,11 +21,12 @@ namespace roomcast {
 /// Frames per second that a simulated source may be asked for.
 inline constexpr double kMaxSimulatedFps = 120.0;
 
-/// Sensor "s<index>" of `options.sim_sensor_count` in the scene ("" is "livingroom"). Its
-/// description holds the calibration, the true world_from_depth and options.sim_fps. kNotFound for
-/// an unknown scene (the message lists them); kInvalidArgument for an index, count or rate out of
-/// range; kUnavailable when the ray tracer does not start.
+/// Sensor "s<index>" of `options.sim_sensor_count` in the room that `spec` names
+/// (simulated_spec.h). Its description holds the calibration that the sensor reports, the true
+/// world_from_depth and options.sim_fps. kNotFound for an unknown scene (the message lists them);
+/// kInvalidArgument for an index, count, rate or option out of range; kUnavailable when the ray
+/// tracer does not start.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_simulated_source(
-    const std::string& scene, int sensor_index, const SourceOptions& options);
+    const std::string& spec, int sensor_index, const SourceOptions& options);
 
 }  // namespace roomcast

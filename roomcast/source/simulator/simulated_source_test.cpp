@@ -42,16 +42,28 @@ TEST(SimulatedSource, frames_count_from_scene_time_zero_at_the_rate_asked_for) {
   }
 }
 
-TEST(SimulatedSource, frame_is_what_the_sensor_renders_for_its_instant) {
-  const auto source = open_simulated_source("", 0, as_fast_as_possible()).value();
-  auto sensor = SimulatedSensor::open({"", 0, 3, 1}).value();
+TEST(SimulatedSource, frame_is_what_the_sensor_reports_of_its_instant) {
+  const auto source = open_simulated_source("office,speed=0.5", 0, as_fast_as_possible()).value();
+  SimulatedSensor::Options options;
+  options.speed = 0.5;
+  options.sensing.half_color = true;
+  const auto sensor =
+      SimulatedSensor::open(SimulatedRoom::build("office", 1).value(), options).value();
+  auto moment = sensor->make_moment();
+  auto control = sensor->auto_exposure();
   CapturedFrame frame;
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(source->next(frame, {}).value());
-  DepthImage depth_mm;
-  ColorImage color;
-  sensor->render(frame.capture_time.time_since_epoch(), frame.index, depth_mm, color, true);
-  EXPECT_EQ(frame.depth_mm, depth_mm);
-  EXPECT_EQ(frame.color, color);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(source->next(frame, {}).value());
+    const nanoseconds time = frame.capture_time.time_since_epoch();
+    const float exposure = sensor->next_exposure(time, moment, control);
+    DepthImage depth_mm;
+    ColorImage color;
+    sensor->look(time, moment);
+    sensor->read_depth(frame.index, moment, depth_mm);
+    sensor->read_color(frame.index, exposure, moment, color);
+    EXPECT_EQ(frame.depth_mm, depth_mm);
+    EXPECT_EQ(frame.color, color);
+  }
 }
 
 TEST(SimulatedSource, real_time_frames_are_instants_of_the_host_clock_that_have_passed) {
@@ -103,6 +115,7 @@ TEST(SimulatedSource, impossible_rates_are_refused) {
 TEST(SimulatedSource, unknown_scenes_and_sensors_are_refused) {
   EXPECT_EQ(open_simulated_source("attic", 0, {}).error().code, ErrorCode::kNotFound);
   EXPECT_EQ(open_simulated_source("", 3, {}).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(open_simulated_source(",fast", 0, {}).error().code, ErrorCode::kInvalidArgument);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ std::uint16_t DepthSensing::read(const ExpectedReading& expected, int x, int y,
   return rounded_mm(seen_mm + factor * expected.sigma_mm * unit + ripple_mm);
 }
 
-StillDepth::StillDepth(const DepthSensing& sensing, ImageView<const ExpectedReading> expected)
+StillDepth::StillDepth(ImageView<const ExpectedReading> expected)
     : mean_mm_(expected.width, expected.height), sigma_mm_(expected.width, expected.height) {
   for (int y = 0; y < expected.height; ++y) {
     for (int x = 0; x < expected.width; ++x) {

@@ -76,7 +76,7 @@ class DepthSensing {
 /// The whole picture of what stands still, worked out once.
 class StillDepth {
  public:
-  StillDepth(const DepthSensing& sensing, ImageView<const ExpectedReading> expected);
+  explicit StillDepth(ImageView<const ExpectedReading> expected);
 
   void read(const DepthSensing& sensing, const FrameNoise& noise,
             ImageView<std::uint16_t> out) const;

@@ -28,13 +28,13 @@ float likeness(const LitPoint& node, const LitPoint& point) {
 
 }  // namespace
 
-LightMap::LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera)
+LightMap::LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads)
     : room_(room),
       scene_(scene),
       nodes_((camera.width() + kSpacing - 1) / kSpacing,
              (camera.height() + kSpacing - 1) / kSpacing) {
   ROOMCAST_ASSERT(room.lights.size() <= kMostLights);
-  for_each_row(nodes_.height(), [&](int j) {
+  for_each_row(nodes_.height(), threads, [&](int j) {
     for (int i = 0; i < nodes_.width(); ++i)
       nodes_.at(i, j) = node_at(i * kSpacing, j * kSpacing, camera);
   });

@@ -16,7 +16,7 @@ namespace roomcast::sim {
 
 class LightMap {
  public:
-  LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera);
+  LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads);
 
   /// Light that arrives at a point seen at pixel (x, y), linear.
   [[nodiscard]] Eigen::Vector3f arriving(int x, int y, const LitPoint& point,

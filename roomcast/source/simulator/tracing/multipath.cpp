@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "roomcast/source/simulator/tracing/lighting.h"
 #include "roomcast/source/simulator/tracing/parallel_rows.h"
@@ -13,7 +15,9 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kSpacing = 4;  // pixels
-constexpr int kRays = 32;
+constexpr int kRays = 48;
+constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+constexpr float kHalfWave_m = 1.5F;  // of light modulated at 100 MHz
 
 struct Node {
   float z_m = 0;  // 0: nothing there
@@ -21,34 +25,41 @@ struct Node {
   float detour_m = 0;  // along the ray
 };
 
-/// Light of the camera that a surface gets, up to a constant; 0 where it cannot see the camera.
-float lit_by_camera(const RayScene& scene, const Vector3f& eye_m, const LitPoint& at) {
-  const Vector3f way = eye_m - at.position_m;
+/// The camera lights what it looks at, not what is beside or behind it.
+bool in_picture(const PlacedCamera& camera, const Vector3f& point_m) {
+  const auto pixel = camera.pixel_of(camera.axes().transpose() * (point_m - camera.eye_m()));
+  return pixel && pixel->x() > -0.5F && pixel->y() > -0.5F &&
+         pixel->x() < static_cast<float>(camera.width()) - 0.5F &&
+         pixel->y() < static_cast<float>(camera.height()) - 0.5F;
+}
+
+/// Light of the camera that a surface gets, up to a constant; 0 where it gets none.
+float lit_by_camera(const RayScene& scene, const PlacedCamera& camera, const LitPoint& at) {
+  const Vector3f way = camera.eye_m() - at.position_m;
   const float distance = way.norm();
   const float cosine = at.normal.dot(way) / distance;
-  if (cosine <= 0.0F) return 0.0F;
-  if (scene.blocked(at.position_m + 0.003F * at.normal, eye_m)) return 0.0F;
+  if (cosine <= 0.0F || !in_picture(camera, at.position_m)) return 0.0F;
+  if (scene.blocked(at.position_m + 0.003F * at.normal, camera.eye_m())) return 0.0F;
   return cosine / (distance * distance);
 }
 
-/// Mean detour of all light that comes back from P, its direct light included.
-float mean_detour(const Room& room, const RayScene& scene, const Vector3f& eye_m,
-                  const LitPoint& at) {
-  const float direct_way = (at.position_m - eye_m).norm();
-  const float cosine = at.normal.dot(eye_m - at.position_m) / direct_way;
-  const float direct = std::max(cosine, 0.05F) / (direct_way * direct_way);
-  float indirect = 0.0F, weighted = 0.0F;
+/// How much too far P appears, along the ray: the phase of all light that comes back from it.
+float detour_at(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+                const LitPoint& at) {
+  const float direct_way = (at.position_m - camera.eye_m()).norm();
+  const float cosine = at.normal.dot(camera.eye_m() - at.position_m) / direct_way;
+  std::complex<float> light = std::max(cosine, 0.05F) / (direct_way * direct_way);
   for (int i = 0; i < kRays; ++i) {
     const Vector3f direction = cosine_direction(at.normal, i, kRays);
     const auto hit = scene.first_hit(at.position_m + 0.004F * at.normal, direction);
     if (!hit) continue;
     const LitPoint bounce{at.position_m + hit->t * direction, hit->normal};
     const float infrared = room.surfaces[room.mesh.surface[hit->triangle]].infrared;
-    const float share = infrared * lit_by_camera(scene, eye_m, bounce) / kRays;
-    indirect += share;
-    weighted += share * 0.5F * (hit->t + (bounce.position_m - eye_m).norm() - direct_way);
+    const float share = infrared * lit_by_camera(scene, camera, bounce) / kRays;
+    const float way = hit->t + (bounce.position_m - camera.eye_m()).norm();
+    light += std::polar(share, kTurn * 0.5F * (way - direct_way) / kHalfWave_m);
   }
-  return weighted / (direct + indirect);
+  return std::arg(light) / kTurn * kHalfWave_m;
 }
 
 Node node_at(const Room& room, const RayScene& scene, const PlacedCamera& camera, int x, int y) {
@@ -56,7 +67,7 @@ Node node_at(const Room& room, const RayScene& scene, const PlacedCamera& camera
   const auto hit = scene.first_hit(camera.eye_m(), direction);
   if (!hit) return {};
   const LitPoint at{camera.eye_m() + hit->t * direction, hit->normal};
-  return {hit->t, hit->normal, mean_detour(room, scene, camera.eye_m(), at)};
+  return {hit->t, hit->normal, detour_at(room, scene, camera, at)};
 }
 
 /// Detour along the axis at a pixel, from the nodes around it that lie at about its depth.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light that reaches a time-of-flight camera by way of two surfaces travels further, and pulls the
-// measured depth with it: corners of rooms come out too far (Fuchs, "Multipath interference
+// measured phase with it: corners of rooms come out too far (Fuchs, "Multipath interference
 // compensation in time-of-flight camera images", ICPR 2010). One bounce: for a point P, rays spread
 // by the cosine law find surfaces Q; each sends on to P a share of the camera's light that is
 // reflectance * cos / distance^2 of Q against cos / distance^2 of P, along a path that is
-// (|PQ| + |QC| - |PC|) / 2 too long. Surfaces count as matt; of what stands still only. Worked out
-// on every fourth pixel and interpolated on the same surface.
+// (|PQ| + |QC| - |PC|) / 2 too long. The shares add up as phasors (Gupta et al., "Phasor imaging",
+// ACM TOG 2015) at 100 MHz, between the Kinect v2's two high frequencies: light from far away in
+// the room cancels itself out. Surfaces count as matt, and only those in the picture are lit by the
+// camera; of what stands still only. Worked out on every fourth pixel and interpolated on the same
+// surface.
 #pragma once
 
 #include "roomcast/core/image.h"

@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "roomcast/source/simulator/scene/value_noise.h"
+#include "roomcast/source/simulator/sensing/depth_reading.h"
 #include "roomcast/source/simulator/tracing/light_map.h"
+#include "roomcast/source/simulator/tracing/multipath.h"
 #include "roomcast/source/simulator/tracing/parallel_rows.h"
 
 namespace roomcast::sim {
@@ -18,8 +20,8 @@ using Eigen::Vector3f;
 /// Light that comes to the camera along rays, with all that is needed to follow them.
 class ColorTracer {
  public:
-  ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera)
-      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera) {}
+  ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads)
+      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera, threads) {}
 
   struct Sample {
     Vector3f light = Vector3f::Zero();
@@ -81,46 +83,86 @@ Rgb8 smooth_pixel(const ColorTracer& tracer, int x, int y) {
   return rounded(sum / static_cast<float>(spread.size()));
 }
 
-}  // namespace
+/// What a depth camera sees through one pixel's centre; z 0: nothing.
+struct StillPoint {
+  float z_m = 0, facing = 1, infrared = 0;
+};
 
-DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
-  const int width = camera.width();
-  const int height = camera.height();
-  DepthPlate plate{Image<float>(width, height), Image<float>(width, height),
-                   Image<float>(width, height)};
-  for_each_row(height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      const Vector3f direction = camera.direction(x, y);
-      const auto hit = scene.first_hit(camera.eye_m(), direction);
-      if (!hit) continue;
-      plate.z_m.at(x, y) = hit->t;
-      plate.facing.at(x, y) = -hit->normal.dot(direction.normalized());
-      plate.infrared.at(x, y) = room.surfaces[room.mesh.surface[hit->triangle]].infrared;
+StillPoint still_point(const Room& room, const RayScene& scene, const PlacedCamera& camera, int x,
+                       int y) {
+  const Vector3f direction = camera.direction(x, y);
+  const auto hit = scene.first_hit(camera.eye_m(), direction);
+  if (!hit) return {};
+  return {hit->t, -hit->normal.dot(direction.normalized()),
+          room.surfaces[room.mesh.surface[hit->triangle]].infrared};
+}
+
+void trace_fine_samples(const Room& room, const RayScene& scene, const PlacedCamera& fine,
+                        int threads, DepthPlate& plate) {
+  plate.fine_z_m.resize(fine.width(), fine.height());
+  plate.fine_strength.resize(fine.width(), fine.height());
+  for_each_row(fine.height(), threads, [&](int y) {
+    for (int x = 0; x < fine.width(); ++x) {
+      const StillPoint point = still_point(room, scene, fine, x, y);
+      plate.fine_z_m.at(x, y) = point.z_m;
+      plate.fine_strength.at(x, y) = signal_strength(point.infrared, point.facing, point.z_m);
     }
   });
+}
+
+}  // namespace
+
+DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+                             const PlacedCamera& fine, bool multipath, int threads) {
+  const int width = camera.width();
+  const int height = camera.height();
+  DepthPlate plate;
+  for (Image<float>* layer : {&plate.z_m, &plate.facing, &plate.infrared, &plate.detour_m})
+    layer->resize(width, height);
+  for_each_row(height, threads, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const StillPoint point = still_point(room, scene, camera, x, y);
+      plate.z_m.at(x, y) = point.z_m;
+      plate.facing.at(x, y) = point.facing;
+      plate.infrared.at(x, y) = point.infrared;
+    }
+  });
+  trace_fine_samples(room, scene, fine, threads, plate);
+  if (multipath) plate.detour_m = trace_detours(room, scene, camera, plate.z_m.view(), threads);
   return plate;
 }
 
-ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera) {
+ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+                             int threads) {
   const int width = camera.width();
   const int height = camera.height();
-  const ColorTracer tracer(room, scene, camera);
+  const ColorTracer tracer(room, scene, camera, threads);
   ColorPlate plate{Image<float>(width, height), ColorImage(width, height)};
   ColorImage first(width, height);
-  for_each_row(height, [&](int y) {
+  for_each_row(height, threads, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const auto sample = tracer.sample(x, y, Vector2f::Zero(), dither_of(x, y, 0));
       plate.z_m.at(x, y) = sample.z_m;
       first.at(x, y) = rounded(srgb_from_linear(sample.light));
     }
   });
-  for_each_row(height, [&](int y) {
+  for_each_row(height, threads, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const bool rough = has_contrast(first.view(), x, y);
       plate.color.at(x, y) = rough ? smooth_pixel(tracer, x, y) : first.at(x, y);
     }
   });
   return plate;
+}
+
+CameraIntrinsics resampled(CameraIntrinsics camera, double factor) {
+  camera.width = static_cast<int>(std::lround(camera.width * factor));
+  camera.height = static_cast<int>(std::lround(camera.height * factor));
+  camera.fx *= factor;
+  camera.fy *= factor;
+  camera.cx = (camera.cx + 0.5) * factor - 0.5;  // pixel centres are at integer coordinates
+  camera.cy = (camera.cy + 0.5) * factor - 0.5;
+  return camera;
 }
 
 }  // namespace roomcast::sim

@@ -7,16 +7,20 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/source/simulator/sensing/kinect_calibration.h"
+#include "roomcast/source/simulator/sensing/sensor_unit.h"
 
 namespace roomcast::sim {
 namespace {
 
 constexpr float kTolerance_m = 0.001F;
 
+CameraIntrinsics depth_lens(int sensor) {
+  return make_unit({}, 1, sensor).exact.depth;
+}
+
 PlacedCamera depth_camera(const Room& room, int sensor) {
   const SensorStand& stand = room.stands[static_cast<std::size_t>(sensor)];
-  return {kinect_calibration(sensor).depth,
+  return {depth_lens(sensor),
           world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>())};
 }
 
@@ -29,7 +33,8 @@ TEST(StaticPlate, floor_and_walls_lie_where_their_planes_are) {
   const View view;
   for (int sensor = 0; sensor < 3; ++sensor) {
     const PlacedCamera camera = depth_camera(view.room, sensor);
-    const DepthPlate plate = trace_depth_plate(view.room, *view.scene, camera);
+    const PlacedCamera fine(resampled(depth_lens(sensor), 2.0), camera.world_from_camera());
+    const DepthPlate plate = trace_depth_plate(view.room, *view.scene, camera, fine, true, 0);
     int floor = 0, walls = 0;
     for (int y = 0; y < camera.height(); ++y) {
       for (int x = 0; x < camera.width(); ++x) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/simulated_spec.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace roomcast {
+namespace {
+
+TEST(SimulatedSpec, alone_it_names_a_scene) {
+  EXPECT_EQ(parse_simulated_spec("")->scene, "");
+  const SimulatedSpec spec = parse_simulated_spec("lab").value();
+  EXPECT_EQ(spec.scene, "lab");
+  EXPECT_EQ(spec.speed, 1.0);
+  EXPECT_EQ(spec.sensing.camera, sim::CameraModel::kKinect2);
+  EXPECT_TRUE(spec.sensing.half_color);
+  EXPECT_TRUE(spec.sensing.noise);
+}
+
+TEST(SimulatedSpec, options_follow_in_any_order) {
+  const auto spec =
+      parse_simulated_spec("lab,speed=0.05,camera=d435,color=full,interference=6").value();
+  EXPECT_EQ(spec.speed, 0.05);
+  EXPECT_EQ(spec.sensing.camera, sim::CameraModel::kD435);
+  EXPECT_FALSE(spec.sensing.half_color);
+  EXPECT_EQ(spec.sensing.interference_per_minute, 6.0);
+  const auto clean = parse_simulated_spec(",clean").value();
+  EXPECT_EQ(clean.scene, "");
+  EXPECT_FALSE(clean.sensing.noise || clean.sensing.calibration_error ||
+               clean.sensing.auto_exposure);
+}
+
+TEST(SimulatedSpec, what_is_no_option_is_named) {
+  for (const char* text :
+       {"lab,", "lab,fast", "lab,camera=leica", "lab,speed=", "lab,speed=-1", "lab,speed=11",
+        "lab,speed=1x", "lab,color=grey", "lab,clean=yes", "lab,interference=nan"}) {
+    const auto spec = parse_simulated_spec(text);
+    ASSERT_FALSE(spec) << text;
+    EXPECT_EQ(spec.error().code, ErrorCode::kInvalidArgument);
+    const std::string option(std::string_view(text).substr(4));
+    EXPECT_THAT(spec.error().message, testing::HasSubstr("\"" + option + "\""));
+  }
+}
+
+}  // namespace
+}  // namespace roomcast
