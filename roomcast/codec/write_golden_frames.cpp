@@ -3,6 +3,7 @@
 // docs/spec/codec.md. Run only when the format changes:  roomcast_write_golden_frames tests/golden
 // The depth and mask bytes are the same on every machine; the VP9 frames depend on libvpx's
 // version.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/codec/live/random_live_stream.h"
+#include "roomcast/codec/live/synthetic_motion.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/synthetic_color.h"
 #include "roomcast/core/crc32.h"
@@ -26,17 +29,17 @@ std::uint32_t crc_of(const Image<T>& image) {
 
 ordered_json description(const std::string& file, std::span<const std::uint8_t> payload,
                          const SyntheticFrame& frame, const EncodedFrameInfo& info,
-                         DepthView decoded_mm) {
+                         const DecodedFrame& decoded) {
   ordered_json entry;
   entry["file"] = file;
   entry["width"] = frame.depth_mm.width();
   entry["height"] = frame.depth_mm.height();
   entry["key"] = info.key;
   entry["layer"] = info.layer;
-  entry["depth_crc32"] = crc32(std::as_bytes(std::span(decoded_mm.data, decoded_mm.pixel_count())));
+  entry["depth_crc32"] = crc_of(decoded.depth_mm);
   if (frame.color.empty()) return entry;
   const auto sections = parse_sections(payload, frame.depth_mm.width(), frame.depth_mm.height());
-  entry["mask_crc32"] = crc_of(frame.seen);
+  entry["mask_crc32"] = crc_of(decoded.color_seen);
   entry["color_offset"] = sections->color.data() - payload.data();
   entry["color_length"] = sections->color.size();
   return entry;
@@ -55,6 +58,34 @@ FrameEncoderOptions near_lossless(int bound_mm) {
   return options;
 }
 
+FrameEncoderOptions live(int layers) {
+  FrameEncoderOptions options;
+  options.depth_mode = DepthMode::kLive;
+  options.temporal_layers = layers;
+  options.fps = 5;  // a key frame every 20 frames
+  return options;
+}
+
+/// A ball before a wall, for long enough that refinements, background and a second key frame occur.
+std::vector<SyntheticFrame> moving_ball(int width, int height, int frames) {
+  SyntheticMotion scene;
+  scene.width = width;
+  scene.height = height;
+  std::vector<SyntheticFrame> stream;
+  for (int i = 0; i < frames; ++i) stream.push_back({scene.reading(i), {}, {}});
+  return stream;
+}
+
+/// Whether the decoder shows what the encoder says it shows.
+bool shows(DepthView expected, const DepthImage& decoded) {
+  for (int y = 0; y < expected.height; ++y) {
+    if (!std::equal(expected.row(y), expected.row(y) + expected.width, decoded.view().row(y))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 class GoldenWriter {
  public:
   explicit GoldenWriter(std::string folder) : folder_(std::move(folder)) {}
@@ -65,6 +96,8 @@ class GoldenWriter {
     options.width = frames[0].depth_mm.width();
     options.height = frames[0].depth_mm.height();
     auto encoder = FrameEncoder::create(options);
+    auto decoder = FrameDecoder::create(options.width, options.height);
+    DecodedFrame decoded;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       std::vector<std::uint8_t> payload;
       const auto info = (*encoder)->encode(
@@ -73,11 +106,32 @@ class GoldenWriter {
       if (!info.ok()) return false;
       const std::string file =
           "frame_" + name + (frames.size() > 1 ? std::to_string(i) : "") + ".bin";
-      std::ofstream out(folder_ + "/" + file, std::ios::binary);
-      out.write(reinterpret_cast<const char*>(payload.data()),
-                static_cast<std::streamsize>(payload.size()));
-      if (!out) return false;
-      list_.push_back(description(file, payload, frames[i], *info, (*encoder)->decoded_depth()));
+      if (!write_file(file, payload)) return false;
+      if (!(*decoder)->decode(payload, decoded).ok()) return false;
+      if (!shows((*encoder)->decoded_depth(), decoded.depth_mm)) return false;
+      list_.push_back(description(file, payload, frames[i], *info, decoded));
+    }
+    return true;
+  }
+
+  /// Live depth as no encoder writes it, for what encoders seldom use.
+  bool write_sections(const std::string& name, int width, int height) {
+    RandomLiveStream stream(width, height, 1);
+    auto decoder = FrameDecoder::create(width, height);
+    DecodedFrame decoded;
+    for (int i = 0; i < 10; ++i) {
+      const bool key = i % 7 == 0;
+      std::vector<std::uint8_t> payload;
+      const std::size_t begin = begin_section(SectionKind::kDepth, kLiveDepth, payload);
+      const auto section = stream.next(key, i % 3 != 2);
+      payload.insert(payload.end(), section.begin(), section.end());
+      end_section(begin, payload);
+      if (!(*decoder)->decode(payload, decoded).ok()) return false;
+      const std::string file = "frame_" + name + std::to_string(i) + ".bin";
+      if (!write_file(file, payload)) return false;
+      const EncodedFrameInfo info{key, static_cast<std::uint8_t>(i % 3 == 2)};
+      list_.push_back(
+          description(file, payload, {DepthImage(width, height), {}, {}}, info, decoded));
     }
     return true;
   }
@@ -89,6 +143,14 @@ class GoldenWriter {
   }
 
  private:
+  [[nodiscard]] bool write_file(const std::string& file,
+                                const std::vector<std::uint8_t>& bytes) const {
+    std::ofstream out(folder_ + "/" + file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    return out.good();
+  }
+
   std::string folder_;
   ordered_json list_ = ordered_json::array();
 };
@@ -115,7 +177,12 @@ bool write_all(GoldenWriter& writer) {
   return writer.write("near_extremes", {{extremes, {}, {}}}, near_lossless(2)) &&
          writer.write("near_disparity_room", {{synthetic_disparity_room(33, 18), {}, {}}},
                       near_lossless(2)) &&
-         writer.write("near_color_", stream, near_lossless(2)) && writer.write_list();
+         writer.write("near_color_", stream, near_lossless(2)) &&
+         writer.write("live_1_", moving_ball(61, 50, 24), live(1)) &&
+         writer.write("live_2_", moving_ball(61, 50, 24), live(2)) &&
+         writer.write("live_3_", moving_ball(64, 48, 12), live(3)) &&
+         writer.write_sections("live_random_", 33, 18) &&
+         writer.write("live_color_", stream, live(2)) && writer.write_list();
 }
 
 }  // namespace

@@ -40,10 +40,14 @@ function errorOf(codec, decoder) {
 const frames = JSON.parse(readFileSync(new URL("frames.json", golden), "utf8"));
 const payloadOf = (frame) => readFileSync(new URL(frame.file, golden));
 
+// A stream's frames build on each other: one decoder from each key frame to the next.
+let codec, decoder;
 for (const frame of frames) {
   test(`${frame.file} decodes to what it was made from`, () => {
-    const codec = load();
-    const decoder = codec.decoder_create(frame.width, frame.height);
+    if (frame.key) {
+      codec = load();
+      decoder = codec.decoder_create(frame.width, frame.height);
+    }
     assert.equal(decode(codec, decoder, payloadOf(frame)), 0, errorOf(codec, decoder));
     const pixels = frame.width * frame.height;
     const depth = new Uint8Array(codec.memory.buffer, codec.decoder_depth(decoder), 2 * pixels);
@@ -57,6 +61,18 @@ for (const frame of frames) {
     assert.equal(codec.decoder_color_is_key(decoder), frame.key ? 1 : 0);
   });
 }
+
+test("live depth that builds on a missing frame is refused until a key frame comes", () => {
+  const codec = load();
+  const live = frames.filter((f) => f.file.startsWith("frame_live_1_"));
+  const decoder = codec.decoder_create(live[0].width, live[0].height);
+  assert.equal(decode(codec, decoder, payloadOf(live[0])), 0);
+  assert.equal(decode(codec, decoder, payloadOf(live[2])), 1);
+  assert.notEqual(errorOf(codec, decoder), "");
+  assert.equal(decode(codec, decoder, payloadOf(live[3])), 1);
+  const key = live.findLast((f) => f.key);
+  assert.equal(decode(codec, decoder, payloadOf(key)), 0);
+});
 
 test("damaged and cut payloads are refused or decoded, and the next good one decodes", () => {
   const codec = load();
