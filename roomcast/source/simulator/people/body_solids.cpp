@@ -55,7 +55,7 @@ void add_trunk_of_shirt(Tailor& t, const Build& build) {
         {1.08F, 0.76F}, 0.06F);
   for (const float x : {-1.0F, 1.0F}) {
     t.bar(Bone::kChest, {x * 0.045F, 0.435F, -0.014F}, {x * 0.165F, 0.405F, -0.010F},
-          {0.066F, 0.064F}, {1.0F, 1.0F}, 0.05F);
+          {0.062F, 0.056F}, {1.0F, 1.0F}, 0.05F);
     t.bar(Bone::kChest, {x * 0.075F, 0.28F, 0.035F}, {x * 0.085F, 0.33F, 0.040F}, {0.075F, 0.065F},
           {1.0F, 0.8F}, 0.05F);  // breast
   }
@@ -66,7 +66,7 @@ void add_trunk_of_shirt(Tailor& t, const Build& build) {
 BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.shirt;
-  piece.cell_m = 0.026F;
+  piece.cell_m = 0.028F;
   piece.bones = {Bone::kPelvis, Bone::kChest};
   Tailor t(piece, pose, m);
   add_trunk_of_shirt(t, build);
@@ -75,7 +75,7 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
     const Bone upper = on_side(Bone::kLeftUpperArm, side);
     const Bone lower = on_side(Bone::kLeftForearm, side);
     piece.bones.insert(piece.bones.end(), {upper, lower});
-    t.sleeve(upper, m.upper_arm, {0.0F, 1.0F}, Vector2f(0.064F, 0.052F) * thick, 0.05F);
+    t.sleeve(upper, m.upper_arm, {0.0F, 1.0F}, Vector2f(0.057F, 0.050F) * thick, 0.045F);
     if (build.sleeve > 0.0F) {
       t.sleeve(lower, m.forearm, {0.0F, 1.0F}, Vector2f(0.052F, 0.040F) * thick, 0.02F);
       t.cut_across(lower, build.sleeve * m.forearm, 0.2F);
@@ -83,12 +83,11 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
       t.cut_across(upper, (1.0F + build.sleeve) * m.upper_arm, 0.25F);
     }
   }
-  if (build.hem_m > 0.2F) {  // a coat follows the thighs
-    for (const Side side : kSides) {
-      const Bone thigh = on_side(Bone::kLeftThigh, side);
-      piece.bones.push_back(thigh);
+  for (const Side side : kSides) {  // the hem moves with what is under it
+    const Bone thigh = on_side(Bone::kLeftThigh, side);
+    piece.bones.push_back(thigh);
+    if (build.hem_m > 0.2F)
       t.sleeve(thigh, m.thigh, {0.0F, 1.1F}, Vector2f(0.125F, 0.120F) * thick, 0.06F);
-    }
   }
   t.cut_across(Bone::kPelvis, build.hem_m * m.scale, 0.5F);
   return piece;
@@ -97,7 +96,7 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
 BodyPiece trousers(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.trousers;
-  piece.cell_m = 0.026F;
+  piece.cell_m = 0.028F;
   piece.bones = {Bone::kPelvis};
   Tailor t(piece, pose, m);
   const float g = build.girth;
@@ -123,7 +122,7 @@ BodyPiece trousers(const Build& build, const Outfit& outfit, const Pose& pose, c
 BodyPiece head(const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.face;
-  piece.cell_m = 0.0125F;
+  piece.cell_m = 0.0135F;
   piece.bones = {Bone::kHead};
   Tailor t(piece, pose, m);
   t.bar(Bone::kHead, {0, -0.12F, -0.030F}, {0, 0.06F, -0.010F}, {0.054F, 0.052F});  // neck
@@ -145,7 +144,7 @@ BodyPiece head(const Outfit& outfit, const Pose& pose, const Measures& m) {
 BodyPiece hair(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.hair;
-  piece.cell_m = 0.016F;
+  piece.cell_m = 0.018F;
   piece.bones = {Bone::kHead};
   Tailor t(piece, pose, m);
   t.bar(Bone::kHead, {0, 0.115F, -0.040F}, {0, 0.150F, 0.000F}, {0.097F, 0.088F}, {0.96F, 1.0F});
@@ -186,7 +185,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
                const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.skin;
-  piece.cell_m = 0.0095F;
+  piece.cell_m = 0.0105F;
   const Bone bone = on_side(Bone::kLeftHand, side);
   piece.bones = {bone};
   Tailor t(piece, pose, m);
@@ -222,7 +221,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
 BodyPiece shoe(Side side, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.shoes;
-  piece.cell_m = 0.016F;
+  piece.cell_m = 0.018F;
   const Bone bone = on_side(Bone::kLeftFoot, side);
   piece.bones = {bone};
   Tailor t(piece, pose, m);

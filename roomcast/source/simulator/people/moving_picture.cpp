@@ -60,16 +60,21 @@ void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,
 }
 
 void MovingColors::light(const MovingThings& things, const Room& room) {
-  const TriangleMesh& mesh = things.mesh();
-  light_.resize(mesh.positions.size());
-  for (std::size_t i = 0; i < light_.size(); ++i) {
-    const LitPoint at{mesh.positions[i], mesh.normals[i]};
-    const float open = things.openness()[i];
-    Vector3f light = ambient_light(room, at, open);
-    for (const Light& lamp : room.lights) light += (0.3F + 0.7F * open) * light_from(lamp, at);
-    light_[i] = light;
-  }
+  room_ = &room;
+  ++instant_;
+  light_.resize(things.mesh().positions.size());
+  lit_when_.resize(light_.size(), 0);
   shade_.work_out(things.shade_balls(), room);
+}
+
+const Vector3f& MovingColors::light_at(const MovingThings& things, std::uint32_t vertex) {
+  if (lit_when_[vertex] == instant_) return light_[vertex];
+  lit_when_[vertex] = instant_;
+  const LitPoint at{things.mesh().positions[vertex], things.mesh().normals[vertex]};
+  const float open = things.openness()[vertex];
+  Vector3f light = ambient_light(*room_, at, open);
+  for (const Light& lamp : room_->lights) light += (0.3F + 0.7F * open) * light_from(lamp, at);
+  return light_[vertex] = light;
 }
 
 void MovingColors::put_shade(const Room& room, const PlacedCamera& camera, const ColorPlate& plate,
@@ -93,7 +98,7 @@ void MovingColors::put_shade(const Room& room, const PlacedCamera& camera, const
 
 void MovingColors::put(const MovingThings& things, const MovingLayer& layer,
                        const ColorPlate& plate, const SurfaceTexels& texels,
-                       ImageView<Rgb8> color) const {
+                       ImageView<Rgb8> color) {
   const TriangleMesh& mesh = things.mesh();
   const PixelBox& box = layer.box();
   for (int y = box.top; y < box.bottom; ++y) {

@@ -21,11 +21,11 @@ namespace roomcast::sim {
 void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,
                       ImageView<std::uint16_t> depth_mm);
 
-/// Colours of what moves: light is worked out per vertex, so that a pixel costs a look-up. Reused
-/// from frame to frame. Single-threaded.
+/// Colours of what moves: light is worked out per vertex that is seen, so that a pixel costs a
+/// look-up. Reused from frame to frame. Single-threaded.
 class MovingColors {
  public:
-  /// To be called for each instant before the others.
+  /// To be called for each instant before the others. Keeps a reference to the room until then.
   void light(const MovingThings& things, const Room& room);
 
   /// Darkens the floor under and around what moves.
@@ -35,10 +35,16 @@ class MovingColors {
   /// Lit cloth and skin where something moving is nearer than the plate; half-covered pixels of the
   /// outline are blended.
   void put(const MovingThings& things, const MovingLayer& layer, const ColorPlate& plate,
-           const SurfaceTexels& texels, ImageView<Rgb8> color) const;
+           const SurfaceTexels& texels, ImageView<Rgb8> color);
 
  private:
-  std::vector<Eigen::Vector3f> light_;  // per vertex, linear
+  /// Linear, of one vertex; worked out when it is first asked for.
+  const Eigen::Vector3f& light_at(const MovingThings& things, std::uint32_t vertex);
+
+  const Room* room_ = nullptr;
+  std::vector<Eigen::Vector3f> light_;   // per vertex
+  std::vector<std::uint32_t> lit_when_;  // instant_ when it was worked out
+  std::uint32_t instant_ = 0;
   FloorShade shade_;
 };
 

@@ -11,7 +11,7 @@ std::optional<Room> try_corners(std::uint32_t seed) {
   Room room;
   room.name = "corners";
   room.size_m = {5.0F, 2.5F, 4.2F};
-  room.ambient = {0.42F, 0.41F, 0.40F};
+  room.ambient = {0.52F, 0.50F, 0.48F};
   room.stands = draw_stands_in_corners(room.size_m, dice);
   FloorPlan plan(room.size_m, dice.seed());
   for (const SensorStand& stand : room.stands) plan.keep_view(stand);

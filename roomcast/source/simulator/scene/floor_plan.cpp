@@ -153,11 +153,7 @@ std::optional<Affine3f> FloorPlan::on_wall_at(const Vector3f& size_m, float midd
     const bool blocked = std::any_of(taken_.begin(), taken_.end(), [&](const Footprint& other) {
       return other.height_m > patch.bottom_m && overlap(before, other, 0.02F);
     });
-    const bool bulky = size_m.z() > 0.1F;
-    const bool in_view = std::any_of(views_.begin(), views_.end(), [&](const Clearing& view) {
-      return patch.top_m > view.lowest_m && overlap(before, view.area, 0.0F);
-    });
-    if (blocked || (bulky && in_view) || !wall_is_free(patch)) continue;
+    if (blocked || !wall_is_free(patch)) continue;
     wall_patches_.push_back(patch);
     views_.push_back({before, std::max(0.0F, patch.bottom_m)});
     Affine3f at = by_wall(which, along, 0.0F);

@@ -64,14 +64,18 @@ Furnisher::Place Furnisher::lab_bench(float front_m, bool equipped) {
   add_lab_bench(room_, *at, palette_.white, palette_.metal, size, shelf);
   add_drawers(room_, moved(*at, {0.5F * size.x() - 0.33F, 0, -0.02F}), palette_.metal,
               palette_.dark, {0.42F, 0.78F, 0.55F});
+  // Left of the middle stays free for what is brought there.
+  const float right = 0.5F * size.x();
+  add_instrument(room_, moved(*at, {right - 0.26F, size.y(), -0.08F}, -0.1F), {0.38F, 0.18F, 0.30F},
+                 dice_.seed());
+  add_cable_coil(room_, moved(*at, {right - 0.62F, size.y(), 0.16F}), palette_.other_cloth, 0.09F);
+  add_stool(room_, moved(*at, {right - 0.75F, 0, 0.02F}), palette_.metal, palette_.dark_wood);
   if (!equipped) return at;
-  const float left = -0.5F * size.x();
-  add_instrument(room_, moved(*at, {left + 0.26F, size.y(), -0.08F}, 0.1F), {0.38F, 0.18F, 0.30F},
+  const float left = -right;
+  add_instrument(room_, moved(*at, {left + 0.30F, size.y(), -0.10F}, 0.1F), {0.42F, 0.20F, 0.34F},
                  dice_.seed());
   add_instrument(room_, moved(*at, {left + 0.80F, size.y(), -0.12F}, -0.08F), {0.30F, 0.24F, 0.34F},
                  dice_.seed());
-  add_cable_coil(room_, moved(*at, {0.5F * size.x() - 0.25F, size.y(), 0.12F}),
-                 palette_.other_cloth, 0.10F);
   const float shelf_y = size.y() + 0.465F;
   add_book_row(room_, moved(*at, {left + 0.10F, shelf_y, -0.10F}), 0.5F, 0.28F, dice_.seed());
   add_instrument(room_, moved(*at, {0.25F * size.x(), shelf_y, -0.20F}), {0.34F, 0.14F, 0.26F},
@@ -118,8 +122,9 @@ void Furnisher::door() {
   const Affine3f foot = moved(*at, {0, -1.06F, 0});
   plan_.keep_way({(foot * Vector3f(0, 0, 0.3F)).x(), (foot * Vector3f(0, 0, 0.3F)).z()},
                  {(foot * Vector3f(0, 0, 0.6F)).x(), (foot * Vector3f(0, 0, 0.6F)).z()}, 0.35F);
-  const auto leaf = room_.add(painted(Pattern::kWood, dice_.chance(0.5F) ? 0xe4dccb : 0xa87a4a,
-                                      dice_.chance(0.5F) ? 0xd2c7b0 : 0x825a30, 0, dice_.seed()));
+  const bool light = dice_.chance(0.5F);
+  const auto leaf = room_.add(painted(Pattern::kWood, light ? 0xe4dccb : 0xa87a4a,
+                                      light ? 0xd2c7b0 : 0x825a30, 0, dice_.seed()));
   add_door(room_, foot, leaf, palette_.metal);
 }
 
@@ -175,8 +180,7 @@ Furnisher::Place Furnisher::wall_screen() {
 void Furnisher::pendant() {
   const Vector3f at(dice_.between(-0.3F, 0.3F), room_.size_m.y(), dice_.between(-0.3F, 0.3F));
   add_pendant_lamp(room_, at, palette_.metal, palette_.lampshade);
-  room_.lights.push_back(
-      {at - Vector3f(0, 0.55F, 0), {2.5F, 2.2F, 1.75F}, Vector3f::Zero(), 0.16F});
+  room_.lights.push_back({at - Vector3f(0, 0.55F, 0), {4.2F, 3.8F, 3.1F}, {0, -1, 0}, 0.14F});
 }
 
 void Furnisher::panels() {
@@ -190,7 +194,7 @@ void Furnisher::panels() {
             {x + 0.62F, y - 0.001F, 0.32F});
     add_box(room_.mesh, panel, Affine3f::Identity(), {x - 0.6F, y - 0.034F, -0.3F},
             {x + 0.6F, y - 0.02F, 0.3F});
-    room_.lights.push_back({{x, y - 0.06F, 0}, {2.3F, 2.25F, 2.1F}, {0, -1, 0}, 0.4F});
+    room_.lights.push_back({{x, y - 0.06F, 0}, {3.6F, 3.5F, 3.3F}, {0, -1, 0}, 0.4F});
   }
 }
 

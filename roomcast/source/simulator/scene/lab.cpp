@@ -51,7 +51,7 @@ std::optional<Room> try_lab(std::uint32_t seed) {
   const auto store = furnisher.lab_bench(0.8F, false);
   const auto rack = furnisher.rack();
   if (!bench || !store || !rack) return std::nullopt;
-  const Vector3f rest(dice.between(-0.35F, 0.0F), 0.90F + 0.226F, 0.14F);
+  const Vector3f rest(dice.between(-0.35F, -0.15F), 0.90F + 0.226F, 0.14F);
   const Vector3f socket(rest.x() + 0.05F, 0.97F, 0.02F);
   if (!stroll.to_reach(*store, rest, Deed::kTakeUp, 3.2F) ||
       !stroll.to_reach(*bench, rest, Deed::kPutDown, 3.2F) ||
@@ -75,13 +75,16 @@ std::optional<Room> try_lab(std::uint32_t seed) {
     wear_coat(room.people.back(), room, dice);
   }
   furnisher.lab_bench(0.3F, true);
+  furnisher.lab_bench(0.0F, true);
   furnisher.rack();
   furnisher.cabinet();
+  furnisher.bookshelf();
+  furnisher.desk(false);
   furnisher.whiteboard(0.0F);
   furnisher.window();
-  furnisher.pictures(2 + dice.below(3));
+  furnisher.pictures(4 + dice.below(4));
   furnisher.clock();
-  furnisher.odds_and_ends(2 + dice.below(3));
+  furnisher.odds_and_ends(4 + dice.below(3));
   const float y = room.size_m.y() - 0.35F, x = 0.5F * room.size_m.x() - 0.02F;
   const float z = dice.between(0.15F, 0.3F) * room.size_m.z() * (dice.chance(0.5F) ? 1.0F : -1.0F);
   add_cable_tray(room, {-x, y, z}, {x, y, z}, furnisher.palette().metal, dice.seed());

@@ -11,7 +11,7 @@ std::optional<Room> try_livingroom(std::uint32_t seed) {
   Room room;
   room.name = "livingroom";
   room.size_m = {dice.between(5.6F, 6.2F), 2.6F, dice.between(4.8F, 5.2F)};
-  room.ambient = {0.42F, 0.41F, 0.40F};
+  room.ambient = {0.52F, 0.50F, 0.48F};
   room.stands = draw_stands_around(room.size_m, dice);
   FloorPlan plan(room.size_m, dice.seed());
   for (const SensorStand& stand : room.stands) plan.keep_view(stand);

@@ -36,13 +36,15 @@ std::optional<Room> try_office(std::uint32_t seed) {
   furnisher.desk(false);
   furnisher.desk(false);
   furnisher.window();
+  if (dice.chance(0.4F)) furnisher.window();
   furnisher.cabinet();
   furnisher.sideboard();
   furnisher.plant();
   furnisher.plant();
-  furnisher.pictures(3 + dice.below(3));
+  furnisher.pictures(5 + dice.below(4));
   furnisher.clock();
-  furnisher.odds_and_ends(2 + dice.below(3));
+  furnisher.bookshelf();
+  furnisher.odds_and_ends(3 + dice.below(3));
   room.footprints = plan.taken();
   return room;
 }

@@ -157,20 +157,4 @@ Vector3f poster(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(s.base, s.trim, p.y() < 0.30F ? words : 0.0F);
 }
 
-Vector3f face(const Surface& s, const Vector2f& at_m, float footprint_m) {
-  const float mottled = 1.0F + 0.08F * fractal_noise(at_m, 0.05F, 3, footprint_m, s.seed);
-  const Vector2f mirrored(std::abs(at_m.x()), at_m.y());
-  Vector3f color = s.base * mottled;
-  const Vector2f eye = mirrored - Vector2f(0.033F, 0.065F);
-  color = mix(color, Vector3f::Constant(0.75F),
-              (1.0F - (eye.array() / Eigen::Array2f(0.014F, 0.007F)).matrix().norm()) * 4.0F);
-  color = mix(color, s.trim, disc(mirrored, {0.033F, 0.065F}, 0.008F));
-  const Vector2f brow = mirrored - Vector2f(0.034F, 0.085F);
-  color = mix(color, s.trim,
-              (1.0F - (brow.array() / Eigen::Array2f(0.022F, 0.005F)).matrix().norm()) * 3.0F);
-  const Vector2f mouth = at_m - Vector2f(0.0F, -0.01F);
-  return mix(color, s.accent,
-             (1.0F - (mouth.array() / Eigen::Array2f(0.026F, 0.008F)).matrix().norm()) * 3.0F);
-}
-
 }  // namespace roomcast::sim

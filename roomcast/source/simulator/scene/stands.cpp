@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 /// At a share of the room's half size from its middle, as near to the wall as a bracket allows.
 SensorStand stand_at(const Vector3f& room_size_m, const Vector2f& share, float height_m,
                      const Vector2f& looks_past_middle_m, Dice& dice) {
-  const float bracket_m = dice.between(0.18F, 0.32F);
+  const float bracket_m = dice.between(0.30F, 0.38F);
   const Vector2f half =
       0.5F * Vector2f(room_size_m.x(), room_size_m.z()) - Vector2f::Constant(bracket_m);
   SensorStand stand;
