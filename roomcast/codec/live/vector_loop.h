@@ -12,9 +12,9 @@
 #define ROOMCAST_VECTOR_CLONES
 #endif
 
-/// Before a loop: no iteration reads what another writes.
-#if defined(__clang__)
-#define ROOMCAST_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
-#else
+/// Before a loop: no iteration reads what another writes. (Clang finds out by itself, or warns.)
+#if defined(__GNUC__) && !defined(__clang__)
 #define ROOMCAST_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#else
+#define ROOMCAST_INDEPENDENT_ITERATIONS
 #endif
