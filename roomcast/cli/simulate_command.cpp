@@ -9,6 +9,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/source/simulate_rig.h"
+#include "roomcast/source/simulator/scene/room.h"
 #include "roomcast/source/simulator/simulated_source.h"
 #include "roomcast/source/simulator/simulated_spec.h"
 
@@ -38,7 +39,7 @@ Status run_simulate(SimulateCommand command) {
 }
 
 void add_room_options(CLI::App& command, SimulateCommand& values) {
-  command.add_option("--scene", values.rig.scene, "Which room; a wrong name lists them");
+  command.add_option("--scene", values.rig.scene, "Which room: " + sim::scene_list());
   command.add_option("--sensors", values.rig.sensor_count, "How many stand around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
