@@ -49,6 +49,10 @@ class FrameEncoder {
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
 
+  /// The colour stream's rate from the next frame on, limited to what color_kbit_per_s may be: for
+  /// those who watch the network.
+  virtual void set_color_rate(int kbit_per_s) = 0;
+
   /// Depth of the newest frame as decoders will show it. Valid until the next call, and as long as
   /// the picture that was encoded.
   [[nodiscard]] virtual DepthView decoded_depth() const = 0;

@@ -10,6 +10,7 @@
 #include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/mask/steady_mask.h"
 #include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/shown_surface.h"
 #include "roomcast/codec/vp9_color_encoder.h"
 
 namespace roomcast::codec {
@@ -57,6 +58,12 @@ class SectionFrameEncoder final : public FrameEncoder {
     out.resize(begin);
     color_started_ = false;
     return status.error();
+  }
+
+  void set_color_rate(int kbit_per_s) override {
+    options_.color_kbit_per_s = std::clamp(kbit_per_s, kLeastKbit, kMostKbit);
+    // Should libvpx refuse, the stream goes on at the rate it has.
+    if (color_) (void)color_->set_rate(options_.color_kbit_per_s);
   }
 
   [[nodiscard]] DepthView decoded_depth() const override {
@@ -129,19 +136,25 @@ class SectionFrameEncoder final : public FrameEncoder {
       color_ = std::move(*created);
     }
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
+    if (live_) {
+      shown_surface_.update(depth_mm, live_->shown_mm(), seen);
+      seen = shown_surface_.seen();
+    }
     if (Status status = color_->encode(color, seen, role, out); !status.ok()) return status;
     end_section(section, out);
     section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
-    mask_.encode(live_ ? steady_.update(seen, depth_mm) : seen, decoded_depth(), role, out);
+    mask_.encode(live_ ? steady_.update(seen, shown_surface_.depth_mm()) : seen, decoded_depth(),
+                 role, out);
     end_section(section, out);
     return {};
   }
 
-  const FrameEncoderOptions options_;
+  FrameEncoderOptions options_;
   LayerSchedule schedule_;
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
+  ShownSurface shown_surface_;              // in live mode
   SteadyMask steady_;                       // in live mode
   ColorMaskEncoder mask_;
   DepthView input_depth_;       // of the newest frame; not owned

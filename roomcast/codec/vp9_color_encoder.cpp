@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/vp9_color_encoder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <vpx/vp8cx.h>
@@ -11,15 +12,28 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kSpeed = 8;  // the fastest but one: research on 512x424 saw no gain below
-constexpr unsigned kLeastQuantizer = 4, kMostQuantizer = 56;
-constexpr int kCyclicRefresh = 3;        // spreads the quality of still parts over frames
-constexpr int kMostKeyFrameShare = 900;  // percent of the bits of a mean frame
+constexpr int kSpeed = 7;
+// Finer than the first shows nobody anything; without that limit a room where nothing moves would
+// still use up the whole rate.
+constexpr unsigned kLeastQuantizer = 12, kMostQuantizer = 56;
+constexpr int kCyclicRefresh = 3;  // spreads the quality of still parts over frames
+// Percent of the bits of a mean frame. A good key frame pays: the camera does not move, so that
+// what it shows well stays so.
+constexpr int kMostKeyFrameShare = 4000;
 constexpr unsigned kBaseLayerPercent = 60;
 
 constexpr vpx_enc_frame_flags_t kOnlyLastFrame =
     VP8_EFLAG_NO_REF_GF | VP8_EFLAG_NO_REF_ARF | VP8_EFLAG_NO_UPD_GF | VP8_EFLAG_NO_UPD_ARF;
 constexpr vpx_enc_frame_flags_t kLeavesNoTrace = VP8_EFLAG_NO_UPD_LAST | VP8_EFLAG_NO_UPD_ENTROPY;
+
+void set_rates(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
+  config.rc_target_bitrate = static_cast<unsigned>(options.color_kbit_per_s);
+  if (options.temporal_layers == 1) return;
+  config.layer_target_bitrate[0] = config.rc_target_bitrate * kBaseLayerPercent / 100;
+  config.layer_target_bitrate[1] = config.rc_target_bitrate;
+  config.ts_target_bitrate[0] = config.layer_target_bitrate[0];
+  config.ts_target_bitrate[1] = config.layer_target_bitrate[1];
+}
 
 void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
   config.ss_number_layers = 1;
@@ -33,10 +47,6 @@ void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config)
   config.ts_layer_id[1] = 1;
   config.ts_rate_decimator[0] = 1u << (options.temporal_layers - 1);
   config.ts_rate_decimator[1] = 1;
-  config.layer_target_bitrate[0] = config.rc_target_bitrate * kBaseLayerPercent / 100;
-  config.layer_target_bitrate[1] = config.rc_target_bitrate;
-  config.ts_target_bitrate[0] = config.layer_target_bitrate[0];
-  config.ts_target_bitrate[1] = config.layer_target_bitrate[1];
 }
 
 bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
@@ -49,12 +59,12 @@ bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config
   config.g_lag_in_frames = 0;
   config.kf_mode = VPX_KF_DISABLED;  // key frames come when asked for
   config.rc_end_usage = VPX_CBR;
-  config.rc_target_bitrate = static_cast<unsigned>(options.color_kbit_per_s);
   config.rc_min_quantizer = kLeastQuantizer;
   config.rc_max_quantizer = kMostQuantizer;
   config.rc_dropframe_thresh = 0;  // depth goes out anyway
   config.rc_resize_allowed = 0;
   set_layers(options, config);
+  set_rates(options, config);
   return true;
 }
 
@@ -86,12 +96,15 @@ vpx_image_t wrap(I420Image& image) {
 
 }  // namespace
 
-struct Vp9ColorEncoder::Codec : VpxContext {};
+struct Vp9ColorEncoder::Codec : VpxContext {
+  vpx_codec_enc_cfg_t config{};
+};
 
 Vp9ColorEncoder::Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec)
     : options_(options), codec_(std::move(codec)) {
   input_.resize(options.width, options.height);
-  chroma_seen_.resize(input_.cb.width(), input_.cb.height());
+  ever_seen_.resize(options.width, options.height);
+  chroma_ever_seen_.resize(input_.cb.width(), input_.cb.height());
 }
 
 Vp9ColorEncoder::~Vp9ColorEncoder() = default;
@@ -100,10 +113,9 @@ Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
     const FrameEncoderOptions& options) {
   const Error failure{ErrorCode::kUnavailable,
                       "libvpx could not start a VP9 encoder of this size and rate."};
-  vpx_codec_enc_cfg_t config;
-  if (!make_config(options, config)) return failure;
   auto codec = std::make_unique<Codec>();
-  if (vpx_codec_enc_init(&codec->context, vpx_codec_vp9_cx(), &config, 0) != VPX_CODEC_OK) {
+  if (!make_config(options, codec->config)) return failure;
+  if (vpx_codec_enc_init(&codec->context, vpx_codec_vp9_cx(), &codec->config, 0) != VPX_CODEC_OK) {
     return failure;
   }
   codec->open = true;
@@ -114,7 +126,8 @@ Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
 Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
                                std::vector<std::uint8_t>& out) {
   convert_seen(color, seen, input_);
-  if (role.key) fill_unseen(seen);
+  remember_seen(seen);
+  if (role.key) fill_never_seen();
   const bool droppable = role.layer > 0;
 
   vpx_enc_frame_flags_t flags = role.key ? VPX_EFLAG_FORCE_KF : kOnlyLastFrame;
@@ -125,7 +138,7 @@ Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
     layer.temporal_layer_id_per_spatial[0] = droppable;
     vpx_codec_control(&codec_->context, VP9E_SET_SVC_LAYER_ID, &layer);
   }
-  const vpx_image_t image = wrap(input_);
+  const vpx_image_t image = wrap(hold_.apply(input_));
   if (vpx_codec_encode(&codec_->context, &image, frame_count_++, 1, flags, VPX_DL_REALTIME) !=
       VPX_CODEC_OK) {
     return Error{ErrorCode::kUnavailable, "libvpx failed to encode a colour picture."};
@@ -139,17 +152,33 @@ Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
   return {};
 }
 
-void Vp9ColorEncoder::fill_unseen(MaskView seen) {
-  for (int y = 0; y < chroma_seen_.height(); ++y) {
-    const int y0 = 2 * y, y1 = std::min(y0 + 1, seen.height - 1);
-    for (int x = 0; x < chroma_seen_.width(); ++x) {
-      const int x0 = 2 * x, x1 = std::min(x0 + 1, seen.width - 1);
-      chroma_seen_.at(x, y) = seen.at(x0, y0) | seen.at(x1, y0) | seen.at(x0, y1) | seen.at(x1, y1);
+Status Vp9ColorEncoder::set_rate(int kbit_per_s) {
+  options_.color_kbit_per_s = kbit_per_s;
+  set_rates(options_, codec_->config);
+  if (vpx_codec_enc_config_set(&codec_->context, &codec_->config) == VPX_CODEC_OK) return {};
+  return Error{ErrorCode::kUnavailable, "libvpx refused to change the rate of the colour stream."};
+}
+
+void Vp9ColorEncoder::remember_seen(MaskView seen) {
+  for (int y = 0; y < seen.height; ++y) {
+    const std::uint8_t* from = seen.row(y);
+    std::uint8_t* to = ever_seen_.view().row(y);
+    for (int x = 0; x < seen.width; ++x) to[x] |= from[x];
+  }
+}
+
+void Vp9ColorEncoder::fill_never_seen() {
+  for (int y = 0; y < chroma_ever_seen_.height(); ++y) {
+    const int y0 = 2 * y, y1 = std::min(y0 + 1, ever_seen_.height() - 1);
+    for (int x = 0; x < chroma_ever_seen_.width(); ++x) {
+      const int x0 = 2 * x, x1 = std::min(x0 + 1, ever_seen_.width() - 1);
+      chroma_ever_seen_.at(x, y) = ever_seen_.at(x0, y0) | ever_seen_.at(x1, y0) |
+                                   ever_seen_.at(x0, y1) | ever_seen_.at(x1, y1);
     }
   }
-  hole_fill_.fill(input_.y.view(), seen);
-  hole_fill_.fill(input_.cb.view(), chroma_seen_);
-  hole_fill_.fill(input_.cr.view(), chroma_seen_);
+  hole_fill_.fill(input_.y.view(), ever_seen_);
+  hole_fill_.fill(input_.cb.view(), chroma_ever_seen_);
+  hole_fill_.fill(input_.cr.view(), chroma_ever_seen_);
 }
 
 }  // namespace roomcast::codec

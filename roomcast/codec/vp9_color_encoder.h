@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Registered colour to VP9 for real time, through libvpx. docs/spec/codec.md §3.1.
-// Pixels that the colour camera does not see keep the colour they last had (from key frame to key
-// frame, then they are filled from around): still pixels cost nothing, black ones would cost two
-// thirds of the stream.
+// Pixels that the colour camera does not see keep the colour they last had, or are filled from
+// around if they never had any: still pixels cost nothing, black ones would cost two thirds of the
+// stream.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "roomcast/codec/color_hold.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/hole_fill.h"
 #include "roomcast/codec/i420_image.h"
@@ -27,18 +28,21 @@ class Vp9ColorEncoder {
   [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
                               std::vector<std::uint8_t>& out);
 
-  /// What the newest frame was encoded from, for measuring.
-  [[nodiscard]] const I420Image& input() const { return input_; }
+  /// From the next frame on; as FrameEncoderOptions.color_kbit_per_s. kUnavailable if libvpx
+  /// refuses.
+  [[nodiscard]] Status set_rate(int kbit_per_s);
 
  private:
   struct Codec;
   Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec);
-  void fill_unseen(MaskView seen);
+  void remember_seen(MaskView seen);
+  void fill_never_seen();
 
-  const FrameEncoderOptions options_;
+  FrameEncoderOptions options_;
   std::unique_ptr<Codec> codec_;
   I420Image input_;
-  MaskImage chroma_seen_;
+  ColorHold hold_;
+  MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;
 };
