@@ -110,8 +110,9 @@ void MovingColors::put(const MovingThings& things, const MovingLayer& layer,
       const float first = 1.0F - share.x() - share.y();
       const Eigen::Vector2f uv = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
                                  share.y() * mesh.uv_m[corner[2]];
-      const Vector3f light =
-          first * light_[corner[0]] + share.x() * light_[corner[1]] + share.y() * light_[corner[2]];
+      const Vector3f light = first * light_at(things, corner[0]) +
+                             share.x() * light_at(things, corner[1]) +
+                             share.y() * light_at(things, corner[2]);
       const Vector3f albedo = texels.at(mesh.surface[triangle], uv);
       const Vector3f srgb = srgb_from_linear(albedo.cwiseProduct(light));
       Rgb8& pixel = color.at(x, y);
