@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/codec/layer_schedule.h"
+#include "roomcast/codec/live/live_depth_decoder.h"
+#include "roomcast/codec/live/live_depth_encoder.h"
+#include "roomcast/codec/live/synthetic_motion.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/mask/color_mask.h"
@@ -54,6 +58,26 @@ TEST(SteadyMemory, coding_depth_and_mask_allocates_nothing_after_the_first_frame
   for (const SyntheticFrame& frame : frames) ASSERT_TRUE(code(frame));
   const int before = allocation_count;
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(code(frames[i % 2]));
+  EXPECT_EQ(allocation_count, before);
+}
+
+TEST(SteadyMemory, coding_live_depth_allocates_nothing_between_key_frames) {
+  const SyntheticMotion scene{.width = 96, .height = 80};
+  std::vector<DepthImage> readings;
+  for (int i = 0; i < 24; ++i) readings.push_back(scene.reading(i));
+  LiveDepthEncoder encoder({scene.width, scene.height});
+  LiveDepthDecoder decoder;
+  LayerSchedule schedule(2, 1000);
+  DepthImage depth(scene.width, scene.height);
+  std::vector<std::uint8_t> section;
+  section.reserve(100'000);
+  int before = 0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (i == 4) before = allocation_count;
+    section.clear();
+    encoder.encode(readings[i], schedule.next(false), section);
+    ASSERT_TRUE(decoder.decode(section, depth.view()).ok());
+  }
   EXPECT_EQ(allocation_count, before);
 }
 

@@ -22,7 +22,7 @@ constexpr int kRefinementsPerFrame = 200;
 constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
 constexpr int kFirstRefinement = 10,
               kNextRefinement = 30;  // samples of each pixel
-constexpr float kFirstGain = 0.2f * kLevelsPerSigma, kNextGain = 0.15f * kLevelsPerSigma;
+constexpr float kRefinementGain = 0.3f * kLevelsPerSigma;
 constexpr float kRefinementRounding = 0.35f;
 
 /// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
@@ -214,8 +214,9 @@ bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCod
       ++pixels;
     }
   }
-  const float gain = again ? kNextGain : kFirstGain;
-  if (pixels < 16 || energy - noise <= gain * gain * static_cast<float>(pixels)) return false;
+  if (pixels < 16 ||
+      energy - noise <= kRefinementGain * kRefinementGain * static_cast<float>(pixels))
+    return false;
   std::array<float, kBlockPixels> coefficients;
   forward_transform(mean, coefficients);
   bool any = false;

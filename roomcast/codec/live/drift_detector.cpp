@@ -10,10 +10,9 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPatchSide = 4;
-constexpr int kLeastSamples = 10;  // of 16 pixels
-constexpr float kNewest = 0.3f;    // weight of the newest frame
-constexpr float kMostPatchOffset = 0.65f,
-                kMostBlockOffset = 0.25f;  // of the noise of one pixel
+constexpr int kLeastSamples = 10;                                  // of 16 pixels
+constexpr float kNewest = 0.3f;                                    // weight of the newest frame
+constexpr float kMostPatchOffset = 0.7f, kMostBlockOffset = 0.3f;  // of the noise of one pixel
 
 struct Columns {
   std::int16_t* off;

@@ -75,10 +75,10 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
 void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   old_picture_ = state_.picture;
   choose_memory();
-  const DepthDomain old_domain = state_.domain;
+  old_domain_ = state_.domain;
   state_.begin_anew(sigma);
   for (auto* plane : {&memory_, &old_picture_}) {
-    for (std::uint16_t& level : *plane) level = state_.domain.level_of(old_domain.mm_of(level));
+    for (std::uint16_t& level : *plane) level = state_.domain.level_of(old_domain_.mm_of(level));
   }
 }
 

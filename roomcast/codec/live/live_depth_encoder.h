@@ -63,6 +63,7 @@ class LiveDepthEncoder {
   BlockCode code_;
   BlockTarget target_{};
   std::vector<std::uint16_t> memory_;       // what the first pass of a key frame is to show
+  DepthDomain old_domain_;                  // of the levels before a key frame
   std::vector<std::uint16_t> old_picture_;  // the reference before a key frame
   bool started_ = false;                    // there was a key frame
   bool shown_is_reference_ = true;

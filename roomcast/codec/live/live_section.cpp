@@ -13,11 +13,14 @@ constexpr std::size_t kHeadLength = 6;
 constexpr std::size_t kKeyHeadLength = kHeadLength + 1 + kSigmaKnotCount;
 constexpr std::uint8_t kLeastStep = 4;  // divided by 4 it must still be 1
 
+Error cut_short() {
+  return {ErrorCode::kMalformed, "The live depth section is cut short."};
+}
+
 }  // namespace
 
 Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std::uint32_t& hash) {
-  const Error cut_short{ErrorCode::kMalformed, "The live depth section is cut short."};
-  if (bytes.size() < kHeadLength) return cut_short;
+  if (bytes.size() < kHeadLength) return cut_short();
   LiveSectionHead head;
   head.key = bytes[0] & kKeyFlag;
   head.reference = bytes[0] & kReferenceFlag;
@@ -28,7 +31,7 @@ Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std
   head.step = bytes[1];
   hash = read_u32(bytes.data() + kLiveHashOffset);
   if (head.key) {
-    if (bytes.size() < kKeyHeadLength) return cut_short;
+    if (bytes.size() < kKeyHeadLength) return cut_short();
     head.key_step = bytes[kHeadLength];
     std::copy_n(bytes.begin() + kHeadLength + 1, kSigmaKnotCount, head.sigma.begin());
   }
