@@ -73,7 +73,9 @@ const Vector3f& MovingColors::light_at(const MovingThings& things, std::uint32_t
   const LitPoint at{things.mesh().positions[vertex], things.mesh().normals[vertex]};
   const float open = things.openness()[vertex];
   Vector3f light = ambient_light(*room_, at, open);
-  for (const Light& lamp : room_->lights) light += (0.3F + 0.7F * open) * light_from(lamp, at);
+  constexpr float kGlare = 1.1F;  // heads come near to lamps
+  for (const Light& lamp : room_->lights)
+    light += (0.3F + 0.7F * open) * light_from(lamp, at).cwiseMin(kGlare);
   return light_[vertex] = light;
 }
 

@@ -156,6 +156,44 @@ TEST(MovingLayer, points_lie_on_the_surface_and_face_the_camera) {
   EXPECT_GT(seen, 200);
 }
 
+TEST(MovingColors, people_are_lit_and_look_the_same_when_drawn_again_after_another_instant) {
+  const Room room = test_room();
+  MovingThings things(room);
+  const SurfaceTexels texels(room, things);
+  const auto scene = *RayScene::build(room.mesh);
+  const Vector3f middle = things.parts().front().box_m.center();
+  const PlacedCamera camera = camera_at(middle + Vector3f(0.9F, 0.3F, 1.2F), middle);
+  const ColorPlate plate = trace_color_plate(room, *scene, camera, 1);
+  MovingLayer layer(256, 212);
+  MovingColors colors;
+  const auto picture_at = [&](nanoseconds time) {
+    ColorImage picture = plate.color;
+    things.move_to(time);
+    layer.draw(things, camera);
+    colors.light(things, room);
+    colors.put(things, layer, plate, texels, picture.view());
+    return picture;
+  };
+  const ColorImage first = picture_at(milliseconds(0));
+  double sum = 0;
+  int count = 0, bright = 0;
+  for (int y = 0; y < 212; ++y) {
+    for (int x = 0; x < 256; ++x) {
+      if (!is_in_front(layer, plate.z_m, x, y)) continue;
+      const Rgb8 pixel = first.at(x, y);
+      sum += pixel.r + pixel.g + pixel.b;
+      bright += pixel.r + pixel.g + pixel.b > 60 ? 1 : 0;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 2000);
+  EXPECT_GT(sum / count, 120);
+  EXPECT_LT(sum / count, 600);
+  EXPECT_GT(bright, count / 2);
+  EXPECT_NE(picture_at(milliseconds(1500)), first);
+  EXPECT_EQ(picture_at(milliseconds(0)), first);
+}
+
 TEST(FloorShade, is_dark_under_the_feet_and_gone_far_away) {
   const Room room = test_room();
   const MovingThings things(room);

@@ -51,7 +51,9 @@ std::optional<Room> try_bare(std::uint32_t seed) {
     if (const auto at = plan.in_the_open({0.5F, 0.95F, 0.5F}))
       add_shell_chair(room, *at, white, furnisher.palette().metal);
   }
-  if (dice.chance(0.4F)) room.people.push_back(stroll.bystander());
+  if (dice.chance(0.4F)) {
+    if (auto other = stroll.bystander()) room.people.push_back(*std::move(other));
+  }
   if (dice.chance(0.3F)) furnisher.pictures(1);
   room.footprints = plan.taken();
   return room;

@@ -37,7 +37,9 @@ std::optional<Room> try_corners(std::uint32_t seed) {
     furnisher.dining_table();
     furnisher.sideboard();
   }
-  if (dice.chance(0.6F)) room.people.push_back(stroll.bystander());
+  if (dice.chance(0.6F)) {
+    if (auto other = stroll.bystander()) room.people.push_back(*std::move(other));
+  }
   furnisher.floor_lamp();
   furnisher.plant();
   if (dice.chance(0.5F)) furnisher.plant();

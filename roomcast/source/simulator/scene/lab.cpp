@@ -70,9 +70,9 @@ std::optional<Room> try_lab(std::uint32_t seed) {
     Person typist = draw_person(room, dice);
     typist.stops = {typing_at(*desk)};
     room.people.push_back(typist);
-  } else {
-    room.people.push_back(stroll.bystander());
-    wear_coat(room.people.back(), room, dice);
+  } else if (auto other = stroll.bystander()) {
+    wear_coat(*other, room, dice);
+    room.people.push_back(*std::move(other));
   }
   furnisher.lab_bench(0.3F, true);
   furnisher.lab_bench(0.0F, true);

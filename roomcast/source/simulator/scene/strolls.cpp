@@ -101,12 +101,12 @@ Person Stroll::walker() {
   return person;
 }
 
-Person Stroll::bystander() {
+std::optional<Person> Stroll::bystander() {
+  const auto at = plan_.in_the_open({0.60F, 1.2F, 0.60F});
+  if (!at) return std::nullopt;
   Person person = draw_person(room_, dice_);
   Stop stop;
-  const auto at = plan_.in_the_open({0.60F, 1.8F, 0.60F});
-  const Vector3f place = at ? Vector3f(at->translation()) : Vector3f(plaza_m_.x(), 0, plaza_m_.y());
-  stop.at_m = {place.x(), place.z()};
+  stop.at_m = {at->translation().x(), at->translation().z()};
   stop.heading_rad = heading_to(stop.at_m, plaza_m_ + Vector2f(0.01F, 0));
   stop.deed = dice_.chance(0.5F) ? Deed::kTalk : Deed::kStand;
   stop.stay_s = 20.0F;

@@ -3,6 +3,8 @@
 // room's middle, and are kept free of furniture. Metres, seconds; single-threaded.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "roomcast/source/simulator/scene/dice.h"
@@ -28,8 +30,8 @@ class Stroll {
 
   /// Whoever goes round these stops, looking about in the middle of the room between them.
   [[nodiscard]] Person walker();
-  /// Somebody else, where there is place: they stand, or talk with whoever is in the middle.
-  [[nodiscard]] Person bystander();
+  /// Somebody else, if there is place: they stand, or talk with whoever is in the middle.
+  [[nodiscard]] std::optional<Person> bystander();
 
  private:
   [[nodiscard]] bool way_is_free(const Eigen::Vector2f& to_m) const;
