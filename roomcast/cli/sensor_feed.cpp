@@ -42,10 +42,12 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
 class SensorFeed::Worker {
  public:
   Worker(std::unique_ptr<FrameSource> source, Registration registration,
-         std::unique_ptr<codec::FrameEncoder> encoder, std::optional<FrameLog> frame_log)
+         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s,
+         std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
+        full_color_kbit_per_s_(color_kbit_per_s),
         frame_log_(std::move(frame_log)) {}
 
   void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
@@ -80,6 +82,7 @@ class SensorFeed::Worker {
   Status send_captured() {
     const auto turn = publisher_->next_turn();
     if (!turn) return {};
+    follow_network(turn->rate_share);
     if (auto status = register_color(); !status) return status;
     auto message = Publisher::begin_frame();
     const auto info = encoder_->encode(captured_.depth_mm, registered_.color, registered_.seen,
@@ -90,6 +93,12 @@ class SensorFeed::Worker {
       frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
     }
     return {};
+  }
+
+  void follow_network(double rate_share) {
+    if (rate_share == rate_share_) return;
+    rate_share_ = rate_share;
+    encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
   }
 
   Status register_color() {
@@ -103,6 +112,8 @@ class SensorFeed::Worker {
   std::unique_ptr<FrameSource> source_;
   Registration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
+  const int full_color_kbit_per_s_;
+  double rate_share_ = 1;  // that the encoder was told
   std::optional<FrameLog> frame_log_;
   std::unique_ptr<Publisher> publisher_;
   CapturedFrame captured_;      // used again from frame to frame
@@ -134,8 +145,9 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSourc
     if (!opened) return opened.error();
     frame_log = std::move(*opened);
   }
-  auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
-                                         std::move(*encoder), std::move(frame_log));
+  auto worker =
+      std::make_unique<Worker>(std::move(source), std::move(*registration), std::move(*encoder),
+                               options.codec.color_kbit_per_s, std::move(frame_log));
   auto publisher = Publisher::open(publisher_options(sensor, options));
   if (!publisher) return publisher.error();
   worker->set_publisher(std::move(*publisher));

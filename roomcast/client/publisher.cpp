@@ -11,6 +11,7 @@
 #include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/client/send_rate.h"
 #include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -65,9 +66,11 @@ class Publisher::Link final : public HubLinkEvents {
     const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxUnsentFrames;
     if (!may_send) {
       ++shared_.stats.frames_skipped;
+      if (shared_.connected && shared_.clock) send_rate_.piled_up(SteadyClock().now());
       return std::nullopt;
     }
-    return Turn{shared_.session, std::exchange(shared_.want_key, false)};
+    send_rate_.flowed(SteadyClock().now());
+    return Turn{shared_.session, std::exchange(shared_.want_key, false), send_rate_.share()};
   }
 
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
@@ -115,6 +118,7 @@ class Publisher::Link final : public HubLinkEvents {
 
   PublisherOptions options_;
   Sequence sequence_;
+  SendRate send_rate_;  // the publishing thread's, too
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

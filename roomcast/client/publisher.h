@@ -48,6 +48,7 @@ class Publisher {
   struct Turn {
     std::uint64_t session = 0;
     bool want_key = false;
+    double rate_share = 1;  // of the full rate, what the network carries: see SendRate
   };
 
   /// Nothing: leave this frame out (no connection, room time not known yet, or frames pile up).

@@ -53,6 +53,28 @@ std::unique_ptr<FrameDecoder> decoder_for(int width, int height) {
   return std::move(FrameDecoder::create(width, height)).value();
 }
 
+/// Bytes of a stream whose colour rate is set before its first frame, or in its middle.
+std::size_t stream_bytes(int first_kbit_per_s, int then_kbit_per_s) {
+  auto encoder = FrameEncoder::create({.width = 320, .height = 240}).value();
+  std::size_t bytes = 0;
+  for (int i = 0; i < 40; ++i) {
+    if (i == 0) encoder->set_color_rate(first_kbit_per_s);
+    if (i == 20) encoder->set_color_rate(then_kbit_per_s);
+    const SyntheticFrame frame = synthetic_frame(320, 240, i);
+    std::vector<std::uint8_t> payload;
+    EXPECT_TRUE(encoder->encode(frame.depth_mm, frame.color, frame.seen, false, payload).ok());
+    if (i > 20) bytes += payload.size();
+  }
+  return bytes;
+}
+
+TEST(FrameCodec, a_lower_colour_rate_makes_frames_smaller_from_the_start_or_in_the_middle) {
+  const std::size_t full = stream_bytes(2000, 2000);
+  EXPECT_LT(stream_bytes(100, 100), full);
+  EXPECT_LT(stream_bytes(2000, 100), full);
+  EXPECT_GT(stream_bytes(2000, 0), 0u) << "limited to what is legal";
+}
+
 TEST(FrameCodec, gives_back_depth_and_mask_exactly_and_colour_nearly) {
   for (const auto& [width, height] : {std::pair{16, 16}, {17, 19}, {96, 80}, {131, 77}}) {
     Stream stream(options_for(width, height));
