@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "roomcast/codec/live/picture_pass.h"
 
@@ -56,6 +57,13 @@ Neighbourhoods surfaces_around(const BlockCode& code, const BlockTarget& target)
   return sums;
 }
 
+/// Eight flags at once: most blocks have none.
+bool all_zero(const std::uint16_t* flags) {
+  std::uint64_t words[2];
+  std::memcpy(words, flags, sizeof words);
+  return (words[0] | words[1]) == 0;
+}
+
 /// Neighbours of a pixel within its block.
 int neighbours_in_block(int x, int y) {
   return (x == 0 || x == 7 ? 2 : 3) * (y == 0 || y == 7 ? 2 : 3) - 1;
@@ -102,13 +110,14 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
 int BlockPlanner::urgency(const Area& here, bool drifts) const {
   int urgency = 0;
   for (int y = 0; y < here.rows; ++y) {
+    const std::uint16_t* flags = &change_.flags[pixel(here, 0, y)];
+    if (!drifts && here.columns == kBlockSide && all_zero(flags)) continue;
+    const std::uint16_t* close = &change_.close[pixel(here, 0, y)];
     for (int x = 0; x < here.columns; ++x) {
-      const std::size_t at = pixel(here, x, y);
-      const unsigned flags = change_.flags[at];
-      if (flags & kPersistent) {
-        if (reference_) urgency += flags & kOverdue ? kLeastUrgency : kPersistentUrgency;
+      if (flags[x] & kPersistent) {
+        if (reference_) urgency += flags[x] & kOverdue ? kLeastUrgency : kPersistentUrgency;
       } else {
-        urgency += flags != 0 || (drifts && change_.close[at]);
+        urgency += flags[x] != 0 || (drifts && close[x]);
       }
     }
   }

@@ -20,6 +20,7 @@ constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
 constexpr int kMostPersistence = 200;
 constexpr int kOverdueFrames = 12;
+constexpr int kHoldReach = 2;     // pixels around one without a reading that may support it
 constexpr int kLeastCluster = 4;  // changed pixels of 3x3
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
 
@@ -222,24 +223,38 @@ void ChangeAnalysis::compare(const LiveState& reference, PixelHistory& history,
 
 // A reading is held only as long as something near it still looks like it.
 void ChangeAnalysis::drop_unsupported_holds(const LiveState& reference, const FrameChange& change) {
-  constexpr int kReach = 2, kLeastReadings = 4;
-  for (int y = kReach; y < height_ - kReach; ++y) {
+  constexpr int kAtOnce = 4;
+  constexpr std::uint64_t kAnyHeld = kHeld * 0x0001000100010001u;
+  for (int y = kHoldReach; y < height_ - kHoldReach; ++y) {
     u16* flags = first_flags_.data() + static_cast<std::ptrdiff_t>(y) * width_;
-    for (int x = kReach; x < width_ - kReach; ++x) {
-      if (!(flags[x] & kHeld)) continue;
-      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width_ + x;
-      const int old = reference.picture[static_cast<std::size_t>(at)];
-      int readings = 0, agreeing = 0;
-      for (int dy = -kReach; dy <= kReach; ++dy) {
-        const u16* near = change.reading.data() + at + static_cast<std::ptrdiff_t>(dy) * width_;
-        for (int dx = -kReach; dx <= kReach; ++dx) {
-          readings += near[dx] != 0;
-          agreeing += near[dx] != 0 && std::abs(near[dx] - old) < 6 * kLevelsPerSigma;
-        }
+    for (int begin = 0; begin < width_; begin += kAtOnce) {
+      const int end = std::min(begin + kAtOnce, width_);
+      std::uint64_t word = kAnyHeld;
+      if (end - begin == kAtOnce) std::memcpy(&word, flags + begin, sizeof word);
+      if ((word & kAnyHeld) == 0) continue;
+      for (int x = std::max(begin, kHoldReach); x < std::min(end, width_ - kHoldReach); ++x) {
+        if (!(flags[x] & kHeld)) continue;
+        flags[x] = held_without_support(reference, change, x, y) ? u16{kUnsupported} : u16{0};
       }
-      flags[x] = readings >= kLeastReadings && agreeing == 0 ? kUnsupported : 0;
     }
   }
+}
+
+bool ChangeAnalysis::held_without_support(const LiveState& reference, const FrameChange& change,
+                                          int x, int y) const {
+  constexpr int kLeastReadings = 4;
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width_ + x;
+  const int old = reference.picture[static_cast<std::size_t>(at)];
+  int readings = 0;
+  for (int dy = -kHoldReach; dy <= kHoldReach; ++dy) {
+    const u16* near = change.reading.data() + at + static_cast<std::ptrdiff_t>(dy) * width_;
+    for (int dx = -kHoldReach; dx <= kHoldReach; ++dx) {
+      if (near[dx] == 0) continue;
+      if (std::abs(near[dx] - old) < 6 * kLevelsPerSigma) return false;
+      ++readings;
+    }
+  }
+  return readings >= kLeastReadings;
 }
 
 void ChangeAnalysis::sum_rows(const FrameChange& change) {

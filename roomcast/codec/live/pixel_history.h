@@ -68,6 +68,8 @@ class ChangeAnalysis {
  private:
   void drop_flying_pixels(std::uint16_t* out) const;
   void drop_unsupported_holds(const LiveState& reference, const FrameChange& change);
+  [[nodiscard]] bool held_without_support(const LiveState& reference, const FrameChange& change,
+                                          int x, int y) const;
   void sum_rows(const FrameChange& change);
   void settle(PixelHistory& history, FrameChange& change) const;
 
