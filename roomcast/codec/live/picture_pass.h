@@ -12,6 +12,8 @@
 #include <cstring>
 
 #include "roomcast/codec/live/block_code.h"
+#include "roomcast/codec/live/coefficient_coding.h"
+#include "roomcast/codec/live/pass_scratch.h"
 #include "roomcast/codec/live/state_hash.h"
 #include "roomcast/codec/live/surface_prediction.h"
 
@@ -21,19 +23,6 @@ inline constexpr int kCalmFrames = 20;     // then a block becomes background
 inline constexpr int kRefinementStep = 6;  // levels
 inline constexpr int kReadingStep = 2;     // levels
 inline constexpr int kNear = 3 * kLevelsPerSigma;
-
-/// Memory of a pass, kept from frame to frame.
-struct PassScratch {
-  std::vector<BlockTrace> trace;        // of the blocks of this frame
-  std::vector<PixelLabel> labels;       // of this frame's pixels, with a margin of one
-  std::vector<std::uint16_t> shown_mm;  // the frame, when it is not to be a reference
-
-  void resize(const LiveState& state) {
-    trace.resize(state.block_count());
-    labels.resize(static_cast<std::size_t>(state.width + 2) *
-                  static_cast<std::size_t>(state.height + 1));
-  }
-};
 
 template <class Coder>
 class PicturePass {
@@ -151,36 +140,9 @@ class PicturePass {
     }
   }
 
-  // Coefficients in zigzag order from `first` on.
-  void code_coefficients(CoefficientModel& model, int first, BlockCoefficients& steps) {
-    std::uint32_t count = 0;
-    if constexpr (Coder::kWrites) {
-      for (int i = kBlockPixels - 2; i >= first && count == 0; --i) {
-        if (steps[kZigzag[static_cast<std::size_t>(i)]] != 0)
-          count = static_cast<std::uint32_t>(i - first + 1);
-      }
-    }
-    count = code_tree(coder_, model.count, count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::size_t order = static_cast<std::size_t>(first) + i;
-      if (order >= kBlockPixels) break;
-      std::int32_t& step = steps[kZigzag[order]];
-      const bool present = i + 1 == count || coder_.bit(model.present[order], step != 0);
-      if (!present) continue;
-      const auto size = static_cast<std::uint32_t>(std::abs(step));
-      const auto magnitude =
-          static_cast<std::int32_t>(1 + code_number(coder_,
-                                                    model.magnitude[i < 3    ? 0
-                                                                    : i < 10 ? 1
-                                                                             : 2],
-                                                    size - 1));
-      step = coder_.plain(step < 0, 1) ? -magnitude : magnitude;
-    }
-  }
-
   void code_refinement(BlockCode& code) {
     if constexpr (!Coder::kWrites) code.refinement.fill(0);
-    code_coefficients(contexts_.coefficients[2], 0, code.refinement);
+    code_coefficients(coder_, contexts_.coefficients[2], 0, code.refinement);
     BlockCoefficients coefficients;
     const int rows = surface_coefficients(code.refinement, kRefinementStep, {}, coefficients);
     inverse_transform(coefficients, rows, surfaces_[0]);
@@ -261,7 +223,7 @@ class PicturePass {
     steps[0] = code_signed(contexts_.mean[which], steps[0]);
     steps[1] = code_signed(contexts_.slope[which][0], steps[1]);
     steps[8] = code_signed(contexts_.slope[which][1], steps[8]);
-    code_coefficients(contexts_.coefficients[surface.finer > 0], 3, steps);
+    code_coefficients(coder_, contexts_.coefficients[surface.finer > 0], 3, steps);
   }
 
   /// Whether the whole block is its first surface.
