@@ -34,10 +34,17 @@ bool is_source(const SourceFile& file) {
   return file.path.extension() == ".cpp" && !is_test(file.path);
 }
 
-/// The header that a source implements: by custom the first one it includes.
-std::string header_of(const SourceFile& source) {
-  const std::vector<std::string> includes = quoted_includes(source.text);
-  return includes.empty() ? std::string() : includes.front();
+/// The header that a source implements: the one of its name. A source without one shares a header
+/// with others: any of those of its folder that it includes.
+std::vector<std::string> headers_of(const SourceFile& source, const std::set<std::string>& paths) {
+  std::filesystem::path own = source.path;
+  own.replace_extension(".h");
+  if (paths.count(own.string()) > 0) return {own.string()};
+  std::vector<std::string> headers = quoted_includes(source.text);
+  std::erase_if(headers, [&](const std::string& header) {
+    return std::filesystem::path(header).parent_path() != source.path.parent_path();
+  });
+  return headers;
 }
 
 /// What tests make use of in `folder`: the headers that those in the folder and in tests/ include,
@@ -46,13 +53,16 @@ std::set<std::string> reached_by_tests(const std::filesystem::path& folder,
                                        const std::vector<SourceFile>& files) {
   std::vector<const SourceFile*> to_read;
   std::multimap<std::string, const SourceFile*> behind;  // what an include of this path leads to
+  std::set<std::string> paths;
+  for (const SourceFile& file : files) paths.insert(file.path.string());
   for (const SourceFile& file : files) {
     const std::filesystem::path place = file.path.parent_path();
     if (is_test(file.path)) {
       if (place == folder || place == "tests") to_read.push_back(&file);
     } else if (place == folder) {
       behind.emplace(file.path.string(), &file);
-      if (is_source(file)) behind.emplace(header_of(file), &file);
+      if (!is_source(file)) continue;
+      for (const std::string& header : headers_of(file, paths)) behind.emplace(header, &file);
     }
   }
   std::set<std::string> reached;
@@ -113,6 +123,17 @@ TEST(House, finds_the_test_of_what_lies_behind_another_source) {
       "#include \"roomcast/core/outer.h\"\n#include \"roomcast/core/inner.h\"\n"};
   const SourceFile test{"roomcast/core/outer_test.cpp", "#include \"roomcast/core/outer.h\"\n"};
   EXPECT_TRUE(untested({inner, outer, test}).empty());
+}
+
+TEST(House, finds_the_test_of_sources_that_share_a_header) {
+  const SourceFile shared{"roomcast/core/shapes.h", ""};
+  const SourceFile other{"roomcast/core/brush.h", ""};
+  const SourceFile round{
+      "roomcast/core/round.cpp",
+      "#include \"roomcast/core/brush.h\"\n#include \"roomcast/core/shapes.h\"\n"};
+  const SourceFile test{"roomcast/core/shapes_test.cpp", "#include \"roomcast/core/shapes.h\"\n"};
+  EXPECT_TRUE(untested({shared, other, round, test}).empty());
+  EXPECT_EQ(untested({shared, other, round}), std::vector<std::string>{"roomcast/core/round.cpp"});
 }
 
 }  // namespace
