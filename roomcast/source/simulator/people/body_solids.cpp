@@ -66,7 +66,7 @@ void add_trunk_of_shirt(Tailor& t, const Build& build) {
 BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.shirt;
-  piece.cell_m = 0.028F;
+  piece.cell_m = 0.033F;
   piece.bones = {Bone::kPelvis, Bone::kChest};
   Tailor t(piece, pose, m);
   add_trunk_of_shirt(t, build);
@@ -96,7 +96,7 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
 BodyPiece trousers(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.trousers;
-  piece.cell_m = 0.028F;
+  piece.cell_m = 0.033F;
   piece.bones = {Bone::kPelvis};
   Tailor t(piece, pose, m);
   const float g = build.girth;
@@ -122,7 +122,7 @@ BodyPiece trousers(const Build& build, const Outfit& outfit, const Pose& pose, c
 BodyPiece head(const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.face;
-  piece.cell_m = 0.0135F;
+  piece.cell_m = 0.0155F;
   piece.bones = {Bone::kHead};
   Tailor t(piece, pose, m);
   t.bar(Bone::kHead, {0, -0.12F, -0.030F}, {0, 0.06F, -0.010F}, {0.054F, 0.052F});  // neck
@@ -144,7 +144,7 @@ BodyPiece head(const Outfit& outfit, const Pose& pose, const Measures& m) {
 BodyPiece hair(const Build& build, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.hair;
-  piece.cell_m = 0.018F;
+  piece.cell_m = 0.021F;
   piece.bones = {Bone::kHead};
   Tailor t(piece, pose, m);
   t.bar(Bone::kHead, {0, 0.115F, -0.040F}, {0, 0.150F, 0.000F}, {0.097F, 0.088F}, {0.96F, 1.0F});
@@ -185,7 +185,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
                const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.skin;
-  piece.cell_m = 0.0105F;
+  piece.cell_m = 0.0125F;
   const Bone bone = on_side(Bone::kLeftHand, side);
   piece.bones = {bone};
   Tailor t(piece, pose, m);
@@ -213,7 +213,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
     const Bone upper = on_side(Bone::kLeftUpperArm, side);
     t.sleeve(upper, m.upper_arm, {0.4F, 1.0F}, {0.048F, 0.043F}, 0.02F);
     piece.bones.push_back(upper);
-    piece.cell_m = 0.012F;
+    piece.cell_m = 0.014F;
   }
   return piece;
 }
@@ -221,7 +221,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
 BodyPiece shoe(Side side, const Outfit& outfit, const Pose& pose, const Measures& m) {
   BodyPiece piece;
   piece.surface = outfit.shoes;
-  piece.cell_m = 0.018F;
+  piece.cell_m = 0.021F;
   const Bone bone = on_side(Bone::kLeftFoot, side);
   piece.bones = {bone};
   Tailor t(piece, pose, m);

@@ -58,13 +58,20 @@ void MovingLayer::draw_part(const MovingThings& things, const MovingPart& part,
   for (std::uint32_t i = part.first_vertex; i < part.first_vertex + part.vertex_count; ++i) {
     Seen& seen = vertices_[i];
     seen.in_camera_m = camera.axes().transpose() * (mesh.positions[i] - camera.eye_m());
-    const auto pixel =
-        seen.in_camera_m.z() > kNearest_m ? camera.pixel_of(seen.in_camera_m) : std::nullopt;
-    seen.has_pixel = pixel.has_value();
-    if (pixel) seen.pixel = *pixel;
+    seen.is_projected = false;
   }
   for (std::uint32_t i = 0; i < part.triangle_count; ++i)
     draw_triangle(mesh, part.first_triangle + i, limits, camera);
+}
+
+void MovingLayer::project_vertex(std::uint32_t vertex, const PlacedCamera& camera) {
+  Seen& seen = vertices_[vertex];
+  if (seen.is_projected) return;
+  const auto pixel =
+      seen.in_camera_m.z() > kNearest_m ? camera.pixel_of(seen.in_camera_m) : std::nullopt;
+  seen.is_projected = true;
+  seen.has_pixel = pixel.has_value();
+  if (pixel) seen.pixel = *pixel;
 }
 
 void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
@@ -76,6 +83,7 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
   const Vector3f normal = (b.in_camera_m - a.in_camera_m).cross(c.in_camera_m - a.in_camera_m);
   const float plane = normal.dot(a.in_camera_m);
   if (plane >= 0.0F) return;  // seen from behind
+  for (const std::uint32_t vertex : corner) project_vertex(vertex, camera);
   PixelBox box = limits;
   if (a.has_pixel && b.has_pixel && c.has_pixel) {
     constexpr float kBulge = 0.6F;  // pixels: the lens bends edges a little

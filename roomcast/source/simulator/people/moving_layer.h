@@ -43,8 +43,10 @@ class MovingLayer {
   struct Seen {
     Eigen::Vector3f in_camera_m;
     Eigen::Vector2f pixel;
-    bool has_pixel;  // in front of the camera, where its lens is defined
+    bool is_projected;  // whether has_pixel and pixel are known: only front faces ask for them
+    bool has_pixel;     // in front of the camera, where its lens is defined
   };
+  void project_vertex(std::uint32_t vertex, const PlacedCamera& camera);
   std::vector<Seen> vertices_;
 };
 
