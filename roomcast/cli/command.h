@@ -30,6 +30,7 @@ void add_hub_command(CLI::App& app, Command& chosen);
 void add_sensor_command(CLI::App& app, Command& chosen);
 void add_view_command(CLI::App& app, Command& chosen);
 void add_simulate_command(CLI::App& app, Command& chosen);
+void add_contact_sheet_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_align_command(CLI::App& app, Command& chosen);
 void add_bench_command(CLI::App& app, Command& chosen);
