@@ -12,6 +12,12 @@ namespace roomcast::align {
 namespace {
 
 constexpr std::size_t kLeastSamples = 200;
+constexpr double kAllOnOnePlane = 0.97;  // of the samples: then nothing holds it along the plane
+
+bool sees_one_plane_only(const std::vector<Plane>& planes, std::size_t samples) {
+  return planes.size() == 1 && static_cast<double>(planes[0].points_m.size()) >
+                                   kAllOnOnePlane * static_cast<double>(samples);
+}
 
 }  // namespace
 
@@ -27,6 +33,12 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
   ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
   Texture texture = make_texture(surface, picture);
   std::vector<Plane> planes = find_planes(surface.samples);
+  if (sees_one_plane_only(planes, surface.samples.size())) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "sensor " + bundle.name +
+                     " sees nothing but one flat surface; turn it so that a corner or furniture "
+                     "comes into its view"};
+  }
   auto floor = find_floor(planes, surface.samples, bundle.up);
   FeatureSet in_picture = picture_features(picture);
   FeatureSet on_planes = rectified_features(picture, planes);

@@ -27,7 +27,7 @@ struct SensorView {
   FeatureSet picture_features, rectified_features;
 };
 
-/// Errors of `check`; kInvalidArgument when nothing but depth edges is seen.
+/// Errors of `check`; kInvalidArgument when nothing but depth edges, or one plane, is seen.
 [[nodiscard]] Result<SensorView> make_sensor_view(const CalibrationBundle& bundle);
 
 }  // namespace roomcast::align

@@ -24,6 +24,12 @@ TEST(SensorView, of_a_bundle_that_is_none_says_why) {
   EXPECT_THAT(make_sensor_view(bundle).error().message, testing::HasSubstr("s7"));
 }
 
+TEST(SensorView, of_one_flat_wall_says_what_to_do) {
+  const RigidTransform facing = world_from_optical_looking_at({0, 1.3, 1.2}, {0, 1.3, 2});
+  EXPECT_THAT(make_sensor_view(made_up_bundle({}, "s7", facing)).error().message,
+              testing::HasSubstr("one flat surface"));
+}
+
 TEST(SensorView, of_readings_without_any_surface_says_what_to_do) {
   CalibrationBundle bundle = made_up_bundle({}, "s7", corner_pose(2, 1.5));
   for (int y = 0; y < bundle.depth_mm.height(); ++y) {

@@ -12,6 +12,8 @@ constexpr float kElsewhere_m = 0.12F;
 constexpr float kRepeats = 0.62F;  // descriptors nearer than this to a look-alike are repeats
 constexpr float kLeastWeight = 0.05F;
 constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of the ratio to the nearest look-alike
+// However well two repeats match each other, they do not say which of the repeats is meant.
+constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike's distance
 
 }  // namespace
 
@@ -56,8 +58,10 @@ std::vector<float> look_alikes_in_rig(
 }
 
 float uniqueness(float distance, float look_alike_a, float look_alike_b) {
-  const float ratio = distance / std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
-  return std::clamp((kWorthless - ratio) / kWorthRange, kLeastWeight, 1.F);
+  const float look_alike = std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
+  const float by_ratio = (kWorthless - distance / look_alike) / kWorthRange;
+  const float by_itself = (look_alike - kSurelyRepeats) / kRepeatRange;
+  return std::clamp(std::min(by_ratio, by_itself), kLeastWeight, 1.F);
 }
 
 }  // namespace roomcast::align

@@ -25,6 +25,10 @@ constexpr double kRefuted = -15;
 constexpr double kLeastTextured = 0.01;
 
 constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
+// From far aside few features match well; then many places that agree a little count as well, if
+// all the rest speaks for the pose.
+constexpr double kFaintSupport = 3.5, kFaintScore = 20;
+constexpr int kFaintCells = 20;
 constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
 
 constexpr double kLeastSupportKept = 0.5;  // by which settling may lose matches
@@ -52,8 +56,11 @@ double score_of(const PoseEvidence& evidence) {
 }  // namespace
 
 bool is_strong(const PoseEvidence& evidence) {
-  return evidence.matches.weight >= kStrongSupport && evidence.space.consistent > kStrongOverlap &&
-         evidence.space.conflict() <= kMostConflict &&
+  const bool faintly_supported = evidence.matches.weight >= kFaintSupport &&
+                                 evidence.matches.cells >= kFaintCells &&
+                                 evidence.score >= kFaintScore;
+  return (evidence.matches.weight >= kStrongSupport || faintly_supported) &&
+         evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMostConflict &&
          evidence.photo.correlation > kStrongCorrelation &&
          evidence.photo.textured > kStrongTextured;
 }
@@ -61,6 +68,7 @@ bool is_strong(const PoseEvidence& evidence) {
 PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
                                std::vector<PointMatch> matches)
     : a_(&a), b_(&b), matches_(std::move(matches)) {
+  if (same_pictures()) return;
   std::vector<PoseEvidence> found;
   for (const PoseHypothesis& hypothesis : vote_for_poses(matches_)) {
     found.push_back(settled(hypothesis));
@@ -79,6 +87,10 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
 double PairCandidates::margin() const {
   if (ranked_.empty()) return 0;
   return ranked_.size() == 1 ? ranked_[0].score : ranked_[0].score - ranked_[1].score;
+}
+
+bool PairCandidates::same_pictures() const {
+  return a_->surface.z_m == b_->surface.z_m && a_->picture.grey == b_->picture.grey;
 }
 
 PoseEvidence PairCandidates::examine(const RigidTransform& a_from_b) const {

@@ -33,7 +33,7 @@ inline constexpr double kLeastMargin = 6;
 
 class PairCandidates {
  public:
-  /// The views must outlive this.
+  /// The views must outlive this. None where both gave the same pictures: one is a copy.
   PairCandidates(const SensorView& a, const SensorView& b, std::vector<PointMatch> matches);
 
   /// Best first; no two of them say the same.
@@ -43,6 +43,9 @@ class PairCandidates {
 
   /// The evidence for any pose.
   [[nodiscard]] PoseEvidence examine(const RigidTransform& a_from_b) const;
+
+  /// Whether both gave the very same pictures.
+  [[nodiscard]] bool same_pictures() const;
 
   [[nodiscard]] const SensorView& a() const { return *a_; }
   [[nodiscard]] const SensorView& b() const { return *b_; }

@@ -16,6 +16,7 @@ namespace roomcast::align {
 namespace {
 
 constexpr double kHoldingSupport = 6, kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
+constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
 constexpr SurfaceResidualOptions kReported{0.05F, 20'000, 1};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
@@ -38,6 +39,31 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
   }
   placed[selection.origin] = any || count == 1;
   return placed;
+}
+
+/// Refined poses are exact, so what they contradict now is held against them more strictly.
+bool contradicts(const PoseEvidence& refined) {
+  return refined.space.conflict() > kRefinedConflict &&
+         refined.space.violating > kNegligibleViolation;
+}
+
+/// Takes out sensors whose refined place contradicts what others see: of each such pair the one
+/// that was less sure.
+void drop_contradicted(std::span<const RigPair> pairs, std::span<const RefinedSensor> refined,
+                       const PoseSelection& selection, std::vector<bool>& placed) {
+  const auto margin = [&](std::size_t i) {
+    return std::min(selection.margin_to_rival[i], selection.margin_to_unplaced[i]);
+  };
+  for (const RigPair& pair : pairs) {
+    const auto [a, b, candidates] = pair;
+    if (!placed[a] || !placed[b]) continue;
+    const RigidTransform a_from_b =
+        refined[a].origin_from_sensor.inverse() * refined[b].origin_from_sensor;
+    if (!contradicts(candidates->examine(a_from_b))) continue;
+    const bool drop_a = a != selection.origin && margin(a) < margin(b);
+    placed[drop_a ? a : b] = false;
+  }
+  if (std::count(placed.begin(), placed.end(), true) == 1) placed[selection.origin] = false;
 }
 
 std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
@@ -134,12 +160,13 @@ AlignmentReport place_rig(std::span<const SensorView* const> views,
 
   // 1. Which hypotheses fit together, and whose sensors have no rival place?
   const PoseSelection selection = select_poses(views.size(), pairs);
-  const std::vector<bool> placed = placed_sensors(selection);
+  std::vector<bool> placed = placed_sensors(selection);
 
   // 2. All placed sensors at once, on all that any two of them share.
   const auto& start = selection.best.group_from_sensor;
   const std::vector<RefinedSensor> refined =
       refine_rig(start, selection.origin, holding_pairs(pairs, placed, start));
+  if (views.size() > 1) drop_contradicted(pairs, refined, selection, placed);
 
   // 3. Floor down, y up.
   std::vector<Plane> floors;

@@ -23,6 +23,10 @@ const SensorView* poor_in_features(const PairCandidates& pair) {
 }  // namespace
 
 std::string why_pair_is_refused(const PairCandidates& pair) {
+  if (pair.same_pictures()) {
+    return fmt::format("{} gave the very same pictures; one of them is a copy of the other",
+                       names(pair));
+  }
   if (const SensorView* view = poor_in_features(pair)) {
     return fmt::format("{} sees hardly any texture; put something with a pattern into its view",
                        view->name);

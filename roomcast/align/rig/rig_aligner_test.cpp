@@ -108,6 +108,15 @@ TEST(RigAligner, sensors_that_share_nothing_stay_apart) {
   EXPECT_FALSE(report.pairs[0].b_from_a.has_value());
 }
 
+TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
+  RigAligner aligner;
+  aligner.add(first_corner().view);
+  aligner.add(made_up_view({}, "copy", first_corner().world_from_depth).view);
+  const AlignmentReport report = aligner.solve();
+  EXPECT_FALSE(report.sensors[1].placed);
+  EXPECT_THAT(report.sensors[1].reason, testing::HasSubstr("very same pictures"));
+}
+
 TEST(RigAligner, a_sensor_can_leave_and_another_join) {
   RigAligner aligner;
   aligner.add(first_corner().view);

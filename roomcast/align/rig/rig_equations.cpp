@@ -66,10 +66,11 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
 
 void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& correction) {
   const Eigen::Index shift = place(sensor) + kShift;
-  constexpr double kShiftWeight = 1 / (kColorShiftSigma_px * kColorShiftSigma_px);
+  const double weight =
+      1 / (kColorShiftSigma_px * kColorShiftSigma_px + correction.color_shift_px.squaredNorm());
   for (Eigen::Index i = 0; i < 2; ++i) {
-    information_(shift + i, shift + i) += kShiftWeight;
-    gradient_(shift + i) += kShiftWeight * correction.color_shift_px(i);
+    information_(shift + i, shift + i) += weight;
+    gradient_(shift + i) += weight * correction.color_shift_px(i);
   }
 }
 
