@@ -41,10 +41,21 @@ Status Candidate::run(const BenchFrame& frame, const BenchTruth& truth,
     now.depth.add(decoded_.depth_mm, frame.depth_mm, depth_truth);
   }
   if (!decoded_.color.empty()) {
-    now.color.add(decoded_.color, truth.color, frame.seen);
-    now.color_to_input.add(decoded_.color, frame.color, frame.seen);
+    now.color_lost = find_shown(frame.seen, decoded_.seen);
+    now.color.add(decoded_.color, truth.color, shown_);
+    now.color_to_input.add(decoded_.color, frame.color, shown_);
   }
   return check_promise(frame.depth_mm, now.depth);
+}
+
+std::int64_t Candidate::find_shown(const MaskImage& seen, const MaskImage& decoded) {
+  std::int64_t lost = 0;
+  shown_.resize(seen.width(), seen.height());
+  for (std::size_t i = 0; i < seen.view().pixel_count(); ++i) {
+    shown_.data()[i] = seen.data()[i] & decoded.data()[i];
+    lost += seen.data()[i] != 0 && decoded.data()[i] == 0;
+  }
+  return lost;
 }
 
 Status Candidate::check_promise(const DepthImage& input_mm, const DepthError& error) const {
@@ -95,6 +106,7 @@ void Candidate::add_quality(int first, CodecBenchRow& row) const {
     depth.add(frame.depth);
     color.add(frame.color);
     color_to_input.add(frame.color_to_input);
+    row.color_lost += static_cast<double>(frame.color_lost) / count;
     row.encode_ms += frame.cost.encode_ms / count;
     row.decode_ms += frame.cost.decode_ms / count;
   }

@@ -31,7 +31,11 @@ class Candidate {
     FrameCost cost;
     DepthError depth;
     LumaError color, color_to_input;
+    std::int64_t color_lost = 0;
   };
+  /// Fills shown_ with what is seen in the input and shown by the decoder; counts what is not
+  /// shown.
+  std::int64_t find_shown(const MaskImage& seen, const MaskImage& decoded);
   [[nodiscard]] Status check_promise(const DepthImage& input_mm, const DepthError& error) const;
   void add_bytes(int first, int key_interval, CodecBenchRow& row) const;
   void add_quality(int first, CodecBenchRow& row) const;
@@ -39,6 +43,7 @@ class Candidate {
   CodecChoice choice_;
   std::unique_ptr<CodecUnderTest> codec_;
   BenchFrame decoded_;
+  MaskImage shown_;
   std::vector<Measured> frames_;
 };
 

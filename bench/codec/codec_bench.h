@@ -23,7 +23,7 @@ namespace roomcast::bench {
 
 struct CodecBenchOptions {
   std::string only;            // a codec or a mode; empty: all
-  int color_kbit_per_s = 900;  // of the colour codecs with rate control
+  int color_kbit_per_s = 600;  // of the colour codecs with rate control
   int most_frames = 300;
   double warm_up_s = 1;
   double key_every_s = 4;
@@ -45,9 +45,11 @@ struct CodecBenchRow {
   double mb_per_s = 0;  // at 30 frames per second, whatever the input's rate
   double encode_ms = 0, decode_ms = 0;
   std::optional<DepthQuality> depth;  // of codecs that carry depth
-  // Over seen pixels; nothing without loss or without colour.
+  // Over pixels that are seen in the input and shown by the decoder; nothing without loss or
+  // without colour.
   std::optional<double> color_psnr_y;        // against the reference
   std::optional<double> color_psnr_input_y;  // against the input, its noise included
+  double color_lost = 0;                     // seen pixels per frame that the decoder does not show
 };
 
 struct CodecBenchReport {

@@ -43,6 +43,7 @@ ordered_json to_json(const CodecBenchRow& row) {
   add_depth(row.depth, json);
   json["color_psnr_y"] = or_null(row.color_psnr_y);
   json["color_psnr_input_y"] = or_null(row.color_psnr_input_y);
+  json["color_lost"] = row.color_lost;
   return json;
 }
 

@@ -20,7 +20,7 @@ struct BenchFrame {
 struct BenchPicture {
   int width = 0, height = 0;
   double fps = 30;
-  int color_kbit_per_s = 900;  // for codecs with rate control
+  int color_kbit_per_s = 600;  // for codecs with rate control
 };
 
 /// Bytes and CPU milliseconds of one frame.

@@ -14,7 +14,7 @@ namespace roomcast::cli {
 struct CodecChoice {
   codec::DepthMode depth_mode = codec::DepthMode::kLive;
   int layers = 2;
-  int color_kbit_per_s = 900;
+  int color_kbit_per_s = 600;
 };
 
 /// Adds --codec, --layers and --color-kbit.

@@ -24,7 +24,7 @@ enum class DepthMode {
 struct FrameEncoderOptions {
   int width = 0, height = 0;   // of the depth grid; both 16..4096
   double fps = 30;             // nominal, for rate control
-  int color_kbit_per_s = 900;  // target of the colour stream
+  int color_kbit_per_s = 600;  // target of the colour stream
   int temporal_layers = 2;     // 1..3; frames of layer 1 and up can be dropped without harm
   double key_interval_s = 4;   // from one key frame to the next, at most
   DepthMode depth_mode = DepthMode::kLive;
