@@ -88,6 +88,9 @@ void add_truth_options(CLI::App& command, SimulateCommand& values) {
   command.add_option("--views", values.rig.views, "Free viewpoints in truth/")
       ->check(CLI::Range(0, kMaxSimulatedViews))
       ->capture_default_str();
+  command.add_option("--view-size", values.rig.view_side_px, "Their width and height in pixels")
+      ->check(CLI::Range(16, kMaxSimulatedViewSide))
+      ->capture_default_str();
   command.add_option("--threads", values.rig.threads, "0: one per core")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();

@@ -10,6 +10,7 @@
 
 #include "roomcast/source/ordered_parallel.h"
 #include "roomcast/source/rig_truth.h"
+#include "roomcast/source/rig_views.h"
 #include "roomcast/source/rig_writer.h"
 #include "roomcast/source/simulator/simulated_sensor.h"
 #include "roomcast/source/simulator/simulated_source.h"
@@ -36,6 +37,8 @@ Status check(const SimulateRigOptions& options) {
     return invalid("At most half of the frames can be lost.");
   if (options.views < 0 || options.views > kMaxSimulatedViews)
     return invalid("There are 0 to 16 free viewpoints.");
+  if (options.view_side_px < 16 || options.view_side_px > kMaxSimulatedViewSide)
+    return invalid("Pictures from free viewpoints are 16 to 4096 pixels wide.");
   return {};
 }
 
@@ -201,6 +204,22 @@ Status write_frames(const SimulateRigOptions& options, const Actors& actors, int
       });
 }
 
+Status write_views(const fs::path& folder, const SimulateRigOptions& options,
+                   const SimulatedRoom& room, const Actors& actors, int frames,
+                   const SimulateWatcher& watcher) {
+  if (options.views == 0) return {};
+  std::vector<const SimulatedSensor*> sensors;
+  std::vector<sim::FrameClock> clocks;
+  for (const Actor& actor : actors) {
+    sensors.push_back(actor.sensor.get());
+    clocks.push_back(actor.clock);
+  }
+  return write_rig_views(
+      folder, room, sensors, clocks,
+      {options.views, options.view_side_px, options.seed, options.speed, frames, options.threads},
+      [&](int done, int total) { report(watcher, "drawing free views", done, total); });
+}
+
 /// Takes away what a failure leaves behind: never what was there before.
 void remove_contents(const fs::path& directory) {
   std::error_code ignored;
@@ -221,6 +240,7 @@ Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
   if (!truth) return std::move(truth).error();
   if (Status metered = meter(actors, frames, threads); !metered) return metered;
   Status written = write_frames(options, actors, frames, threads, rig, *truth, watcher, stop);
+  if (written) written = write_views(directory / "truth", options, room, actors, frames, watcher);
   if (!written && written.error().code != ErrorCode::kClosed) return written;
   if (Status finished = rig.finish(); !finished) return finished;
   return written;

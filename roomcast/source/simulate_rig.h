@@ -11,7 +11,7 @@
 //   OUT/truth/sK/moving/%06d.png      255 where that depth is of something that can move (a person,
 //                                     what they carry), even if it happens to stand still; 0 else
 //   OUT/truth/sK/color/%06d.jpg       colour without noise, hardly compressed (if asked for)
-//   OUT/truth/view_V_tT.png, ...      what is to be seen from free viewpoints (simulated_views.h)
+//   OUT/truth/view_V_tT.png, ...      what is to be seen from free viewpoints (rig_views.h)
 // Times are scene time, which starts at 0. The same options give the same files, bit for bit, on
 // any number of threads; on machines with another libm nearly so.
 #pragma once
@@ -31,6 +31,7 @@ namespace roomcast {
 
 inline constexpr double kMaxSimulatedSeconds = 3600;
 inline constexpr int kMaxSimulatedViews = 16;
+inline constexpr int kMaxSimulatedViewSide = 4096;
 
 struct SimulateRigOptions {
   std::string scene;       // "" is the first one
@@ -43,6 +44,7 @@ struct SimulateRigOptions {
   sim::TimingOptions timing;
   bool truth_color = false;  // noise-free colour in truth/, too
   int views = 4;             // free viewpoints in truth/, 0..kMaxSimulatedViews
+  int view_side_px = 1000;   // of their square pictures, 16..kMaxSimulatedViewSide
   int threads = 0;           // 0: all cores
 
   /// Perfect sensors that take their frames together.

@@ -10,6 +10,7 @@
 #include <stop_token>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/rig_json.h"
@@ -158,6 +159,28 @@ TEST_F(SimulateRig, clocks_and_losses_are_as_the_rig_says) {
   }
   EXPECT_GE(lost, 3U);
   EXPECT_LE(lost, 25U);
+}
+
+TEST_F(SimulateRig, free_views_lie_in_the_truth_with_the_frames_nearest_to_them) {
+  SimulateRigOptions options = brief();
+  options.views = 1;
+  options.view_side_px = 120;
+  ASSERT_TRUE(simulate_rig(folder_, options));
+  std::ifstream file(folder_ / "truth/views.json");
+  const auto views = nlohmann::json::parse(file);
+  ASSERT_EQ(views["views"].size(), 2U);
+  const auto& view = views["views"][1];
+  EXPECT_EQ(view["color"], "view_0_t1.png");
+  EXPECT_EQ(view["frame"]["s0"], 2);
+  EXPECT_EQ(view["frame_minus_view_s"]["s0"], 0.0);
+  EXPECT_EQ(view["world_from_view"].size(), 16U);
+  ImageFileReader reader;
+  DepthImage depth_mm;
+  MaskImage seen;
+  ASSERT_TRUE(reader.read_depth(folder_ / "truth/view_0_t1_depth.png", {120, 120}, depth_mm));
+  ASSERT_TRUE(reader.read_mask(folder_ / "truth/view_0_t1_seen.png", {120, 120}, seen));
+  const auto covered = std::count(seen.data(), seen.data() + seen.view().pixel_count(), 1);
+  EXPECT_GT(covered, 120 * 120 / 5);
 }
 
 /// Every file's name and contents.

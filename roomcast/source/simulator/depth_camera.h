@@ -30,6 +30,8 @@ class DepthCamera {
   [[nodiscard]] Work make_work() const;
   [[nodiscard]] const PlacedCamera& placed() const { return camera_; }
   [[nodiscard]] const DepthPlate& plate() const { return plate_; }
+  /// The empty room.
+  [[nodiscard]] const DepthImage& still_mm() const { return still_mm_; }
 
   /// Looks at the things where they are now. First of all for every instant.
   void draw(const MovingThings& things, Work& work) const;

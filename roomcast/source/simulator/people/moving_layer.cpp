@@ -2,6 +2,7 @@
 #include "roomcast/source/simulator/people/moving_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,29 @@ PixelBox joined(const PixelBox& a, const PixelBox& b) {
 PixelBox common(const PixelBox& a, const PixelBox& b) {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
           std::min(a.bottom, b.bottom)};
+}
+
+/// Whether all points (of the optical frame) lie beyond one and the same side of what a camera with
+/// these rays looks at, or too near: then nothing between them is in its picture.
+template <std::size_t kCount>
+bool beyond_a_side(const std::array<Vector3f, kCount>& points, const Eigen::AlignedBox2f& rays) {
+  const auto all = [&points](const auto& is_beyond) {
+    return std::all_of(points.begin(), points.end(), is_beyond);
+  };
+  return all([](const Vector3f& p) { return p.z() < kNearest_m; }) ||
+         all([&](const Vector3f& p) { return p.x() < rays.min().x() * p.z(); }) ||
+         all([&](const Vector3f& p) { return p.x() > rays.max().x() * p.z(); }) ||
+         all([&](const Vector3f& p) { return p.y() < rays.min().y() * p.z(); }) ||
+         all([&](const Vector3f& p) { return p.y() > rays.max().y() * p.z(); });
+}
+
+bool is_out_of_sight(const Eigen::AlignedBox3f& box_m, const PlacedCamera& camera) {
+  std::array<Vector3f, 8> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3f corner = box_m.corner(static_cast<Eigen::AlignedBox3f::CornerType>(i));
+    corners[static_cast<std::size_t>(i)] = camera.axes().transpose() * (corner - camera.eye_m());
+  }
+  return beyond_a_side(corners, camera.ray_bounds());
 }
 
 }  // namespace
@@ -50,6 +74,7 @@ void MovingLayer::draw(const MovingThings& things, const PlacedCamera& camera) {
 
 void MovingLayer::draw_part(const MovingThings& things, const MovingPart& part,
                             const PlacedCamera& camera) {
+  if (is_out_of_sight(part.box_m, camera)) return;
   const PixelBox limits =
       camera.pixels_of_box(Eigen::Affine3f::Identity(), part.box_m.min(), part.box_m.max());
   if (limits.empty()) return;
@@ -94,6 +119,9 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
       return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar)));
     };
     box = common(limits, {whole(low.x()), whole(low.y()), whole(high.x()), whole(high.y())});
+  } else if (beyond_a_side(std::array{a.in_camera_m, b.in_camera_m, c.in_camera_m},
+                           camera.ray_bounds())) {
+    return;  // without a pixel to bound it, a triangle would be looked for in the whole picture
   }
   if (box.empty()) return;
   // Signed volumes of the ray with the edges; the ray is inside where all have the same sign.

@@ -16,7 +16,11 @@ PlacedCamera::PlacedCamera(const CameraIntrinsics& intrinsics,
       eye_m_(world_from_camera.translation_m.cast<float>()),
       axes_(world_from_camera.rotation.cast<float>()),
       pixel_angle_(static_cast<float>(1.0 / intrinsics.fx)),
-      rays_(ray_table(intrinsics)) {}
+      rays_(ray_table(intrinsics)) {
+  for (std::size_t i = 0; i < rays_.view().pixel_count(); ++i) {
+    if (rays_.data()[i].allFinite()) ray_bounds_.extend(rays_.data()[i]);
+  }
+}
 
 std::optional<Eigen::Vector2f> PlacedCamera::pixel_of(const Vector3f& in_camera_m) const {
   const auto pixel = project(intrinsics_, in_camera_m.cast<double>());

@@ -37,6 +37,9 @@ class PlacedCamera {
   [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const { return rays_.at(x, y); }
   [[nodiscard]] const Eigen::Vector2f* ray_row(int y) const { return rays_.view().row(y); }
 
+  /// Holds the rays of all pixels.
+  [[nodiscard]] const Eigen::AlignedBox2f& ray_bounds() const { return ray_bounds_; }
+
   /// In the world, of a ray.
   [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector2f& ray) const {
     return axes_.col(0) * ray.x() + axes_.col(1) * ray.y() + axes_.col(2);
@@ -64,6 +67,7 @@ class PlacedCamera {
   Eigen::Matrix3f axes_;
   float pixel_angle_;
   Image<Eigen::Vector2f> rays_;
+  Eigen::AlignedBox2f ray_bounds_;
 };
 
 }  // namespace roomcast::sim
