@@ -2,6 +2,7 @@
 #include "roomcast/source/simulator/tracing/multipath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -17,7 +18,7 @@ using Eigen::Vector3f;
 constexpr int kSpacing = 4;  // pixels
 constexpr int kRays = 48;
 constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
-constexpr float kHalfWave_m = 1.5F;  // of light modulated at 100 MHz
+constexpr std::array kHalfWaves_m = {1.875F, 1.25F};  // of light modulated at 80 and 120 MHz
 
 struct Node {
   float z_m = 0;  // 0: nothing there
@@ -48,7 +49,8 @@ float detour_at(const Room& room, const RayScene& scene, const PlacedCamera& cam
                 const LitPoint& at) {
   const float direct_way = (at.position_m - camera.eye_m()).norm();
   const float cosine = at.normal.dot(camera.eye_m() - at.position_m) / direct_way;
-  std::complex<float> light = std::max(cosine, 0.05F) / (direct_way * direct_way);
+  std::array<std::complex<float>, kHalfWaves_m.size()> light;
+  light.fill(std::max(cosine, 0.05F) / (direct_way * direct_way));
   for (int i = 0; i < kRays; ++i) {
     const Vector3f direction = cosine_direction(at.normal, i, kRays);
     const auto hit = scene.first_hit(at.position_m + 0.004F * at.normal, direction);
@@ -57,9 +59,13 @@ float detour_at(const Room& room, const RayScene& scene, const PlacedCamera& cam
     const float infrared = room.surfaces[room.mesh.surface[hit->triangle]].infrared;
     const float share = infrared * lit_by_camera(scene, camera, bounce) / kRays;
     const float way = hit->t + (bounce.position_m - camera.eye_m()).norm();
-    light += std::polar(share, kTurn * 0.5F * (way - direct_way) / kHalfWave_m);
+    for (std::size_t f = 0; f < light.size(); ++f)
+      light[f] += std::polar(share, kTurn * 0.5F * (way - direct_way) / kHalfWaves_m[f]);
   }
-  return std::arg(light) / kTurn * kHalfWave_m;
+  float sum_m = 0.0F;
+  for (std::size_t f = 0; f < light.size(); ++f)
+    sum_m += std::arg(light[f]) / kTurn * kHalfWaves_m[f];
+  return std::max(0.0F, sum_m / static_cast<float>(light.size()));
 }
 
 Node node_at(const Room& room, const RayScene& scene, const PlacedCamera& camera, int x, int y) {
