@@ -2,18 +2,20 @@
 // roomcast align: places the sensors of a recording, and says how sure it is.
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "roomcast/align/homography/homography_pose.h"
 #include "roomcast/align/rig/rig_aligner.h"
 #include "roomcast/cli/alignment_text.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/pair_list.h"
 #include "roomcast/cli/recorded_bundles.h"
+#include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -26,13 +28,12 @@ struct AlignOptions {
   bool json = false;
 };
 
-using SharedView = std::shared_ptr<const align::SensorView>;
-
-Result<SharedView> view_of(const RecordedBundle& recorded) {
-  if (!recorded.bundle) return recorded.bundle.error();
-  auto view = align::make_sensor_view(*recorded.bundle);
-  if (!view) return view.error();
-  return SharedView(std::make_shared<const align::SensorView>(std::move(*view)));
+align::AlignmentReport align_views(const std::vector<SharedView>& views, const std::string& method,
+                                   const align::AlignProgress& progress) {
+  if (method == "homography") return align::align_by_homography(views);
+  align::RigAligner aligner;
+  for (const SharedView& view : views) aligner.add(view);
+  return aligner.solve(progress);
 }
 
 align::SensorReport unusable_sensor(const std::string& name, const Error& error) {
@@ -42,102 +43,80 @@ align::SensorReport unusable_sensor(const std::string& name, const Error& error)
   return report;
 }
 
-Result<align::AlignmentReport> align_rig(const std::filesystem::path& directory, StatusLine& line) {
+Result<align::AlignmentReport> align_rig(const AlignOptions& options, StatusLine& line) {
   const auto bundles =
-      read_rig_bundles(directory, [&](const std::string& what) { line.show(what); });
+      read_rig_bundles(options.recording, [&](const std::string& what) { line.show(what); });
   if (!bundles) return bundles.error();
-  align::RigAligner aligner;
+  std::vector<SharedView> views;
   std::vector<align::SensorReport> unusable;
   for (const RecordedBundle& recorded : *bundles) {
     line.show("looking at " + recorded.name);
-    const auto view = view_of(recorded);
-    view ? aligner.add(*view) : unusable.push_back(unusable_sensor(recorded.name, view.error()));
+    auto view = view_of(recorded);
+    view ? views.push_back(*view)
+         : unusable.push_back(unusable_sensor(recorded.name, view.error()));
   }
-  align::AlignmentReport report = aligner.solve([&](std::string_view step, double done) {
-    line.show(fmt::format("{:3.0f} %  {}", 100 * done, step));
-  });
+  align::AlignmentReport report =
+      align_views(views, options.method, [&](std::string_view step, double done) {
+        line.show(fmt::format("{:3.0f} %  {}", 100 * done, step));
+      });
   report.sensors.insert(report.sensors.end(), unusable.begin(), unusable.end());
   return report;
 }
 
-/// The views of all frames that any pair names, each made once.
-class FrameViews {
- public:
-  static Result<FrameViews> read(const std::filesystem::path& directory,
-                                 const std::vector<ListedPair>& pairs, StatusLine& line) {
-    std::set<std::uint64_t> frames;
-    for (const ListedPair& pair : pairs) {
-      for (const std::string& name : {pair.a, pair.b}) {
-        const auto number = frame_number(name);
-        if (!number) return number.error();
-        frames.insert(*number);
-      }
-    }
-    auto bundles =
-        read_frame_bundles(directory, frames, [&](const std::string& what) { line.show(what); });
-    if (!bundles) return bundles.error();
-    return FrameViews(std::move(*bundles));
-  }
-
-  const Result<SharedView>& at(const std::string& name) {
-    const std::uint64_t frame = *frame_number(name);
-    auto found = views_.find(frame);
-    if (found == views_.end()) {
-      found = views_.emplace(frame, view_of(bundles_.at(frame))).first;
-    }
-    return found->second;
-  }
-
- private:
-  explicit FrameViews(std::map<std::uint64_t, RecordedBundle> bundles)
-      : bundles_(std::move(bundles)) {}
-
-  static Result<std::uint64_t> frame_number(const std::string& name) {
-    if (!name.empty() && name.size() < 19 &&
-        name.find_first_not_of("0123456789") == std::string::npos) {
-      return std::stoull(name);
-    }
-    return Error{ErrorCode::kInvalidArgument, name + " is no frame number of a TUM recording"};
-  }
-
-  std::map<std::uint64_t, RecordedBundle> bundles_;
-  std::map<std::uint64_t, Result<SharedView>> views_;
-};
-
-align::PairReport align_pair(const ListedPair& pair, FrameViews& views) {
+align::PairReport align_pair(const ListedPair& pair, const std::string& method,
+                             FrameViews& frames) {
   align::PairReport refused;
   refused.a = pair.a;
   refused.b = pair.b;
-  align::RigAligner aligner;
+  refused.reason = pair.a + " is the same frame twice";
+  if (pair.a == pair.b) return refused;
+  std::vector<SharedView> views;
   for (const std::string& name : {pair.a, pair.b}) {
-    const auto& view = views.at(name);
+    const auto& view = frames.at(name);
     if (!view) {
       refused.reason = view.error().message;
       return refused;
     }
-    aligner.add(*view);
+    views.push_back(*view);
   }
-  return aligner.solve().pairs.at(0);
+  return align_views(views, method, {}).pairs.at(0);
 }
 
 Result<align::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
   const auto pairs = read_pair_list(options.pairs);
   if (!pairs) return pairs.error();
-  auto views = FrameViews::read(options.recording, *pairs, line);
-  if (!views) return views.error();
+  auto frames = FrameViews::read(options.recording, *pairs,
+                                 [&](const std::string& what) { line.show(what); });
+  if (!frames) return frames.error();
   align::AlignmentReport report;
   for (const ListedPair& pair : *pairs) {
     line.show(fmt::format("pair {} of {}: {} and {}", report.pairs.size() + 1, pairs->size(),
                           pair.a, pair.b));
-    report.pairs.push_back(align_pair(pair, *views));
+    report.pairs.push_back(align_pair(pair, options.method, *frames));
   }
   return report;
 }
 
+Status check_recording(const AlignOptions& options) {
+  std::error_code ignored;
+  const std::filesystem::path folder(options.recording);
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    return Error{ErrorCode::kNotFound, "there is no folder " + options.recording};
+  }
+  if (options.pairs.empty() && !std::filesystem::exists(folder / "rig.json", ignored)) {
+    return Error{
+        ErrorCode::kInvalidArgument,
+        options.recording +
+            " has no rig.json, so it holds one sensor at most; give --pairs to align frames "
+            "of it with each other"};
+  }
+  return {};
+}
+
 Status run_align(const AlignOptions& options) {
+  if (Status status = check_recording(options); !status) return status;
   StatusLine line;
-  const auto report =
-      options.pairs.empty() ? align_rig(options.recording, line) : align_pairs(options, line);
+  const auto report = options.pairs.empty() ? align_rig(options, line) : align_pairs(options, line);
   if (!report) return report.error();
   fmt::print("{}", options.json ? alignment_json(*report) : alignment_table(*report));
   return {};
@@ -151,6 +130,9 @@ void add_align_command(CLI::App& app, Command& chosen) {
       "align", "Place the sensors of a recording in one world, and say how sure that is");
   command->add_option("recording", options->recording, "Folder of a rig or of a TUM recording")
       ->required();
+  command->add_option("--method", options->method, "auto, or homography (to compare with)")
+      ->check(CLI::IsMember({"auto", "homography"}))
+      ->capture_default_str();
   command->add_option(
       "--pairs", options->pairs,
       "Align these pairs of frames of a TUM recording instead (alignment_pairs.json)");

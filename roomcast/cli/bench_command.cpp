@@ -109,6 +109,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   bench->footer("Example: roomcast bench register");
   add_codec_bench(*bench, chosen);
   add_register_bench(*bench, chosen);
+  add_align_bench(*bench, chosen);
   add_fanout_bench(*bench, chosen);
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/align/align_bench.h"
+
+namespace roomcast::bench {
+
+void print_table(const std::vector<AlignRow>& rows, std::ostream& out) {
+  out << fmt::format("{:<20} {:<8} {:<21} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7}\n", "input",
+                     "overlap", "method", "right", "claimed", "wrong", "rotation", "transl.",
+                     "CPU");
+  for (const AlignRow& row : rows) {
+    out << fmt::format(
+        "{:<20} {:<8} {:<21} {:>3} of {:<3} {:>8} {:>6} {:>5.2f} deg {:>5.0f} mm {:>5.2f} s\n",
+        row.input, row.overlap, row.method, row.right, row.pairs, row.accepted, row.accepted_wrong,
+        row.median_rotation_deg, row.median_translation_mm, row.cpu_s_per_pair);
+  }
+}
+
+void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
+  nlohmann::json json = {{"rows", nlohmann::json::array()}};
+  for (const AlignRow& row : rows) {
+    json["rows"].push_back({{"input", row.input},
+                            {"method", row.method},
+                            {"overlap", row.overlap},
+                            {"pairs", row.pairs},
+                            {"right", row.right},
+                            {"accepted", row.accepted},
+                            {"accepted_wrong", row.accepted_wrong},
+                            {"median_rotation_deg", row.median_rotation_deg},
+                            {"median_translation_mm", row.median_translation_mm},
+                            {"cpu_s_per_pair", row.cpu_s_per_pair}});
+  }
+  out << json.dump(1) << "\n";
+}
+
+}  // namespace roomcast::bench

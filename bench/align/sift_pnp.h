@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A peer to compare with: SIFT features matched by Lowe's ratio test, those of one view lifted by
+// its depth, the pose by perspective-n-point RANSAC (OpenCV). Metres. Thread-safe (no state).
+#pragma once
+
+#include <optional>
+
+#include "roomcast/align/sensor_view.h"
+
+namespace roomcast::bench {
+
+/// a_from_b, or nothing when too few matches agree.
+[[nodiscard]] std::optional<RigidTransform> sift_pnp_pose(const align::SensorView& a,
+                                                          const align::SensorView& b);
+
+}  // namespace roomcast::bench

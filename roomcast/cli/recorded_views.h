@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The views of recorded sensors, ready to be aligned. Single-threaded.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "roomcast/align/sensor_view.h"
+#include "roomcast/cli/pair_list.h"
+#include "roomcast/cli/recorded_bundles.h"
+
+namespace roomcast::cli {
+
+using SharedView = std::shared_ptr<const align::SensorView>;
+
+/// Errors of the bundle and of align::make_sensor_view.
+[[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded);
+
+/// The views of all frames of a TUM recording that any pair names, each made once.
+class FrameViews {
+ public:
+  /// kInvalidArgument for a name that is no frame number; errors of read_frame_bundles.
+  static Result<FrameViews> read(const std::filesystem::path& directory,
+                                 const std::vector<ListedPair>& pairs,
+                                 const ReadProgress& progress);
+
+  /// `name` is one that a pair named.
+  const Result<SharedView>& at(const std::string& name);
+
+ private:
+  explicit FrameViews(std::map<std::uint64_t, RecordedBundle> bundles);
+
+  std::map<std::uint64_t, RecordedBundle> bundles_;
+  std::map<std::uint64_t, Result<SharedView>> views_;
+};
+
+}  // namespace roomcast::cli
