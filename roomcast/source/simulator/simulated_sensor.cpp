@@ -87,8 +87,12 @@ void SimulatedSensor::read_color(std::uint64_t frame, float exposure, const Mome
 float SimulatedSensor::next_exposure(nanoseconds scene_time, Moment& moment,
                                      sim::AutoExposure& control) const {
   if (!options_.sensing.auto_exposure) return 1.0F;
-  moment.things_.move_to(scene_time);
-  return control.next(scene_time, color_.brightness(moment.things_, moment.color_));
+  const float gain = control.next(scene_time);
+  if (control.is_due(scene_time)) {
+    moment.things_.move_to(scene_time);
+    control.meter(scene_time, color_.brightness(moment.things_, moment.color_));
+  }
+  return gain;
 }
 
 }  // namespace roomcast

@@ -14,15 +14,19 @@ class AutoExposure {
   /// `wanted`: the mean brightness of the picture that it steers for.
   explicit AutoExposure(float wanted) : wanted_(wanted) {}
 
-  /// The gain of the frame at `scene_time` whose light, before any gain, has the mean `brightness`.
-  /// It answers to the frames before this one only.
-  float next(nanoseconds scene_time, float brightness);
+  /// The gain of the frame at `scene_time`: answers to what was metered before.
+  float next(nanoseconds scene_time);
+
+  /// Whether the light is to be metered at `scene_time`: five times a second is enough for the lag.
+  [[nodiscard]] bool is_due(nanoseconds scene_time) const;
+  /// The mean linear light of the picture before any gain.
+  void meter(nanoseconds scene_time, float brightness);
 
  private:
   float wanted_;
   float log_gain_ = 0, log_aim_ = 0;
-  nanoseconds last_{};
-  bool started_ = false;
+  nanoseconds last_{}, metered_{};
+  bool started_ = false, has_metered_ = false;
 };
 
 }  // namespace roomcast::sim
