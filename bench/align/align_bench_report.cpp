@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <ostream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,16 +8,24 @@
 #include "bench/align/align_bench.h"
 
 namespace roomcast::bench {
+namespace {
+
+std::string accuracy(const AlignRow& row) {
+  if (row.right == 0) return fmt::format("{:>18}", "-");
+  return fmt::format("{:>5.2f} deg {:>5.0f} mm", row.median_rotation_deg,
+                     row.median_translation_mm);
+}
+
+}  // namespace
 
 void print_table(const std::vector<AlignRow>& rows, std::ostream& out) {
   out << fmt::format("{:<20} {:<8} {:<21} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7}\n", "input",
                      "overlap", "method", "right", "claimed", "wrong", "rotation", "transl.",
                      "CPU");
   for (const AlignRow& row : rows) {
-    out << fmt::format(
-        "{:<20} {:<8} {:<21} {:>3} of {:<3} {:>8} {:>6} {:>5.2f} deg {:>5.0f} mm {:>5.2f} s\n",
-        row.input, row.overlap, row.method, row.right, row.pairs, row.accepted, row.accepted_wrong,
-        row.median_rotation_deg, row.median_translation_mm, row.cpu_s_per_pair);
+    out << fmt::format("{:<20} {:<8} {:<21} {:>3} of {:<3} {:>8} {:>6} {} {:>5.2f} s\n", row.input,
+                       row.overlap, row.method, row.right, row.pairs, row.accepted,
+                       row.accepted_wrong, accuracy(row), row.cpu_s_per_pair);
   }
 }
 
