@@ -20,7 +20,7 @@ namespace roomcast::hub {
 
 struct HubOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 7600;  // 0: any free one
+  std::uint16_t port = 7600;                         // 0: any free one
   std::shared_ptr<const net::TlsServerContext> tls;  // without it nothing is encrypted
   std::string room = "room";
   std::optional<std::filesystem::path>
