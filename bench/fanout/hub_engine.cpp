@@ -2,6 +2,7 @@
 #include <stop_token>
 
 #include "bench/fanout/engine.h"
+#include "bench/fanout/tls_identity.h"
 #include "roomcast/hub/hub_server.h"
 
 namespace roomcast::bench {
@@ -19,12 +20,10 @@ class HubEngine final : public Engine {
     options.port = 0;
     std::optional<net::Fingerprint> fingerprint;
     if (tls_) {
-      const auto certificate = net::Certificate::make_self_signed({"localhost"});
-      if (!certificate) return certificate.error();
-      auto context = net::TlsServerContext::create(*certificate);
-      if (!context) return context.error();
-      options.tls = *std::move(context);
-      fingerprint = certificate->fingerprint();
+      auto identity = make_tls_identity();
+      if (!identity) return identity.error();
+      options.tls = identity->context;
+      fingerprint = identity->fingerprint;
     }
     auto child = ChildProcess::fork_off([&](const ChildProcess::PortReport& report) {
       const auto server = hub::HubServer::open(options);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "bench/fanout/engine.h"
+#include "bench/fanout/tls_identity.h"
 #include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/tls/tls_session.h"
 
@@ -173,12 +174,10 @@ class SocketLoopEngine final : public Engine {
     std::shared_ptr<const net::TlsServerContext> context;
     std::optional<net::Fingerprint> fingerprint;
     if (tls_) {
-      const auto certificate = net::Certificate::make_self_signed({"localhost"});
-      if (!certificate) return certificate.error();
-      auto made = net::TlsServerContext::create(*certificate);
-      if (!made) return made.error();
-      context = *std::move(made);
-      fingerprint = certificate->fingerprint();
+      auto identity = make_tls_identity();
+      if (!identity) return identity.error();
+      context = identity->context;
+      fingerprint = identity->fingerprint;
     }
     auto child = ChildProcess::fork_off([&](const ChildProcess::PortReport& report) {
       SocketLoop(room.frame_bytes, context).run(report);

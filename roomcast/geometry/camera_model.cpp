@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/geometry/camera_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -125,6 +126,19 @@ std::optional<Eigen::Vector3d> unproject(const CameraIntrinsics& camera,
   const auto xy = undistort(camera, normalised(camera, pixel));
   if (!xy) return std::nullopt;
   return Eigen::Vector3d{xy->x() * z_m, xy->y() * z_m, z_m};
+}
+
+double widest_radius_squared(const CameraIntrinsics& camera) {
+  constexpr double kReserve = 1.01;  // half a pixel beyond the border
+  double largest = 0;
+  const auto visit = [&](int u, int v) {
+    if (const auto ray = unproject(camera, {u, v}, 1)) {
+      largest = std::max(largest, ray->head<2>().squaredNorm());
+    }
+  };
+  for (int u = 0; u < camera.width; ++u) visit(u, 0), visit(u, camera.height - 1);
+  for (int v = 0; v < camera.height; ++v) visit(0, v), visit(camera.width - 1, v);
+  return kReserve * largest;
 }
 
 Image<Eigen::Vector2f> ray_table(const CameraIntrinsics& camera) {

@@ -58,6 +58,11 @@ struct SensorCalibration {
 [[nodiscard]] std::optional<Eigen::Vector3d> unproject(const CameraIntrinsics& camera,
                                                        const Eigen::Vector2d& pixel, double z_m);
 
+/// The squared radius (x/z, y/z) within which all rays of the picture lie, those half a pixel
+/// beyond its border too; the lens polynomial means nothing outside. 0 where no ray of the border
+/// is known.
+[[nodiscard]] double widest_radius_squared(const CameraIntrinsics& camera);
+
 /// For every pixel the undistorted (x/z, y/z); NaN where there is none. Built once per camera.
 [[nodiscard]] Image<Eigen::Vector2f> ray_table(const CameraIntrinsics& camera);
 

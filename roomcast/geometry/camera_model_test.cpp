@@ -139,5 +139,17 @@ TEST(CameraIntrinsics, check_names_the_offending_field) {
             std::string::npos);
 }
 
+TEST(CameraModel, widest_radius_holds_every_ray_of_the_picture_and_little_more) {
+  CameraIntrinsics camera;
+  camera.width = 512;
+  camera.height = 424;
+  camera.fx = camera.fy = 365;
+  camera.cx = 255.5;
+  camera.cy = 211.5;
+  const double corner = (255.5 * 255.5 + 211.5 * 211.5) / (365.0 * 365.0);
+  EXPECT_GT(widest_radius_squared(camera), corner);
+  EXPECT_LT(widest_radius_squared(camera), 1.02 * corner);
+}
+
 }  // namespace
 }  // namespace roomcast

@@ -10,20 +10,6 @@ namespace {
 constexpr float kMetresPerMillimetre = 0.001F;
 constexpr float kNearestZ_m = 0.01F;           // nothing is nearer to a colour camera
 constexpr std::uint16_t kFarDepth_mm = 50000;  // where the baseline no longer shows
-constexpr double kRadiusReserve = 1.01;        // for points within half a pixel of the border
-
-/// The largest squared radius of an undistorted ray on the picture's border.
-double largest_radius_squared(const CameraIntrinsics& camera) {
-  double largest = 0;
-  const auto visit = [&](int u, int v) {
-    if (const auto ray = unproject(camera, {u, v}, 1)) {
-      largest = std::max(largest, ray->head<2>().squaredNorm());
-    }
-  };
-  for (int u = 0; u < camera.width; ++u) visit(u, 0), visit(u, camera.height - 1);
-  for (int v = 0; v < camera.height; ++v) visit(0, v), visit(camera.width - 1, v);
-  return largest;
-}
 
 }  // namespace
 
@@ -31,21 +17,9 @@ ColorProjection::Lens ColorProjection::lens_of(const SensorCalibration& calibrat
   const CameraIntrinsics& c = calibration.color;
   const Eigen::Vector3f t = calibration.color_from_depth.translation_m.cast<float>();
   const auto f = [](double x) { return static_cast<float>(x); };
-  return {f(c.fx),
-          f(c.fy),
-          f(c.cx),
-          f(c.cy),
-          f(c.k1),
-          f(c.k2),
-          f(c.k3),
-          f(c.p1),
-          f(c.p2),
-          t.x(),
-          t.y(),
-          t.z(),
-          f(c.width - 0.5),
-          f(c.height - 0.5),
-          f(kRadiusReserve * largest_radius_squared(c))};
+  return {f(c.fx), f(c.fy), f(c.cx),          f(c.cy),           f(c.k1),
+          f(c.k2), f(c.k3), f(c.p1),          f(c.p2),           t.x(),
+          t.y(),   t.z(),   f(c.width - 0.5), f(c.height - 0.5), f(widest_radius_squared(c))};
 }
 
 ColorProjection::ColorProjection(const SensorCalibration& calibration)

@@ -34,10 +34,8 @@ class Stream {
   explicit Stream(Socket socket, std::optional<TlsSession> tls = std::nullopt);
 
   [[nodiscard]] executor_type get_executor() { return socket_.get_executor(); }
-  [[nodiscard]] const Socket& socket() const { return socket_; }
   [[nodiscard]] Socket& socket() { return socket_; }
   [[nodiscard]] bool is_open() const { return socket_.is_open(); }
-  [[nodiscard]] bool is_encrypted() const { return tls_.has_value(); }
 
   /// What is there now. Errors: would_block, eof, and the socket's own; connection_aborted when TLS
   /// failed, see tls_fault().
