@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // An encrypted hub: whom it serves, who trusts it, and what those hear who do not.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
 import { request as plainRequest } from 'node:http';
 import { request as encryptedRequest } from 'node:https';
-import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+import { assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 
 const certificateOfItsOwn = (folder) => ['--tls-self-signed', '--data', folder];
 
@@ -45,13 +43,8 @@ test('who_forgets_the_s_is_told', async (t) => {
 
 test('room_is_seen_through_an_encrypted_hub', async (t) => {
   const hub = await startEncryptedHub(t);
-  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
-  t.after(() => sensor.stop('SIGKILL'));
-  await sensor.prints(/joined/);
-  const picture = join(scratchFolder(t), 'room.png');
-  const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);
-  assert.equal(code, 0, stderr);
-  assert.ok(existsSync(picture));
+  await startSensor(t, hub);
+  await assertServes(t, hub);
 });
 
 test('hub_that_nobody_vouches_for_is_refused', async (t) => {

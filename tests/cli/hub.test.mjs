@@ -2,13 +2,13 @@
 // The hub and its clients when the other side is not there, goes away, or talks nonsense.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { existsSync, readdirSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { request } from 'node:http';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+import { Program, assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 import { RawSocket } from './raw_socket.mjs';
 
 /** A port of this machine on which nobody listens. */
@@ -29,18 +29,7 @@ function getStatus(port, path) {
 /** A hub in use: a simulated sensor sends to it. */
 async function startRoom(t) {
   const hub = await startHub(t);
-  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
-  t.after(() => sensor.stop('SIGKILL'));
-  await sensor.prints(/joined/);
-  return { hub, sensor };
-}
-
-/** The room can be seen: a viewer that joins now draws its sensor. */
-async function assertServes(t, hub) {
-  const picture = join(scratchFolder(t), 'room.png');
-  const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);
-  assert.equal(code, 0, stderr);
-  assert.ok(existsSync(picture));
+  return { hub, sensor: await startSensor(t, hub) };
 }
 
 test('port_in_use_is_named', async (t) => {

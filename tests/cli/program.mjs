@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -74,4 +74,20 @@ export function assertFailed({ code, stderr }, expectedCode, sentence) {
   const lines = stderr.trimEnd().split('\n');
   assert.equal(lines.length, 1, `one sentence, not ${lines.length} lines:\n${stderr}`);
   assert.match(lines[0], sentence);
+}
+
+/** A simulated sensor that has joined the hub; it is stopped when the test `t` ends. */
+export async function startSensor(t, hub) {
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
+  t.after(() => sensor.stop('SIGKILL'));
+  await sensor.prints(/joined/);
+  return sensor;
+}
+
+/** The room can be seen: a viewer that joins now draws its sensor. */
+export async function assertServes(t, hub) {
+  const picture = join(scratchFolder(t), 'room.png');
+  const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);
+  assert.equal(code, 0, stderr);
+  assert.ok(existsSync(picture));
 }
