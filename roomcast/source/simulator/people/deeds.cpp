@@ -15,6 +15,7 @@ using Eigen::Vector3f;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSitDown_s = 1.5F, kReach_s = 1.0F;
+constexpr double kExercise_rad_s = 2.6, kStretch_rad_s = 0.6;
 
 float wave(double time_s, double per_second, double shift) {
   return static_cast<float>(std::sin(time_s * per_second + shift));
@@ -66,6 +67,47 @@ PalmWish on_thigh(Side side, const Isometry3f& body, const Measures& m, float de
   wish.turned = palm_down(body, side, -0.1F);
   wish.share = depth;
   return wish;
+}
+
+/// Arms swung through a circle about the shoulders: 0 hanging, a quarter turn ahead, half a turn
+/// up.
+PalmWish swung(Side side, const Isometry3f& body, const Measures& m, float raised_rad,
+               float out_m) {
+  const float arm = 0.85F * (m.upper_arm + m.forearm + m.palm);
+  PalmWish wish;
+  wish.palm_m = body * Vector3f(sign_of(side) * (m.shoulder_half + out_m),
+                                m.waist + m.shoulder - arm * std::cos(raised_rad),
+                                arm * std::sin(raised_rad) + 0.04F);
+  wish.turned = palms_inward(body, raised_rad - 0.5F * kPi);
+  return wish;
+}
+
+/// How far down an exercise is, 0..1 and back.
+float dip(double time_s) {
+  return 0.5F - 0.5F * wave(time_s, kExercise_rad_s, 0.5 * std::numbers::pi);
+}
+float slow_dip(double time_s) {
+  return 0.5F - 0.5F * wave(time_s, kStretch_rad_s, 0.0);
+}
+
+Lean exercising_lean(double time_s, float depth) {
+  const float down = depth * dip(time_s);
+  Lean lean;
+  lean.sink_m = 0.20F * down;
+  lean.hips_back_m = 0.12F * down;
+  lean.pelvis_pitch = 0.15F * down;
+  lean.chest_pitch = 0.30F * down;
+  lean.chest_yaw = depth * 0.35F * wave(time_s, 0.5 * kExercise_rad_s, 0.0);
+  return lean;
+}
+
+Lean stretching_lean(double time_s, float depth) {
+  const float down = depth * slow_dip(time_s);
+  Lean lean;
+  lean.hips_back_m = 0.06F * down;
+  lean.pelvis_pitch = 0.35F * down;
+  lean.chest_pitch = 0.45F * down;
+  return lean;
 }
 
 PalmWish mixed(const PalmWish& under, const PalmWish& over) {
@@ -121,6 +163,8 @@ Lean lean_of(const Stop& stop, const Itinerary::Stay& stay, double time_s) {
   }
   const float depth = depth_of(stay, kReach_s);
   if (stop.deed == Deed::kReach || stop.deed == Deed::kPlug) return lean_towards(stop, depth);
+  if (stop.deed == Deed::kExercise) return exercising_lean(time_s, depth);
+  if (stop.deed == Deed::kStretch) return stretching_lean(time_s, depth);
   Lean lean;
   if (stop.deed == Deed::kWrite) lean.looks = depth;
   if (stop.deed == Deed::kTalk) {
@@ -164,6 +208,16 @@ PalmWish palm_wish(const Stop& stop, const Itinerary::Stay& stay, Side side, dou
                               0.010F * wave(time_s, 4.7, sign_of(side)),
                               0.012F * wave(time_s, 3.3, 0.0));
       return at_target(stop.target_m + apart + fiddling, palms_inward(body, 0.1F), depth);
+    }
+    case Deed::kExercise: {
+      PalmWish wish = swung(side, body, m, 0.5F + 2.1F * (1.0F - dip(time_s)), 0.18F);
+      wish.share = depth;
+      return wish;
+    }
+    case Deed::kStretch: {
+      PalmWish wish = swung(side, body, m, 0.8F + 0.9F * (1.0F - slow_dip(time_s)), 0.06F);
+      wish.share = depth;
+      return wish;
     }
     case Deed::kStand:
     case Deed::kTakeUp:

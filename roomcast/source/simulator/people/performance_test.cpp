@@ -49,6 +49,20 @@ Person sitter() {
   return person;
 }
 
+/// Exercises, walks back and stretches.
+Person exerciser() {
+  Person person;
+  Stop front, back;
+  front.at_m = {0.0F, 0.4F};
+  front.deed = Deed::kExercise;
+  front.stay_s = 6.0F;
+  back.at_m = {0.2F, -0.5F};
+  back.deed = Deed::kStretch;
+  back.stay_s = 6.0F;
+  person.stops = {front, back};
+  return person;
+}
+
 template <class Check>
 void over_a_round(const Performance& performance, const Check& check) {
   const double end_s = performance.itinerary().period_s();
@@ -56,7 +70,7 @@ void over_a_round(const Performance& performance, const Check& check) {
 }
 
 TEST(Performance, planted_feet_do_not_slide) {
-  for (const Person& person : {carrier(), sitter()}) {
+  for (const Person& person : {carrier(), sitter(), exerciser()}) {
     const Performance performance(person);
     for (const Side side : kSides) {
       Vector3f planted_at = Vector3f::Zero();
@@ -152,7 +166,7 @@ TEST(Performance, the_burden_rests_where_it_was_put_and_never_jumps) {
 
 TEST(Performance, nothing_jumps_from_frame_to_frame_nor_where_the_round_begins_again) {
   constexpr float kFastest_m = 0.16F;  // a swinging foot or hand in 1/30 s
-  for (const Person& person : {carrier(), sitter()}) {
+  for (const Person& person : {carrier(), sitter(), exerciser()}) {
     const Performance performance(person);
     Pose last = performance.at(-kFrame_s).pose;
     over_a_round(performance, [&](double time_s) {
@@ -192,6 +206,24 @@ TEST(Performance, the_right_palm_reaches_what_is_plugged_high_or_low) {
         now.pose.of(Bone::kRightHand) * palm_in_hand(Side::kRight, performance.measures());
     EXPECT_LT((palm - stop.target_m).norm(), 0.03F) << height_m;
   }
+}
+
+TEST(Performance, who_exercises_goes_down_and_swings_both_hands_above_the_head) {
+  const Performance performance(exerciser());
+  float lowest = 10.0F, highest = 0.0F;
+  float left_above = 0.0F, right_above = 0.0F;
+  over_a_round(performance, [&](double time_s) {
+    const Pose pose = performance.at(time_s).pose;
+    const float hips = pose.of(Bone::kPelvis).translation().y();
+    lowest = std::min(lowest, hips);
+    highest = std::max(highest, hips);
+    const float head = pose.of(Bone::kHead).translation().y();
+    left_above = std::max(left_above, pose.of(Bone::kLeftHand).translation().y() - head);
+    right_above = std::max(right_above, pose.of(Bone::kRightHand).translation().y() - head);
+  });
+  EXPECT_GT(highest - lowest, 0.15F);
+  EXPECT_GT(left_above, 0.0F);
+  EXPECT_GT(right_above, 0.0F);
 }
 
 }  // namespace

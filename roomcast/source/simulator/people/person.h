@@ -31,16 +31,18 @@ struct Outfit {
 
 /// What somebody does where they stop.
 enum class Deed : std::uint8_t {
-  kStand,    // breathes, sways, looks around a little
-  kSit,      // sits down, rests, stands up
-  kTalk,     // gestures with both hands, standing
-  kSitTalk,  // gestures, sitting
-  kType,     // sits, both hands at the target, typing
-  kReach,    // moves the right hand to the target and back
-  kWrite,    // writes about the target with the right hand
-  kPlug,     // bends or crouches and works at the target with the right hand
-  kTakeUp,   // takes the burden, which rests at the target, with both hands
-  kPutDown,  // leaves the burden at the target
+  kStand,     // breathes, sways, looks around a little
+  kSit,       // sits down, rests, stands up
+  kTalk,      // gestures with both hands, standing
+  kSitTalk,   // gestures, sitting
+  kType,      // sits, both hands at the target, typing
+  kReach,     // moves the right hand to the target and back
+  kWrite,     // writes about the target with the right hand
+  kPlug,      // bends or crouches and works at the target with the right hand
+  kExercise,  // squats and sweeps both arms up and down, turning to and fro, standing
+  kStretch,   // bends down and comes up again, slowly, arms ahead
+  kTakeUp,    // takes the burden, which rests at the target, with both hands
+  kPutDown,   // leaves the burden at the target
 };
 
 struct Stop {

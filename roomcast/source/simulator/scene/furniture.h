@@ -37,6 +37,8 @@ void add_book_row(Room& room, const Eigen::Affine3f& at, float width_m, float he
                   std::uint32_t seed);
 void add_plant(Room& room, const Eigen::Affine3f& at, std::uint32_t seed);
 void add_floor_lamp(Room& room, const Eigen::Affine3f& at, SurfaceIndex metal, SurfaceIndex shade);
+/// Three legs and a column with a plate on top at that height.
+void add_tripod(Room& room, const Eigen::Affine3f& at, SurfaceIndex metal, float height_m);
 void add_pendant_lamp(Room& room, const Eigen::Vector3f& ceiling_point_m, SurfaceIndex cord,
                       SurfaceIndex shade);
 void add_sideboard(Room& room, const Eigen::Affine3f& at, SurfaceIndex wood, SurfaceIndex handles,

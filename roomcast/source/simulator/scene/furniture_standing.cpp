@@ -169,6 +169,24 @@ void add_floor_lamp(Room& room, const Affine3f& at, SurfaceIndex metal, SurfaceI
   add_turned(room.mesh, shade, at, cone);
 }
 
+void add_tripod(Room& room, const Affine3f& at, SurfaceIndex metal, float height_m) {
+  constexpr float kThird = 2.0943951F;
+  const float joint_m = 0.72F * height_m;
+  for (int leg = 0; leg < 3; ++leg) {
+    const float angle = kThird * static_cast<float>(leg);
+    const std::array<Vector3f, 2> line = {
+        Vector3f(0.30F * std::sin(angle), 0.0F, 0.30F * std::cos(angle)),
+        Vector3f(0.02F * std::sin(angle), joint_m, 0.02F * std::cos(angle))};
+    add_tube(room.mesh, metal, at, line, 0.011F);
+  }
+  const std::array<Vector2f, 7> column = {Vector2f(0, 0.4F * height_m), {0.012F, 0.4F * height_m},
+                                          {0.012F, joint_m - 0.04F},    {0.035F, joint_m - 0.03F},
+                                          {0.035F, joint_m + 0.02F},    {0.012F, joint_m + 0.03F},
+                                          {0.012F, height_m - 0.02F}};
+  add_turned(room.mesh, metal, at, column);
+  add_box(room.mesh, metal, at, {-0.06F, height_m - 0.02F, -0.05F}, {0.06F, height_m, 0.05F});
+}
+
 void add_pendant_lamp(Room& room, const Vector3f& ceiling_point_m, SurfaceIndex cord,
                       SurfaceIndex shade) {
   const Affine3f at(Eigen::Translation3f{ceiling_point_m});

@@ -13,18 +13,9 @@ namespace {
 
 using TryBuild = std::optional<Room> (*)(std::uint32_t seed);
 
-struct Scene {
-  std::string_view name;
-  TryBuild try_build;
-};
-
-constexpr std::array<Scene, kSceneNames.size()> kScenes = {{{kSceneNames[0], try_livingroom},
-                                                            {kSceneNames[1], try_office},
-                                                            {kSceneNames[2], try_lab},
-                                                            {kSceneNames[3], try_meeting},
-                                                            {kSceneNames[4], try_bare},
-                                                            {kSceneNames[5], try_mirror_tiles},
-                                                            {kSceneNames[6], try_corners}}};
+constexpr std::array<TryBuild, kSceneNames.size()> kTryBuild = {
+    try_livingroom, try_office, try_lab,          try_meeting,
+    try_studio,     try_bare,   try_mirror_tiles, try_corners};
 
 /// One throw in a few leaves no place for what a scene needs; the next one is another room.
 Room first_that_fits(TryBuild try_build, std::uint32_t seed) {
@@ -51,9 +42,10 @@ Result<Room> build_room(std::string_view scene, std::uint64_t seed) {
   const auto folded =
       hash_of(static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(seed));
   const std::string_view wanted = scene.empty() ? kSceneNames.front() : scene;
-  const auto found = std::find_if(kScenes.begin(), kScenes.end(),
-                                  [&](const Scene& known) { return known.name == wanted; });
-  if (found != kScenes.end()) return first_that_fits(found->try_build, folded);
+  const auto found = std::find(kSceneNames.begin(), kSceneNames.end(), wanted);
+  if (found != kSceneNames.end())
+    return first_that_fits(kTryBuild[static_cast<std::size_t>(found - kSceneNames.begin())],
+                           folded);
   return Error{ErrorCode::kNotFound, "There is no simulated scene \"" + std::string(scene) +
                                          "\"; the scenes are " + scene_list() + "."};
 }

@@ -52,8 +52,8 @@ struct Room {
 };
 
 /// The default comes first.
-inline constexpr std::array<std::string_view, 7> kSceneNames = {
-    "livingroom", "office", "lab", "meeting", "bare", "mirror-tiles", "corners"};
+inline constexpr std::array<std::string_view, 8> kSceneNames = {
+    "livingroom", "office", "lab", "meeting", "studio", "bare", "mirror-tiles", "corners"};
 /// Their names as part of a sentence.
 [[nodiscard]] std::string scene_list();
 

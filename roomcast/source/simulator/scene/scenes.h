@@ -19,6 +19,8 @@ std::optional<Room> try_office(std::uint32_t seed);
 std::optional<Room> try_lab(std::uint32_t seed);
 /// A long table: one sits and talks with their hands, one writes on the board.
 std::optional<Room> try_meeting(std::uint32_t seed);
+/// A floor to move on, cameras on tripods round it: two people exercise, walk up and down, stretch.
+std::optional<Room> try_studio(std::uint32_t seed);
 /// Little furniture, walls and floor with next to nothing to see in them.
 std::optional<Room> try_bare(std::uint32_t seed);
 /// A floor that repeats exactly, identical posters, rows of identical chairs, the same again when

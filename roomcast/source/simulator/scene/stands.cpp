@@ -50,4 +50,18 @@ Stands draw_stands_in_corners(const Vector3f& size, Dice& dice) {
           stand_at(size, {1.0F, mid()}, high(), {-0.5F, 0.0F}, dice)};
 }
 
+Stands draw_stands_on_tripods(const Vector3f& size, Dice& dice) {
+  Stands stands = draw_stands_around(size, dice);
+  const std::array<Vector2f, kTripods> places_m = {Vector2f(0, 2.25F), Vector2f(2.3F, 0.2F),
+                                                   Vector2f(-2.3F, 0.2F), Vector2f(0, -2.2F)};
+  for (std::size_t i = 0; i < places_m.size(); ++i) {
+    const Vector2f at =
+        places_m[i] + Vector2f(dice.between(-0.1F, 0.1F), dice.between(-0.1F, 0.1F));
+    stands[i].eye_m = {at.x(), dice.between(1.35F, 1.65F), at.y()};
+    stands[i].target_m = {dice.between(-0.1F, 0.1F), dice.between(0.85F, 0.95F),
+                          dice.between(-0.1F, 0.1F)};
+  }
+  return stands;
+}
+
 }  // namespace roomcast::sim
