@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,8 @@ class FakeHub {
   std::vector<wire::pb::Control> heard;   // but for pings, which are answered
   std::vector<wire::FrameHeader> frames;  // headers of what was published
   int joins = 0;
-  std::function<void()> on_join = [] {};   // after the welcome
+  std::function<void()> on_join = [] {};  // after the welcome
+  std::optional<wire::pb::ErrorCode> refuse_joins_with;
   std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
 
  private:
@@ -89,7 +91,9 @@ class FakeHub {
     const auto control = *wire::decode_control(message, wire::Sender::kClient);
     if (control.has_clock_ping()) return answer(control.clock_ping());
     heard.push_back(control);
-    if (control.has_join()) welcome();
+    if (!control.has_join()) return;
+    if (refuse_joins_with) return refuse(*refuse_joins_with, "no");
+    welcome();
   }
 
   void answer(const wire::pb::ClockPing& ping) {

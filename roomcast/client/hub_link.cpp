@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/hub_link.h"
 
-#include <algorithm>
 #include <deque>
+#include <random>
 #include <utility>
 
 #include "roomcast/client/sealed_control.h"
@@ -14,18 +14,17 @@ namespace roomcast {
 namespace {
 
 namespace pb = wire::pb;
-using namespace std::chrono_literals;
 
-constexpr auto kFirstRetry = 250ms, kLastRetry = 4'000ms;
-constexpr int kQuickPings = 5;
-constexpr auto kQuickPing = 20ms;
-// Random distances, because a ping in step with the frames always waits behind one.
-constexpr auto kShortestPing = 300ms, kLongestPing = 700ms;
+/// A connection that ended sooner counts as one more failure: whoever is thrown out again and again
+/// does not come back every 250 ms.
+constexpr std::chrono::seconds kSettled{5};
 
 /// Trying again would not help: the same join would be refused again, or would throw out whoever
-/// replaced us.
-bool is_final(pb::ErrorCode code) {
-  return code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
+/// replaced us. What goes wrong after the welcome (a hub whose machine slept finds our clock far
+/// ahead of its own, for example) need not go wrong on the next connection.
+bool is_final(pb::ErrorCode code, bool had_been_welcomed) {
+  if (code == pb::ERROR_REPLACED) return true;
+  return !had_been_welcomed && code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
          code != pb::ERROR_SHUTTING_DOWN;
 }
 
@@ -72,14 +71,18 @@ class HubLink::Connection final : public net::ConnectionHandler {
   std::deque<net::SealedMessagePtr> control_;
 };
 
-HubLink::HubLink(boost::asio::io_context& io, net::HubUrl hub, pb::Join join, HubLinkEvents& events)
+HubLink::HubLink(boost::asio::io_context& io, net::HubUrl hub, pb::Join join, HubLinkEvents& events,
+                 net::ConnectionTimings timings)
     : io_(io),
       hub_(std::move(hub)),
       join_(std::move(join)),
       events_(events),
+      timings_(timings),
       retry_timer_(io),
       ping_timer_(io),
-      random_(std::random_device{}()) {}
+      ping_pace_(join_.has_sensor() ? PingPace::kOfSensor : PingPace::kOfViewer,
+                 std::random_device{}()),
+      retry_pace_(std::random_device{}()) {}
 
 HubLink::~HubLink() {
   stop();
@@ -108,18 +111,23 @@ void HubLink::send(const pb::Control& message) {
 void HubLink::connect() {
   net::ClientOptions options;
   options.max_message_bytes = wire::kMaxFrameBytes;
+  options.timings = timings_;
   attempt_ = net::connect(io_, hub_, options,
                           [this](auto connection) { on_connected(std::move(connection)); });
 }
 
+// What answers otherwise than a hub is none, and trying again is useless. But where a hub was
+// before, it is somebody in between (a reverse proxy) whose hub starts again.
 void HubLink::on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection) {
   attempt_.reset();
   if (!connection) {
-    if (connection.error().code == ErrorCode::kUnsupported) return give_up(connection.error());
+    const bool is_no_hub = connection.error().code == ErrorCode::kUnsupported && !was_welcome_;
+    if (is_no_hub) return give_up(connection.error());
     return retry_later(connection.error());
   }
   clock_sync_ = {};
-  pings_sent_ = 0;
+  ping_pace_.start_anew();
+  welcomed_at_.reset();
   refusal_.reset();
   connection_ = std::make_shared<Connection>(*connection, *this);
   (*connection)->start(connection_);
@@ -144,9 +152,7 @@ void HubLink::give_up(const Error& reason) {
 }
 
 void HubLink::retry_later(const Error& reason) {
-  const auto doubled = kFirstRetry * (1 << std::min(failed_attempts_++, 4));
-  const auto jitter = std::chrono::milliseconds(random_() % 100);
-  retry_timer_.expires_after(std::min<std::chrono::milliseconds>(doubled, kLastRetry) + jitter);
+  retry_timer_.expires_after(retry_pace_.next());
   retry_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && !stopped_) connect();
   });
@@ -154,19 +160,13 @@ void HubLink::retry_later(const Error& reason) {
 }
 
 void HubLink::ping_later() {
-  const std::chrono::milliseconds wait =
-      pings_sent_ < kQuickPings
-          ? std::chrono::milliseconds(kQuickPing)
-          : kShortestPing +
-                std::chrono::milliseconds(random_() % (kLongestPing - kShortestPing).count());
-  ping_timer_.expires_after(wait);
+  ping_timer_.expires_after(ping_pace_.next());
   ping_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && connection_) ping();
   });
 }
 
 void HubLink::ping() {
-  ++pings_sent_;
   pb::Control control;
   control.mutable_clock_ping()->set_client_ns(
       static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
@@ -185,14 +185,15 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
   if (!control) return;  // of a later version, or damaged: nothing that we could act on
   switch (control->message_case()) {
     case pb::Control::kWelcome:
-      failed_attempts_ = 0;
+      was_welcome_ = true;
+      welcomed_at_ = clock_.now();
       events_.on_welcome(control->welcome());
       return ping();
     case pb::Control::kClockPong:
       return take_pong(control->clock_pong());
     case pb::Control::kError:
       refusal_ = Error{ErrorCode::kClosed, control->error().sentence()};
-      refusal_is_final_ = is_final(control->error().code());
+      refusal_is_final_ = is_final(control->error().code(), welcomed_at_.has_value());
       return;
     default:
       events_.on_control(*control);
@@ -202,7 +203,9 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
 void HubLink::take_pong(const pb::ClockPong& pong) {
   const HostTime sent{nanoseconds(static_cast<std::int64_t>(pong.client_ns()))};
   const RoomTime hub{nanoseconds(static_cast<std::int64_t>(pong.hub_ns()))};
-  clock_sync_.add(sent, hub, clock_.now());
+  const HostTime now = clock_.now();
+  if (welcomed_at_ && now - *welcomed_at_ > kSettled) retry_pace_.succeeded();
+  clock_sync_.add(sent, hub, now);
   if (const auto estimate = clock_sync_.estimate()) events_.on_clock(*estimate);
 }
 

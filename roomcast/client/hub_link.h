@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HubLink: a client's connection to its hub: joins, keeps the clock, and comes back when the
-// connection breaks, until the hub refuses it for good. What sensors and viewers have in common.
+// connection breaks or the hub falls silent, until the hub refuses it for good. What sensors and
+// viewers have in common.
 // Threading: lives on one io_context; everything, the events too, happens on the thread that runs
 // it.
 #pragma once
@@ -8,13 +9,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/client/clock_sync.h"
+#include "roomcast/client/ping_pace.h"
+#include "roomcast/client/retry_pace.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
@@ -42,7 +44,13 @@ class HubLinkEvents {
 
 class HubLink {
  public:
-  HubLink(boost::asio::io_context& io, net::HubUrl hub, wire::pb::Join join, HubLinkEvents& events);
+  /// Twice a second and more the hub has a question to answer: when nothing comes for this long, it
+  /// is gone although nobody said so (a cable pulled, a machine that sleeps).
+  static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
+                                                   .give_up_after = std::chrono::seconds(8)};
+
+  HubLink(boost::asio::io_context& io, net::HubUrl hub, wire::pb::Join join, HubLinkEvents& events,
+          net::ConnectionTimings timings = kTimings);
   ~HubLink();
   HubLink(const HubLink&) = delete;
   HubLink& operator=(const HubLink&) = delete;
@@ -73,16 +81,18 @@ class HubLink {
   const net::HubUrl hub_;
   const wire::pb::Join join_;
   HubLinkEvents& events_;
+  const net::ConnectionTimings timings_;
   SteadyClock clock_;
   ClockSync clock_sync_;
   std::shared_ptr<Connection> connection_;  // null while there is none
   std::shared_ptr<net::ConnectAttempt> attempt_;
   boost::asio::steady_timer retry_timer_;
   boost::asio::steady_timer ping_timer_;
-  std::minstd_rand random_;
-  int failed_attempts_ = 0;
-  int pings_sent_ = 0;            // on this connection
-  std::optional<Error> refusal_;  // what the hub said before it closed
+  PingPace ping_pace_;
+  RetryPace retry_pace_;
+  bool was_welcome_ = false;             // on any connection
+  std::optional<HostTime> welcomed_at_;  // on this one
+  std::optional<Error> refusal_;         // what the hub said before it closed
   bool refusal_is_final_ = false;
   bool stopped_ = false;
 };

@@ -53,6 +53,15 @@ class HubLinkTest : public testing::Test {
     run_until([&] { return heard.welcomes.size() == 1; });
   }
 
+  /// Answers everything with 404, as a proxy without its hub may.
+  std::unique_ptr<net::HttpServer> web_server(std::uint16_t port) {
+    net::HttpServerOptions options;
+    options.port = port;
+    options.websocket_path = "/elsewhere";
+    options.on_get = [](std::string_view) { return std::nullopt; };
+    return std::move(*net::HttpServer::listen(io, std::move(options)));
+  }
+
   boost::asio::io_context io;
   std::optional<FakeHub> hub{std::in_place, io};
   Heard heard;
@@ -105,6 +114,54 @@ TEST_F(HubLinkTest, waits_for_a_hub_that_is_not_there_yet) {
   run_until([&] { return heard.welcomes.size() == 1; });
 }
 
+/// A hub that nobody runs any more: its connections stay open, and nothing comes.
+TEST(HubLink, a_hub_that_falls_silent_is_given_up_and_tried_again) {
+  boost::asio::io_context hub_io, io;
+  FakeHub hub(hub_io);
+  Heard heard;
+  wire::pb::Join join;
+  join.mutable_viewer();
+  HubLink link(io, *net::parse_hub_url(hub.url()), join, heard,
+               {.ping_after = 20ms, .give_up_after = 60ms});
+  link.start();
+  const auto both_run_until_welcome = [&](std::size_t number) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while (heard.welcomes.size() < number && std::chrono::steady_clock::now() < give_up) {
+      hub_io.run_one_for(1ms);
+      io.run_one_for(1ms);
+    }
+    ASSERT_EQ(heard.welcomes.size(), number);
+  };
+  both_run_until_welcome(1);
+  while (heard.down.empty()) ASSERT_GT(io.run_one_for(5s), 0u);
+  EXPECT_FALSE(heard.is_final);
+  EXPECT_NE(heard.down[0].find("ended"), std::string::npos) << heard.down[0];
+  both_run_until_welcome(2);
+}
+
+TEST_F(HubLinkTest, what_is_no_hub_is_not_asked_again) {
+  const std::uint16_t port = hub->port();
+  hub.reset();
+  const auto web = web_server(port);
+  link.start();
+  run_until([&] { return !heard.down.empty(); });
+  EXPECT_TRUE(heard.is_final);
+}
+
+TEST_F(HubLinkTest, a_proxy_whose_hub_starts_again_is_asked_until_it_is_back) {
+  welcomed();
+  const std::uint16_t port = hub->port();
+  hub->hang_up();
+  run_until([&] { return heard.down.size() == 1; });
+  hub.reset();
+  auto proxy = web_server(port);
+  run_until([&] { return heard.down.size() == 2; });
+  EXPECT_FALSE(heard.is_final);
+  proxy.reset();
+  hub.emplace(io, port);
+  run_until([&] { return heard.welcomes.size() == 2; });
+}
+
 TEST_F(HubLinkTest, gives_up_when_the_hub_says_that_trying_again_is_useless) {
   welcomed();
   hub->refuse(wire::pb::ERROR_REPLACED, "somebody else is left now");
@@ -116,6 +173,20 @@ TEST_F(HubLinkTest, gives_up_when_the_hub_says_that_trying_again_is_useless) {
 TEST_F(HubLinkTest, tries_again_when_the_room_was_only_full) {
   welcomed();
   hub->refuse(wire::pb::ERROR_ROOM_FULL, "full");
+  run_until([&] { return heard.welcomes.size() == 2; });
+  EXPECT_FALSE(heard.is_final);
+}
+
+TEST_F(HubLinkTest, gives_up_when_it_is_refused_on_joining) {
+  hub->refuse_joins_with = wire::pb::ERROR_MALFORMED;
+  link.start();
+  run_until([&] { return !heard.down.empty(); });
+  EXPECT_TRUE(heard.is_final);
+}
+
+TEST_F(HubLinkTest, tries_again_after_a_fault_that_need_not_come_again) {
+  welcomed();
+  hub->refuse(wire::pb::ERROR_MALFORMED, "this frame was captured in the future");
   run_until([&] { return heard.welcomes.size() == 2; });
   EXPECT_FALSE(heard.is_final);
 }

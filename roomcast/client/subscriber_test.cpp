@@ -132,10 +132,10 @@ TEST_F(SubscriberTest, says_why_it_is_alone_and_comes_back) {
 
 TEST_F(SubscriberTest, a_refusal_is_final) {
   open();
-  on_hub([](FakeHub& h) { h.refuse(wire::pb::ERROR_NO_SUCH_ROOM, "no such room"); });
+  on_hub([](FakeHub& h) { h.refuse(wire::pb::ERROR_REPLACED, "somebody else"); });
   wait_for([](const auto& r) { return !r.connected; });
   ASSERT_TRUE(subscriber->failure().has_value());
-  EXPECT_EQ(subscriber->failure()->message, "the hub says: no such room");
+  EXPECT_EQ(subscriber->failure()->message, "the hub says: somebody else");
 }
 
 TEST_F(SubscriberTest, what_is_no_address_is_refused_at_once) {

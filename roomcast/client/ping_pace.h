@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// PingPace: how long a client waits before it asks for room time again. The first few questions
+// come quickly, to know the time soon; later ones at random distances, because frames come at
+// regular ones, and a ping that falls in step with them waits behind a frame every time
+// (measured: 6.9 ms wrong instead of 7 us). docs/spec/wire.md section 3, "Clock". Pure.
+#pragma once
+
+#include <chrono>
+#include <random>
+
+namespace roomcast {
+
+class PingPace {
+ public:
+  static constexpr int kQuickPings = 5;
+  static constexpr std::chrono::milliseconds kQuickPing{20};
+  /// Who stamps frames needs the time to microseconds; who shows them does not.
+  static constexpr std::chrono::milliseconds kOfSensor{100}, kOfViewer{500};
+  static constexpr double kSpread = 0.7;  // of the average, either way
+
+  PingPace(std::chrono::milliseconds average, std::uint32_t seed)
+      : average_(average), random_(seed) {}
+
+  /// A new connection: begin with the quick ones.
+  void start_anew() { quick_pings_left_ = kQuickPings; }
+
+  [[nodiscard]] std::chrono::nanoseconds next() {
+    if (quick_pings_left_ > 0) {
+      --quick_pings_left_;
+      return kQuickPing;
+    }
+    std::uniform_real_distribution<double> share(1 - kSpread, 1 + kSpread);
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(average_ * share(random_));
+  }
+
+ private:
+  std::chrono::milliseconds average_;
+  std::minstd_rand random_;
+  int quick_pings_left_ = kQuickPings;
+};
+
+}  // namespace roomcast

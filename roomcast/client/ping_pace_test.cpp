@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/ping_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(PingPace, begins_with_quick_ones_on_every_connection) {
+  PingPace pace(PingPace::kOfSensor, 1);
+  for (int connection = 0; connection < 2; ++connection) {
+    pace.start_anew();
+    for (int i = 0; i < PingPace::kQuickPings; ++i) EXPECT_EQ(pace.next(), PingPace::kQuickPing);
+    EXPECT_GT(pace.next(), PingPace::kQuickPing);
+  }
+}
+
+TEST(PingPace, comes_ten_times_a_second_at_distances_from_30_to_170_ms) {
+  PingPace pace(PingPace::kOfSensor, 1);
+  for (int i = 0; i < PingPace::kQuickPings; ++i) (void)pace.next();
+  std::chrono::nanoseconds sum{}, shortest = 1h, longest{};
+  constexpr int kPings = 1000;
+  for (int i = 0; i < kPings; ++i) {
+    const auto pause = pace.next();
+    sum += pause;
+    shortest = std::min(shortest, pause);
+    longest = std::max(longest, pause);
+  }
+  EXPECT_NEAR(static_cast<double>((sum / kPings).count()), 100e6, 5e6);
+  EXPECT_GE(shortest, 30ms);
+  EXPECT_LT(shortest, 35ms);
+  EXPECT_LE(longest, 170ms);
+  EXPECT_GT(longest, 165ms);
+}
+
+}  // namespace
+}  // namespace roomcast
