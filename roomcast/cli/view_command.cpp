@@ -47,38 +47,47 @@ std::string missing_sensors(const RoomSnapshot& room) {
   return names;
 }
 
-bool has_something_to_draw(const RoomSnapshot& room) {
-  return std::any_of(room.sensors.begin(), room.sensors.end(),
-                     [](const RoomSensor& sensor) { return sensor.online && sensor.picture; });
+/// Connected (else the pictures are old), and all sensors that are there can be seen.
+bool can_be_drawn(const RoomSnapshot& room) {
+  const auto is_seen = [](const RoomSensor& sensor) { return sensor.online && sensor.picture; };
+  return room.connected && std::ranges::any_of(room.sensors, is_seen) &&
+         missing_sensors(room).empty();
+}
+
+/// Why there is nothing to draw yet.
+Error still_waiting(const RoomSnapshot& room) {
+  if (!room.connected) return {ErrorCode::kUnavailable, room.problem};
+  const std::string missing = missing_sensors(room);
+  if (!missing.empty()) {
+    return {ErrorCode::kUnavailable, fmt::format("no picture came from {} within {} s", missing,
+                                                 std::chrono::seconds(kPicturesWithin).count())};
+  }
+  return {ErrorCode::kUnavailable, room.sensors.empty()
+                                       ? "no sensor has joined this room; nothing was drawn"
+                                       : "all sensors have left this room; nothing was drawn"};
 }
 
 /// The room, once every sensor that is online has sent a picture.
 Result<RoomPtr> wait_for_pictures(const Subscriber& viewer, const std::stop_token& stop) {
   const auto give_up = std::chrono::steady_clock::now() + kPicturesWithin;
   RoomPtr room = viewer.snapshot();
-  while (!(has_something_to_draw(*room) && missing_sensors(*room).empty())) {
+  while (!can_be_drawn(*room)) {
     if (auto failure = viewer.failure()) return *failure;
     if (stop.stop_requested())
       return Error{ErrorCode::kClosed, "interrupted before there was a picture"};
-    if (std::chrono::steady_clock::now() > give_up) {
-      if (!room->connected) return Error{ErrorCode::kUnavailable, room->problem};
-      const std::string missing = missing_sensors(*room);
-      return Error{ErrorCode::kUnavailable,
-                   missing.empty() ? "no sensor is online in this room"
-                                   : "no picture came from " + missing + " within 10 s"};
-    }
+    if (std::chrono::steady_clock::now() > give_up) return still_waiting(*room);
     room = viewer.wait_newer(room->revision, 100ms);
   }
   return room;
 }
 
-RoomPtr watch(const Subscriber& viewer, double seconds, const std::stop_token& stop) {
+void watch(const Subscriber& viewer, double seconds, const std::stop_token& stop) {
   StatusLine line;
   const auto begin = std::chrono::steady_clock::now();
   const auto first_sets = viewer.snapshot()->sets_received;
   for (;;) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    if (elapsed.count() >= seconds || stop.stop_requested()) return viewer.snapshot();
+    if (elapsed.count() >= seconds || stop.stop_requested()) return;
     std::this_thread::sleep_for(100ms);
     line.show(fmt::format("{} frame sets in {:.1f} s",
                           viewer.snapshot()->sets_received - first_sets, elapsed.count()));
@@ -141,8 +150,11 @@ Status run_view(const ViewOptions& options) {
   auto viewer = Subscriber::open(options.subscriber);
   if (!viewer) return viewer.error();
   auto room = wait_for_pictures(**viewer, stop.token());
+  if (room && options.seconds > 0) {
+    watch(**viewer, options.seconds, stop.token());
+    room = wait_for_pictures(**viewer, stop.token());  // sensors may have left, or the hub
+  }
   if (!room) return room.error();
-  if (options.seconds > 0) *room = watch(**viewer, options.seconds, stop.token());
   const auto picture = draw(options, **room);
   if (!picture) return picture.error();
   if (auto status = write_color_png(options.png, *picture); !status) return status;
@@ -184,6 +196,8 @@ void add_view_command(CLI::App& app, Command& chosen) {
           {"points", RenderMode::kPoints}, {"mesh", RenderMode::kMesh}}));
   command->add_flag("--json", options->json, "Report which frames were drawn");
   command->footer(
+      "Waits up to 10 s until every sensor that is in the room has sent a picture. When there is\n"
+      "none it draws nothing, says so and ends with 1.\n"
       "Example:\n  roomcast view --hub ws://127.0.0.1:7600 --headless --png room.png --at 3,1.6,2 "
       "--look 0,1,0");
   command->callback(
