@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The messages of roomcast.v1 as docs/spec/wire.md and roomcast/wire/control.proto describe them, written once more and
+// independently of the two implementations that are tested: only what these tests say and hear.
+import { BinaryReader, BinaryWriter, WireType } from './npm.mjs';
+
+const magic = 0x4352;
+const version = 1;
+const preambleBytes = 4;
+const headerBytes = 48;
+const messageTypes = { frame: 1, control: 2 };
+const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, error: 10 };
+const flagKey = 1;
+const flagLast = 2;
+
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+function preamble(bytes, type) {
+  bytes.writeUInt16LE(magic, 0);
+  bytes.writeUInt8(version, 2);
+  bytes.writeUInt8(type, 3);
+}
+
+/** A whole frame message. Every frame is a key frame; its payload means nothing to a hub. */
+export function writeFrame({ sensor, seq, captureNs, payload }) {
+  const message = Buffer.alloc(headerBytes + payload.length);
+  preamble(message, messageTypes.frame);
+  message.writeUInt16LE(headerBytes, 4);
+  message.writeUInt16LE(flagKey, 6);
+  message.writeUInt16LE(sensor, 8);
+  message.writeUInt8(1, 11);
+  message.writeUInt32LE(seq, 12);
+  message.writeBigInt64LE(captureNs, 24);
+  message.writeUInt32LE(seq, 36);
+  message.writeUInt32LE(payload.length, 40);
+  payload.copy(message, headerBytes);
+  return message;
+}
+
+/** {frame} or {control: {case, ...}}; throws when it is neither. */
+export function readMessage(bytes) {
+  if (bytes.readUInt16LE(0) !== magic || bytes.readUInt8(2) !== version) throw new Error('this is not roomcast.v1');
+  if (bytes.readUInt8(3) === messageTypes.control) return { control: readControl(bytes.subarray(preambleBytes)) };
+  return { frame: readFrameHeader(bytes) };
+}
+
+function readFrameHeader(bytes) {
+  const length = bytes.readUInt16LE(4);
+  const flags = bytes.readUInt16LE(6);
+  const payloadLength = bytes.readUInt32LE(40);
+  if (length + payloadLength !== bytes.length) throw new Error('a frame of another length than it says');
+  return {
+    key: (flags & flagKey) !== 0,
+    last: (flags & flagLast) !== 0,
+    sensor: bytes.readUInt16LE(8),
+    layer: bytes.readUInt8(10),
+    seq: bytes.readUInt32LE(12),
+    set: Number(bytes.readBigUInt64LE(16)),
+    captureNs: bytes.readBigInt64LE(24),
+    clockErrorUs: bytes.readUInt32LE(32),
+    baseSeq: bytes.readUInt32LE(36),
+  };
+}
+
+function control(number, write) {
+  const writer = new BinaryWriter().tag(number, WireType.LengthDelimited).fork();
+  write(writer);
+  const body = writer.join().finish();
+  const message = Buffer.alloc(preambleBytes + body.length);
+  preamble(message, messageTypes.control);
+  message.set(body, preambleBytes);
+  return message;
+}
+
+/** As a viewer, or as `sensor` {fps, worldFromDepth}. */
+export function writeJoin({ name, sensor }) {
+  return control(controls.join, (join) => {
+    join.tag(2, WireType.LengthDelimited).string(name);
+    join.tag(sensor ? 3 : 4, WireType.LengthDelimited).fork();
+    if (sensor) writeSensorRole(join, sensor);
+    join.join();
+  });
+}
+
+function writeSensorRole(role, { fps, worldFromDepth = identity }) {
+  role.tag(1, WireType.LengthDelimited).fork();
+  writeCalibration(role);
+  role.join();
+  role.tag(2, WireType.Bit64).double(fps);
+  writeMatrix(role, 3, worldFromDepth);
+}
+
+function writeCalibration(calibration) {
+  for (const camera of [1, 2]) {
+    calibration.tag(camera, WireType.LengthDelimited).fork();
+    calibration.tag(1, WireType.Varint).uint32(64).tag(2, WireType.Varint).uint32(48);
+    [60, 60, 32, 24].forEach((value, i) => calibration.tag(3 + i, WireType.Bit64).double(value));
+    calibration.join();
+  }
+  writeMatrix(calibration, 3, identity);
+  calibration.tag(4, WireType.Varint).bool(true);
+}
+
+function writeMatrix(writer, number, matrix) {
+  writer.tag(number, WireType.LengthDelimited).fork();
+  matrix.forEach((value) => writer.double(value));
+  writer.join();
+}
+
+export function writeClockPing(clientNs) {
+  return control(controls.clockPing, (ping) => ping.tag(1, WireType.Bit64).fixed64(clientNs));
+}
+
+/** Calls `field(number)` for every field of a message; what it leaves unread is skipped. */
+function readFields(bytes, field) {
+  const reader = new BinaryReader(bytes);
+  while (reader.pos < reader.len) {
+    const [number, wireType] = reader.tag();
+    const before = reader.pos;
+    field(number, reader);
+    if (reader.pos === before) reader.skip(wireType);
+  }
+}
+
+function readControl(bytes) {
+  let message = { case: 'unknown' };
+  readFields(bytes, (number, reader) => {
+    const name = Object.keys(controls).find((key) => controls[key] === number);
+    const read = { welcome: readWelcome, roster: readRoster, clockPong: readPong, error: readError }[name];
+    if (name) message = { case: name, ...read?.(reader.bytes()) };
+  });
+  return message;
+}
+
+function readWelcome(bytes) {
+  const welcome = { sensorId: 0, viewerId: 0 };
+  readFields(bytes, (number, reader) => {
+    if (number === 2) welcome.sensorId = reader.uint32();
+    if (number === 3) welcome.viewerId = reader.uint32();
+  });
+  return welcome;
+}
+
+function readRoster(bytes) {
+  const roster = { sensors: [], viewers: 0 };
+  readFields(bytes, (number, reader) => {
+    if (number === 3) roster.sensors.push(readSensorEntry(reader.bytes()));
+    if (number === 4) roster.viewers += reader.bytes().length > 0 ? 1 : 0;
+  });
+  return roster;
+}
+
+function readSensorEntry(bytes) {
+  const entry = { id: 0, name: '', online: false, worldFromDepth: [] };
+  readFields(bytes, (number, reader) => {
+    if (number === 1) entry.id = reader.uint32();
+    if (number === 2) entry.name = reader.string();
+    if (number === 3) entry.online = reader.bool();
+    if (number === 5) entry.worldFromDepth = readDoubles(Buffer.from(reader.bytes()));
+  });
+  return entry;
+}
+
+function readDoubles(bytes) {
+  return Array.from({ length: bytes.length / 8 }, (_, i) => bytes.readDoubleLE(8 * i));
+}
+
+function readPong(bytes) {
+  const pong = {};
+  readFields(bytes, (number, reader) => {
+    if (number === 1) pong.clientNs = BigInt(reader.fixed64());
+    if (number === 2) pong.hubNs = BigInt(reader.fixed64());
+  });
+  return pong;
+}
+
+function readError(bytes) {
+  const error = { code: 0, sentence: '' };
+  readFields(bytes, (number, reader) => {
+    if (number === 1) error.code = reader.int32();
+    if (number === 2) error.sentence = reader.string();
+  });
+  return error;
+}
