@@ -31,6 +31,7 @@ class RunningHub {
   explicit RunningHub(std::uint16_t port = 0) {
     hub::HubOptions options;
     options.port = port;
+    options.threads = 2;
     hub_ = std::move(*hub::HubServer::open(options));
     thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
   }

@@ -49,6 +49,12 @@ std::vector<std::unique_ptr<Engine>> all_engines() {
   return engines;
 }
 
+bool is_wanted(const Engine& engine, const std::vector<std::string>& only) {
+  return only.empty() || std::ranges::any_of(only, [&](const std::string& part) {
+           return engine.name().find(part) != std::string::npos;
+         });
+}
+
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
   const auto at = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
@@ -168,12 +174,13 @@ class Rounds {
 Result<FanoutReport> run_fanout_bench(const FanoutBenchOptions& options,
                                       const std::function<void(const std::string&)>& progress) {
   auto engines = all_engines();
-  std::erase_if(engines, [&](const auto& engine) {
-    return engine->name().find(options.only) == std::string::npos;
-  });
-  if (engines.empty()) {
-    return Error{ErrorCode::kInvalidArgument, "no engine's name contains '" + options.only + "'"};
+  for (const std::string& wanted : options.only) {
+    if (std::ranges::any_of(engines, [&](const auto& e) { return is_wanted(*e, {wanted}); })) {
+      continue;
+    }
+    return Error{ErrorCode::kInvalidArgument, "no engine's name contains '" + wanted + "'"};
   }
+  std::erase_if(engines, [&](const auto& engine) { return !is_wanted(*engine, options.only); });
   FanoutReport report;
   Rounds rounds(options);
   for (const LoadCase& load_case : load_cases(options)) {

@@ -26,7 +26,7 @@ struct FanoutBenchOptions {
   std::chrono::milliseconds duration{1200};  // of a run at full speed; others take twice as long
   std::size_t frame_bytes = 20'480;
   std::vector<std::string> loads = {"max", "room", "stall"};
-  std::string only;  // engines whose name contains this
+  std::vector<std::string> only;  // engines whose name contains one of these; empty: all
 };
 
 struct FanoutRow {

@@ -15,7 +15,7 @@ FanoutBenchOptions brief(const std::string& only) {
   options.rounds = 1;
   options.loads = {"max", "stall"};
   options.duration = std::chrono::milliseconds(100);
-  options.only = only;
+  options.only = {only};
   return options;
 }
 

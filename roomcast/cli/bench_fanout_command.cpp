@@ -36,7 +36,8 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--load", options->loads, "max, room, stall")
       ->delimiter(',')
       ->check(CLI::IsMember({"max", "room", "stall"}));
-  command->add_option("--only", options->only, "Servers whose name contains this");
+  command->add_option("--only", options->only, "Servers whose name contains one of these")
+      ->delimiter(',');
   command->add_flag("--json", *json, "For scripts");
   command->footer(
       "Example:\n  roomcast bench fanout --viewers 100,500 --rounds 5\n"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast hub: joins sensors and viewers, one room, one port.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@ struct HubCommandOptions {
   std::string room = "room";
   std::string web;
   HubCertificateOptions certificate;
+  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   bool insecure = false;
   bool verbose = false;
 };
@@ -65,6 +68,7 @@ Status run_hub(const HubCommandOptions& options) {
   hub.address = listen->address;
   hub.port = listen->port;
   hub.room = options.room;
+  hub.threads = options.threads;
   hub.web_directory = find_web_directory(options.web);
   if (encrypted) {
     auto tls = net::TlsServerContext::create(**certificate);
@@ -97,6 +101,9 @@ void add_hub_command(CLI::App& app, Command& chosen) {
                     "Encrypt with a certificate that the hub makes for itself and keeps");
   command->add_option("--data", options->certificate.data_folder,
                       "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
+  command->add_option("--threads", options->threads, "Among which connections are dealt out")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   command->add_flag("--insecure", options->insecure,
                     "Listen beyond this machine although nothing is encrypted");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/hub_server.h"
 
-#include <unordered_map>
+#include <algorithm>
+#include <atomic>
+#include <thread>
 #include <utility>
+#include <vector>
 
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -11,7 +15,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/control_message.h"
 #include "roomcast/hub/room.h"
-#include "roomcast/hub/session.h"
+#include "roomcast/hub/shard.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/static_site.h"
 #include "roomcast/wire/limits.h"
@@ -22,6 +26,7 @@ namespace {
 
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
+constexpr std::chrono::milliseconds kGoodbyeLook{10};
 constexpr char kNoPage[] =
     "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
     "built page (build/web).\n";
@@ -33,8 +38,17 @@ class HubServer::Loop final : public SessionEvents {
   Loop(HubOptions options, std::optional<net::StaticSite> site)
       : options_(std::move(options)),
         site_(std::move(site)),
-        room_(options_.room, ROOMCAST_VERSION),
-        timer_(io_) {}
+        room_(options_.room, ROOMCAST_VERSION) {
+    const std::size_t count = std::max<std::size_t>(options_.threads, 1);
+    for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
+    for (std::size_t i = 0; i < count; ++i) {
+      shards_.push_back(std::make_unique<Shard>(Shard::Place{i, count, *loops_[i], io()}, *this,
+                                                unjoined_, options_.join_within));
+    }
+    timer_.emplace(io());
+  }
+
+  ~Loop() override;
 
   Status listen();
   void run(std::stop_token stop);
@@ -48,10 +62,12 @@ class HubServer::Loop final : public SessionEvents {
   void on_left(ConnectionId from, const net::CloseReason& reason) override;
 
  private:
-  std::shared_ptr<net::ConnectionHandler> welcome(
-      std::shared_ptr<net::WebSocketConnection> connection);
-  void expect_join(ConnectionId id);
+  Shard& shard_of(ConnectionId connection) {
+    return *shards_[Shard::of(connection, shards_.size())];
+  }
+  void say_goodbye();
   std::optional<net::HttpResponse> answer(std::string_view path) const;
+  asio::io_context& io() { return *loops_.front(); }
   [[nodiscard]] RoomTime now() const { return RoomTime(clock_.now().time_since_epoch()); }
 
   void carry_out(RoomActions actions);
@@ -61,7 +77,6 @@ class HubServer::Loop final : public SessionEvents {
   void carry_out(const AcceptConnection& action);
   void carry_out(const Disconnect& action);
   void schedule_tick();
-  [[nodiscard]] std::size_t unjoined_count() const;
   void log(LogLevel level, const std::string& line) const {
     if (options_.log) options_.log(level, line);
   }
@@ -70,13 +85,22 @@ class HubServer::Loop final : public SessionEvents {
   std::optional<net::StaticSite> site_;
   SteadyClock clock_;
   Room room_;
-  asio::io_context io_{1};
-  asio::steady_timer timer_;
+  std::atomic<std::size_t> sensor_count_ = 0, viewer_count_ = 0;  // of the room, for other threads
+  UnjoinedCount unjoined_ = 0;
+  // One per thread, the first is the room's.
+  std::vector<std::unique_ptr<asio::io_context>> loops_;
+  std::vector<std::unique_ptr<Shard>> shards_;
+  std::optional<asio::steady_timer> timer_;
   std::optional<RoomTime> armed_for_;  // what timer_ waits for
   std::unique_ptr<net::HttpServer> http_;
-  std::unordered_map<ConnectionId, std::shared_ptr<Session>> sessions_;
-  std::uint64_t next_connection_ = 1;
 };
+
+// The first loop goes before the others: a socket that it would have accepted lives on one of them.
+HubServer::Loop::~Loop() {
+  http_.reset();
+  timer_.reset();
+  for (auto& loop : loops_) loop.reset();
+}
 
 Status HubServer::Loop::listen() {
   net::HttpServerOptions http;
@@ -84,52 +108,43 @@ Status HubServer::Loop::listen() {
   http.port = options_.port;
   http.tls = options_.tls;
   http.on_get = [this](std::string_view path) { return answer(path); };
-  http.on_websocket = [this](auto connection) { return welcome(std::move(connection)); };
+  http.on_websocket = [this](const auto& connection, std::size_t thread) {
+    return shards_[thread]->welcome(connection);
+  };
   http.max_message_bytes = wire::kMaxControlFromClientBytes;
-  auto server = net::HttpServer::listen(io_, std::move(http), options_.log);
+  std::vector<asio::io_context*> threads;
+  for (const auto& loop : loops_) threads.push_back(loop.get());
+  auto server = net::HttpServer::listen(threads, std::move(http), options_.log);
   if (!server) return server.error();
   http_ = std::move(*server);
   return {};
 }
 
 void HubServer::Loop::run(std::stop_token stop) {
-  const std::stop_callback wake_up(stop, [this] { asio::post(io_, [] {}); });
-  const auto keep_alive = asio::make_work_guard(io_);
-  while (!stop.stop_requested()) io_.run_one();
+  const std::stop_callback wake_up(stop, [this] { asio::post(io(), [] {}); });
+  std::vector<asio::executor_work_guard<asio::io_context::executor_type>> keep_alive;
+  for (const auto& loop : loops_) keep_alive.push_back(asio::make_work_guard(*loop));
+  std::vector<std::jthread> others;
+  for (std::size_t i = 1; i < loops_.size(); ++i) {
+    others.emplace_back([loop = loops_[i].get()] { loop->run(); });
+  }
+  while (!stop.stop_requested()) io().run_one();
+  say_goodbye();
+  for (std::size_t i = 1; i < loops_.size(); ++i) loops_[i]->stop();
+}
+
+void HubServer::Loop::say_goodbye() {
   http_->stop();
   const auto give_up = std::chrono::steady_clock::now() + kGoodbyeWithin;
-  while (http_->connection_count() > 0 && io_.run_one_until(give_up) > 0) {
+  while (http_->connection_count() > 0 && std::chrono::steady_clock::now() < give_up) {
+    io().run_one_for(kGoodbyeLook);
   }
-}
-
-std::shared_ptr<net::ConnectionHandler> HubServer::Loop::welcome(
-    std::shared_ptr<net::WebSocketConnection> connection) {
-  if (unjoined_count() >= wire::kMaxUnjoinedConnections) return nullptr;
-  const ConnectionId id{next_connection_++};
-  auto session = std::make_shared<Session>(id, connection, *this);
-  sessions_[id] = session;
-  expect_join(id);
-  return session;
-}
-
-void HubServer::Loop::expect_join(ConnectionId id) {
-  auto deadline = std::make_shared<asio::steady_timer>(io_, options_.join_within);
-  deadline->async_wait([this, id, deadline](boost::system::error_code error) {
-    const auto found = sessions_.find(id);
-    if (error || found == sessions_.end() || found->second->has_joined()) return;
-    found->second->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join came in time after connecting");
-  });
-}
-
-std::size_t HubServer::Loop::unjoined_count() const {
-  return sessions_.size() - room_.online_sensor_count() - room_.viewer_count();
 }
 
 std::optional<net::HttpResponse> HubServer::Loop::answer(std::string_view path) const {
   if (path == "/healthz") {
-    return net::text_response(200, "ok, " + std::to_string(room_.online_sensor_count()) +
-                                       " sensors, " + std::to_string(room_.viewer_count()) +
-                                       " viewers\n");
+    return net::text_response(200, "ok, " + std::to_string(sensor_count_) + " sensors, " +
+                                       std::to_string(viewer_count_) + " viewers\n");
   }
   if (site_) return site_->find(path);
   if (path == "/") return net::text_response(200, kNoPage);
@@ -156,7 +171,6 @@ void HubServer::Loop::on_key_needs(const std::vector<SensorId>& sensors) {
 
 void HubServer::Loop::on_left(ConnectionId from, const net::CloseReason& reason) {
   log(LogLevel::kInfo, "connection " + std::to_string(from.value) + " ended: " + reason.sentence);
-  sessions_.erase(from);
   carry_out(room_.leave(from, now()));
 }
 
@@ -164,51 +178,45 @@ void HubServer::Loop::carry_out(RoomActions actions) {
   for (const RoomAction& action : actions) {
     std::visit([this](const auto& a) { carry_out(a); }, action);
   }
+  sensor_count_ = room_.online_sensor_count();
+  viewer_count_ = room_.viewer_count();
   schedule_tick();
 }
 
 void HubServer::Loop::carry_out(const SendControl& action) {
   const auto message = sealed_control(action.message);
-  for (const ConnectionId to : action.to) {
-    const auto found = sessions_.find(to);
-    if (found == sessions_.end() || found->second->send_control(message)) continue;
-    carry_out(Disconnect{to, wire::pb::ERROR_TOO_SLOW, "control messages pile up unread"});
+  std::vector<std::vector<ConnectionId>> to(shards_.size());
+  for (const ConnectionId connection : action.to) {
+    to[Shard::of(connection, shards_.size())].push_back(connection);
+  }
+  for (std::size_t i = 0; i < shards_.size(); ++i) {
+    if (!to[i].empty()) shards_[i]->send_control(std::move(to[i]), message);
   }
 }
 
 void HubServer::Loop::carry_out(const SendSet& action) {
-  for (const ConnectionId to : action.to) {
-    if (const auto found = sessions_.find(to); found != sessions_.end())
-      found->second->send_set(action.set);
-  }
+  for (const auto& shard : shards_) shard->send_set(action.set);
 }
 
 void HubServer::Loop::carry_out(const RestartSensor& action) {
-  for (const ConnectionId to : action.to) {
-    if (const auto found = sessions_.find(to); found != sessions_.end())
-      found->second->restart_sensor(action.sensor);
-  }
+  for (const auto& shard : shards_) shard->restart_sensor(action.sensor);
 }
 
 void HubServer::Loop::carry_out(const AcceptConnection& action) {
-  if (const auto found = sessions_.find(action.connection); found != sessions_.end()) {
-    found->second->accept(action.is_sensor);
-  }
+  shard_of(action.connection).accept(action.connection, action.is_sensor);
 }
 
 void HubServer::Loop::carry_out(const Disconnect& action) {
-  if (const auto found = sessions_.find(action.connection); found != sessions_.end()) {
-    found->second->disconnect(action.code, action.sentence);
-  }
+  shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
 }
 
 void HubServer::Loop::schedule_tick() {
   const auto next = room_.next_tick();
   if (!next || next == armed_for_) return;
   armed_for_ = next;
-  timer_.expires_at(std::chrono::steady_clock::time_point(
+  timer_->expires_at(std::chrono::steady_clock::time_point(
       std::chrono::duration_cast<std::chrono::steady_clock::duration>(next->time_since_epoch())));
-  timer_.async_wait([this](boost::system::error_code error) {
+  timer_->async_wait([this](boost::system::error_code error) {
     if (error) return;
     armed_for_.reset();
     carry_out(room_.tick(now()));

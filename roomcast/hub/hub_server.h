@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubServer: a Room on a port. One event loop, one thread: sockets, timers and the room's state all
-// live there. Threading: open() and run() on one thread; port() from any.
+// HubServer: a Room on a port. The room's state and its timer live on the thread that runs it; its
+// connections are dealt out among that one and others (Shard). Threading: open() and run() on one
+// thread; port() from any.
 #pragma once
 
 #include <chrono>
@@ -26,7 +27,8 @@ struct HubOptions {
   std::optional<std::filesystem::path>
       web_directory;  // the page to serve; without it "/" says how to get one
   std::chrono::milliseconds join_within = wire::kJoinDeadline;
-  LogSink log;
+  std::size_t threads = 1;  // at least 1; more than cores gain nothing
+  LogSink log;              // called from all of them
 };
 
 class HubServer {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/hub_server.h"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <thread>
@@ -8,8 +9,11 @@
 #include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
+#include "roomcast/core/clock.h"
 #include "roomcast/hub/control_message.h"
 #include "roomcast/net/websocket_client.h"
+#include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
 namespace {
@@ -22,6 +26,10 @@ class RawClient final : public net::ConnectionHandler {
  public:
   explicit RawClient(std::deque<net::SealedMessagePtr> to_send) : to_send_(std::move(to_send)) {}
   void on_message(net::MessageBuffer message) override {
+    if (*wire::message_type(message.payload()) == wire::MessageType::kFrame) {
+      frames.push_back(*wire::parse_frame(message.payload()));
+      return;
+    }
     auto control = wire::decode_control(message.payload(), wire::Sender::kHub);
     ASSERT_TRUE(control.ok());
     heard.push_back(std::move(*control));
@@ -34,12 +42,52 @@ class RawClient final : public net::ConnectionHandler {
   }
   void on_closed(const net::CloseReason& reason) override { closed = reason; }
 
+  void say(net::SealedMessagePtr message) { to_send_.push_back(std::move(message)); }
+
   std::vector<pb::Control> heard;
+  std::vector<wire::FrameHeader> frames;
   std::optional<net::CloseReason> closed;
 
  private:
   std::deque<net::SealedMessagePtr> to_send_;
 };
+
+net::SealedMessagePtr clock_ping(std::uint64_t client_ns) {
+  pb::Control control;
+  control.mutable_clock_ping()->set_client_ns(client_ns);
+  return sealed_control(control);
+}
+
+void set_camera(pb::Intrinsics& camera) {
+  camera.set_width(512);
+  camera.set_height(424);
+  camera.set_fx(360);
+  camera.set_fy(360);
+  camera.set_cx(256);
+  camera.set_cy(212);
+}
+
+net::SealedMessagePtr sensor_join(const std::string& name) {
+  pb::Control control;
+  control.mutable_join()->set_name(name);
+  auto& sensor = *control.mutable_join()->mutable_sensor();
+  sensor.set_fps(wire::kMaxFps);
+  auto& calibration = *sensor.mutable_calibration();
+  set_camera(*calibration.mutable_depth());
+  set_camera(*calibration.mutable_color());
+  for (int i = 0; i < 16; ++i) calibration.add_color_from_depth(i % 5 == 0 ? 1 : 0);
+  return sealed_control(control);
+}
+
+net::SealedMessagePtr key_frame(std::uint32_t seq) {
+  const wire::FrameHeader header{.key = true,
+                                 .seq = seq,
+                                 .capture_time = RoomTime(SteadyClock().now().time_since_epoch()),
+                                 .base_seq = seq};
+  std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+  wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+  return net::seal(net::MessageBuffer(bytes));
+}
 
 net::SealedMessagePtr viewer_join() {
   pb::Control control;
@@ -49,10 +97,12 @@ net::SealedMessagePtr viewer_join() {
 
 class HubServerTest : public testing::Test {
  protected:
-  explicit HubServerTest(std::chrono::milliseconds join_within = wire::kJoinDeadline) {
+  explicit HubServerTest(std::chrono::milliseconds join_within = wire::kJoinDeadline,
+                         std::size_t threads = 1) {
     HubOptions options;
     options.port = 0;
     options.join_within = join_within;
+    options.threads = threads;
     hub = std::move(*HubServer::open(options));
     thread = std::jthread([this](const std::stop_token& stop) { hub->run(stop); });
   }
@@ -120,6 +170,57 @@ TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
   EXPECT_EQ(viewer->heard.back().roster().viewers_size(), 2);
 }
 
+TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
+  const auto before = SteadyClock().now();
+  const auto viewer = connect({viewer_join(), clock_ping(5)});
+  const auto pong = [&] {
+    return std::ranges::find_if(viewer->heard, [](const auto& m) { return m.has_clock_pong(); });
+  };
+  run_until([&] { return pong() != viewer->heard.end(); });
+  EXPECT_EQ(pong()->clock_pong().client_ns(), 5U);
+  const HostTime told(nanoseconds(pong()->clock_pong().hub_ns()));
+  EXPECT_GE(told, before);
+  EXPECT_LE(told, SteadyClock().now());
+}
+
+/// The same hub on one thread and on several.
+class HubOnThreadsTest : public HubServerTest, public testing::WithParamInterface<std::size_t> {
+ protected:
+  HubOnThreadsTest() : HubServerTest(wire::kJoinDeadline, GetParam()) {}
+};
+INSTANTIATE_TEST_SUITE_P(Threads, HubOnThreadsTest, testing::Values(1, 2, 3));
+
+TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
+  std::vector<std::shared_ptr<RawClient>> viewers;
+  for (int i = 0; i < 5; ++i) viewers.push_back(connect({viewer_join()}));
+  for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
+  const auto sensor = connect({sensor_join("left")});
+  run_until([&] { return sensor->heard.size() >= 1 && sensor->heard[0].has_welcome(); });
+  constexpr std::uint32_t kFrames = 20;
+  for (std::uint32_t seq = 0; seq < kFrames; ++seq) {
+    sensor->say(key_frame(seq));
+    sockets.back()->wake();
+    for (const auto& viewer : viewers) run_until([&] { return viewer->frames.size() > seq; });
+  }
+  for (const auto& viewer : viewers) {
+    for (std::uint32_t seq = 0; seq < kFrames; ++seq) EXPECT_EQ(viewer->frames.at(seq).seq, seq);
+  }
+}
+
+TEST_P(HubOnThreadsTest, viewers_come_and_go) {
+  for (std::size_t round = 0; round < 4; ++round) {
+    const auto staying = connect({viewer_join()});
+    run_until([&] { return staying->heard.size() >= 2; });
+    const auto going = connect({viewer_join()});
+    run_until([&] { return going->heard.size() >= 2; });
+    sockets.back()->close(net::close_code::kNormal, "");
+    run_until([&] {
+      return staying->heard.back().has_roster() &&
+             staying->heard.back().roster().viewers_size() == static_cast<int>(round) + 1;
+    });
+  }
+}
+
 class ImpatientHubTest : public HubServerTest {
  protected:
   ImpatientHubTest() : HubServerTest(50ms) {}
@@ -152,12 +253,15 @@ TEST_F(HubServerTest, so_many_may_wait_at_the_door_and_no_more) {
   EXPECT_EQ(one_more->closed->code, net::close_code::kTryAgainLater);
 }
 
-TEST_F(HubServerTest, a_stopping_hub_says_good_bye) {
-  const auto viewer = connect({viewer_join()});
-  run_until([&] { return viewer->heard.size() >= 2; });
+TEST_P(HubOnThreadsTest, a_stopping_hub_says_good_bye) {
+  std::vector<std::shared_ptr<RawClient>> viewers;
+  for (int i = 0; i < 3; ++i) viewers.push_back(connect({viewer_join()}));
+  for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
   thread.request_stop();
-  run_until([&] { return viewer->closed.has_value(); });
-  EXPECT_EQ(viewer->closed->code, net::close_code::kGoingAway);
+  for (const auto& viewer : viewers) {
+    run_until([&] { return viewer->closed.has_value(); });
+    EXPECT_EQ(viewer->closed->code, net::close_code::kGoingAway);
+  }
   io.run_for(100ms);  // for the end of the TCP connection
   thread.join();
 }

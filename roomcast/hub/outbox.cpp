@@ -16,18 +16,26 @@ bool Outbox::push_control(net::SealedMessagePtr message) {
 
 void Outbox::push_set(FrameSetPtr set) {
   sets_.push_back({std::move(set), 0});
-  const auto untouched =
-      std::find_if(sets_.begin(), sets_.end(), [](const auto& s) { return s.next_frame == 0; });
-  const auto waiting = static_cast<std::size_t>(sets_.end() - untouched);
-  if (waiting <= wire::kMaxQueuedSets) return;
-  sets_.erase(untouched);
+  make_room();
+}
+
+void Outbox::make_room() {
+  const auto is_untouched = [](const QueuedSet& queued) { return queued.next_frame == 0; };
+  const auto waiting = std::ranges::find_if(sets_, is_untouched);
+  if (static_cast<std::size_t>(sets_.end() - waiting) <= wire::kMaxQueuedSets) return;
+  const auto nothing_builds_on = [](const QueuedSet& queued) {
+    return std::ranges::all_of(queued.set->frames,
+                               [](const SetFrame& frame) { return frame.header.layer > 0; });
+  };
+  const auto victim = std::find_if(waiting, sets_.end(), nothing_builds_on);
+  sets_.erase(victim != sets_.end() ? victim : waiting);
   ++dropped_sets_;
 }
 
 net::SealedMessagePtr Outbox::next() {
   if (!control_.empty()) {
     auto message = std::move(control_.front());
-    control_.pop_front();
+    control_.erase(control_.begin());
     return message;
   }
   while (!sets_.empty()) {
@@ -36,13 +44,13 @@ net::SealedMessagePtr Outbox::next() {
       const SetFrame& frame = set->frames[next_frame++];
       if (may_deliver(frame.header)) return frame.message;
     }
-    sets_.pop_front();
+    sets_.erase(sets_.begin());
   }
   return nullptr;
 }
 
 bool Outbox::may_deliver(const wire::FrameHeader& header) {
-  Chain& chain = chains_[header.sensor];
+  Chain& chain = chain_of(header.sensor);
   const bool decodable = header.key || (!chain.broken && header.base_seq == chain.base_seq);
   if (!decodable) {
     chain.broken = true;
@@ -56,7 +64,12 @@ bool Outbox::may_deliver(const wire::FrameHeader& header) {
 }
 
 void Outbox::forget(SensorId sensor) {
-  chains_.erase(sensor);
+  chain_of(sensor) = {};
+}
+
+Outbox::Chain& Outbox::chain_of(SensorId sensor) {
+  if (chains_.size() <= sensor.value) chains_.resize(sensor.value + 1U);
+  return chains_[sensor.value];
 }
 
 std::vector<SensorId> Outbox::take_key_needs() {

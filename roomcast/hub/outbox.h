@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outbox: what waits to be written to one connection. Control messages go first; then frame sets,
-// at most kMaxQueuedSets of which no byte has been written: when another comes the oldest goes, so
-// a slow viewer loses its own frames and delays nobody. Frames that the receiver could not decode,
+// at most kMaxQueuedSets of which no byte has been written. When another comes, one of them goes:
+// the oldest on which nothing builds, or else the oldest. So a slow viewer loses its own frames,
+// upper layers before anything else, and delays nobody. Frames that the receiver could not decode,
 // because a frame they need was left out, are left out too. docs/spec/wire.md §2 (last paragraph)
 // and §3 "Back-pressure". Pure.
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <unordered_map>
 #include <vector>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set.h"
 #include "roomcast/net/sealed_message.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
 
@@ -48,9 +51,14 @@ class Outbox {
 
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
 
-  std::deque<net::SealedMessagePtr> control_;
-  std::deque<QueuedSet> sets_;
-  std::unordered_map<SensorId, Chain> chains_;
+  void make_room();
+  [[nodiscard]] Chain& chain_of(SensorId sensor);
+
+  // A hub has hundreds of these and visits all of them for every set: no memory elsewhere for what
+  // is short.
+  boost::container::small_vector<net::SealedMessagePtr, 2> control_;
+  boost::container::static_vector<QueuedSet, wire::kMaxQueuedSets + 2> sets_;
+  boost::container::small_vector<Chain, 4> chains_;  // by sensor id
   std::vector<SensorId> key_needs_;
   std::uint64_t dropped_sets_ = 0;
 };

@@ -67,6 +67,33 @@ TEST(Outbox, the_oldest_unbegun_set_gives_way) {
   EXPECT_EQ(outbox.next(), sets[4]->frames[0].message);
 }
 
+TEST(Outbox, sets_of_upper_layers_give_way_first) {
+  Outbox outbox;
+  outbox.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
+  EXPECT_EQ(drain(outbox), 2);
+  const auto base = set_of({{kSensor, 1, 0}, {kOther, 1, 0}});
+  outbox.push_set(base);
+  outbox.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 1, 1}}));  // gives way
+  const auto next_base = set_of({{kSensor, 3, 1}, {kOther, 3, 1}});
+  outbox.push_set(next_base);
+  EXPECT_EQ(outbox.next(), base->frames[0].message);
+  EXPECT_EQ(outbox.next(), base->frames[1].message);
+  EXPECT_EQ(outbox.next(), next_base->frames[0].message);
+  EXPECT_EQ(drain(outbox), 1);
+  EXPECT_THAT(outbox.take_key_needs(), IsEmpty());
+}
+
+TEST(Outbox, a_set_with_one_base_frame_does_not_count_as_upper_layer) {
+  Outbox outbox;
+  outbox.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
+  EXPECT_EQ(drain(outbox), 2);
+  outbox.push_set(set_of({{kSensor, 1, 0}, {kOther, 1, 0, 1}}));
+  outbox.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 0, 1}}));  // gives way
+  outbox.push_set(set_of({{kSensor, 3, 1}, {kOther, 3, 0}}));
+  EXPECT_EQ(drain(outbox), 4);
+  EXPECT_THAT(outbox.take_key_needs(), IsEmpty());
+}
+
 TEST(Outbox, a_set_that_has_begun_is_finished) {
   Outbox outbox;
   const auto begun = set_of({{kSensor, 0, 0}, {kOther, 0, 0}});

@@ -76,7 +76,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
   out.push_back(AcceptConnection{from, true});
   out.push_back(SendControl{{from}, std::move(welcome)});
-  out.push_back(RestartSensor{viewer_connections(), sensor->id});
+  out.emplace_back(RestartSensor{sensor->id});
   announce(now, out);
   send_closed_sets(now, out);
 }
@@ -93,7 +93,10 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
-  for (auto& [connection, other] : viewers_) other.pose_is_news = other.pose.has_value();
+  for (auto& [connection, other] : viewers_) {
+    other.pose_is_news = other.pose.has_value();
+    poses_are_news_ = poses_are_news_ || other.pose_is_news;
+  }
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
@@ -133,14 +136,6 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
   RoomActions out;
   const auto viewer = viewers_.find(from);
   switch (message.message_case()) {
-    case pb::Control::kClockPing: {
-      pb::Control pong;
-      pong.mutable_clock_pong()->set_client_ns(message.clock_ping().client_ns());
-      pong.mutable_clock_pong()->set_hub_ns(
-          static_cast<std::uint64_t>(now.time_since_epoch().count()));
-      out.push_back(SendControl{{from}, std::move(pong)});
-      return out;
-    }
     case pb::Control::kKeyRequest:
       if (viewer == viewers_.end()) break;
       return key_needed(SensorId{static_cast<std::uint16_t>(message.key_request().sensor_id())},
@@ -214,7 +209,7 @@ RoomActions Room::tick(RoomTime now) {
   for (Sensor& sensor : sensors_) {
     if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
   }
-  if (now >= next_poses_) send_poses(now, out);
+  if (poses_are_news_ && now >= next_poses_) send_poses(now, out);
   if (roster_is_news_ && now >= next_roster_) announce(now, out);
   return out;
 }
@@ -227,9 +222,7 @@ std::optional<RoomTime> Room::next_tick() const {
   for (const Sensor& sensor : sensors_) {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
-  const bool news = std::any_of(viewers_.begin(), viewers_.end(),
-                                [](const auto& v) { return v.second.pose_is_news; });
-  if (news) consider(next_poses_);
+  if (poses_are_news_) consider(next_poses_);
   if (roster_is_news_) consider(next_roster_);
   return next;
 }
@@ -242,7 +235,7 @@ void Room::set_pose(Viewer& viewer, const pb::ViewerPose& pose, RoomTime now) {
   if (++viewer.poses_in_window > wire::kMaxPosesPerSecond) return;
   viewer.pose = pose;
   viewer.pose->set_viewer_id(viewer.id.value);
-  viewer.pose_is_news = true;
+  viewer.pose_is_news = poses_are_news_ = true;
 }
 
 void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
@@ -253,19 +246,22 @@ void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
 
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
-    if (!viewers_.empty()) out.push_back(SendSet{viewer_connections(), std::move(set)});
+    if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
 
-// One message for all: a viewer skips its own pose.
+// One message for all: a viewer skips its own pose. Everyone's pose goes to everyone, so the more
+// moved the longer until they are told again.
 void Room::send_poses(RoomTime now, RoomActions& out) {
+  poses_are_news_ = false;
   pb::Control control;
   for (auto& [connection, viewer] : viewers_) {
     if (std::exchange(viewer.pose_is_news, false))
       *control.mutable_viewer_poses()->add_poses() = *viewer.pose;
   }
   if (!control.has_viewer_poses()) return;
-  next_poses_ = now + wire::kPoseInterval;
+  const auto count = control.viewer_poses().poses_size();
+  next_poses_ = now + std::max<nanoseconds>(wire::kPoseInterval, count * wire::kIntervalPerPose);
   out.push_back(SendControl{viewer_connections(), std::move(control)});
 }
 

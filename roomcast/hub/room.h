@@ -97,6 +97,7 @@ class Room {
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
   RoomTime next_poses_{};
+  bool poses_are_news_ = false;  // some viewer's
   RoomTime next_roster_{};
   bool roster_is_news_ = false;  // to some viewers
 };

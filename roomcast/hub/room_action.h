@@ -18,14 +18,13 @@ struct SendControl {
   wire::pb::Control message;
 };
 
+/// To all viewers that were accepted before.
 struct SendSet {
-  std::vector<ConnectionId> to;
   FrameSetPtr set;
 };
 
-/// The sensor starts anew: what these viewers were sent of it is nothing to build on.
+/// The sensor starts anew: what viewers were sent of it is nothing to build on.
 struct RestartSensor {
-  std::vector<ConnectionId> to;
   SensorId sensor;
 };
 

@@ -39,9 +39,9 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
 
 }  // namespace
 
-Session::Session(ConnectionId id, const std::shared_ptr<net::WebSocketConnection>& connection,
-                 SessionEvents& hub)
-    : id_(id), connection_(connection), hub_(hub) {}
+Session::Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
+                 const Clock& clock)
+    : id_(id), connection_(connection), hub_(hub), clock_(clock) {}
 
 void Session::on_message(net::MessageBuffer message) {
   const auto type = wire::message_type(message.payload());
@@ -67,8 +67,22 @@ void Session::take_control(std::span<const std::uint8_t> message) {
                                                 ? "this connection has joined already"
                                                 : "the first message of a connection is Join");
   }
-  if (control->has_join()) return hub_.on_join(id_, control->join());
-  hub_.on_control(id_, *control);
+  if (control->has_clock_ping()) return tell_time(control->clock_ping());
+  if (!control->has_join()) return hub_.on_control(id_, *control);
+  has_joined_ = true;
+  is_sensor_ = control->join().has_sensor();
+  hub_.on_join(id_, control->join());
+}
+
+// Here and at once: what the answer waits for on its way makes the client's clock uncertain.
+void Session::tell_time(const wire::pb::ClockPing& ping) {
+  pb::Control pong;
+  pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
+  pong.mutable_clock_pong()->set_hub_ns(
+      static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
+  if (!send_control(sealed_control(pong))) {
+    disconnect(pb::ERROR_TOO_SLOW, "control messages pile up unread");
+  }
 }
 
 net::SealedMessagePtr Session::next_message() {
@@ -82,35 +96,26 @@ void Session::on_closed(const net::CloseReason& reason) {
 }
 
 void Session::accept(bool is_sensor) {
-  has_joined_ = true;
-  is_sensor_ = is_sensor;
-  if (const auto connection = connection_.lock(); connection && is_sensor) {
-    connection->set_max_message_bytes(wire::kMaxFrameBytes);
-  }
+  is_accepted_ = true;
+  if (is_sensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
 }
 
 bool Session::send_control(net::SealedMessagePtr message) {
   if (!outbox_.push_control(std::move(message))) return false;
-  wake();
+  connection_.wake();
   return true;
 }
 
 void Session::send_set(FrameSetPtr set) {
   outbox_.push_set(std::move(set));
-  wake();
+  connection_.wake();
 }
 
 void Session::disconnect(pb::ErrorCode code, const std::string& sentence) {
   pb::Control control;
   control.mutable_error()->set_code(code);
   control.mutable_error()->set_sentence(sentence);
-  if (const auto connection = connection_.lock()) {
-    connection->close_after(sealed_control(control), close_code_of(code), sentence);
-  }
-}
-
-void Session::wake() const {
-  if (const auto connection = connection_.lock()) connection->wake();
+  connection_.close_after(sealed_control(control), close_code_of(code), sentence);
 }
 
 void Session::refuse(const Error& error) {

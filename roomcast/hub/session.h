@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Session: one connection of a hub. Turns bytes into the room's events, and holds what waits to be
-// written back. Threading: the hub's event loop.
+// Session: one connection of a hub. Turns bytes into the room's events, holds what waits to be
+// written back, and tells the time. Threading: its shard's event loop.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/outbox.h"
@@ -16,10 +17,11 @@
 
 namespace roomcast::hub {
 
-/// Whom a session tells what has come in. Implemented by the hub.
+/// What comes in from sessions: told to their shard, and by it to the room.
 class SessionEvents {
  public:
   virtual ~SessionEvents() = default;
+  /// Once for each session, before everything else.
   virtual void on_join(ConnectionId from, const wire::pb::Join& join) = 0;
   virtual void on_control(ConnectionId from, const wire::pb::Control& message) = 0;
   virtual void on_frame(ConnectionId from, const wire::FrameHeader& header,
@@ -31,8 +33,9 @@ class SessionEvents {
 
 class Session final : public net::ConnectionHandler {
  public:
-  Session(ConnectionId id, const std::shared_ptr<net::WebSocketConnection>& connection,
-          SessionEvents& hub);
+  /// `connection` is used up to on_closed().
+  Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
+          const Clock& clock);
 
   void on_message(net::MessageBuffer message) override;
   net::SealedMessagePtr next_message() override;
@@ -40,6 +43,8 @@ class Session final : public net::ConnectionHandler {
 
   /// The room has taken it in.
   void accept(bool is_sensor);
+  [[nodiscard]] bool is_accepted() const { return is_accepted_; }
+  /// It has asked to be taken in.
   [[nodiscard]] bool has_joined() const { return has_joined_; }
 
   /// False when the peer lets its control messages pile up: disconnect it.
@@ -51,18 +56,19 @@ class Session final : public net::ConnectionHandler {
   void disconnect(wire::pb::ErrorCode code, const std::string& sentence);
 
  private:
-  void take(net::MessageBuffer message);
   void take_frame(net::MessageBuffer message);
   void take_control(std::span<const std::uint8_t> message);
+  void tell_time(const wire::pb::ClockPing& ping);
   void refuse(const Error& error);
-  void wake() const;
 
   const ConnectionId id_;
-  const std::weak_ptr<net::WebSocketConnection> connection_;  // which owns this session
+  net::WebSocketConnection& connection_;
   SessionEvents& hub_;
+  const Clock& clock_;
   Outbox outbox_;
   bool has_joined_ = false;
-  bool is_sensor_ = false;
+  bool is_accepted_ = false;
+  bool is_sensor_ = false;  // by its own word; the room knows
 };
 
 }  // namespace roomcast::hub

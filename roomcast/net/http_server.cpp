@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/http_server.h"
 
+#include <array>
 #include <utility>
 
 #include "roomcast/net/server_state.h"
@@ -9,7 +10,12 @@ namespace roomcast::net {
 
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(boost::asio::io_context& io,
                                                        HttpServerOptions options, LogSink log) {
-  auto state = std::make_shared<ServerState>(io, std::move(options), std::move(log));
+  return listen(std::array{&io}, std::move(options), std::move(log));
+}
+
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(
+    std::span<boost::asio::io_context* const> threads, HttpServerOptions options, LogSink log) {
+  auto state = std::make_shared<ServerState>(threads, std::move(options), std::move(log));
   if (auto status = state->listen(); !status) return std::move(status).error();
   state->accept();
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));

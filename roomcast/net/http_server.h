@@ -2,7 +2,8 @@
 // HttpServer: one listening port for the page, the few plain HTTP answers, and the WebSocket.
 // GET and HEAD only. A WebSocket is accepted when path, version, subprotocol and Origin are right
 // (docs/spec/wire.md section 1).
-// Threading: lives on the one thread that runs its io_context; all callbacks come from there.
+// Threading: lives on the one thread that runs its first io_context. Given more, it deals out its
+// connections among them; each stays on one thread for life, and its callbacks come from there.
 // Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server handshake); parsing by Boost.Beast.
 #pragma once
 
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,9 +40,10 @@ struct HttpServerOptions {
   /// it.
   std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
 
-  /// A WebSocket is open, and is started with the handler that this returns. Null refuses it
-  /// (closed with 1013).
-  std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>)>
+  /// A WebSocket is open on one of the server's threads, and is started with the handler that this
+  /// returns. Null refuses it (closed with 1013).
+  std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>,
+                                                   std::size_t thread)>
       on_websocket = {};
   std::string websocket_path = "/ws";
   std::string subprotocol = "roomcast.v1";
@@ -58,8 +61,11 @@ class ServerState;
 
 class HttpServer {
  public:
-  /// Listens at once, serves when `io` runs. Errors: kInvalidArgument (not an address),
+  /// Listens at once, serves when the threads run. Errors: kInvalidArgument (not an address),
   /// kUnavailable (port in use, or not allowed).
+  static Result<std::unique_ptr<HttpServer>> listen(
+      std::span<boost::asio::io_context* const> threads, HttpServerOptions options,
+      LogSink log = {});
   static Result<std::unique_ptr<HttpServer>> listen(boost::asio::io_context& io,
                                                     HttpServerOptions options, LogSink log = {});
   /// As stop().
@@ -71,8 +77,8 @@ class HttpServer {
   /// Sockets of all kinds that are open now.
   [[nodiscard]] std::size_t connection_count() const;
 
-  /// Listens no more and closes all connections, WebSockets with 1001. They end while `io` goes on
-  /// running.
+  /// Listens no more and closes all connections, WebSockets with 1001. They end while the threads
+  /// go on running.
   void stop();
 
  private:

@@ -30,7 +30,7 @@ class HttpServerTest : public LoopbackTest {
     HttpServerOptions options;
     options.port = 0;
     options.on_get = [this](std::string_view path) { return answer(path); };
-    options.on_websocket = [this](std::shared_ptr<WebSocketConnection> connection) {
+    options.on_websocket = [this](std::shared_ptr<WebSocketConnection> connection, std::size_t) {
       connections_.push_back(std::move(connection));
       handlers_.push_back(std::make_shared<RecordingHandler>());
       return handlers_.back();
@@ -236,7 +236,7 @@ TEST_F(HttpServerTest, refuses_websockets_that_are_not_ours) {
 
 TEST_F(HttpServerTest, a_websocket_that_nobody_wants_is_closed_with_1013) {
   auto full = options();
-  full.on_websocket = [](auto) { return nullptr; };
+  full.on_websocket = [](auto, auto) { return nullptr; };
   listen(std::move(full));
   auto socket = raw_connection(server_->port());
   send(socket, upgrade_request());

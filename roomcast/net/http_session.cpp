@@ -99,10 +99,11 @@ class TurnedAway final : public ConnectionHandler {
 }  // namespace
 
 HttpSession::HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
-                         std::shared_ptr<OpenConnections::Lease> lease)
+                         std::size_t thread, std::shared_ptr<OpenConnections::Lease> lease)
     : stream_(std::move(stream)),
       deadline_(stream_.get_executor()),
       options_(std::move(options)),
+      thread_(thread),
       lease_(std::move(lease)),
       buffer_(options_->max_header_bytes + 1) {}
 
@@ -241,7 +242,7 @@ void HttpSession::become_websocket() {
   });
   lease_.reset();
 
-  auto handler = options_->on_websocket ? options_->on_websocket(connection) : nullptr;
+  auto handler = options_->on_websocket ? options_->on_websocket(connection, thread_) : nullptr;
   if (handler != nullptr) return connection->start(std::move(handler));
   connection->close(close_code::kTryAgainLater, "No more connections are taken.");
   connection->start(std::make_shared<TurnedAway>());

@@ -26,7 +26,8 @@ namespace roomcast::net {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
+  /// `thread`: which of the server's it lives on.
+  HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options, std::size_t thread,
               std::shared_ptr<OpenConnections::Lease> lease);
 
   void start();
@@ -57,6 +58,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   Stream stream_;
   boost::asio::steady_timer deadline_;
   std::shared_ptr<const HttpServerOptions> options_;
+  const std::size_t thread_;
   std::shared_ptr<OpenConnections::Lease> lease_;
   boost::beast::flat_buffer buffer_;
   std::optional<Parser> parser_;

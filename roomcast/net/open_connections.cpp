@@ -7,11 +7,18 @@
 namespace roomcast::net {
 
 OpenConnections::Lease::Lease(std::shared_ptr<OpenConnections> owner) : owner_(std::move(owner)) {
-  owner_->leases_.insert(this);
+  ++owner_->count_;
 }
 
 OpenConnections::Lease::~Lease() {
-  owner_->leases_.erase(this);
+  if (end_) owner_->endable_.erase(this);
+  --owner_->count_;
+}
+
+void OpenConnections::Lease::end_with(std::function<void()> end) {
+  if (!end_ && end) owner_->endable_.insert(this);
+  if (end_ && !end) owner_->endable_.erase(this);
+  end_ = std::move(end);
 }
 
 std::shared_ptr<OpenConnections::Lease> OpenConnections::open() {
@@ -20,9 +27,7 @@ std::shared_ptr<OpenConnections::Lease> OpenConnections::open() {
 
 void OpenConnections::end_all() {
   std::vector<std::function<void()>> ends;  // a copy: ending one may give back its lease
-  for (const Lease* lease : leases_) {
-    if (lease->end_) ends.push_back(lease->end_);
-  }
+  for (const Lease* lease : endable_) ends.push_back(lease->end_);
   for (const auto& end : ends) end();
 }
 

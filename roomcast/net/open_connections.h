@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenConnections: counts a server's open sockets and knows how to end each of them.
-// Threading: one thread, with everyone that holds a lease.
+// OpenConnections: counts the open sockets of one thread and knows how to end each of them.
+// Threading: count() and open() from any thread; the rest on the one that serves the sockets. A
+// lease that was never told how to end may be let go anywhere.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -21,7 +23,7 @@ class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
     Lease& operator=(const Lease&) = delete;
 
     /// How this socket is ended when all are.
-    void end_with(std::function<void()> end) { end_ = std::move(end); }
+    void end_with(std::function<void()> end);
 
    private:
     friend class OpenConnections;
@@ -30,11 +32,12 @@ class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
   };
 
   [[nodiscard]] std::shared_ptr<Lease> open();
-  [[nodiscard]] std::size_t count() const { return leases_.size(); }
+  [[nodiscard]] std::size_t count() const { return count_; }
   void end_all();
 
  private:
-  std::unordered_set<Lease*> leases_;
+  std::atomic<std::size_t> count_ = 0;
+  std::unordered_set<Lease*> endable_;
 };
 
 }  // namespace roomcast::net

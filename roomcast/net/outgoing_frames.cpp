@@ -13,24 +13,25 @@ void OutgoingFrames::push(SealedMessagePtr frame) {
   frames_.push_back(std::move(frame));
 }
 
-const std::vector<boost::asio::const_buffer>& OutgoingFrames::gather() {
-  buffers_.clear();
+OutgoingFrames::Buffers OutgoingFrames::gather() const {
+  Buffers buffers;
   const std::size_t count = std::min(frames_.size(), kMaxGather);
   for (std::size_t i = 0; i < count; ++i) {
     const auto bytes = frames_[i]->wire_bytes().subspan(i == 0 ? front_written_ : 0);
-    buffers_.emplace_back(bytes.data(), bytes.size());
+    buffers.emplace_back(bytes.data(), bytes.size());
   }
-  return buffers_;
+  return buffers;
 }
 
 void OutgoingFrames::wrote(std::size_t bytes) {
   ROOMCAST_ASSERT(bytes <= unwritten_bytes_);
   unwritten_bytes_ -= bytes;
   front_written_ += bytes;
-  while (!frames_.empty() && front_written_ >= frames_.front()->wire_bytes().size()) {
-    front_written_ -= frames_.front()->wire_bytes().size();
-    frames_.pop_front();
+  auto front = frames_.begin();
+  for (; front != frames_.end() && front_written_ >= (*front)->wire_bytes().size(); ++front) {
+    front_written_ -= (*front)->wire_bytes().size();
   }
+  frames_.erase(frames_.begin(), front);
 }
 
 void OutgoingFrames::clear() {

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
-#include <vector>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 #include "roomcast/net/sealed_message.h"
 
@@ -24,8 +24,9 @@ class OutgoingFrames {
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
   [[nodiscard]] std::size_t unwritten_bytes() const { return unwritten_bytes_; }
 
-  /// What to write next: up to kMaxGather frames. Valid until push() or wrote().
-  [[nodiscard]] const std::vector<boost::asio::const_buffer>& gather();
+  /// What to write next: up to kMaxGather frames. Their bytes are valid until wrote().
+  using Buffers = boost::container::static_vector<boost::asio::const_buffer, kMaxGather>;
+  [[nodiscard]] Buffers gather() const;
 
   /// The socket took this many bytes off the front.
   void wrote(std::size_t bytes);
@@ -33,10 +34,9 @@ class OutgoingFrames {
   void clear();
 
  private:
-  std::deque<SealedMessagePtr> frames_;
+  boost::container::small_vector<SealedMessagePtr, 4> frames_;
   std::size_t front_written_ = 0;
   std::size_t unwritten_bytes_ = 0;
-  std::vector<boost::asio::const_buffer> buffers_;
 };
 
 }  // namespace roomcast::net

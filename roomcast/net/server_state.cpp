@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/server_state.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/dispatch.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ip/address.hpp>
 
@@ -31,13 +33,36 @@ constexpr std::string_view kTurnedAway =
     "\r\n"
     "The hub is full; please try again later.\r\n";
 
+void warn(const LogSink& log, const std::string& why) {
+  if (log) log(LogLevel::kWarning, "A connection could not be accepted: " + why + ".");
+}
+
+/// On the thread that the socket lives on.
+void serve(const std::shared_ptr<const HttpServerOptions>& options, const LogSink& log,
+           std::size_t thread, asio::ip::tcp::socket socket,
+           std::shared_ptr<OpenConnections::Lease> lease) {
+  std::optional<TlsSession> tls;
+  if (options->tls != nullptr) {
+    auto session = TlsSession::accept(socket.native_handle(), *options->tls);
+    if (!session) return warn(log, session.error().message);
+    tls = *std::move(session);
+  }
+  Stream stream(std::move(socket), std::move(tls));
+  std::make_shared<HttpSession>(std::move(stream), options, thread, std::move(lease))->start();
+}
+
 }  // namespace
 
-ServerState::ServerState(asio::io_context& io, HttpServerOptions options, LogSink log)
-    : acceptor_(io),
-      retry_(io),
+ServerState::ServerState(std::span<asio::io_context* const> threads, HttpServerOptions options,
+                         LogSink log)
+    : acceptor_(*threads.front()),
+      retry_(*threads.front()),
       options_(std::make_shared<const HttpServerOptions>(std::move(options))),
-      log_(std::move(log)) {}
+      log_(std::move(log)) {
+  for (asio::io_context* io : threads) {
+    workers_.push_back({io, std::make_shared<OpenConnections>()});
+  }
+}
 
 Status ServerState::listen() {
   ErrorCode error;
@@ -73,43 +98,46 @@ Error ServerState::listen_error(ErrorCode error) const {
 }
 
 void ServerState::accept() {
-  acceptor_.async_accept([self = shared_from_this()](ErrorCode error, Tcp::socket socket) {
-    self->on_accept(error, std::move(socket));
-  });
+  const std::size_t worker = least_busy();
+  acceptor_.async_accept(*workers_[worker].io,
+                         [self = shared_from_this(), worker](ErrorCode error, Tcp::socket socket) {
+                           self->on_accept(error, worker, std::move(socket));
+                         });
 }
 
-void ServerState::on_accept(ErrorCode error, Tcp::socket socket) {
+std::size_t ServerState::least_busy() const {
+  const auto least = std::ranges::min_element(
+      workers_, {}, [](const Worker& worker) { return worker.connections->count(); });
+  return static_cast<std::size_t>(least - workers_.begin());
+}
+
+std::size_t ServerState::connection_count() const {
+  std::size_t count = 0;
+  for (const Worker& worker : workers_) count += worker.connections->count();
+  return count;
+}
+
+void ServerState::on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket) {
   if (!acceptor_.is_open()) return;
   if (error) return accept_later(error);
-  if (connections_->count() >= options_->max_connections) {
+  if (connection_count() >= options_->max_connections) {
     turn_away(std::move(socket));
   } else {
-    serve(std::move(socket));
+    asio::dispatch(*workers_[worker].io,
+                   [options = options_, log = log_, worker, socket = std::move(socket),
+                    lease = workers_[worker].connections->open()]() mutable {
+                     serve(options, log, worker, std::move(socket), std::move(lease));
+                   });
   }
   accept();
 }
 
 void ServerState::accept_later(ErrorCode error) {
-  log_warning(error.message());
+  warn(log_, error.message());
   retry_.expires_after(kAcceptAgainAfter);
   retry_.async_wait([self = shared_from_this()](ErrorCode cancelled) {
     if (!cancelled && self->acceptor_.is_open()) self->accept();
   });
-}
-
-void ServerState::serve(Tcp::socket socket) {
-  std::optional<TlsSession> tls;
-  if (options_->tls != nullptr) {
-    auto session = TlsSession::accept(socket.native_handle(), *options_->tls);
-    if (!session) return log_warning(session.error().message);
-    tls = *std::move(session);
-  }
-  Stream stream(std::move(socket), std::move(tls));
-  std::make_shared<HttpSession>(std::move(stream), options_, connections_->open())->start();
-}
-
-void ServerState::log_warning(const std::string& why) const {
-  if (log_) log_(LogLevel::kWarning, "A connection could not be accepted: " + why + ".");
 }
 
 /// As far as that goes without spending anything on it.
@@ -125,7 +153,9 @@ void ServerState::stop() {
   ErrorCode ignored;
   acceptor_.close(ignored);
   retry_.cancel();
-  connections_->end_all();
+  for (const Worker& worker : workers_) {
+    asio::dispatch(*worker.io, [connections = worker.connections] { connections->end_all(); });
+  }
 }
 
 }  // namespace roomcast::net

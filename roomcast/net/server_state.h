@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// ServerState: the listening socket of an HttpServer and its accept loop. Kept alive by its own
-// pending operations, so that an HttpServer can be destroyed while its io_context still runs.
-// Threading: lives on its io_context's thread.
+// ServerState: the listening socket of an HttpServer, its accept loop, and the threads among which
+// it deals out what it accepts. Kept alive by its own pending operations, so that an HttpServer can
+// be destroyed while its io_contexts still run. Threading: lives on the first io_context's thread;
+// each connection on one of them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -22,31 +25,36 @@ namespace roomcast::net {
 
 class ServerState : public std::enable_shared_from_this<ServerState> {
  public:
-  ServerState(boost::asio::io_context& io, HttpServerOptions options, LogSink log);
+  ServerState(std::span<boost::asio::io_context* const> threads, HttpServerOptions options,
+              LogSink log);
 
   Status listen();
   void accept();
   void stop();
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] std::size_t connection_count() const { return connections_->count(); }
+  [[nodiscard]] std::size_t connection_count() const;
 
  private:
   using Tcp = boost::asio::ip::tcp;
   using ErrorCode = boost::system::error_code;
 
+  struct Worker {
+    boost::asio::io_context* io;
+    std::shared_ptr<OpenConnections> connections;
+  };
+
   [[nodiscard]] Error listen_error(ErrorCode error) const;
-  void on_accept(ErrorCode error, Tcp::socket socket);
+  [[nodiscard]] std::size_t least_busy() const;
+  void on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket);
   void accept_later(ErrorCode error);
-  void serve(Tcp::socket socket);
   void turn_away(Tcp::socket socket) const;
-  void log_warning(const std::string& why) const;
 
   Tcp::acceptor acceptor_;
   boost::asio::steady_timer retry_;
   std::shared_ptr<const HttpServerOptions> options_;
   LogSink log_;
-  std::shared_ptr<OpenConnections> connections_ = std::make_shared<OpenConnections>();
+  std::vector<Worker> workers_;
   std::uint16_t port_ = 0;
 };
 

@@ -55,7 +55,7 @@ class WebSocketClientTest : public LoopbackTest {
   std::unique_ptr<HttpServer> listen(HttpServerOptions options = {}) {
     options.port = 0;
     if (!options.on_websocket) {
-      options.on_websocket = [this](auto connection) {
+      options.on_websocket = [this](auto connection, std::size_t) {
         served_ = std::move(connection);
         return handler_;
       };

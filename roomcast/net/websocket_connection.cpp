@@ -167,7 +167,7 @@ void WebSocketConnection::write() {
   if (outgoing_.empty() && !refill()) return;
   if (outgoing_.empty()) return on_all_written();
   ErrorCode error;
-  const auto& buffers = outgoing_.gather();
+  const auto buffers = outgoing_.gather();
   const std::size_t offered = asio::buffer_size(buffers);
   const std::size_t size = stream_.write_some(buffers, error);
   if (error && error != asio::error::would_block) return on_write_failed();

@@ -38,7 +38,8 @@ inline constexpr std::chrono::seconds kMaxCaptureAhead{1};
 
 // Pace.
 inline constexpr std::chrono::milliseconds kKeyRequestInterval{500};  // per sensor
-inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers
+inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers, or longer:
+inline constexpr std::chrono::milliseconds kIntervalPerPose{5};       // for each that has moved
 inline constexpr std::chrono::milliseconds kRosterInterval{100};      // when only viewers changed
 
 }  // namespace roomcast::wire
