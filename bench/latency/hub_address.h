@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of a hub that the bench itself has started.
+#pragma once
+
+#include <string>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/net/hub_url.h"
+
+namespace roomcast::bench {
+
+[[nodiscard]] inline net::HubUrl hub_address(const std::string& url) {
+  auto parsed = net::parse_hub_url(url);
+  ROOMCAST_ASSERT(parsed.ok());
+  return *std::move(parsed);
+}
+
+}  // namespace roomcast::bench

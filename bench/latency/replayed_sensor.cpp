@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/latency/replayed_sensor.h"
+
+#include <utility>
+
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::bench {
+
+namespace {
+
+Result<std::vector<CapturedFrame>> capture(FrameSource& source, int count) {
+  std::vector<CapturedFrame> frames;
+  for (int i = 0; i < count; ++i) {
+    CapturedFrame frame;
+    const auto more = source.next(frame, {});
+    if (!more) return more.error();
+    if (!*more) break;
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+PublisherOptions publisher_options(const SensorDescription& sensor, const std::string& hub_url) {
+  PublisherOptions options;
+  options.hub_url = hub_url;
+  options.name = sensor.name;
+  options.calibration = sensor.calibration;
+  options.world_from_depth = sensor.world_from_depth;
+  options.fps = ReplayedSensor::kFps;
+  return options;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ReplayedSensor>> ReplayedSensor::start(const std::string& spec,
+                                                              const std::string& hub_url,
+                                                              int frame_count) {
+  SourceOptions source_options;
+  source_options.pace = Pace::kAsFastAsPossible;
+  source_options.sim_fps = kFps;
+  auto source = open_source(spec, source_options);
+  if (!source) return source.error();
+  auto frames = capture(**source, frame_count);
+  if (!frames) return frames.error();
+  const SensorDescription sensor = (*source)->description();
+  auto registration = Registration::create(sensor.calibration);
+  if (!registration) return registration.error();
+  codec::FrameEncoderOptions codec;
+  codec.width = sensor.calibration.depth.width;
+  codec.height = sensor.calibration.depth.height;
+  codec.fps = kFps;
+  auto encoder = codec::FrameEncoder::create(codec);
+  if (!encoder) return encoder.error();
+  auto publisher = Publisher::open(publisher_options(sensor, hub_url));
+  if (!publisher) return publisher.error();
+  return std::unique_ptr<ReplayedSensor>(new ReplayedSensor(
+      *std::move(frames), *std::move(registration), *std::move(encoder), *std::move(publisher)));
+}
+
+ReplayedSensor::ReplayedSensor(std::vector<CapturedFrame> frames, Registration registration,
+                               std::unique_ptr<codec::FrameEncoder> encoder,
+                               std::unique_ptr<Publisher> publisher)
+    : frames_(std::move(frames)),
+      registration_(std::move(registration)),
+      encoder_(std::move(encoder)),
+      publisher_(std::move(publisher)),
+      thread_([this](const std::stop_token& stop) { play(stop); }) {}
+
+ReplayedSensor::~ReplayedSensor() {
+  (void)finish();
+}
+
+std::vector<double> ReplayedSensor::finish() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+  return std::move(encoded_ms_);
+}
+
+void ReplayedSensor::play(const std::stop_token& stop) {
+  using Steady = std::chrono::steady_clock;
+  const auto period =
+      std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(1 / kFps));
+  const std::size_t last = frames_.size() - 1;
+  auto due = Steady::now();
+  for (std::size_t i = 0; !stop.stop_requested(); ++i, due += period) {
+    std::this_thread::sleep_until(due);
+    const std::size_t phase = last > 0 ? i % (2 * last) : 0;
+    send(frames_[phase <= last ? phase : 2 * last - phase], HostTime(due.time_since_epoch()));
+  }
+}
+
+void ReplayedSensor::send(const CapturedFrame& frame, HostTime captured) {
+  const auto turn = publisher_->next_turn();
+  if (!turn || !registration_.run(frame.depth_mm, frame.color, registered_)) return;
+  auto message = Publisher::begin_frame();
+  const auto info = encoder_->encode(frame.depth_mm, registered_.color, registered_.seen,
+                                     turn->want_key, message.appendable());
+  if (!info) return;
+  const std::chrono::duration<double, std::milli> age = SteadyClock().now() - captured;
+  encoded_ms_.push_back(age.count());
+  publisher_->publish(*turn, *info, captured, std::move(message));
+}
+
+}  // namespace roomcast::bench

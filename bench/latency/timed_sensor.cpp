@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/latency/timed_sensor.h"
+
+#include <atomic>
+#include <deque>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "bench/latency/hub_address.h"
+#include "roomcast/client/hub_link.h"
+#include "roomcast/client/network_thread.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::bench {
+
+namespace {
+
+/// A Kinect v2 that stands somewhere.
+wire::pb::Join join_message(const TimedSensorOptions& options) {
+  wire::pb::Join join;
+  join.set_name(options.name);
+  auto& sensor = *join.mutable_sensor();
+  sensor.set_fps(options.fps);
+  auto& calibration = *sensor.mutable_calibration();
+  for (auto* camera : {calibration.mutable_depth(), calibration.mutable_color()}) {
+    camera->set_width(512);
+    camera->set_height(424);
+    camera->set_fx(365);
+    camera->set_fy(365);
+    camera->set_cx(256);
+    camera->set_cy(212);
+  }
+  for (int i = 0; i < 16; ++i) calibration.add_color_from_depth(i % 5 == 0 ? 1 : 0);
+  return join;
+}
+
+}  // namespace
+
+class TimedSensor::Link final : public HubLinkEvents {
+ public:
+  explicit Link(const TimedSensorOptions& options)
+      : options_(options),
+        period_(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+            std::chrono::duration<double>(1 / options.fps))),
+        timer_(network_.io()),
+        link_(network_.io(), hub_address(options.hub_url), join_message(options), *this) {
+    link_.start();
+    network_.start();
+  }
+  ~Link() override {
+    network_.finish([this] {
+      timer_.cancel();
+      link_.stop();
+    });
+  }
+
+  void on_welcome(const wire::pb::Welcome& welcome) override {
+    id_ = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
+    seq_ = 0;
+    timer_.expires_after(period_);
+    make_frames();
+  }
+  void on_control(const wire::pb::Control&) override {}
+  void on_frame(net::MessageBuffer) override {}
+  void on_clock(const ClockEstimate&) override {}
+  void on_down(const Error&, bool) override { timer_.cancel(); }
+  net::SealedMessagePtr next_frame() override {
+    if (frames_.empty()) return nullptr;
+    auto frame = std::move(frames_.front());
+    frames_.pop_front();
+    return frame;
+  }
+
+  [[nodiscard]] std::uint64_t frames_sent() const { return frames_sent_; }
+
+ private:
+  void make_frames() {
+    timer_.async_wait([this](boost::system::error_code error) {
+      if (error) return;
+      frames_.push_back(make_frame());
+      link_.wake();
+      timer_.expires_at(timer_.expiry() + period_);
+      make_frames();
+    });
+  }
+
+  // The hub runs on this machine's clock, so the stamp is exact whatever the clock sync believes.
+  net::SealedMessagePtr make_frame() {
+    std::vector<std::uint8_t> bytes(options_.frame_bytes);
+    const wire::FrameHeader header{
+        .key = true,
+        .sensor = id_,
+        .seq = seq_,
+        .capture_time = RoomTime(SteadyClock().now().time_since_epoch()),
+        .base_seq = seq_,
+        .payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes)};
+    wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+    ++seq_;
+    ++frames_sent_;
+    return net::seal(net::MessageBuffer(bytes));
+  }
+
+  const TimedSensorOptions options_;
+  const std::chrono::steady_clock::duration period_;
+  std::atomic<std::uint64_t> frames_sent_ = 0;
+  SensorId id_{};
+  std::uint32_t seq_ = 0;
+  std::deque<net::SealedMessagePtr> frames_;
+  NetworkThread network_;
+  boost::asio::steady_timer timer_;
+  HubLink link_;
+};
+
+TimedSensor::TimedSensor(const TimedSensorOptions& options)
+    : link_(std::make_unique<Link>(options)) {}
+TimedSensor::~TimedSensor() = default;
+
+std::uint64_t TimedSensor::frames_sent() const {
+  return link_->frames_sent();
+}
+
+}  // namespace roomcast::bench

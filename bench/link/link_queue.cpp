@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/link/link_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast::bench {
+
+LinkQueue::LinkQueue(const LinkSpec& spec, std::uint32_t seed) : spec_(spec), random_(seed) {}
+
+void LinkQueue::push(Time now, std::span<const std::uint8_t> packet) {
+  if (std::uniform_real_distribution<>()(random_) < spec_.loss) return;
+  const Time begin = std::max(now, free_at_);
+  if (begin - now > spec_.queue) return;
+  const std::chrono::duration<double, std::micro> on_the_wire(static_cast<double>(packet.size()) *
+                                                              8 / spec_.mbit_per_s);
+  free_at_ = begin + std::chrono::duration_cast<Time::duration>(on_the_wire);
+  travelling_.push_back({free_at_ + spec_.round_trip / 2, {packet.begin(), packet.end()}});
+  carried_bytes_ += packet.size();
+}
+
+std::optional<LinkQueue::Packet> LinkQueue::pop(Time now) {
+  if (travelling_.empty() || travelling_.front().arrival > now) return std::nullopt;
+  Packet packet = std::move(travelling_.front().packet);
+  travelling_.pop_front();
+  return packet;
+}
+
+std::optional<LinkQueue::Time> LinkQueue::next_arrival() const {
+  if (travelling_.empty()) return std::nullopt;
+  return travelling_.front().arrival;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/link/link_queue.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::bench {
+namespace {
+
+using namespace std::chrono_literals;
+const LinkQueue::Time kBegin{1h};
+const LinkQueue::Packet kPacket(1250);  // 10 000 bits: 1 ms at 10 Mbit/s
+
+LinkSpec ten_mbit() {
+  return {.mbit_per_s = 10, .round_trip = 50ms, .loss = 0, .queue = 5ms};
+}
+
+TEST(LinkQueue, a_packet_takes_its_time_on_the_wire_and_half_a_round_trip) {
+  LinkQueue link(ten_mbit(), 1);
+  link.push(kBegin, kPacket);
+  EXPECT_EQ(link.next_arrival(), kBegin + 26ms);
+  EXPECT_FALSE(link.pop(kBegin + 25ms));
+  EXPECT_EQ(link.pop(kBegin + 26ms), kPacket);
+  EXPECT_FALSE(link.next_arrival());
+}
+
+TEST(LinkQueue, packets_leave_one_after_the_other) {
+  LinkQueue link(ten_mbit(), 1);
+  link.push(kBegin, kPacket);
+  link.push(kBegin, kPacket);
+  ASSERT_TRUE(link.pop(kBegin + 26ms));
+  EXPECT_EQ(link.next_arrival(), kBegin + 27ms);
+}
+
+TEST(LinkQueue, what_would_wait_too_long_is_dropped) {
+  LinkQueue link(ten_mbit(), 1);
+  for (int i = 0; i < 20; ++i) link.push(kBegin, kPacket);
+  EXPECT_EQ(link.carried_bytes(), 6 * kPacket.size()) << "one on the wire and five in the queue";
+}
+
+TEST(LinkQueue, loses_the_share_it_is_told_to) {
+  LinkSpec spec = ten_mbit();
+  spec.loss = 0.1;
+  LinkQueue link(spec, 7);
+  for (int i = 0; i < 10'000; ++i) link.push(kBegin + i * 2ms, kPacket);
+  const double lost = 1 - static_cast<double>(link.carried_bytes()) / (10'000.0 * 1250);
+  EXPECT_NEAR(lost, 0.1, 0.01);
+}
+
+}  // namespace
+}  // namespace roomcast::bench

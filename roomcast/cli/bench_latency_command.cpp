@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast bench latency: how long a picture is on its way, on this machine and over bad networks.
+#include <iostream>
+#include <memory>
+
+#include "bench/latency/latency_bench.h"
+#include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/status_line.h"
+
+namespace roomcast::cli {
+namespace {
+
+Status run_latency(const bench::LatencyBenchOptions& options, bool json) {
+  StatusLine line;
+  const auto report =
+      bench::run_latency_bench(options, [&line](const std::string& next) { line.show(next); });
+  if (!report) return report.error();
+  json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
+  return {};
+}
+
+}  // namespace
+
+void add_latency_bench(CLI::App& bench, Command& chosen) {
+  auto options = std::make_shared<bench::LatencyBenchOptions>();
+  auto seconds = std::make_shared<double>(10);
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "latency", "Capture to decoded, by stage; and over emulated bad networks (needs root)");
+  command->add_option("--case", options->cases, "room, internet, narrow")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"room", "internet", "narrow"}));
+  command->add_option("--seconds", *seconds, "Of each case")
+      ->check(CLI::Range(1.0, 600.0))
+      ->capture_default_str();
+  command->add_flag("--json", *json, "For scripts");
+  command->footer("Example:\n  roomcast bench latency --case internet,narrow --seconds 30");
+  command->callback([options, seconds, json, &chosen] {
+    options->duration = std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000));
+    chosen = [options, json] { return finish("bench latency", run_latency(*options, *json)); };
+  });
+}
+
+}  // namespace roomcast::cli
