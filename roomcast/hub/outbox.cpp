@@ -20,16 +20,43 @@ void Outbox::push_set(FrameSetPtr set) {
 }
 
 void Outbox::make_room() {
-  const auto is_untouched = [](const QueuedSet& queued) { return queued.next_frame == 0; };
-  const auto waiting = std::ranges::find_if(sets_, is_untouched);
-  if (static_cast<std::size_t>(sets_.end() - waiting) <= wire::kMaxQueuedSets) return;
-  const auto nothing_builds_on = [](const QueuedSet& queued) {
-    return std::ranges::all_of(queued.set->frames,
-                               [](const SetFrame& frame) { return frame.header.layer > 0; });
+  const auto waiting_worth = [this] {
+    double sum = 0;
+    for (const QueuedSet& queued : sets_) sum += worth(queued);
+    return sum;
   };
-  const auto victim = std::find_if(waiting, sets_.end(), nothing_builds_on);
-  sets_.erase(victim != sets_.end() ? victim : waiting);
+  while (waiting_worth() > static_cast<double>(wire::kMaxQueuedSets)) {
+    if (thin_out_one()) continue;
+    sets_.erase(std::ranges::find_if(sets_, [](const auto& s) { return s.next_frame == 0; }));
+    ++dropped_sets_;
+  }
+}
+
+/// False: no set that waits has anything on which nothing builds.
+bool Outbox::thin_out_one() {
+  const auto victim = std::ranges::find_if(sets_, [](const QueuedSet& queued) {
+    const auto& frames = queued.set->frames;
+    return queued.next_frame == 0 && !queued.base_only && base_frames(*queued.set) < frames.size();
+  });
+  if (victim == sets_.end()) return false;
+  victim->base_only = true;
+  if (base_frames(*victim->set) > 0) return true;
+  sets_.erase(victim);
   ++dropped_sets_;
+  return true;
+}
+
+std::size_t Outbox::base_frames(const FrameSet& set) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      set.frames, [](const SetFrame& frame) { return frame.header.layer == 0; }));
+}
+
+/// In whole sets; nothing for one that is being written.
+double Outbox::worth(const QueuedSet& queued) {
+  if (queued.next_frame > 0) return 0;
+  if (!queued.base_only) return 1;
+  return static_cast<double>(base_frames(*queued.set)) /
+         static_cast<double>(queued.set->frames.size());
 }
 
 net::SealedMessagePtr Outbox::next() {
@@ -39,9 +66,10 @@ net::SealedMessagePtr Outbox::next() {
     return message;
   }
   while (!sets_.empty()) {
-    auto& [set, next_frame] = sets_.front();
+    auto& [set, next_frame, base_only] = sets_.front();
     while (next_frame < set->frames.size()) {
       const SetFrame& frame = set->frames[next_frame++];
+      if (base_only && frame.header.layer > 0) continue;
       if (may_deliver(frame.header)) return frame.message;
     }
     sets_.erase(sets_.begin());

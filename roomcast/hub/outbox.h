@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outbox: what waits to be written to one connection. Control messages go first; then frame sets,
-// at most kMaxQueuedSets of which no byte has been written. When another comes, one of them goes:
-// the oldest on which nothing builds, or else the oldest. So a slow viewer loses its own frames,
-// upper layers before anything else, and delays nobody. Frames that the receiver could not decode,
-// because a frame they need was left out, are left out too. docs/spec/wire.md §2 (last paragraph)
-// and §3 "Back-pressure". Pure.
+// of which at most kMaxQueuedSets' worth waits without a byte written. When more comes, the oldest
+// loses the frames on which nothing builds, and when none has such frames the oldest goes whole. So
+// a slow viewer loses its own frames, upper layers before anything else, and delays nobody. Frames
+// that the receiver could not decode, because a frame they need was left out, are left out too.
+// docs/spec/wire.md §2 (last paragraph) and §3 "Back-pressure". Pure.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/container/static_vector.hpp>
 
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set.h"
 #include "roomcast/net/sealed_message.h"
-#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
 
@@ -36,12 +34,14 @@ class Outbox {
   /// gap.
   [[nodiscard]] std::vector<SensorId> take_key_needs();
 
+  /// That went whole.
   [[nodiscard]] std::uint64_t dropped_sets() const { return dropped_sets_; }
 
  private:
   struct QueuedSet {
     FrameSetPtr set;
     std::size_t next_frame = 0;
+    bool base_only = false;  // without its upper layers
   };
   struct Chain {
     bool broken = true;          // nothing to build on: only a key frame helps
@@ -52,12 +52,15 @@ class Outbox {
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
 
   void make_room();
+  bool thin_out_one();
+  static std::size_t base_frames(const FrameSet& set);
+  static double worth(const QueuedSet& queued);
   [[nodiscard]] Chain& chain_of(SensorId sensor);
 
   // A hub has hundreds of these and visits all of them for every set: no memory elsewhere for what
   // is short.
   boost::container::small_vector<net::SealedMessagePtr, 2> control_;
-  boost::container::static_vector<QueuedSet, wire::kMaxQueuedSets + 2> sets_;
+  boost::container::small_vector<QueuedSet, 4> sets_;
   boost::container::small_vector<Chain, 4> chains_;  // by sensor id
   std::vector<SensorId> key_needs_;
   std::uint64_t dropped_sets_ = 0;
