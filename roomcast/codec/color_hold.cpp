@@ -10,13 +10,19 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kSide = 8;    // of a block, luma pixels
-constexpr int kScale = 16;  // of means
+constexpr int kScale = 64;  // of means
 constexpr int kRefineShift = 3;
-constexpr int kShownReach = kScale;  // a mean this far from what is shown is shown
+constexpr int kHalfStep = 1 << (kRefineShift - 1);
+constexpr std::uint8_t kSettledFrames = 8;  // held for so long the mean is known well
+// Square grey levels per pixel between the mean and what is shown that are let be, and that for
+// each of the noise's.
+constexpr double kLeastGain = 1, kNoiseGain = 0.25;
 
 // A block is still when neither its sum nor any small part of it says otherwise.
 constexpr double kPixelSigmas = 4, kSumSigmas = 4;
 constexpr int kMostStrayPixels = 2;
+constexpr int kNoiseUnits = 4;  // of Block::noise, for each 1/kScale grey level
+constexpr int kNoiseShift = 4;  // weight of the newest frame
 
 constexpr double kMadToSigma = 1.4826;
 constexpr double kNoiseStep = 0.1;
@@ -51,24 +57,45 @@ void pass(const Image<std::uint8_t>& input, const Part& part, Image<std::int16_t
   }
 }
 
-void hold(const Image<std::uint8_t>& input, const Part& part, Image<std::int16_t>& mean,
-          Image<std::uint8_t>& shown) {
+void refine(const Image<std::uint8_t>& input, const Part& part, Image<std::int16_t>& mean) {
   for (int y = part.y0; y < part.y1; ++y) {
     const std::uint8_t* from = input.view().row(y);
     std::int16_t* means = mean.view().row(y);
-    std::uint8_t* to = shown.view().row(y);
     for (int x = part.x0; x < part.x1; ++x) {
-      const int refined = means[x] + ((from[x] * kScale - means[x]) >> kRefineShift);
-      means[x] = static_cast<std::int16_t>(refined);
-      const bool moved = std::abs(refined - to[x] * kScale) > kShownReach;
-      to[x] = moved ? static_cast<std::uint8_t>((refined + kScale / 2) / kScale) : to[x];
+      means[x] = static_cast<std::int16_t>(
+          means[x] + ((from[x] * kScale - means[x] + kHalfStep) >> kRefineShift));
     }
   }
 }
 
-/// How much a block differs from its mean.
+void show(const Image<std::int16_t>& mean, const Part& part, Image<std::uint8_t>& shown) {
+  for (int y = part.y0; y < part.y1; ++y) {
+    const std::int16_t* means = mean.view().row(y);
+    std::uint8_t* to = shown.view().row(y);
+    for (int x = part.x0; x < part.x1; ++x) {
+      to[x] = static_cast<std::uint8_t>((means[x] + kScale / 2) / kScale);
+    }
+  }
+}
+
+/// Sum of the squared differences of what is shown from the mean, square grey levels.
+double shown_error(const Image<std::int16_t>& mean, const Part& part,
+                   const Image<std::uint8_t>& shown) {
+  int squares = 0;
+  for (int y = part.y0; y < part.y1; ++y) {
+    const std::int16_t* means = mean.view().row(y);
+    const std::uint8_t* now = shown.view().row(y);
+    for (int x = part.x0; x < part.x1; ++x) {
+      const int d = now[x] * kScale - means[x];
+      squares += d * d / kScale;
+    }
+  }
+  return static_cast<double>(squares) / kScale;
+}
+
+/// How much a block differs from its mean, 1/kScale grey levels.
 struct Difference {
-  int sum = 0, stray_pixels = 0;
+  int sum = 0, size_sum = 0, stray_pixels = 0;
 };
 
 Difference difference(const Image<std::uint8_t>& luma, const Image<std::int16_t>& mean,
@@ -80,6 +107,7 @@ Difference difference(const Image<std::uint8_t>& luma, const Image<std::int16_t>
     for (int x = part.x0; x < part.x1; ++x) {
       const int d = from[x] * kScale - means[x];
       found.sum += d;
+      found.size_sum += std::abs(d);
       found.stray_pixels += std::abs(d) > stray;
     }
   }
@@ -88,22 +116,21 @@ Difference difference(const Image<std::uint8_t>& luma, const Image<std::int16_t>
 
 }  // namespace
 
-I420Image& ColorHold::apply(const I420Image& input) {
+I420Image& ColorHold::apply(const I420Image& input, bool reference) {
   if (shown_.y.empty()) {
     begin(input);
     return shown_;
   }
+  if (was_reference_) std::fill_n(changed_.data(), changed_.view().pixel_count(), 0);
+  was_reference_ = reference;
   measure_noise(input.y);
-  const int stray = static_cast<int>(std::lround(kPixelSigmas * sigma_ * kScale));
-  const int most_sum = static_cast<int>(std::lround(kSumSigmas * sigma_ * kSide * kScale));
-  const int blocks_x = (input.y.width() + kSide - 1) / kSide,
-            blocks_y = (input.y.height() + kSide - 1) / kSide;
-  for (int block_y = 0; block_y < blocks_y; ++block_y) {
-    for (int block_x = 0; block_x < blocks_x; ++block_x) {
-      const Difference found =
-          difference(input.y, mean_.y, part_of(input.y, block_x, block_y, kSide), stray);
-      const bool still = std::abs(found.sum) <= most_sum && found.stray_pixels <= kMostStrayPixels;
-      still ? hold_block(input, block_x, block_y) : pass_block(input, block_x, block_y);
+  for (int block_y = 0; block_y < blocks_.height(); ++block_y) {
+    for (int block_x = 0; block_x < blocks_.width(); ++block_x) {
+      if (is_still(input.y, block_x, block_y)) {
+        hold_block(input, block_x, block_y, reference);
+      } else {
+        pass_block(input, block_x, block_y);
+      }
     }
   }
   return shown_;
@@ -114,6 +141,26 @@ void ColorHold::begin(const I420Image& input) {
   start_mean(input.y, mean_.y);
   start_mean(input.cb, mean_.cb);
   start_mean(input.cr, mean_.cr);
+  blocks_.resize((input.y.width() + kSide - 1) / kSide, (input.y.height() + kSide - 1) / kSide);
+  changed_.resize(blocks_.width(), blocks_.height(), 1);
+}
+
+bool ColorHold::is_still(const Image<std::uint8_t>& luma, int block_x, int block_y) {
+  Block& block = blocks_.at(block_x, block_y);
+  const Part part = part_of(luma, block_x, block_y, kSide);
+  // The mean size of Gaussian noise is 4/5 of its standard deviation.
+  const double sigma = std::max(sigma_, 1.25 / kScale / kNoiseUnits * block.noise);
+  const int stray = static_cast<int>(std::lround(kPixelSigmas * sigma * kScale));
+  const Difference found = difference(luma, mean_.y, part, stray);
+  const int most_sum = static_cast<int>(std::lround(kSumSigmas * sigma * kSide * kScale));
+  if (std::abs(found.sum) > most_sum || found.stray_pixels > kMostStrayPixels) return false;
+  learn_noise(block, found.size_sum / ((part.x1 - part.x0) * (part.y1 - part.y0)));
+  return true;
+}
+
+void ColorHold::learn_noise(Block& block, int mean_size) {
+  block.noise = static_cast<std::uint16_t>(
+      block.noise + ((mean_size * kNoiseUnits - block.noise) >> kNoiseShift));
 }
 
 void ColorHold::measure_noise(const Image<std::uint8_t>& luma) {
@@ -137,17 +184,32 @@ void ColorHold::measure_noise(const Image<std::uint8_t>& luma) {
 }
 
 void ColorHold::pass_block(const I420Image& input, int block_x, int block_y) {
+  blocks_.at(block_x, block_y).held = 0;
+  changed_.at(block_x, block_y) = 1;
   pass(input.y, part_of(input.y, block_x, block_y, kSide), mean_.y, shown_.y);
   const Part chroma = part_of(input.cb, block_x, block_y, kSide / 2);
   pass(input.cb, chroma, mean_.cb, shown_.cb);
   pass(input.cr, chroma, mean_.cr, shown_.cr);
 }
 
-void ColorHold::hold_block(const I420Image& input, int block_x, int block_y) {
-  hold(input.y, part_of(input.y, block_x, block_y, kSide), mean_.y, shown_.y);
+void ColorHold::hold_block(const I420Image& input, int block_x, int block_y, bool reference) {
+  const Part luma = part_of(input.y, block_x, block_y, kSide);
   const Part chroma = part_of(input.cb, block_x, block_y, kSide / 2);
-  hold(input.cb, chroma, mean_.cb, shown_.cb);
-  hold(input.cr, chroma, mean_.cr, shown_.cr);
+  refine(input.y, luma, mean_.y);
+  refine(input.cb, chroma, mean_.cb);
+  refine(input.cr, chroma, mean_.cr);
+  std::uint8_t& held = blocks_.at(block_x, block_y).held;
+  held = std::min<std::uint8_t>(kSettledFrames, held + 1);
+  if (!reference || held < kSettledFrames) return;
+  const double error = shown_error(mean_.y, luma, shown_.y) +
+                       shown_error(mean_.cb, chroma, shown_.cb) +
+                       shown_error(mean_.cr, chroma, shown_.cr);
+  if (error > kSide * kSide * (kLeastGain + kNoiseGain * sigma_ * sigma_)) {
+    show(mean_.y, luma, shown_.y);
+    show(mean_.cb, chroma, shown_.cb);
+    show(mean_.cr, chroma, shown_.cr);
+    changed_.at(block_x, block_y) = 1;
+  }
 }
 
 }  // namespace roomcast::codec

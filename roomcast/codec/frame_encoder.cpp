@@ -143,10 +143,20 @@ class SectionFrameEncoder final : public FrameEncoder {
     if (Status status = color_->encode(color, seen, role, out); !status.ok()) return status;
     end_section(section, out);
     section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
-    mask_.encode(live_ ? steady_.update(seen, shown_surface_.depth_mm()) : seen, decoded_depth(),
-                 role, out);
+    append_mask(seen, role, out);
     end_section(section, out);
     return {};
+  }
+
+  // A frame that leaves no trace would pay for a change that the next one pays for again; the eye
+  // misses nothing in one frame.
+  void append_mask(MaskView seen, FrameRole role, std::vector<std::uint8_t>& out) {
+    if (live_) seen = steady_.update(seen, shown_surface_.depth_mm());
+    if (live_ && role.layer > 0) {
+      ColorMaskEncoder::repeat(out);
+    } else {
+      mask_.encode(seen, decoded_depth(), role, out);
+    }
   }
 
   FrameEncoderOptions options_;

@@ -15,11 +15,12 @@ namespace {
 constexpr int kSpeed = 7;
 // Finer than the first shows nobody anything; without that limit a room where nothing moves would
 // still use up the whole rate.
-constexpr unsigned kLeastQuantizer = 12, kMostQuantizer = 56;
-constexpr int kCyclicRefresh = 3;  // spreads the quality of still parts over frames
-// Percent of the bits of a mean frame. A good key frame pays: the camera does not move, so that
-// what it shows well stays so.
-constexpr int kMostKeyFrameShare = 4000;
+constexpr unsigned kLeastQuantizer = 22, kMostQuantizer = 56;
+// Of key frames. A good one pays: the camera does not move, so that what it shows well stays so,
+// where a poor one is made better piece by piece for more bytes.
+constexpr unsigned kMostKeyQuantizer = 25;
+constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
+constexpr int kMostKeyFrameShare = 4000;  // percent of the bits of a mean frame
 constexpr unsigned kBaseLayerPercent = 60;
 
 constexpr vpx_enc_frame_flags_t kOnlyLastFrame =
@@ -138,7 +139,11 @@ Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
     layer.temporal_layer_id_per_spatial[0] = droppable;
     vpx_codec_control(&codec_->context, VP9E_SET_SVC_LAYER_ID, &layer);
   }
-  const vpx_image_t image = wrap(hold_.apply(input_));
+  if (!limit_quantizer(role.key ? kMostKeyQuantizer : kMostQuantizer)) {
+    return Error{ErrorCode::kUnavailable, "libvpx refused a limit of the colour quantiser."};
+  }
+  const vpx_image_t image = wrap(hold_.apply(input_, !droppable));
+  set_active(activity_.update(hold_.changed(), role));
   if (vpx_codec_encode(&codec_->context, &image, frame_count_++, 1, flags, VPX_DL_REALTIME) !=
       VPX_CODEC_OK) {
     return Error{ErrorCode::kUnavailable, "libvpx failed to encode a colour picture."};
@@ -157,6 +162,20 @@ Status Vp9ColorEncoder::set_rate(int kbit_per_s) {
   set_rates(options_, codec_->config);
   if (vpx_codec_enc_config_set(&codec_->context, &codec_->config) == VPX_CODEC_OK) return {};
   return Error{ErrorCode::kUnavailable, "libvpx refused to change the rate of the colour stream."};
+}
+
+bool Vp9ColorEncoder::limit_quantizer(unsigned most) {
+  if (codec_->config.rc_max_quantizer == most) return true;
+  codec_->config.rc_max_quantizer = most;
+  return vpx_codec_enc_config_set(&codec_->context, &codec_->config) == VPX_CODEC_OK;
+}
+
+void Vp9ColorEncoder::set_active(MaskView active) {
+  // libvpx copies the map, though it asks for a pointer that it could write to. Should it refuse,
+  // the frame is only longer.
+  vpx_active_map_t map{const_cast<std::uint8_t*>(active.data), static_cast<unsigned>(active.height),
+                       static_cast<unsigned>(active.width)};
+  vpx_codec_control(&codec_->context, VP8E_SET_ACTIVEMAP, &map);
 }
 
 void Vp9ColorEncoder::remember_seen(MaskView seen) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "roomcast/codec/color_activity.h"
 #include "roomcast/codec/color_hold.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/hole_fill.h"
@@ -37,11 +38,14 @@ class Vp9ColorEncoder {
   Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec);
   void remember_seen(MaskView seen);
   void fill_never_seen();
+  bool limit_quantizer(unsigned most);
+  void set_active(MaskView active);
 
   FrameEncoderOptions options_;
   std::unique_ptr<Codec> codec_;
   I420Image input_;
   ColorHold hold_;
+  ColorActivity activity_;
   MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;

@@ -14,6 +14,7 @@ namespace {
 constexpr int kPersistentUrgency = 3;
 constexpr int kLeastMoved = 24;  // pixels; fewer that are coded are not taken for another surface
 constexpr int kLeastUrgency = 10, kLeastPassingUrgency = 9;  // of 64
+constexpr int kLeastUrgencyInMotion = 3;                     // when the sensor itself moves
 constexpr float kSameSurface =
     2;  // standard deviations between a reading and what is there already
 constexpr int kReach = 6 * kLevelsPerSigma;
@@ -23,8 +24,8 @@ constexpr int kRefinementsPerFrame = 200;
 constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
 constexpr int kFirstRefinement = 10,
               kNextRefinement = 30;  // samples of each pixel
-constexpr float kRefinementGain = 0.3f * kLevelsPerSigma;
-constexpr float kRefinementRounding = 0.35f;
+constexpr float kRefinementGain = 0.6f * kLevelsPerSigma;
+constexpr float kRefinementRounding = 0.25f;
 
 /// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
 struct Neighbourhoods {
@@ -84,6 +85,8 @@ void BlockPlanner::begin_frame(bool reference) {
   reference_ = reference;
   refinements_left_ = reference ? kRefinementsPerFrame : 0;
   if (reference) ++frame_;
+  sensor_moves_ = 2 * labelled_blocks_ > state_.block_count();
+  labelled_blocks_ = 0;
 }
 
 BlockPlanner::Area BlockPlanner::area(int bx, int by) const {
@@ -96,15 +99,22 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
   const Area here = area(bx, by);
   const std::size_t block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
   code.mode = BlockMode::kSkip;
-  drifts = drifts && reference_;
 
-  if (urgency(here, drifts) >= (reference_ ? kLeastUrgency : kLeastPassingUrgency)) {
-    if (plan_labels(here, drifts, code, target)) code.mode = BlockMode::kLabels;
+  if (urgency(here, drifts) >= least_urgency()) {
+    if (plan_labels(here, drifts, code, target)) {
+      code.mode = BlockMode::kLabels;
+      ++labelled_blocks_;
+    }
   } else if (refinements_left_ > 0 && (block + frame_) % kRefinementTurns == 0 &&
              plan_refinement(here, block, code)) {
     --refinements_left_;
     code.mode = BlockMode::kRefine;
   }
+}
+
+int BlockPlanner::least_urgency() const {
+  if (sensor_moves_) return kLeastUrgencyInMotion;
+  return reference_ ? kLeastUrgency : kLeastPassingUrgency;
 }
 
 int BlockPlanner::urgency(const Area& here, bool drifts) const {
@@ -171,8 +181,10 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
       like_back += back != 0 && std::abs(near - back) < kReach;
     }
   }
-  if (readings < 4 || like_old > 0) return PixelLabel::kStay;
-  return like_back > 0 ? PixelLabel::kBackground : PixelLabel::kVanished;
+  const bool unsupported = like_old == 0 || (change_.flags[at] & kUnsupported);
+  if (readings < 4 || !unsupported) return PixelLabel::kStay;
+  const int enough = like_old == 0 ? 1 : readings / 2 + 1;
+  return like_back >= enough ? PixelLabel::kBackground : PixelLabel::kVanished;
 }
 
 // Pixels that stay among new ones of their distance join them, so that contours

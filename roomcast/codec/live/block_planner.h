@@ -43,6 +43,7 @@ class BlockPlanner {
     return static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(state_.width) +
            static_cast<std::size_t>(area.x0 + x);
   }
+  [[nodiscard]] int least_urgency() const;
   [[nodiscard]] int urgency(const Area& area, bool drifts) const;
   [[nodiscard]] bool plan_labels(const Area& area, bool drifts, BlockCode& code,
                                  BlockTarget& target);
@@ -58,6 +59,8 @@ class BlockPlanner {
   unsigned frame_ = 0;
   int refinements_left_ = 0;
   bool reference_ = false;
+  std::size_t labelled_blocks_ = 0;  // of this frame
+  bool sensor_moves_ = false;        // most blocks of the frame before had labels
 };
 
 }  // namespace roomcast::codec

@@ -22,7 +22,7 @@ namespace roomcast::codec {
 
 struct LiveDepthOptions {
   int width = 0, height = 0;
-  int step = 2 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
+  int step = 3 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
   int key_step = 3 * kLevelsPerSigma;  // of the background in key frames
 };
 

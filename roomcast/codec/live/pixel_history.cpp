@@ -18,10 +18,13 @@ constexpr int kLeastSupport = 2;                        // of eight
 constexpr u16 kHeld = 64;  // first_flags_: kept without a reading, support not looked at yet
 constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
+constexpr u16 kCalming = 6;  // frames of a difference that one without it makes up for
 constexpr int kMostPersistence = 200;
-constexpr int kOverdueFrames = 12;
-constexpr int kHoldReach = 2;     // pixels around one without a reading that may support it
-constexpr int kLeastCluster = 4;  // changed pixels of 3x3
+constexpr int kOverdueFrames = 14;
+constexpr int kHoldReach = 2;         // pixels around one without a reading that may support it
+constexpr int kLeastCluster = 4;      // changed pixels of 3x3
+constexpr u16 kMoreIfRestless = 2;    // where a pixel is known to flicker
+constexpr int kMovingNeighbours = 6;  // of 5x5: an outline passes here
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
 
 // -1 where true, for masks.
@@ -154,13 +157,16 @@ void settle_row(const SettledRow& row, int width) {
     const u16 biased =
         mask(samples >= 6) & mask(static_cast<u16>(size * 5) > limit) & mask(close[x] != 0);
     const u16 before = persistence[x];
-    const u16 calmer = static_cast<u16>(before - ((before != 0) & (reading[x] != 0)));
+    const u16 calmer =
+        static_cast<u16>(before - (std::min<u16>(before, kCalming) & mask(reading[x] != 0)));
     const u16 lasting = std::min<u16>(
         static_cast<u16>((changed & (before + 1)) | (~changed & calmer)), kMostPersistence);
     persistence[x] = lasting;
     const u16 persists =
         changed & mask(lasting >= static_cast<u16>(kBasePersistence + patience[x]));
-    const u16 counts = changed & (mask(cluster >= kLeastCluster) | persists);
+    const u16 least_cluster =
+        static_cast<u16>(kLeastCluster + (mask(patience[x] != 0) & kMoreIfRestless));
+    const u16 counts = changed & (mask(cluster >= least_cluster) | persists);
     flags[x] = static_cast<u16>((counts & change) | (persists & kPersistent) |
                                 (changed & mask(lasting >= kOverdueFrames) & kOverdue) |
                                 (~changed & biased & kBiased));
@@ -221,7 +227,8 @@ void ChangeAnalysis::compare(const LiveState& reference, PixelHistory& history,
   settle(history, change);
 }
 
-// A reading is held only as long as something near it still looks like it.
+// A reading is held only as long as something near it still looks like it, and nothing passes
+// there: the outline of something that moves is where sensors see nothing.
 void ChangeAnalysis::drop_unsupported_holds(const LiveState& reference, const FrameChange& change) {
   constexpr int kAtOnce = 4;
   constexpr std::uint64_t kAnyHeld = kHeld * 0x0001000100010001u;
@@ -245,16 +252,19 @@ bool ChangeAnalysis::held_without_support(const LiveState& reference, const Fram
   constexpr int kLeastReadings = 4;
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width_ + x;
   const int old = reference.picture[static_cast<std::size_t>(at)];
-  int readings = 0;
+  int readings = 0, like_old = 0, moved = 0;
   for (int dy = -kHoldReach; dy <= kHoldReach; ++dy) {
-    const u16* near = change.reading.data() + at + static_cast<std::ptrdiff_t>(dy) * width_;
+    const std::ptrdiff_t row = at + static_cast<std::ptrdiff_t>(dy) * width_;
+    const u16* near = change.reading.data() + row;
+    const u16* flags = first_flags_.data() + row;
     for (int dx = -kHoldReach; dx <= kHoldReach; ++dx) {
       if (near[dx] == 0) continue;
-      if (std::abs(near[dx] - old) < 6 * kLevelsPerSigma) return false;
+      like_old += std::abs(near[dx] - old) < 6 * kLevelsPerSigma;
+      moved += (flags[dx] & kJumped) != 0;
       ++readings;
     }
   }
-  return readings >= kLeastReadings;
+  return readings >= kLeastReadings && (like_old == 0 || moved >= kMovingNeighbours);
 }
 
 void ChangeAnalysis::sum_rows(const FrameChange& change) {

@@ -20,6 +20,10 @@ class ColorMaskEncoder {
   /// first role is a key frame's. `depth_mm` is what decoders will have.
   void encode(MaskView mask, DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
 
+  /// Appends a section of codec 2 after which decoders show the reference mask once more; it leaves
+  /// no trace. Not for key frames.
+  static void repeat(std::vector<std::uint8_t>& out) { out.push_back(0); }
+
  private:
   MaskImage reference_, now_;  // 0 and 1
 };

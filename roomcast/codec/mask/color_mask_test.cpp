@@ -67,6 +67,16 @@ TEST(ColorMask, frames_of_layer_one_can_be_left_out) {
   }
 }
 
+TEST(ColorMask, a_repeated_mask_is_shown_again) {
+  ColorMaskEncoder encoder;
+  ColorMaskDecoder decoder;
+  const SyntheticFrame frame = synthetic_frame(64, 48, 0);
+  expect_decodes(decoder, encoded(encoder, frame, {true, 0}), frame);
+  CodedMask again{kMaskChange, {}};
+  ColorMaskEncoder::repeat(again.section);
+  expect_decodes(decoder, again, frame);
+}
+
 TEST(ColorMask, a_mask_that_stays_takes_a_few_bytes) {
   ColorMaskEncoder encoder;
   const SyntheticFrame frame = synthetic_frame(320, 240, 1);

@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint8_t kLeastNeeded = 2, kMostToHide = 32, kMostToShow = 4;
+constexpr std::uint8_t kLeastNeeded = 6, kMostToHide = 32, kMostToShow = 4;
 constexpr std::uint8_t kCalmFrames = 120;
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Takes the flicker out of a sensor's colour mask, for the encoder. Depth noise decides anew in
 // every frame whether the colour camera is thought to see a pixel; each change costs bits and
 // disturbs the eye. A pixel changes when the sensor has said so in as many frames in a row as the
-// pixel has shown to be restless: two at first, twice as many after each change, half as many again
+// pixel has shown to be restless: six at first, twice as many after each change, half as many again
 // after four seconds without a word against what is shown. Hiding a pixel takes a second at most,
 // showing it four frames: while in doubt it is shown, for the stream goes on with the colour that
 // the pixel last had, which is right for a background that something passes before. Where a reading
@@ -23,7 +23,7 @@ class SteadyMask {
 
  private:
   struct Pixel {
-    std::uint8_t needed = 2;                 // frames in a row that a change takes
+    std::uint8_t needed = 6;                 // frames in a row that a change takes
     std::uint8_t against = 0, agreeing = 0;  // frames in a row that said so
   };
   static void step(Pixel& pixel, bool seen, std::uint8_t& shown);

@@ -20,11 +20,11 @@ std::string shown(const std::string& frames) {
   return out;
 }
 
-TEST(SteadyMask, what_does_not_flicker_passes_one_frame_late) {
+TEST(SteadyMask, what_lasts_is_shown_after_four_frames_and_hidden_after_six) {
   EXPECT_EQ(shown("1111"), "1111");
   EXPECT_EQ(shown("0000"), "0000");
-  EXPECT_EQ(shown("0111"), "0011");
-  EXPECT_EQ(shown("1000"), "1100");
+  EXPECT_EQ(shown("011111"), "000011");
+  EXPECT_EQ(shown("10000000"), "11111100");
 }
 
 TEST(SteadyMask, noise_of_single_frames_changes_nothing) {
@@ -32,13 +32,13 @@ TEST(SteadyMask, noise_of_single_frames_changes_nothing) {
 }
 
 TEST(SteadyMask, hiding_takes_twice_as_long_after_each_change) {
-  EXPECT_EQ(shown("100"
+  EXPECT_EQ(shown("1000000"
                   "1111"
-                  "00000000"
+                  "000000000000000000000000"
                   "1111"),
-            "110"
+            "1111110"
             "0001"
-            "11111110"
+            "111111111111111111111110"
             "0001");
 }
 
@@ -48,9 +48,9 @@ TEST(SteadyMask, what_was_known_stays_while_there_is_no_reading) {
 }
 
 TEST(SteadyMask, a_calm_pixel_changes_sooner_again) {
-  const std::string restless = "1001111", calm(122, '1');
-  EXPECT_EQ(shown(restless + "0000").back(), '1');
-  EXPECT_EQ(shown(restless + calm + "0000").back(), '0');
+  const std::string restless = "10000001111", calm(122, '1'), hidden(12, '0');
+  EXPECT_EQ(shown(restless + hidden).back(), '1');
+  EXPECT_EQ(shown(restless + calm + hidden).back(), '0');
 }
 
 TEST(SteadyMask, however_restless_it_hides_after_a_second_and_shows_after_four_frames) {
