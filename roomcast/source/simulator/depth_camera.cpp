@@ -28,11 +28,6 @@ void copy_into(const Image<T>& from, Image<T>& to) {
   std::copy_n(from.data(), from.view().pixel_count(), to.data());
 }
 
-PixelBox grown(const PixelBox& box, int width, int height) {
-  return {std::max(0, box.left - 1), std::max(0, box.top - 1), std::min(width, box.right + 1),
-          std::min(height, box.bottom + 1)};
-}
-
 DepthBias bias_of(const SensorUnit& unit, bool noise) {
   return noise ? DepthBias(unit.profile, hash_of(unit.key, 4)) : DepthBias();
 }
@@ -82,13 +77,17 @@ Image<ExpectedReading> DepthCamera::expect_still() const {
 DepthCamera::Work DepthCamera::make_work() const {
   return {MovingLayer(camera_.width(), camera_.height()),
           MovingLayer(fine_camera_.width(), fine_camera_.height()),
+          MovingOutline(camera_.width(), camera_.height()),
           {0, Image<float>(camera_.width(), camera_.height()), std::nullopt},
           still_mm_};
 }
 
 void DepthCamera::draw(const MovingThings& things, Work& work) const {
   work.layer.draw(things, camera_);
-  if (noise_) work.fine_layer.draw(things, fine_camera_);
+  if (noise_) {
+    work.outline.find(work.layer, plate_.z_m);
+    work.fine_layer.draw(things, fine_camera_, &work.outline.fine_tiles());
+  }
   copy_into(still_mm_, work.clean_mm);
   put_moving_depth(work.layer, plate_, work.clean_mm.view());
 }
@@ -120,35 +119,41 @@ FineSample DepthCamera::fine_sample(const MovingThings& things, const Work& work
   return {z_m, signal_strength(room_.surfaces[point.surface].infrared, point.facing, z_m)};
 }
 
-DepthReading DepthCamera::reading_at(const MovingThings& things, const Work& work, int x,
-                                     int y) const {
-  DepthReading reading{plate_.z_m.at(x, y),
-                       plate_.facing.at(x, y),
-                       plate_.infrared.at(x, y),
-                       plate_.detour_m.at(x, y),
-                       {}};
-  if (is_in_front(work.layer, plate_.z_m, x, y)) {
-    const MovingPoint point = moving_point(things, work.layer, camera_, x, y);
-    reading = {
-        work.layer.z_m().at(x, y), point.facing, room_.surfaces[point.surface].infrared, 0.0F, {}};
+DepthReading DepthCamera::centre_of(const MovingThings& things, const Work& work, int x,
+                                    int y) const {
+  if (!is_in_front(work.layer, plate_.z_m, x, y)) {
+    return {plate_.z_m.at(x, y),
+            plate_.facing.at(x, y),
+            plate_.infrared.at(x, y),
+            plate_.detour_m.at(x, y),
+            {}};
   }
+  const MovingPoint point = moving_point(things, work.layer, camera_, x, y);
+  return {
+      work.layer.z_m().at(x, y), point.facing, room_.surfaces[point.surface].infrared, 0.0F, {}};
+}
+
+OtherSurface DepthCamera::beside(const DepthReading& centre, const MovingThings& things,
+                                 const Work& work, int x, int y) const {
   std::array<FineSample, 4> samples;
   for (int i = 0; i < 4; ++i) {
     samples[static_cast<std::size_t>(i)] =
         fine_sample(things, work, 2 * x + (i & 1), 2 * y + (i >> 1));
   }
-  reading.other = other_surface(reading, samples);
-  return reading;
+  return other_surface(centre, samples);
 }
 
 void DepthCamera::read_moving(const MovingThings& things, Work& work,
                               ImageView<std::uint16_t> out) const {
-  if (work.layer.box().empty()) return;
-  const PixelBox box = grown(work.layer.box(), out.width, out.height);
+  using Sees = MovingOutline::Sees;
+  const PixelBox& box = work.outline.box();
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
-      if (!shows_moving(work, x, y)) continue;
-      const DepthReading reading = reading_at(things, work, x, y);
+      const Sees sees = work.outline.at(x, y);
+      if (sees == Sees::kStill) continue;
+      if (sees == Sees::kMaybeBoth && !shows_moving(work, x, y)) continue;
+      DepthReading reading = centre_of(things, work, x, y);
+      if (sees == Sees::kMaybeBoth) reading.other = beside(reading, things, work, x, y);
       out.at(x, y) = sensing_.read(sensing_.expect(reading, x, y), x, y, work.noise);
     }
   }

@@ -7,6 +7,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
 #include "roomcast/source/simulator/people/moving_layer.h"
+#include "roomcast/source/simulator/people/moving_outline.h"
 #include "roomcast/source/simulator/people/moving_things.h"
 #include "roomcast/source/simulator/sensing/depth_sensing.h"
 #include "roomcast/source/simulator/sensing/sensor_unit.h"
@@ -19,7 +20,8 @@ class DepthCamera {
  public:
   /// Memory of one thread, and what is to be seen at the instant it was last drawn for.
   struct Work {
-    MovingLayer layer, fine_layer;
+    MovingLayer layer, fine_layer;  // the fine one on the outline only
+    MovingOutline outline;
     FrameNoise noise;
     DepthImage clean_mm;
   };
@@ -46,8 +48,10 @@ class DepthCamera {
 
  private:
   [[nodiscard]] Image<ExpectedReading> expect_still() const;
-  [[nodiscard]] DepthReading reading_at(const MovingThings& things, const Work& work, int x,
-                                        int y) const;
+  [[nodiscard]] DepthReading centre_of(const MovingThings& things, const Work& work, int x,
+                                       int y) const;
+  [[nodiscard]] OtherSurface beside(const DepthReading& centre, const MovingThings& things,
+                                    const Work& work, int x, int y) const;
   [[nodiscard]] bool shows_moving(const Work& work, int x, int y) const;
   [[nodiscard]] FineSample fine_sample(const MovingThings& things, const Work& work, int x,
                                        int y) const;

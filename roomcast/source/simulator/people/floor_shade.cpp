@@ -26,16 +26,29 @@ float sky_hidden(const ShadeBall& ball, const Vector3f& floor_m) {
   return std::max(0.0F, way.y()) / std::sqrt(squared) * ball.radius_m * ball.radius_m / squared;
 }
 
+/// The way from a floor point to a lamp.
+struct WayToLamp {
+  Vector3f towards;
+  float distance_m;
+  float blur;  // of a shadow's edge, per metre between the ball and the point
+};
+
+WayToLamp way_to(const Light& lamp, const Vector3f& floor_m) {
+  const Vector3f way = lamp.position_m - floor_m;
+  const float distance = way.norm();
+  return {way / distance, distance, lamp.radius_m / distance};
+}
+
 /// Share of a lamp that a ball hides from a point: by how near the ball's rim the ray passes.
-float lamp_hidden(const ShadeBall& ball, const Vector3f& floor_m, const Light& lamp) {
-  const Vector3f to_lamp = lamp.position_m - floor_m;
-  const float distance = to_lamp.norm();
-  const Vector3f towards = to_lamp / distance;
+float lamp_hidden(const ShadeBall& ball, const Vector3f& floor_m, const WayToLamp& lamp) {
   const Vector3f way = ball.centre_m - floor_m;
-  const float along = way.dot(towards);
-  if (along <= 0.0F || along >= distance) return 0.0F;
-  const float beside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
-  const float blur = std::max(0.02F, lamp.radius_m * along / distance);
+  const float along = way.dot(lamp.towards);
+  if (along <= 0.0F || along >= lamp.distance_m) return 0.0F;
+  const float blur = std::max(0.02F, lamp.blur * along);
+  const float squared = way.squaredNorm() - along * along;
+  const float reach = ball.radius_m + blur;
+  if (squared >= reach * reach) return 0.0F;
+  const float beside = std::sqrt(std::max(0.0F, squared));
   return std::clamp(0.5F + 0.5F * (ball.radius_m - beside) / blur, 0.0F, 1.0F);
 }
 
@@ -48,9 +61,10 @@ float light_left_at(std::span<const ShadeBall> balls, const Room& room, const Ve
   float left = ambient * (1.0F - std::min(0.75F, 0.7F * hidden_sky));
   for (const Light& lamp : room.lights) {
     const float light = brightness(light_from(lamp, at));
+    const WayToLamp way = way_to(lamp, floor_m);
     float open = 1.0F;
     for (const ShadeBall& ball : balls)
-      open = std::min(open, 1.0F - lamp_hidden(ball, floor_m, lamp));
+      open = std::min(open, 1.0F - lamp_hidden(ball, floor_m, way));
     all += light;
     left += open * light;
   }

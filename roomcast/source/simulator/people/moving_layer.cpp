@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "roomcast/core/assert.h"
+
 namespace roomcast::sim {
 namespace {
 
@@ -14,6 +16,14 @@ using Eigen::Vector3f;
 
 constexpr float kNowhere_m = std::numeric_limits<float>::infinity();
 constexpr float kNearest_m = 0.05F;
+
+/// Neighbouring pixels of a row that are looked at together.
+constexpr int kLanes = 4;
+using Lanes = Eigen::Array<float, kLanes, 1>;
+
+Lanes lanes_at(const float* row) {
+  return Eigen::Map<const Lanes>(row);
+}
 
 PixelBox joined(const PixelBox& a, const PixelBox& b) {
   if (a.empty()) return b;
@@ -55,7 +65,9 @@ bool is_out_of_sight(const Eigen::AlignedBox3f& box_m, const PlacedCamera& camer
 MovingLayer::MovingLayer(int width, int height)
     : z_m_(width, height, kNowhere_m),
       triangle_(width, height, kNoTriangle),
-      shares_(width, height, Vector2f::Zero()) {}
+      shares_(width, height, Vector2f::Zero()) {
+  ROOMCAST_ASSERT(width >= kLanes);
+}
 
 void MovingLayer::clear() {
   for (int y = box_.top; y < box_.bottom; ++y) {
@@ -66,8 +78,10 @@ void MovingLayer::clear() {
   box_ = {};
 }
 
-void MovingLayer::draw(const MovingThings& things, const PlacedCamera& camera) {
+void MovingLayer::draw(const MovingThings& things, const PlacedCamera& camera,
+                       const PictureTiles* wanted) {
   clear();
+  wanted_ = wanted;
   vertices_.resize(things.mesh().positions.size());
   for (const MovingPart& part : things.parts()) draw_part(things, part, camera);
 }
@@ -114,35 +128,43 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
     constexpr float kBulge = 0.6F;  // pixels: the lens bends edges a little
     const Vector2f low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel).array() - kBulge;
     const Vector2f high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel).array() + kBulge + 1.0F;
-    const auto whole = [](float value) {
-      constexpr float kFar = 30000.0F;
-      return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar)));
+    const auto whole = [](float value) {  // rounded down, without a call
+      constexpr int kFar = 30000;
+      return static_cast<int>(std::clamp(value, -1.0F * kFar, 1.0F * kFar) + kFar) - kFar;
     };
     box = common(limits, {whole(low.x()), whole(low.y()), whole(high.x()), whole(high.y())});
   } else if (beyond_a_side(std::array{a.in_camera_m, b.in_camera_m, c.in_camera_m},
                            camera.ray_bounds())) {
     return;  // without a pixel to bound it, a triangle would be looked for in the whole picture
   }
-  if (box.empty()) return;
+  if (box.empty() || (wanted_ != nullptr && !wanted_->any_in(box))) return;
   // Signed volumes of the ray with the edges; the ray is inside where all have the same sign.
   const Vector3f edge_a = c.in_camera_m.cross(b.in_camera_m);
   const Vector3f edge_b = a.in_camera_m.cross(c.in_camera_m);
   const Vector3f edge_c = b.in_camera_m.cross(a.in_camera_m);
+  const int last = camera.width() - kLanes;
   for (int y = box.top; y < box.bottom; ++y) {
-    const Vector2f* rays = camera.ray_row(y);
+    const float* ray_x = camera.ray_x_row(y);
+    const float* ray_y = camera.ray_y_row(y);
     float* z_row = z_m_.view().row(y);
-    for (int x = box.left; x < box.right; ++x) {
-      const Vector2f& ray = rays[x];
-      const float wa = edge_a.x() * ray.x() + edge_a.y() * ray.y() + edge_a.z();
-      const float wb = edge_b.x() * ray.x() + edge_b.y() * ray.y() + edge_b.z();
-      const float wc = edge_c.x() * ray.x() + edge_c.y() * ray.y() + edge_c.z();
-      if (wa < 0.0F || wb < 0.0F || wc < 0.0F) continue;
-      const float sum = wa + wb + wc;
-      const float z = plane / (normal.x() * ray.x() + normal.y() * ray.y() + normal.z());
-      if (!(sum > 0.0F) || !(z > kNearest_m) || z >= z_row[x]) continue;
-      z_row[x] = z;
-      triangle_.at(x, y) = number;
-      shares_.at(x, y) = Vector2f(wb, wc) / sum;
+    for (int first = box.left; first < box.right; first += kLanes) {
+      const int at = std::min(first, last);
+      const Lanes u = lanes_at(ray_x + at), v = lanes_at(ray_y + at);
+      const Lanes wa = edge_a.x() * u + edge_a.y() * v + edge_a.z();
+      const Lanes wb = edge_b.x() * u + edge_b.y() * v + edge_b.z();
+      const Lanes wc = edge_c.x() * u + edge_c.y() * v + edge_c.z();
+      const Lanes least = wa.min(wb).min(wc);
+      if (!(least.maxCoeff() >= 0.0F)) continue;
+      for (int i = first - at; i < kLanes && at + i < box.right; ++i) {
+        if (!(least[i] >= 0.0F)) continue;
+        const float sum = wa[i] + wb[i] + wc[i];
+        const float z = plane / (normal.x() * u[i] + normal.y() * v[i] + normal.z());
+        const int x = at + i;
+        if (!(sum > 0.0F) || !(z > kNearest_m) || z >= z_row[x]) continue;
+        z_row[x] = z;
+        triangle_.at(x, y) = number;
+        shares_.at(x, y) = Vector2f(wb[i], wc[i]) / sum;
+      }
     }
   }
 }

@@ -11,6 +11,7 @@
 
 #include "roomcast/core/image.h"
 #include "roomcast/source/simulator/people/moving_things.h"
+#include "roomcast/source/simulator/people/picture_tiles.h"
 #include "roomcast/source/simulator/tracing/placed_camera.h"
 
 namespace roomcast::sim {
@@ -21,7 +22,9 @@ class MovingLayer {
 
   MovingLayer(int width, int height);
 
-  void draw(const MovingThings& things, const PlacedCamera& camera);
+  /// With `wanted`: only what lies in those tiles is sure to be drawn.
+  void draw(const MovingThings& things, const PlacedCamera& camera,
+            const PictureTiles* wanted = nullptr);
 
   /// Holds every pixel that shows something moving.
   [[nodiscard]] const PixelBox& box() const { return box_; }
@@ -40,6 +43,7 @@ class MovingLayer {
   Image<std::uint32_t> triangle_;
   Image<Eigen::Vector2f> shares_;
   PixelBox box_;
+  const PictureTiles* wanted_ = nullptr;  // of the draw that is going on
   struct Seen {
     Eigen::Vector3f in_camera_m;
     Eigen::Vector2f pixel;

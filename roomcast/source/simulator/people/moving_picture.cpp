@@ -42,12 +42,6 @@ Rgb8 dimmed(const Rgb8& color, float left) {
 
 }  // namespace
 
-bool is_in_front(const MovingLayer& layer, const Image<float>& plate_z_m, int x, int y) {
-  const float behind = plate_z_m.at(x, y);
-  const float z = layer.z_m().at(x, y);
-  return std::isfinite(z) && (behind == 0.0F || z < behind);
-}
-
 void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,
                       ImageView<std::uint16_t> depth_mm) {
   const PixelBox& box = layer.box();

@@ -2,6 +2,7 @@
 // Puts what moves into the pictures of the empty room: depth, colours, and the shade on the floor.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "roomcast/core/image.h"
@@ -14,8 +15,12 @@
 namespace roomcast::sim {
 
 /// Whether the layer shows something nearer than the plate at a pixel.
-[[nodiscard]] bool is_in_front(const MovingLayer& layer, const Image<float>& plate_z_m, int x,
-                               int y);
+[[nodiscard]] inline bool is_in_front(const MovingLayer& layer, const Image<float>& plate_z_m,
+                                      int x, int y) {
+  const float behind = plate_z_m.at(x, y);
+  const float z = layer.z_m().at(x, y);  // infinity: nothing
+  return z < (behind == 0.0F ? std::numeric_limits<float>::max() : behind);
+}
 
 /// Depth in millimetres, rounded, where something moving is nearer than the plate.
 void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,

@@ -104,6 +104,8 @@ MovingThings::MovingThings(MovingThings&&) noexcept = default;
 MovingThings& MovingThings::operator=(MovingThings&&) noexcept = default;
 
 void MovingThings::move_to(nanoseconds scene_time) {
+  if (scene_time_ == scene_time) return;
+  scene_time_ = scene_time;
   const double time_s = speed_ * 1e-9 * static_cast<double>(scene_time.count());
   for (Actor& actor : actors_) {
     const Performance::Instant now = actor.performance.at(time_s);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,7 @@ class MovingThings {
   struct Actor;
   std::vector<Actor> actors_;
   double speed_;
+  std::optional<nanoseconds> scene_time_;
   TriangleMesh mesh_;
   std::vector<float> openness_;
   std::vector<MovingPart> parts_;

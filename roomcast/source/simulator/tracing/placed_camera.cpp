@@ -16,9 +16,14 @@ PlacedCamera::PlacedCamera(const CameraIntrinsics& intrinsics,
       eye_m_(world_from_camera.translation_m.cast<float>()),
       axes_(world_from_camera.rotation.cast<float>()),
       pixel_angle_(static_cast<float>(1.0 / intrinsics.fx)),
-      rays_(ray_table(intrinsics)) {
-  for (std::size_t i = 0; i < rays_.view().pixel_count(); ++i) {
-    if (rays_.data()[i].allFinite()) ray_bounds_.extend(rays_.data()[i]);
+      ray_x_(intrinsics.width, intrinsics.height),
+      ray_y_(intrinsics.width, intrinsics.height) {
+  const Image<Eigen::Vector2f> rays = ray_table(intrinsics);
+  for (std::size_t i = 0; i < rays.view().pixel_count(); ++i) {
+    const Eigen::Vector2f& ray = rays.data()[i];
+    ray_x_.data()[i] = ray.x();
+    ray_y_.data()[i] = ray.y();
+    if (ray.allFinite()) ray_bounds_.extend(ray);
   }
 }
 

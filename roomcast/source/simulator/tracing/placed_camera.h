@@ -33,9 +33,12 @@ class PlacedCamera {
   }  // of the optical frame in the world
   [[nodiscard]] float pixel_angle() const { return pixel_angle_; }  // radians per pixel, about
 
-  /// (x/z, y/z) of a pixel; a row of them.
-  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const { return rays_.at(x, y); }
-  [[nodiscard]] const Eigen::Vector2f* ray_row(int y) const { return rays_.view().row(y); }
+  /// (x/z, y/z) of a pixel; rows of either.
+  [[nodiscard]] Eigen::Vector2f ray(int x, int y) const {
+    return {ray_x_.at(x, y), ray_y_.at(x, y)};
+  }
+  [[nodiscard]] const float* ray_x_row(int y) const { return ray_x_.view().row(y); }
+  [[nodiscard]] const float* ray_y_row(int y) const { return ray_y_.view().row(y); }
 
   /// Holds the rays of all pixels.
   [[nodiscard]] const Eigen::AlignedBox2f& ray_bounds() const { return ray_bounds_; }
@@ -44,7 +47,7 @@ class PlacedCamera {
   [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector2f& ray) const {
     return axes_.col(0) * ray.x() + axes_.col(1) * ray.y() + axes_.col(2);
   }
-  [[nodiscard]] Eigen::Vector3f direction(int x, int y) const { return direction(rays_.at(x, y)); }
+  [[nodiscard]] Eigen::Vector3f direction(int x, int y) const { return direction(ray(x, y)); }
   /// In the world, of what pixel (x, y) sees at depth z.
   [[nodiscard]] Eigen::Vector3f point(int x, int y, float z_m) const {
     return eye_m_ + z_m * direction(x, y);
@@ -66,7 +69,7 @@ class PlacedCamera {
   Eigen::Vector3f eye_m_;
   Eigen::Matrix3f axes_;
   float pixel_angle_;
-  Image<Eigen::Vector2f> rays_;
+  Image<float> ray_x_, ray_y_;
   Eigen::AlignedBox2f ray_bounds_;
 };
 
