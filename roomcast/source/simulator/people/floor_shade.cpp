@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kCell_m = 0.05F;
-constexpr float kReach_m = 1.1F;  // beyond the balls
+constexpr float kReach_m = 1.1F;   // beyond the balls
+constexpr float kUnseen = 0.997F;  // less than a grey level is taken
 
 float brightness(const Vector3f& light) {
   return light.sum() / 3.0F;
@@ -75,38 +75,32 @@ float light_left_at(std::span<const ShadeBall> balls, const Room& room, const Ve
 
 void FloorShade::work_out(std::span<const ShadeBall> balls, const Room& room) {
   area_.setEmpty();
+  if (balls.empty()) return;
+  map_.setEmpty();
   for (const ShadeBall& ball : balls) {
     const Vector2f at(ball.centre_m.x(), ball.centre_m.z());
-    area_.extend(Vector2f(at.array() - kReach_m));
-    area_.extend(Vector2f(at.array() + kReach_m));
+    map_.extend(Vector2f(at.array() - kReach_m));
+    map_.extend(Vector2f(at.array() + kReach_m));
   }
-  if (balls.empty()) return;
   const Vector2f half(0.5F * room.size_m.x(), 0.5F * room.size_m.z());
-  area_ = area_.intersection(Eigen::AlignedBox2f(-half, half));
-  const Vector2f size = area_.sizes() / kCell_m;
+  map_ = map_.intersection(Eigen::AlignedBox2f(-half, half));
+  const Vector2f size = map_.sizes() / kCell_m;
   const int width = std::max(2, static_cast<int>(std::ceil(size.x())) + 1);
   const int height = std::max(2, static_cast<int>(std::ceil(size.y())) + 1);
   left_.resize(width, height);
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
       const Vector2f at =
-          area_.min() + kCell_m * Vector2f(static_cast<float>(i), static_cast<float>(j));
-      left_.at(i, j) = light_left_at(balls, room, {at.x(), 0.0F, at.y()});
+          map_.min() + kCell_m * Vector2f(static_cast<float>(i), static_cast<float>(j));
+      // Display values are about the square root of light.
+      const float left = std::sqrt(light_left_at(balls, room, {at.x(), 0.0F, at.y()}));
+      left_.at(i, j) = left;
+      if (left > kUnseen) continue;
+      area_.extend(Vector2f(at.array() - kCell_m));
+      area_.extend(Vector2f(at.array() + kCell_m));
     }
   }
-}
-
-float FloorShade::light_left(float x_m, float z_m) const {
-  const float x = std::clamp((x_m - area_.min().x()) / kCell_m, 0.0F,
-                             static_cast<float>(left_.width() - 1) - 0.001F);
-  const float z = std::clamp((z_m - area_.min().y()) / kCell_m, 0.0F,
-                             static_cast<float>(left_.height() - 1) - 0.001F);
-  const int i = static_cast<int>(x);
-  const int j = static_cast<int>(z);
-  const float across = x - static_cast<float>(i);
-  const float down = z - static_cast<float>(j);
-  return (1.0F - down) * ((1.0F - across) * left_.at(i, j) + across * left_.at(i + 1, j)) +
-         down * ((1.0F - across) * left_.at(i, j + 1) + across * left_.at(i + 1, j + 1));
+  if (!area_.isEmpty()) area_ = area_.intersection(map_);
 }
 
 }  // namespace roomcast::sim

@@ -5,6 +5,7 @@
 // Occlusion by balls: Quilez, "Sphere ambient occlusion" and "Sphere soft shadow".
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <Eigen/Geometry>
@@ -19,14 +20,28 @@ class FloorShade {
  public:
   void work_out(std::span<const ShadeBall> balls, const Room& room);
 
-  /// The part of the floor that is shaded at all; x, z.
+  /// The part of the floor that is visibly shaded; x, z.
   [[nodiscard]] const Eigen::AlignedBox2f& area_m() const { return area_; }
-  /// Share of the light that is left at a point of the floor, by the nearest four cells.
-  [[nodiscard]] float light_left(float x_m, float z_m) const;
+  /// Share of a display value that is left at a point of that part, by the nearest four cells.
+  [[nodiscard]] float display_left(float x_m, float z_m) const {
+    const float x = std::clamp((x_m - map_.min().x()) / kCell_m, 0.0F,
+                               static_cast<float>(left_.width() - 1) - 0.001F);
+    const float z = std::clamp((z_m - map_.min().y()) / kCell_m, 0.0F,
+                               static_cast<float>(left_.height() - 1) - 0.001F);
+    const int i = static_cast<int>(x);
+    const int j = static_cast<int>(z);
+    const float across = x - static_cast<float>(i);
+    const float down = z - static_cast<float>(j);
+    const float *near = &left_.at(i, j), *far = &left_.at(i, j + 1);
+    return (1.0F - down) * ((1.0F - across) * near[0] + across * near[1]) +
+           down * ((1.0F - across) * far[0] + across * far[1]);
+  }
 
  private:
+  static constexpr float kCell_m = 0.07F;
+
   Image<float> left_;
-  Eigen::AlignedBox2f area_;
+  Eigen::AlignedBox2f map_, area_;  // what the cells cover; what is visibly shaded of that
 };
 
 }  // namespace roomcast::sim

@@ -169,24 +169,4 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
   }
 }
 
-MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
-                         const PlacedCamera& camera, int x, int y) {
-  const TriangleMesh& mesh = things.mesh();
-  const std::uint32_t number = layer.triangle().at(x, y);
-  const auto& corner = mesh.triangles[number];
-  const Vector2f share = layer.corner_shares().at(x, y);
-  const float first = 1.0F - share.x() - share.y();
-  const Vector3f direction = camera.direction(x, y);
-  MovingPoint point;
-  point.position_m = camera.eye_m() + layer.z_m().at(x, y) * direction;
-  point.normal = (first * mesh.normals[corner[0]] + share.x() * mesh.normals[corner[1]] +
-                  share.y() * mesh.normals[corner[2]])
-                     .normalized();
-  point.uv_m = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
-               share.y() * mesh.uv_m[corner[2]];
-  point.surface = mesh.surface[number];
-  point.facing = std::max(0.0F, -point.normal.dot(direction.normalized()));
-  return point;
-}
-
 }  // namespace roomcast::sim

@@ -6,6 +6,7 @@
 // optical axis. Single-threaded. Ray-triangle test by signed volumes: Segura & Feito 2001.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -62,8 +63,25 @@ struct MovingPoint {
   SurfaceIndex surface;
   float facing;  // cosine between the normal and the way back to the camera
 };
-/// The layer has to show something there.
-[[nodiscard]] MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
-                                       const PlacedCamera& camera, int x, int y);
+/// The layer has to show something there. Inline, so that callers pay for what they ask only.
+[[nodiscard]] inline MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
+                                              const PlacedCamera& camera, int x, int y) {
+  const TriangleMesh& mesh = things.mesh();
+  const std::uint32_t number = layer.triangle().at(x, y);
+  const auto& corner = mesh.triangles[number];
+  const Eigen::Vector2f share = layer.corner_shares().at(x, y);
+  const float first = 1.0F - share.x() - share.y();
+  const Eigen::Vector3f direction = camera.direction(x, y);
+  MovingPoint point;
+  point.position_m = camera.eye_m() + layer.z_m().at(x, y) * direction;
+  point.normal = (first * mesh.normals[corner[0]] + share.x() * mesh.normals[corner[1]] +
+                  share.y() * mesh.normals[corner[2]])
+                     .normalized();
+  point.uv_m = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
+               share.y() * mesh.uv_m[corner[2]];
+  point.surface = mesh.surface[number];
+  point.facing = std::max(0.0F, -point.normal.dot(direction.normalized()));
+  return point;
+}
 
 }  // namespace roomcast::sim

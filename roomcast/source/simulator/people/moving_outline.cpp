@@ -9,7 +9,7 @@
 namespace roomcast::sim {
 namespace {
 
-constexpr int kFineTile = 16;  // pixels
+constexpr int kFineTile = 8;  // pixels
 
 PixelBox grown(const PixelBox& box, int width, int height) {
   if (box.empty()) return {};

@@ -43,14 +43,17 @@ class MovingColors {
            const SurfaceTexels& texels, ImageView<Rgb8> color);
 
  private:
+  /// Where the layer shows something nearer than the plate: its box and a rim of one pixel.
+  void find_front(const MovingLayer& layer, const Image<float>& plate_z_m);
   /// Linear, of one vertex; worked out when it is first asked for.
-  const Eigen::Vector3f& light_at(const MovingThings& things, std::uint32_t vertex);
+  const Eigen::Array4f& light_at(const MovingThings& things, std::uint32_t vertex);
 
   const Room* room_ = nullptr;
-  std::vector<Eigen::Vector3f> light_;   // per vertex
+  std::vector<Eigen::Array4f> light_;    // per vertex
   std::vector<std::uint32_t> lit_when_;  // instant_ when it was worked out
   std::uint32_t instant_ = 0;
   FloorShade shade_;
+  Image<std::uint8_t> front_;
 };
 
 }  // namespace roomcast::sim

@@ -6,8 +6,8 @@
 namespace roomcast::sim {
 namespace {
 
+using Eigen::Array4f;
 using Eigen::Vector2f;
-using Eigen::Vector3f;
 
 /// Fine where the pattern is small, few where it is plain.
 struct Grain {
@@ -38,31 +38,31 @@ SurfaceTexels::SurfaceTexels(const Room& room, const MovingThings& things)
     const Grain grain = grain_of(surface.pattern);
     Sheet& sheet = sheets_[i];
     sheet.per_m = 1.0F / grain.texel_m;
-    sheet.texels.resize(grain.side, grain.side, Vector3f::Zero());
+    sheet.texels.resize(grain.side, grain.side, Array4f::Zero());
     for (int y = 0; y < grain.side; ++y) {
       for (int x = 0; x < grain.side; ++x) {
         const Vector2f texel(static_cast<float>(x - grain.side / 2),
                              static_cast<float>(y - grain.side / 2));
-        sheet.texels.at(x, y) = albedo_at(surface, grain.texel_m * texel, grain.texel_m);
+        sheet.texels.at(x, y).head<3>() =
+            albedo_at(surface, grain.texel_m * texel, grain.texel_m).array();
       }
     }
   }
 }
 
-Vector3f SurfaceTexels::at(SurfaceIndex surface, const Vector2f& uv_m) const {
+Array4f SurfaceTexels::at(SurfaceIndex surface, const Vector2f& uv_m) const {
   const Sheet& sheet = sheets_[surface];
   const int mask = sheet.texels.width() - 1;
   const Vector2f texel = uv_m * sheet.per_m;
-  const float left = std::floor(texel.x());
-  const float top = std::floor(texel.y());
-  const int half = sheet.texels.width() / 2;
-  const int x = static_cast<int>(left) + half;
-  const int y = static_cast<int>(top) + half;
-  const auto value = [&](int i, int j) -> const Vector3f& {
+  constexpr int kFar = 1 << 14;  // texels, a multiple of every sheet's width: rounds down
+  const Vector2f counted = texel.array() + static_cast<float>(kFar + sheet.texels.width() / 2);
+  const int x = static_cast<int>(counted.x());
+  const int y = static_cast<int>(counted.y());
+  const auto value = [&](int i, int j) -> const Array4f& {
     return sheet.texels.at(i & mask, j & mask);
   };
-  const float across = texel.x() - left;
-  const float down = texel.y() - top;
+  const float across = counted.x() - static_cast<float>(x);
+  const float down = counted.y() - static_cast<float>(y);
   return (1.0F - down) * ((1.0F - across) * value(x, y) + across * value(x + 1, y)) +
          down * ((1.0F - across) * value(x, y + 1) + across * value(x + 1, y + 1));
 }

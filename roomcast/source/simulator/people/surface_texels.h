@@ -18,13 +18,13 @@ class SurfaceTexels {
   /// Of the surfaces that the things' meshes name.
   SurfaceTexels(const Room& room, const MovingThings& things);
 
-  /// Albedo at a point of a surface (metres), bilinear; what lies beyond the texels continues at
-  /// their other side.
-  [[nodiscard]] Eigen::Vector3f at(SurfaceIndex surface, const Eigen::Vector2f& uv_m) const;
+  /// Albedo at a point of a surface (metres), bilinear, its fourth channel 0; what lies beyond the
+  /// texels continues at their other side.
+  [[nodiscard]] Eigen::Array4f at(SurfaceIndex surface, const Eigen::Vector2f& uv_m) const;
 
  private:
   struct Sheet {
-    Image<Eigen::Vector3f> texels;  // a power of two wide and high
+    Image<Eigen::Array4f> texels;  // a power of two wide and high
     float per_m = 1.0F;
   };
   std::vector<Sheet> sheets_;  // by surface; without texels where nothing moving wears it

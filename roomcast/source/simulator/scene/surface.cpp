@@ -15,7 +15,7 @@ float linear_from_srgb_byte(std::uint32_t byte) {
 }
 
 constexpr float kBrightest = 4.0F;
-constexpr std::size_t kCurveSize = 8192;
+constexpr std::size_t kCurveSize = 2048;  // a fifth of a grey level; stays in the cache
 constexpr float kCurveScale =
     static_cast<float>(kCurveSize) / 2.0F;  // over the square root of kBrightest
 using ToneCurve = std::array<float, kCurveSize + 1>;
@@ -51,12 +51,23 @@ Surface painted(Pattern pattern, std::uint32_t base, std::uint32_t accent, std::
   return surface;
 }
 
-Eigen::Vector3f srgb_from_linear(const Eigen::Vector3f& light) {
+Surface glazed(Surface surface) {
+  surface.gloss = 0.04F;
+  surface.polish = 3000.0F;
+  return surface;
+}
+
+float infrared_back(const Surface& surface, float facing) {
+  if (surface.gloss == 0.0F) return surface.infrared;
+  const float lobe = 0.125F * (surface.polish + 8.0F) * std::pow(facing, surface.polish);
+  return (1.0F - surface.gloss) * surface.infrared + surface.gloss * lobe;
+}
+
+Eigen::Array4f srgb_from_linear(const Eigen::Array4f& light) {
   static const ToneCurve kCurve = tone_curve();
-  return light.unaryExpr([](float value) {
-    const float index = std::sqrt(std::clamp(value, 0.0F, kBrightest)) * kCurveScale;
-    return kCurve[static_cast<std::size_t>(index)];
-  });
+  const Eigen::Array4f index = light.max(0.0F).min(kBrightest).sqrt() * kCurveScale;
+  const auto at = [&](int channel) { return kCurve[static_cast<std::size_t>(index[channel])]; };
+  return {at(0), at(1), at(2), 0.0F};
 }
 
 Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m, float footprint_m) {

@@ -49,7 +49,9 @@ struct Surface {
   std::uint32_t seed = 0;
   float infrared =
       0.5F;  // share of a depth camera's light that comes back; 0: it never returns a reading
-  float glow = 0.0F;  // how much of the colour is the surface's own light, 0..1
+  float gloss = 0.0F;   // share of a depth camera's light that is mirrored, not scattered
+  float polish = 0.0F;  // how sharply: exponent of the lobe; glass some thousands
+  float glow = 0.0F;    // how much of the colour is the surface's own light, 0..1
 };
 
 /// 0xRRGGBB as in web pages -> linear light.
@@ -59,8 +61,23 @@ struct Surface {
 [[nodiscard]] Surface painted(Pattern pattern, std::uint32_t base, std::uint32_t accent,
                               std::uint32_t trim, std::uint32_t seed, float infrared = 0.5F);
 
-/// Linear light -> 0..255 sRGB values, highlights rolled off softly.
-[[nodiscard]] Eigen::Vector3f srgb_from_linear(const Eigen::Vector3f& light);
+/// The same behind glass: 4 % are mirrored (Fresnel's equations, refractive index 1.5). Colours
+/// stay matt.
+[[nodiscard]] Surface glazed(Surface surface);
+
+/// Share of a depth camera's light that comes back to it from a surface seen at this cosine of
+/// incidence, in units of what a matt white one scatters. What is polished sends the light
+/// somewhere else, but head-on a multiple of it straight back: the emitter stands beside the lens,
+/// so the half vector of Blinn's lobe ("Models of light reflection for computer synthesized
+/// pictures", SIGGRAPH 1977; normalised by (n + 8) / 8) is the line of sight.
+[[nodiscard]] float infrared_back(const Surface& surface, float facing);
+
+/// Linear light -> 0..255 sRGB values, highlights rolled off softly. With a fourth channel, that
+/// stands for nothing, a processor does all at once.
+[[nodiscard]] Eigen::Array4f srgb_from_linear(const Eigen::Array4f& light);
+[[nodiscard]] inline Eigen::Vector3f srgb_from_linear(const Eigen::Vector3f& light) {
+  return srgb_from_linear(Eigen::Array4f(light.x(), light.y(), light.z(), 0.0F)).head<3>();
+}
 
 /// The share of light per channel that the surface returns at `at_m`. `footprint_m`: width of what
 /// the pixel sees.
