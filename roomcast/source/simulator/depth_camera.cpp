@@ -116,7 +116,8 @@ FineSample DepthCamera::fine_sample(const MovingThings& things, const Work& work
   }
   const MovingPoint point = moving_point(things, work.fine_layer, fine_camera_, x, y);
   const float z_m = work.fine_layer.z_m().at(x, y);
-  return {z_m, signal_strength(room_.surfaces[point.surface].infrared, point.facing, z_m)};
+  return {z_m, signal_strength(infrared_back(room_.surfaces[point.surface], point.facing),
+                               point.facing, z_m)};
 }
 
 DepthReading DepthCamera::centre_of(const MovingThings& things, const Work& work, int x,
@@ -129,8 +130,11 @@ DepthReading DepthCamera::centre_of(const MovingThings& things, const Work& work
             {}};
   }
   const MovingPoint point = moving_point(things, work.layer, camera_, x, y);
-  return {
-      work.layer.z_m().at(x, y), point.facing, room_.surfaces[point.surface].infrared, 0.0F, {}};
+  return {work.layer.z_m().at(x, y),
+          point.facing,
+          infrared_back(room_.surfaces[point.surface], point.facing),
+          0.0F,
+          {}};
 }
 
 OtherSurface DepthCamera::beside(const DepthReading& centre, const MovingThings& things,

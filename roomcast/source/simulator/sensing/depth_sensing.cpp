@@ -35,6 +35,7 @@ float DepthSensing::dropout_probability(const DepthReading& reading) const {
   const bool in_range = reading.z_m >= profile_.nearest_m && reading.z_m <= profile_.farthest_m;
   if (!in_range || reading.facing < kGrazing) return 1.0F;
   const float strength = signal_strength(reading.infrared, reading.facing, reading.z_m);
+  if (profile_.saturating_signal > 0.0F && strength > profile_.saturating_signal) return 1.0F;
   const float lacking =
       (profile_.safe_signal - strength) / (profile_.safe_signal - profile_.lost_signal);
   return std::clamp(lacking, 0.0F, 1.0F);

@@ -10,7 +10,11 @@
 //    has wanders by the lateral noise (Fankhauser et al. 2015). Part of such readings is given up,
 //    as the devices' edge filters do (the shares are ours);
 //  - no reading outside the range, at grazing angles above 83 degrees, and, flickering, where
-//    little light returns: dark, slanted or far surfaces;
+//    little light returns: dark, slanted or far surfaces, and polished ones, which mirror it away
+//    (surface.h); nor where one of these is met head-on and mirrors the emitter: the pixel
+//    saturates. Both are reasons for which a depth camera of this kind gives no reading (Microsoft,
+//    "Azure Kinect DK depth camera", Invalidation; of the Kinect v2: "Black dot in depth image",
+//    reported to libfreenect2 in 2016);
 //  - interference (interference.h).
 // Everything is a function of (key, pixel): the same key gives the same picture on any machine with
 // the same libm. Const calls are thread-safe.

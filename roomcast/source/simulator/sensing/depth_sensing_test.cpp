@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/source/simulator/scene/surface.h"
 #include "roomcast/source/simulator/scene/value_noise.h"
 #include "roomcast/source/simulator/sensing/axial_noise.h"
 #include "roomcast/source/simulator/sensing/unit_noise.h"
@@ -105,6 +106,24 @@ TEST(DepthSensing, dark_surfaces_are_noisier_for_time_of_flight) {
   const double dark =
       Wall(CameraModel::kKinect2, wall_at(1.5F, 0.0F, 0.125F)).statistics().sigma_mm;
   EXPECT_NEAR(dark / bright, 2.0, 0.1);  // a quarter of the light
+}
+
+TEST(DepthSensing, glass_over_black_is_lost_head_on_and_aslant_and_what_is_matt_is_not) {
+  const Surface matt = painted(Pattern::kPlain, 0x101114, 0, 0, 1, 0.5F);
+  Surface screen = glazed(matt);
+  screen.infrared = 0.015F;
+  const DepthSensing sensing(profile_of(CameraModel::kKinect2, false), DepthBias());
+  const auto lost = [&](const Surface& surface, float theta) {
+    const float facing = std::cos(theta);
+    return sensing.dropout_probability(wall_at(1.8F, theta, infrared_back(surface, facing)));
+  };
+  EXPECT_EQ(lost(screen, 0.0F), 1.0F);   // mirrors the emitter: the pixel saturates
+  EXPECT_EQ(lost(screen, 0.02F), 0.0F);  // the rim of the highlight
+  EXPECT_GT(lost(screen, 0.3F), 0.2F);   // mirrors the light away
+  for (const float theta : {0.0F, 0.02F, 0.3F, 1.0F}) EXPECT_EQ(lost(matt, theta), 0.0F);
+  // A picture behind glass has a hole where it is met head-on only.
+  EXPECT_EQ(lost(glazed(matt), 0.0F), 1.0F);
+  EXPECT_EQ(lost(glazed(matt), 0.3F), 0.0F);
 }
 
 TEST(DepthSensing, weak_signals_flicker_and_nothing_is_read_where_none_can_be) {

@@ -50,6 +50,8 @@ SensorProfile kinect2() {
   profile.lateral_sigma_mm = 1.6F;  // Fankhauser et al. 2015, indoors, about constant over range
   profile.lost_signal = 0.0020F;    // ours, as are all shares of lost readings
   profile.safe_signal = 0.0060F;
+  // As much as a white wall returns at the nearest range: nearer is what the maker gives up on.
+  profile.saturating_signal = 1.0F / (profile.nearest_m * profile.nearest_m);
   profile.lost_at_edge = 0.45F;
   profile.bias_offset_mm = 3.0F;
   profile.bias_wave_mm = 2.0F;

@@ -17,6 +17,7 @@ struct SensorProfile {
   float nearest_m = 0, farthest_m = 0;     // no reading outside
   float lateral_sigma_mm = 0;              // where along a surface a pixel looks
   float lost_signal = 0, safe_signal = 0;  // amplitudes: no reading below, always above
+  float saturating_signal = 0;             // amplitude: no reading from here on; 0: never
   float lost_at_edge = 0;                  // share of the readings on an edge that are given up
   float baseline_mm = 0, subpixel = 0;     // stereo only
   float bias_offset_mm = 0;                // largest constant error of a unit (time of flight)

@@ -93,8 +93,9 @@ StillPoint still_point(const Room& room, const RayScene& scene, const PlacedCame
   const Vector3f direction = camera.direction(x, y);
   const auto hit = scene.first_hit(camera.eye_m(), direction);
   if (!hit) return {};
-  return {hit->t, -hit->normal.dot(direction.normalized()),
-          room.surfaces[room.mesh.surface[hit->triangle]].infrared};
+  const float facing = -hit->normal.dot(direction.normalized());
+  return {hit->t, facing,
+          infrared_back(room.surfaces[room.mesh.surface[hit->triangle]], std::max(0.0F, facing))};
 }
 
 void trace_fine_samples(const Room& room, const RayScene& scene, const PlacedCamera& fine,

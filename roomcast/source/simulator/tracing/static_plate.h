@@ -14,7 +14,7 @@ struct DepthPlate {
   // Through the pixels' centres:
   Image<float> z_m;
   Image<float> facing;    // cosine between the surface's normal and the way back to the camera
-  Image<float> infrared;  // share of the camera's light that the surface returns
+  Image<float> infrared;  // share of the camera's light that comes back (infrared_back)
   Image<float> detour_m;  // how much too far light that was reflected twice makes it appear
   // Four samples per pixel, two by two:
   Image<float> fine_z_m;
