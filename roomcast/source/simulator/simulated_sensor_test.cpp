@@ -28,6 +28,12 @@ std::shared_ptr<const SimulatedRoom> office() {
   return room;
 }
 
+/// One for all tests that only look: opening one takes long.
+const SimulatedSensor& first_in_office() {
+  static const auto sensor = SimulatedSensor::open(office(), small(0)).value();
+  return *sensor;
+}
+
 struct Pictures {
   DepthImage clean_mm, depth_mm;
   ColorImage color;
@@ -63,24 +69,23 @@ TEST(SimulatedSensor, same_seed_and_frame_give_the_same_bits_whatever_was_asked_
 }
 
 TEST(SimulatedSensor, noise_differs_between_frames_and_the_truth_does_not) {
-  const auto sensor = SimulatedSensor::open(office(), small(0)).value();
-  const Pictures first = pictures(*sensor, milliseconds(500), 1);
-  const Pictures second = pictures(*sensor, milliseconds(500), 2);
+  const Pictures first = pictures(first_in_office(), milliseconds(500), 1);
+  const Pictures second = pictures(first_in_office(), milliseconds(500), 2);
   EXPECT_NE(first.depth_mm, second.depth_mm);
   EXPECT_NE(first.color, second.color);
   EXPECT_EQ(first.clean_mm, second.clean_mm);
 }
 
 TEST(SimulatedSensor, the_truth_changes_where_something_moves_only) {
-  const auto sensor = SimulatedSensor::open(office(), small(2)).value();
-  auto moment = sensor->make_moment();
+  const SimulatedSensor& sensor = first_in_office();
+  auto moment = sensor.make_moment();
   MaskImage moving_before, moving;
-  const DepthImage before = pictures(*sensor, moment, milliseconds(0), 0).clean_mm;
-  sensor->mark_moving(moment, moving_before);
+  const DepthImage before = pictures(sensor, moment, milliseconds(0), 0).clean_mm;
+  sensor.mark_moving(moment, moving_before);
   int changed = 0;
   for (int step = 1; step <= 7; ++step) {
-    const DepthImage after = pictures(*sensor, moment, milliseconds(1000 * step - 100), 0).clean_mm;
-    sensor->mark_moving(moment, moving);
+    const DepthImage after = pictures(sensor, moment, milliseconds(1000 * step - 100), 0).clean_mm;
+    sensor.mark_moving(moment, moving);
     for (std::size_t i = 0; i < after.view().pixel_count(); ++i) {
       if (after.data()[i] == before.data()[i]) continue;
       ++changed;
@@ -157,14 +162,14 @@ TEST(SimulatedSensor, noisy_depth_stays_near_the_truth_with_few_holes_for_every_
 }
 
 TEST(SimulatedSensor, pictures_have_the_calibrations_sizes) {
-  auto options = small(0);
-  options.sensing.half_color = false;
-  const auto sensor = SimulatedSensor::open(office(), options).value();
-  const Pictures seen = pictures(*sensor, milliseconds(0), 0);
-  EXPECT_TRUE(same_size(seen.depth_mm.view(), DepthView{nullptr, 512, 424, 512}));
-  EXPECT_TRUE(same_size(seen.color.view(), ColorView{nullptr, 1920, 1080, 1920}));
-  EXPECT_TRUE(sensor->calibration().depth.check().ok());
-  EXPECT_TRUE(sensor->calibration().color.check().ok());
+  const SensorCalibration& lenses = first_in_office().calibration();
+  const Pictures seen = pictures(first_in_office(), milliseconds(0), 0);
+  EXPECT_TRUE(same_size(seen.depth_mm.view(), lenses.depth));
+  EXPECT_TRUE(same_size(seen.color.view(), lenses.color));
+  EXPECT_EQ(lenses.depth.width, 512);
+  EXPECT_EQ(lenses.color.width, 960);  // half of 1920
+  EXPECT_TRUE(lenses.depth.check().ok());
+  EXPECT_TRUE(lenses.color.check().ok());
 }
 
 TEST(SimulatedSensor, sensors_out_of_range_are_refused) {
