@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
@@ -24,13 +24,9 @@ void add_empty_shell(Room& room, Dice& dice) {
 
 std::optional<Room> try_bare(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "bare";
-  room.size_m = {dice.between(4.6F, 5.6F), 2.6F, dice.between(4.0F, 4.8F)};
-  room.ambient = {0.45F, 0.45F, 0.45F};
-  room.stands = draw_stands_around(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({dice.between(4.6F, 5.6F), 2.6F, dice.between(4.0F, 4.8F)},
+                         {0.45F, 0.45F, 0.45F}, draw_stands_around, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_empty_shell(room, dice);
   Furnisher furnisher(room, plan, dice);

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
 
 std::optional<Room> try_corners(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "corners";
-  room.size_m = {5.0F, 2.5F, 4.2F};
-  room.ambient = {0.52F, 0.50F, 0.48F};
-  room.stands = draw_stands_in_corners(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({5.0F, 2.5F, 4.2F}, {0.52F, 0.50F, 0.48F}, draw_stands_in_corners, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_homely_shell(room, dice.chance(0.6F) ? FloorKind::kBoards : FloorKind::kCarpet, dice);
   Furnisher furnisher(room, plan, dice);

@@ -134,7 +134,8 @@ Furnisher::Place Furnisher::television() {
   const auto at = plan_.against_wall({width, 1.30F, 0.42F}, 0.5F);
   if (!at) return at;
   add_sideboard(room_, *at, palette_.wood, palette_.dark, {width, 0.50F, 0.42F});
-  const auto glass = room_.add(painted(Pattern::kPlain, 0x101114, 0, 0, dice_.seed(), 0.03F));
+  const auto glass =
+      room_.add(glazed(painted(Pattern::kPlain, 0x101114, 0, 0, dice_.seed(), 0.03F)));
   const Affine3f top = moved(*at, {dice_.between(-0.12F, 0.12F), 0.50F, -0.03F});
   add_box(room_.mesh, glass, top, {-0.20F, 0, -0.08F}, {0.20F, 0.02F, 0.10F});
   add_box(room_.mesh, glass, top, {-0.04F, 0.02F, -0.035F}, {0.04F, 0.10F, -0.02F});

@@ -22,7 +22,8 @@ Affine3f moved(const Affine3f& at, const Vector3f& by_m, float yaw_rad = 0.0F) {
 }  // namespace
 
 void Furnisher::monitor_and_keyboard(const Affine3f& on_top) {
-  Surface shown = painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, dice_.seed(), 0.04F);
+  Surface shown =
+      glazed(painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, dice_.seed(), 0.04F));
   shown.size_m = {0.54F, 0.31F};
   shown.glow = 0.7F;
   add_monitor(room_, moved(on_top, {0, 0, -0.20F}, dice_.between(-0.15F, 0.15F)), palette_.dark,
@@ -140,6 +141,7 @@ void Furnisher::picture_on(const Affine3f& at, const Vector2f& size_m) {
                             0x202020, dice_.seed());
   if (poster) picture.base = linear_from_srgb(0xf0ece0);
   picture.size_m = size_m;
+  if (!poster) picture = glazed(picture);
   add_picture(room_, at, dice_.chance(0.5F) ? palette_.dark_wood : palette_.dark, picture);
 }
 

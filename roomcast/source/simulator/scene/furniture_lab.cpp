@@ -42,7 +42,8 @@ void add_instrument(Room& room, const Affine3f& at, const Vector3f& size_m, std:
     add_box(room.mesh, dark, at, {side - 0.01F, 0, -0.8F * z}, {side + 0.01F, low, 0.8F * z});
   }
   const Affine3f front = at * Translation3f(0, 0, z);
-  Surface shown = painted(Pattern::kScreen, 0x10281c, 0x40d080, 0x10281c, dice.seed(), 0.05F);
+  Surface shown =
+      glazed(painted(Pattern::kScreen, 0x10281c, 0x40d080, 0x10281c, dice.seed(), 0.05F));
   shown.size_m = {0.5F * size_m.x(), 0.62F * size_m.y()};
   shown.glow = 0.6F;
   add_quad(room.mesh, room.add(shown), front, {-0.9F * x, 0.22F * size_m.y(), 0.0015F},
@@ -187,6 +188,8 @@ void add_whiteboard(Room& room, const Affine3f& on_wall, SurfaceIndex frame, con
                     std::uint32_t seed) {
   Surface board = painted(Pattern::kDrawings, 0xf4f5f4, 0x1f3f8c, 0xa03030, seed, 0.6F);
   board.size_m = size_m;
+  board.gloss = 0.04F;  // enamel, not as even as glass
+  board.polish = 1200.0F;
   add_picture(room, on_wall, frame, board);
   const float y = -0.5F * size_m.y() - 0.03F;
   add_box(room.mesh, frame, on_wall, {-0.25F * size_m.x(), y - 0.012F, 0},
@@ -206,7 +209,7 @@ void add_wall_screen(Room& room, const Affine3f& on_wall, SurfaceIndex plastic,
   add_box(room.mesh, plastic, on_wall, {-0.3F, -0.2F, 0}, {0.3F, 0.2F, 0.04F});
   add_box(room.mesh, plastic, on_wall, {-x - 0.015F, -y - 0.015F, 0.04F},
           {x + 0.015F, y + 0.015F, 0.08F});
-  Surface shown = painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, seed, 0.04F);
+  Surface shown = glazed(painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, seed, 0.04F));
   shown.size_m = size_m;
   shown.glow = 0.75F;
   add_quad(room.mesh, room.add(shown), on_wall, {-x, -y, 0.082F}, {size_m.x(), 0, 0},

@@ -166,7 +166,8 @@ void add_laptop(Room& room, const Affine3f& at, std::uint32_t seed) {
   const Affine3f lid =
       at * Translation3f(0, 0.016F, -0.112F) * AngleAxisf(-0.30F, Vector3f::UnitX());
   add_box(room.mesh, shell, lid, {-0.165F, 0, -0.008F}, {0.165F, 0.225F, 0});
-  Surface shown = painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, dice.seed(), 0.04F);
+  Surface shown =
+      glazed(painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, dice.seed(), 0.04F));
   shown.size_m = {0.31F, 0.20F};
   shown.glow = 0.7F;
   add_quad(room.mesh, room.add(shown), lid, {-0.155F, 0.012F, 0.0015F}, {0.31F, 0, 0},

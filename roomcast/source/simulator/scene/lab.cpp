@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
@@ -12,7 +12,8 @@ using Eigen::Vector3f;
 
 /// A monitor on its foot, with the middle of it at the origin.
 Burden monitor_to_carry(Room& room, const Palette& palette, Dice& dice) {
-  Surface shown = painted(Pattern::kScreen, 0x20262e, 0x3a6a9a, 0x101418, dice.seed(), 0.05F);
+  Surface shown =
+      glazed(painted(Pattern::kScreen, 0x20262e, 0x3a6a9a, 0x101418, dice.seed(), 0.05F));
   shown.size_m = {0.52F, 0.31F};
   Burden burden;
   burden.half_size_m = {0.272F, 0.226F, 0.09F};
@@ -34,13 +35,9 @@ void wear_coat(Person& person, Room& room, Dice& dice) {
 
 std::optional<Room> try_lab(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "lab";
-  room.size_m = {dice.between(5.8F, 6.6F), 2.9F, dice.between(4.8F, 5.4F)};
-  room.ambient = {0.44F, 0.45F, 0.46F};
-  room.stands = draw_stands_around(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({dice.between(5.8F, 6.6F), 2.9F, dice.between(4.8F, 5.4F)},
+                         {0.44F, 0.45F, 0.46F}, draw_stands_around, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_plain_shell(room, dice.chance(0.5F) ? FloorKind::kConcrete : FloorKind::kTerrazzo, dice);
   Furnisher furnisher(room, plan, dice);

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
 
 std::optional<Room> try_livingroom(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "livingroom";
-  room.size_m = {dice.between(5.6F, 6.2F), 2.6F, dice.between(4.8F, 5.2F)};
-  room.ambient = {0.52F, 0.50F, 0.48F};
-  room.stands = draw_stands_around(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({dice.between(5.6F, 6.2F), 2.6F, dice.between(4.8F, 5.2F)},
+                         {0.52F, 0.50F, 0.48F}, draw_stands_around, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_homely_shell(room, FloorKind::kBoards, dice);
   Furnisher furnisher(room, plan, dice);

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
@@ -73,13 +73,9 @@ Person talker_on(Room& room, const Affine3f& chair, const Vector3f& looks_at_m, 
 
 std::optional<Room> try_meeting(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "meeting";
-  room.size_m = {dice.between(5.8F, 6.4F), 2.7F, dice.between(4.8F, 5.4F)};
-  room.ambient = {0.44F, 0.44F, 0.44F};
-  room.stands = draw_stands_around(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({dice.between(5.8F, 6.4F), 2.7F, dice.between(4.8F, 5.4F)},
+                         {0.44F, 0.44F, 0.44F}, draw_stands_around, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_plain_shell(room, dice.chance(0.6F) ? FloorKind::kCarpet : FloorKind::kBoards, dice);
   Furnisher furnisher(room, plan, dice);

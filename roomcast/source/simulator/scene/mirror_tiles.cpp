@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
@@ -68,15 +68,11 @@ void add_rows_of_chairs(Room& room, FloorPlan& plan, const Furnisher& furnisher,
 
 std::optional<Room> try_mirror_tiles(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "mirror-tiles";
   const float tile_m = dice.chance(0.5F) ? 0.45F : 0.36F;
   const auto whole_tiles = [&](float size_m) { return tile_m * std::round(size_m / tile_m); };
-  room.size_m = {whole_tiles(5.4F), 2.6F, whole_tiles(4.5F)};
-  room.ambient = {0.45F, 0.45F, 0.45F};
-  room.stands = draw_stands_in_corners(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({whole_tiles(5.4F), 2.6F, whole_tiles(4.5F)}, {0.45F, 0.45F, 0.45F},
+                         draw_stands_in_corners, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_tiled_shell(room, tile_m, dice);
   Furnisher furnisher(room, plan, dice);

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
 
 std::optional<Room> try_office(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "office";
-  room.size_m = {dice.between(5.8F, 6.4F), 2.7F, dice.between(4.9F, 5.4F)};
-  room.ambient = {0.44F, 0.44F, 0.44F};
-  room.stands = draw_stands_around(room.size_m, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  Room room = empty_room({dice.between(5.8F, 6.4F), 2.7F, dice.between(4.9F, 5.4F)},
+                         {0.44F, 0.44F, 0.44F}, draw_stands_around, dice);
+  FloorPlan plan = plan_of(room, dice);
 
   add_plain_shell(room, FloorKind::kCarpet, dice);
   Furnisher furnisher(room, plan, dice);

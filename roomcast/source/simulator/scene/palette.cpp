@@ -79,17 +79,27 @@ ShellSurfaces base_of_shell(Room& room, FloorKind floor, Dice& dice) {
   return shell;
 }
 
+Surface varnished(Surface surface) {
+  surface.gloss = 0.04F;
+  surface.polish = 200.0F;
+  return surface;
+}
+
 }  // namespace
 
 Palette draw_palette(Room& room, Dice& dice) {
   Palette p{};
   const Tones wood = dice.one_of(kWoods), dark = dice.one_of(kWoods);
   const Tones cloth = dice.one_of(kCloths), other = dice.one_of(kCloths);
-  p.wood = room.add(painted(Pattern::kWood, wood.base, wood.accent, 0, dice.seed()));
-  p.dark_wood = room.add(painted(Pattern::kWood, dark.base, dark.accent, 0, dice.seed()));
+  p.wood = room.add(varnished(painted(Pattern::kWood, wood.base, wood.accent, 0, dice.seed())));
+  p.dark_wood =
+      room.add(varnished(painted(Pattern::kWood, dark.base, dark.accent, 0, dice.seed())));
   p.cloth = room.add(painted(Pattern::kFabric, cloth.base, cloth.accent, 0, dice.seed()));
   p.other_cloth = room.add(painted(Pattern::kFabric, other.base, other.accent, 0, dice.seed()));
-  p.metal = room.add(painted(Pattern::kPlain, 0x9a9ea2, 0, 0, dice.seed(), 0.4F));
+  Surface metal = painted(Pattern::kPlain, 0x9a9ea2, 0, 0, dice.seed(), 0.4F);
+  metal.gloss = 0.5F;  // brushed
+  metal.polish = 60.0F;
+  p.metal = room.add(metal);
   p.dark = room.add(painted(Pattern::kPlain, 0x2c2e33, 0, 0, dice.seed(), 0.15F));
   p.white = room.add(painted(Pattern::kPlain, 0xeeece6, 0, 0, dice.seed()));
   Surface shade = painted(Pattern::kFabric, 0xf2dfb6, 0xe8cf9a, 0, dice.seed());

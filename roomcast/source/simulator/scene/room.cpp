@@ -43,9 +43,12 @@ Result<Room> build_room(std::string_view scene, std::uint64_t seed) {
       hash_of(static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(seed));
   const std::string_view wanted = scene.empty() ? kSceneNames.front() : scene;
   const auto found = std::find(kSceneNames.begin(), kSceneNames.end(), wanted);
-  if (found != kSceneNames.end())
-    return first_that_fits(kTryBuild[static_cast<std::size_t>(found - kSceneNames.begin())],
-                           folded);
+  if (found != kSceneNames.end()) {
+    const auto which = static_cast<std::size_t>(found - kSceneNames.begin());
+    Room room = first_that_fits(kTryBuild[which], folded);
+    room.name = wanted;
+    return room;
+  }
   return Error{ErrorCode::kNotFound, "There is no simulated scene \"" + std::string(scene) +
                                          "\"; the scenes are " + scene_list() + "."};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/simulator/scene/empty_room.h"
 #include "roomcast/source/simulator/scene/furnisher.h"
 #include "roomcast/source/simulator/scene/scenes.h"
-#include "roomcast/source/simulator/scene/stands.h"
 #include "roomcast/source/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
@@ -47,11 +47,8 @@ Person demonstrator(Room& room, float x, Dice& dice) {
 
 std::optional<Room> try_studio(std::uint32_t seed) {
   Dice dice(seed);
-  Room room;
-  room.name = "studio";
-  room.size_m = {dice.between(5.8F, 6.4F), 2.8F, dice.between(5.0F, 5.4F)};
-  room.ambient = {0.46F, 0.46F, 0.46F};
-  room.stands = draw_stands_on_tripods(room.size_m, dice);
+  Room room = empty_room({dice.between(5.8F, 6.4F), 2.8F, dice.between(5.0F, 5.4F)},
+                         {0.46F, 0.46F, 0.46F}, draw_stands_on_tripods, dice);
   FloorPlan plan(room.size_m, dice.seed());
   add_plain_shell(room, FloorKind::kBoards, dice);
   Furnisher furnisher(room, plan, dice);
