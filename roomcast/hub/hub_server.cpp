@@ -27,6 +27,7 @@ namespace {
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
 constexpr std::chrono::milliseconds kGoodbyeLook{10};
+constexpr std::chrono::milliseconds kStatsInterval{250};
 constexpr char kNoPage[] =
     "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
     "built page (build/web).\n";
@@ -67,6 +68,7 @@ class HubServer::Loop final : public SessionEvents {
   }
   void say_goodbye();
   std::optional<net::HttpResponse> answer(std::string_view path) const;
+  std::string metrics() const;
   asio::io_context& io() { return *loops_.front(); }
   [[nodiscard]] RoomTime now() const { return RoomTime(clock_.now().time_since_epoch()); }
 
@@ -76,6 +78,7 @@ class HubServer::Loop final : public SessionEvents {
   void carry_out(const RestartSensor& action);
   void carry_out(const AcceptConnection& action);
   void carry_out(const Disconnect& action);
+  void tell_other_threads();
   void schedule_tick();
   void log(LogLevel level, const std::string& line) const {
     if (options_.log) options_.log(level, line);
@@ -85,7 +88,10 @@ class HubServer::Loop final : public SessionEvents {
   std::optional<net::StaticSite> site_;
   SteadyClock clock_;
   Room room_;
-  std::atomic<std::size_t> sensor_count_ = 0, viewer_count_ = 0;  // of the room, for other threads
+  // For other threads: what they are asked of the room.
+  std::atomic<std::size_t> sensor_count_ = 0, viewer_count_ = 0;
+  std::atomic<std::shared_ptr<const RoomStats>> stats_ = std::make_shared<const RoomStats>();
+  RoomTime stats_at_{};
   UnjoinedCount unjoined_ = 0;
   // One per thread, the first is the room's.
   std::vector<std::unique_ptr<asio::io_context>> loops_;
@@ -146,9 +152,16 @@ std::optional<net::HttpResponse> HubServer::Loop::answer(std::string_view path) 
     return net::text_response(200, "ok, " + std::to_string(sensor_count_) + " sensors, " +
                                        std::to_string(viewer_count_) + " viewers\n");
   }
+  if (path == "/metrics") return net::text_response(200, metrics());
   if (site_) return site_->find(path);
   if (path == "/") return net::text_response(200, kNoPage);
   return std::nullopt;
+}
+
+std::string HubServer::Loop::metrics() const {
+  std::uint64_t dropped = 0;
+  for (const auto& shard : shards_) dropped += shard->dropped_sets();
+  return metrics_text(*stats_.load(), dropped);
 }
 
 void HubServer::Loop::on_join(ConnectionId from, const wire::pb::Join& join) {
@@ -178,9 +191,17 @@ void HubServer::Loop::carry_out(RoomActions actions) {
   for (const RoomAction& action : actions) {
     std::visit([this](const auto& a) { carry_out(a); }, action);
   }
-  sensor_count_ = room_.online_sensor_count();
-  viewer_count_ = room_.viewer_count();
+  tell_other_threads();
   schedule_tick();
+}
+
+void HubServer::Loop::tell_other_threads() {
+  const std::size_t sensors = room_.online_sensor_count(), viewers = room_.viewer_count();
+  const bool sensors_changed = sensor_count_.exchange(sensors) != sensors;
+  const bool viewers_changed = viewer_count_.exchange(viewers) != viewers;
+  if (!sensors_changed && !viewers_changed && now() - stats_at_ < kStatsInterval) return;
+  stats_at_ = now();
+  stats_ = std::make_shared<const RoomStats>(room_.stats());
 }
 
 void HubServer::Loop::carry_out(const SendControl& action) {

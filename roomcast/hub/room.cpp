@@ -121,7 +121,8 @@ Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
                       .connection = {},
                       .description = {},
                       .world_from_depth = guessed_place(id),
-                      .key_pace = {}});
+                      .key_pace = {},
+                      .stats = {}});
   return &sensors_.back();
 }
 
@@ -173,6 +174,7 @@ RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
                   "this frame was captured in the future: synchronise the clock first", now);
   }
   if (header.key) sensor.key_pace.key_frame_came();
+  count(sensor, header, message.size(), now);
   RoomActions out;
   if (!sets_.add_frame(header, std::move(message), now)) return out;
   send_closed_sets(now, out);
@@ -246,6 +248,7 @@ void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
 
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
+    count(*set);
     if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
@@ -318,6 +321,36 @@ pb::Roster Room::roster() const {
     entry.set_color_rgb(viewer.color_rgb);
   }
   return roster;
+}
+
+void Room::count(Sensor& sensor, const wire::FrameHeader& header, std::size_t bytes, RoomTime now) {
+  using Seconds = std::chrono::duration<double>;
+  SensorStats& stats = sensor.stats;
+  ++stats.frames;
+  stats.bytes += bytes;
+  stats.delay_s = Seconds(now - header.capture_time).count();
+  stats.clock_error_s.reset();
+  if (header.clock_error_us != wire::kClockErrorUnknown) {
+    stats.clock_error_s = 1e-6 * header.clock_error_us;
+  }
+}
+
+void Room::count(const FrameSet& set) {
+  ++set_stats_.sets;
+  if (sensor_count(set) < sensor_of_.size()) ++set_stats_.incomplete_sets;
+  set_stats_.set_skew_s = std::chrono::duration<double>(capture_skew(set)).count();
+}
+
+RoomStats Room::stats() const {
+  RoomStats stats = set_stats_;
+  stats.room = name_;
+  stats.viewers = viewers_.size();
+  for (const Sensor& sensor : sensors_) {
+    stats.sensors.push_back(sensor.stats);
+    stats.sensors.back().name = sensor.name;
+    stats.sensors.back().online = sensor.connection.has_value();
+  }
+  return stats;
 }
 
 Matrix4 Room::next_start_pose() const {

@@ -17,6 +17,7 @@
 #include "roomcast/hub/frame_set_builder.h"
 #include "roomcast/hub/key_request_pace.h"
 #include "roomcast/hub/room_action.h"
+#include "roomcast/hub/room_stats.h"
 #include "roomcast/hub/start_pose.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
@@ -50,6 +51,7 @@ class Room {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t online_sensor_count() const { return sensor_of_.size(); }
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
+  [[nodiscard]] RoomStats stats() const;
 
  private:
   struct Sensor {
@@ -60,6 +62,7 @@ class Room {
     wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
     Matrix4 world_from_depth{};
     KeyRequestPace key_pace;
+    SensorStats stats;  // what changes with its frames
   };
   struct Viewer {
     ViewerId id;
@@ -78,6 +81,8 @@ class Room {
   void set_pose(Viewer& viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void ask_for_key(const Sensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
+  void count(Sensor& sensor, const wire::FrameHeader& header, std::size_t bytes, RoomTime now);
+  void count(const FrameSet& set);
   void send_poses(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
   bool announce_in_time(RoomTime now, RoomActions& out);
@@ -94,6 +99,7 @@ class Room {
   std::unordered_map<ConnectionId, std::size_t> sensor_of_;  // online ones: index into sensors_
   std::unordered_map<ConnectionId, Viewer> viewers_;
   FrameSetBuilder sets_;
+  RoomStats set_stats_;  // what changes with sets
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
   RoomTime next_poses_{};

@@ -213,6 +213,24 @@ TEST_F(RoomTest, a_frame_goes_to_the_viewers_as_a_set) {
   EXPECT_EQ(sets[0].set->frames.size(), 1u);
 }
 
+TEST_F(RoomTest, stats_count_frames_and_sets_and_tell_the_skew) {
+  const auto left = enter(sensor_join("left"));
+  const auto right = enter(sensor_join("right"));
+  frame(left, SensorId{0}, 0ms, 20ms);
+  frame(right, SensorId{1}, 4ms, 21ms);
+  frame(left, SensorId{0}, 33ms, 50ms);
+  (void)room.tick(at(200ms));
+  const RoomStats stats = room.stats();
+  EXPECT_EQ(stats.sets, 2U);
+  EXPECT_EQ(stats.incomplete_sets, 1U) << "nobody waits for a sensor before its first frame";
+  EXPECT_NEAR(stats.set_skew_s, 0.029, 1e-9);
+  ASSERT_EQ(stats.sensors.size(), 2U);
+  EXPECT_EQ(stats.sensors[0].frames, 2U);
+  EXPECT_EQ(stats.sensors[0].bytes, 2 * wire::kFrameHeaderBytes);
+  EXPECT_NEAR(stats.sensors[0].delay_s, 0.017, 1e-9);
+  EXPECT_TRUE(stats.sensors[1].online);
+}
+
 TEST_F(RoomTest, a_set_that_waits_is_sent_by_the_clock) {
   const auto left = enter(sensor_join("left"));
   const auto right = enter(sensor_join("right"));

@@ -50,6 +50,7 @@ class Session final : public net::ConnectionHandler {
   /// False when the peer lets its control messages pile up: disconnect it.
   [[nodiscard]] bool send_control(net::SealedMessagePtr message);
   void send_set(FrameSetPtr set);
+  [[nodiscard]] std::uint64_t dropped_sets() const { return outbox_.dropped_sets(); }
   void restart_sensor(SensorId sensor) { outbox_.forget(sensor); }
 
   /// Says why and closes. Nothing more comes from it but on_left.

@@ -71,7 +71,13 @@ void Shard::send_control(std::vector<ConnectionId> to, net::SealedMessagePtr mes
 
 void Shard::send_set(FrameSetPtr set) {
   asio::dispatch(place_.io, [this, set = std::move(set)] {
-    for (Session* viewer : viewers_) viewer->send_set(set);
+    std::uint64_t dropped = 0;
+    for (Session* viewer : viewers_) {
+      dropped -= viewer->dropped_sets();
+      viewer->send_set(set);
+      dropped += viewer->dropped_sets();
+    }
+    dropped_sets_ += dropped;
   });
 }
 

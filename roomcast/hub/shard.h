@@ -54,6 +54,8 @@ class Shard final : public SessionEvents {
   void send_set(FrameSetPtr set);
   void restart_sensor(SensorId sensor);
   void disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence);
+  /// Left out for slow viewers, over all that were ever here.
+  [[nodiscard]] std::uint64_t dropped_sets() const { return dropped_sets_; }
 
   // From the sessions.
   void on_join(ConnectionId from, const wire::pb::Join& join) override;
@@ -72,6 +74,7 @@ class Shard final : public SessionEvents {
   UnjoinedCount& unjoined_;
   const std::chrono::milliseconds join_within_;
   std::uint64_t next_connection_;
+  std::atomic<std::uint64_t> dropped_sets_ = 0;
   SteadyClock clock_;
   std::unordered_map<ConnectionId, std::shared_ptr<Session>> sessions_;
   std::vector<Session*> viewers_;  // those of sessions_ that get frame sets

@@ -111,6 +111,17 @@ test('hub_hangs_up_on_nonsense_and_serves_the_others', async (t) => {
   }
 });
 
+test('metrics_tell_of_sensors_and_sets', async (t) => {
+  const { hub } = await startRoom(t);
+  const deadline = Date.now() + 10_000;
+  let metrics = '';
+  while (!/^roomcast_sets_total\{room="room"\} [1-9]/m.test(metrics)) {
+    assert.ok(Date.now() < deadline, `no frame set was counted:\n${metrics}`);
+    metrics = await (await fetch(`http://127.0.0.1:${hub.port}/metrics`)).text();
+  }
+  assert.match(metrics, /^roomcast_sensor_online\{room="room",sensor="[^"]+"\} 1$/m);
+});
+
 test('reason_of_a_hang_up_is_a_sentence', async (t) => {
   const hub = await startHub(t);
   const socket = await RawSocket.open(hub.port);
