@@ -19,9 +19,11 @@ export class Program {
   stdout = '';
   stderr = '';
 
-  constructor(args) {
+  /** `through` is a command that runs the program, if any: ["nice"], say. */
+  constructor(args, { through = [] } = {}) {
     this.args = args;
-    this.child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    const [command, ...rest] = [...through, binary, ...args];
+    this.child = spawn(command, rest, { stdio: ['ignore', 'pipe', 'pipe'] });
     this.child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));
     this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
     this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);

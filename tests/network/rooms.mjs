@@ -4,9 +4,9 @@ import assert from 'node:assert/strict';
 
 import { Program } from '../cli/program.mjs';
 
-/** A recorded sensor, number `n` of the small rig in folder `rig`, again and again; it has joined as "s0" for number 0. */
-export async function startSensor(t, url, rig, n) {
-  const sensor = new Program(['sensor', '--source', `rig:${rig}#s${n}`, '--hub', url, '--wait', '--verbose']);
+/** A recorded sensor, number `n` of the rig in folder `rig`, again and again; it has joined as "s0" for number 0. */
+export async function startSensor(t, url, rig, n, options) {
+  const sensor = new Program(['sensor', '--source', `rig:${rig}#s${n}`, '--hub', url, '--wait', '--verbose'], options);
   t.after(() => sensor.stop('SIGKILL'));
   await sensor.prints(/joined/);
   return sensor;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording of four small sensors without colour, so that a test can run many real programs on few cores. Their clocks
-// are seconds apart.
-import { mkdirSync, writeFileSync } from 'node:fs';
+// Recordings of small sensors without colour, so that a test can run many real programs on few cores.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 
 const width = 64;
 const height = 48;
-const frames = 20;
-const sensors = 4;
 
 const camera = {
   depth: { width, height, fx: 60, fy: 60, cx: 31.5, cy: 23.5 },
@@ -27,27 +24,42 @@ function worldFromDepth(sensor) {
   return [...[0, 1, 2].flatMap((row) => [right[row], down[row], forward[row], place[row]]), 0, 0, 0, 1];
 }
 
-/** Writes the rig into `folder` and returns its path; `fps` frames a second. */
+/** Four sensors, two seconds at `fps`, with clocks that are seconds apart. Returns the rig's path, in `folder`. */
 export function writeSmallRig(folder, { fps = 10 } = {}) {
+  const sensors = [0, 3.25, 6.5, 9.75].map((clockOffset_s, n) => ({
+    entry: { id: `s${n}`, clock_offset_s: clockOffset_s },
+    frames: Array.from({ length: 2 * fps }, (_, i) => ({
+      stamp: (100 + i / fps + clockOffset_s).toFixed(6),
+      file: `depth/${String(i).padStart(6, '0')}.png`,
+    })),
+  }));
+  return writeRig(folder, fps, sensors);
+}
+
+/** Sensors that do what those of another rig do at the same times: their clocks, their drift, their lost frames. */
+export function writeSmallRigTimedAs(rig, folder) {
+  const { fps, sensors } = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8'));
+  const framesOf = ({ path }) =>
+    readFileSync(join(rig, path, 'depth.txt'), 'utf8')
+      .split('\n')
+      .filter((line) => line !== '' && !line.startsWith('#'))
+      .map((line) => ({ stamp: line.split(' ')[0], file: line.split(' ')[1] }));
+  return writeRig(folder, fps, sensors.map((entry) => ({ entry, frames: framesOf(entry) })));
+}
+
+function writeRig(folder, fps, sensors) {
   const rig = join(folder, 'rig');
-  mkdirSync(rig);
-  const entries = Array.from({ length: sensors }, (_, n) => {
-    const clockOffset_s = 3.25 * n;
-    writeSensor(join(rig, `s${n}`), { n, fps, clockOffset_s });
-    return { id: `s${n}`, path: `s${n}`, world_from_depth: worldFromDepth(n), clock_offset_s: clockOffset_s };
-  });
+  sensors.forEach(({ frames }, n) => writeSensor(join(rig, `s${n}`), n, frames));
+  const entries = sensors.map(({ entry }, n) => ({ ...entry, path: `s${n}`, world_from_depth: worldFromDepth(n) }));
   writeFileSync(join(rig, 'rig.json'), JSON.stringify({ version: 1, fps, sensors: entries }));
   return rig;
 }
 
-function writeSensor(folder, { n, fps, clockOffset_s }) {
+function writeSensor(folder, n, frames) {
   mkdirSync(join(folder, 'depth'), { recursive: true });
   writeFileSync(join(folder, 'camera.json'), JSON.stringify(camera));
-  const lines = Array.from({ length: frames }, (_, i) => {
-    const file = `depth/${String(i).padStart(6, '0')}.png`;
-    writeFileSync(join(folder, file), depthPng((x, y) => 1500 + 100 * n + 10 * i + x + y));
-    return `${(100 + i / fps + clockOffset_s).toFixed(6)} ${file}\n`;
-  });
+  frames.forEach(({ file }, i) => writeFileSync(join(folder, file), depthPng((x, y) => 1500 + 100 * n + 10 * i + x + y)));
+  const lines = frames.map(({ stamp, file }) => `${stamp} ${file}\n`);
   writeFileSync(join(folder, 'depth.txt'), `# timestamp path\n${lines.join('')}`);
 }
 
