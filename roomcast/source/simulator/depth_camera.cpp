@@ -109,15 +109,20 @@ bool DepthCamera::shows_moving(const Work& work, int x, int y) const {
   return is_in_front(work.layer, plate_.z_m, x, y);
 }
 
+const Surface& DepthCamera::surface_at(const MovingThings& things, const MovingLayer& layer, int x,
+                                       int y) const {
+  return room_.surfaces[things.mesh().surface[layer.triangle().at(x, y)]];
+}
+
 FineSample DepthCamera::fine_sample(const MovingThings& things, const Work& work, int x,
                                     int y) const {
   if (!is_in_front(work.fine_layer, plate_.fine_z_m, x, y)) {
     return {plate_.fine_z_m.at(x, y), plate_.fine_strength.at(x, y)};
   }
-  const MovingPoint point = moving_point(things, work.fine_layer, fine_camera_, x, y);
   const float z_m = work.fine_layer.z_m().at(x, y);
-  return {z_m, signal_strength(infrared_back(room_.surfaces[point.surface], point.facing),
-                               point.facing, z_m)};
+  const float facing = facing_at(things, work.fine_layer, fine_camera_, x, y);
+  const Surface& surface = surface_at(things, work.fine_layer, x, y);
+  return {z_m, signal_strength(infrared_back(surface, facing), facing, z_m)};
 }
 
 DepthReading DepthCamera::centre_of(const MovingThings& things, const Work& work, int x,
@@ -129,12 +134,9 @@ DepthReading DepthCamera::centre_of(const MovingThings& things, const Work& work
             plate_.detour_m.at(x, y),
             {}};
   }
-  const MovingPoint point = moving_point(things, work.layer, camera_, x, y);
-  return {work.layer.z_m().at(x, y),
-          point.facing,
-          infrared_back(room_.surfaces[point.surface], point.facing),
-          0.0F,
-          {}};
+  const float facing = facing_at(things, work.layer, camera_, x, y);
+  const Surface& surface = surface_at(things, work.layer, x, y);
+  return {work.layer.z_m().at(x, y), facing, infrared_back(surface, facing), 0.0F, {}};
 }
 
 OtherSurface DepthCamera::beside(const DepthReading& centre, const MovingThings& things,

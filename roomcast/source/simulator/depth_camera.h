@@ -53,6 +53,8 @@ class DepthCamera {
   [[nodiscard]] OtherSurface beside(const DepthReading& centre, const MovingThings& things,
                                     const Work& work, int x, int y) const;
   [[nodiscard]] bool shows_moving(const Work& work, int x, int y) const;
+  [[nodiscard]] const Surface& surface_at(const MovingThings& things, const MovingLayer& layer,
+                                          int x, int y) const;
   [[nodiscard]] FineSample fine_sample(const MovingThings& things, const Work& work, int x,
                                        int y) const;
   void read_moving(const MovingThings& things, Work& work, ImageView<std::uint16_t> out) const;

@@ -125,14 +125,16 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
   for (const std::uint32_t vertex : corner) project_vertex(vertex, camera);
   PixelBox box = limits;
   if (a.has_pixel && b.has_pixel && c.has_pixel) {
-    constexpr float kBulge = 0.6F;  // pixels: the lens bends edges a little
-    const Vector2f low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel).array() - kBulge;
-    const Vector2f high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel).array() + kBulge + 1.0F;
+    const Vector2f low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
+    const Vector2f high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
+    // The lens bends edges: less than a hundredth of their length, as long as they fit a picture.
+    const float bulge = 0.05F + 0.01F * (high - low).maxCoeff();
     const auto whole = [](float value) {  // rounded down, without a call
       constexpr int kFar = 30000;
       return static_cast<int>(std::clamp(value, -1.0F * kFar, 1.0F * kFar) + kFar) - kFar;
     };
-    box = common(limits, {whole(low.x()), whole(low.y()), whole(high.x()), whole(high.y())});
+    box = common(limits, {-whole(bulge - low.x()), -whole(bulge - low.y()),
+                          whole(high.x() + bulge) + 1, whole(high.y() + bulge) + 1});
   } else if (beyond_a_side(std::array{a.in_camera_m, b.in_camera_m, c.in_camera_m},
                            camera.ray_bounds())) {
     return;  // without a pixel to bound it, a triangle would be looked for in the whole picture
@@ -167,6 +169,26 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
       }
     }
   }
+}
+
+MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
+                         const PlacedCamera& camera, int x, int y) {
+  const TriangleMesh& mesh = things.mesh();
+  const std::uint32_t number = layer.triangle().at(x, y);
+  const auto& corner = mesh.triangles[number];
+  const Vector2f share = layer.corner_shares().at(x, y);
+  const float first = 1.0F - share.x() - share.y();
+  const Vector3f direction = camera.direction(x, y);
+  MovingPoint point;
+  point.position_m = camera.eye_m() + layer.z_m().at(x, y) * direction;
+  point.normal = (first * mesh.normals[corner[0]] + share.x() * mesh.normals[corner[1]] +
+                  share.y() * mesh.normals[corner[2]])
+                     .normalized();
+  point.uv_m = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
+               share.y() * mesh.uv_m[corner[2]];
+  point.surface = mesh.surface[number];
+  point.facing = facing_at(things, layer, camera, x, y);
+  return point;
 }
 
 }  // namespace roomcast::sim

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -63,25 +64,21 @@ struct MovingPoint {
   SurfaceIndex surface;
   float facing;  // cosine between the normal and the way back to the camera
 };
-/// The layer has to show something there. Inline, so that callers pay for what they ask only.
-[[nodiscard]] inline MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
-                                              const PlacedCamera& camera, int x, int y) {
-  const TriangleMesh& mesh = things.mesh();
-  const std::uint32_t number = layer.triangle().at(x, y);
-  const auto& corner = mesh.triangles[number];
+/// The layer has to show something there.
+[[nodiscard]] MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
+                                       const PlacedCamera& camera, int x, int y);
+/// The cosine alone.
+[[nodiscard]] inline float facing_at(const MovingThings& things, const MovingLayer& layer,
+                                     const PlacedCamera& camera, int x, int y) {
+  const auto& corner = things.mesh().triangles[layer.triangle().at(x, y)];
+  const auto& normals = things.mesh().normals;
   const Eigen::Vector2f share = layer.corner_shares().at(x, y);
   const float first = 1.0F - share.x() - share.y();
+  const Eigen::Vector3f normal =
+      first * normals[corner[0]] + share.x() * normals[corner[1]] + share.y() * normals[corner[2]];
   const Eigen::Vector3f direction = camera.direction(x, y);
-  MovingPoint point;
-  point.position_m = camera.eye_m() + layer.z_m().at(x, y) * direction;
-  point.normal = (first * mesh.normals[corner[0]] + share.x() * mesh.normals[corner[1]] +
-                  share.y() * mesh.normals[corner[2]])
-                     .normalized();
-  point.uv_m = first * mesh.uv_m[corner[0]] + share.x() * mesh.uv_m[corner[1]] +
-               share.y() * mesh.uv_m[corner[2]];
-  point.surface = mesh.surface[number];
-  point.facing = std::max(0.0F, -point.normal.dot(direction.normalized()));
-  return point;
+  const float lengths = std::sqrt(normal.squaredNorm() * direction.squaredNorm());
+  return std::clamp(-normal.dot(direction) / lengths, 0.0F, 1.0F);
 }
 
 }  // namespace roomcast::sim
