@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/codec/candidate.h"
 
+#include <cstdlib>
+
 namespace roomcast::bench {
 namespace {
 
 constexpr double kReportFps = 30;
+
+// As far apart as noise puts readings of one surface: 10 mm and 1/32 of the distance.
+constexpr int kSurfaceReach_mm = 10, kSurfaceShare = 32;
 
 DepthQuality quality_of(const DepthError& error, double frames) {
   DepthQuality quality;
@@ -40,12 +45,27 @@ Status Candidate::run(const BenchFrame& frame, const BenchTruth& truth,
         truth.depth_mm.empty() ? DepthTruth{} : DepthTruth{truth.depth_mm, motion};
     now.depth.add(decoded_.depth_mm, frame.depth_mm, depth_truth);
   }
-  if (!decoded_.color.empty()) {
-    now.color_lost = find_shown(frame.seen, decoded_.seen);
-    now.color.add(decoded_.color, truth.color, shown_);
-    now.color_to_input.add(decoded_.color, frame.color, shown_);
-  }
+  if (!decoded_.color.empty()) compare_color(frame, truth, now);
   return check_promise(frame.depth_mm, now.depth);
+}
+
+void Candidate::compare_color(const BenchFrame& frame, const BenchTruth& truth, Measured& now) {
+  now.color_all.add(decoded_.color, truth.color, frame.seen);
+  now.color_lost = find_shown(frame.seen, decoded_.seen);
+  now.color.add(decoded_.color, truth.color, shown_);
+  now.color_to_input.add(decoded_.color, frame.color, shown_);
+  if (!decoded_.depth_mm.empty()) keep_measured_surface(frame.depth_mm);
+  now.color_on_surface.add(decoded_.color, truth.color, shown_);
+}
+
+void Candidate::keep_measured_surface(DepthView measured_mm) {
+  for (int y = 0; y < measured_mm.height; ++y) {
+    for (int x = 0; x < measured_mm.width; ++x) {
+      const int decoded_mm = decoded_.depth_mm.at(x, y);
+      const int apart_mm = std::abs(measured_mm.at(x, y) - decoded_mm);
+      if (kSurfaceShare * (apart_mm - kSurfaceReach_mm) > decoded_mm) shown_.at(x, y) = 0;
+    }
+  }
 }
 
 std::int64_t Candidate::find_shown(const MaskImage& seen, const MaskImage& decoded) {
@@ -99,12 +119,14 @@ void Candidate::add_bytes(int first, int key_interval, CodecBenchRow& row) const
 
 void Candidate::add_quality(int first, CodecBenchRow& row) const {
   DepthError depth;
-  LumaError color, color_to_input;
+  LumaError color, color_on_surface, color_all, color_to_input;
   const double count = static_cast<double>(frames_.size()) - first;
   for (std::size_t i = static_cast<std::size_t>(first); i < frames_.size(); ++i) {
     const Measured& frame = frames_[i];
     depth.add(frame.depth);
     color.add(frame.color);
+    color_on_surface.add(frame.color_on_surface);
+    color_all.add(frame.color_all);
     color_to_input.add(frame.color_to_input);
     row.color_lost += static_cast<double>(frame.color_lost) / count;
     row.encode_ms += frame.cost.encode_ms / count;
@@ -112,6 +134,8 @@ void Candidate::add_quality(int first, CodecBenchRow& row) const {
   }
   if (!decoded_.depth_mm.empty()) row.depth = quality_of(depth, count);
   row.color_psnr_y = color.psnr_db();
+  row.color_psnr_surface_y = color_on_surface.psnr_db();
+  row.color_psnr_all_y = color_all.psnr_db();
   row.color_psnr_input_y = color_to_input.psnr_db();
 }
 

@@ -30,12 +30,16 @@ class Candidate {
     bool key = false;
     FrameCost cost;
     DepthError depth;
-    LumaError color, color_to_input;
+    LumaError color, color_on_surface, color_all, color_to_input;
     std::int64_t color_lost = 0;
   };
+  void compare_color(const BenchFrame& frame, const BenchTruth& truth, Measured& now);
   /// Fills shown_ with what is seen in the input and shown by the decoder; counts what is not
   /// shown.
   std::int64_t find_shown(const MaskImage& seen, const MaskImage& decoded);
+  /// Of these leaves only pixels whose decoded depth is on the surface that was measured: the
+  /// reference is the colour of that one.
+  void keep_measured_surface(DepthView measured_mm);
   [[nodiscard]] Status check_promise(const DepthImage& input_mm, const DepthError& error) const;
   void add_bytes(int first, int key_interval, CodecBenchRow& row) const;
   void add_quality(int first, CodecBenchRow& row) const;

@@ -45,11 +45,12 @@ struct CodecBenchRow {
   double mb_per_s = 0;  // at 30 frames per second, whatever the input's rate
   double encode_ms = 0, decode_ms = 0;
   std::optional<DepthQuality> depth;  // of codecs that carry depth
-  // Over pixels that are seen in the input and shown by the decoder; nothing without loss or
-  // without colour.
-  std::optional<double> color_psnr_y;        // against the reference
-  std::optional<double> color_psnr_input_y;  // against the input, its noise included
-  double color_lost = 0;                     // seen pixels per frame that the decoder does not show
+  // Nothing without loss or without colour.
+  std::optional<double> color_psnr_y;  // where the input sees colour and the decoder shows it
+  std::optional<double> color_psnr_surface_y;  // of these, where depth shows the measured surface
+  std::optional<double> color_psnr_all_y;      // wherever the input sees colour
+  std::optional<double> color_psnr_input_y;    // as the first, against the input with its noise
+  double color_lost = 0;  // seen pixels per frame that the decoder does not show
 };
 
 struct CodecBenchReport {

@@ -113,6 +113,20 @@ TEST(CodecBench, counts_what_each_codec_sends) {
   EXPECT_LT(color.color_bytes, raw.color_bytes / 10);
   EXPECT_FALSE(color.depth.has_value());
   EXPECT_GT(color.color_psnr_y.value(), 25);
+  EXPECT_EQ(color.color_psnr_y, color.color_psnr_all_y) << "it hides nothing";
+  EXPECT_EQ(color.color_psnr_y, color.color_psnr_surface_y) << "it has no depth to be wrong";
+}
+
+TEST(CodecBench, colour_on_a_surface_that_was_not_measured_counts_apart) {
+  // Behind what one frame shows for a moment, live depth and colour go on with what was there.
+  MadeUpInput input(4);
+  input.with_color = true;
+  const auto report = run_codec_bench(input, {.only = "live+color"});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  const CodecBenchRow& live = report->rows.front();
+  ASSERT_TRUE(live.color_psnr_all_y.has_value());
+  EXPECT_GE(live.color_psnr_surface_y.value(), live.color_psnr_y.value());
+  EXPECT_GE(live.color_psnr_y.value(), live.color_psnr_all_y.value());
 }
 
 TEST(CodecBench, leaves_out_colour_codecs_where_there_is_no_colour) {
@@ -157,10 +171,10 @@ TEST(CodecBench, prints_the_promised_keys) {
   EXPECT_EQ(json["frames"], 1);
   ASSERT_GE(json["rows"].size(), 10u);
   for (const auto& row : json["rows"]) {
-    for (const char* key :
-         {"codec", "mode", "depth_bytes", "color_bytes", "mb_per_s", "encode_ms", "decode_ms",
-          "rms_input_mm", "max_input_mm", "rms_truth_mm", "rms_truth_static_mm",
-          "rms_truth_moving_mm", "outliers_20mm", "color_psnr_y"}) {
+    for (const char* key : {"codec", "mode", "depth_bytes", "color_bytes", "mb_per_s", "encode_ms",
+                            "decode_ms", "rms_input_mm", "max_input_mm", "rms_truth_mm",
+                            "rms_truth_static_mm", "rms_truth_moving_mm", "outliers_20mm",
+                            "color_psnr_y", "color_psnr_surface_y", "color_psnr_all_y"}) {
       EXPECT_TRUE(row.contains(key)) << key;
     }
   }

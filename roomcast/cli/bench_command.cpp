@@ -17,7 +17,7 @@ namespace roomcast::cli {
 namespace {
 
 struct CodecCommandOptions {
-  std::string input = "sim";
+  std::string input = "sim:studio";
   bench::BenchInputOptions simulator;
   bench::CodecBenchOptions bench;
   bool json = false;

@@ -13,11 +13,12 @@ namespace roomcast::cli {
 
 struct CodecChoice {
   codec::DepthMode depth_mode = codec::DepthMode::kLive;
+  int depth_bound_mm = 2;
   int layers = 2;
   int color_kbit_per_s = 600;
 };
 
-/// Adds --codec, --layers and --color-kbit.
+/// Adds --codec, --bound-mm, --layers and --color-kbit.
 inline void add_codec_options(CLI::App& command, CodecChoice& choice) {
   const std::map<std::string, codec::DepthMode> modes = {
       {"live", codec::DepthMode::kLive},
@@ -28,6 +29,11 @@ inline void add_codec_options(CLI::App& command, CodecChoice& choice) {
                   "Depth: live (fewest bytes, without the noise), near-lossless, lossless")
       ->transform(CLI::CheckedTransformer(modes))
       ->default_str("live");
+  command
+      .add_option("--bound-mm", choice.depth_bound_mm,
+                  "With --codec near-lossless: no reading is off by more millimetres")
+      ->check(CLI::Range(1, 63))
+      ->capture_default_str();
   command
       .add_option("--layers", choice.layers,
                   "Temporal layers: a slow network leaves out all but the lowest")

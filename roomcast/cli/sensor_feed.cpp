@@ -31,6 +31,7 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
   options.width = sensor.calibration.depth.width;
   options.height = sensor.calibration.depth.height;
   options.fps = sensor.fps;
+  options.depth_bound_mm = feed.codec.depth_bound_mm;
   options.color_kbit_per_s = feed.codec.color_kbit_per_s;
   options.temporal_layers = feed.codec.layers;
   options.depth_mode = feed.codec.depth_mode;
