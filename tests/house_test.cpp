@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two habits of the house that a machine can check: a licence line in every file, a test for every
-// source.
+// Habits of the house that a machine can check: a licence line in every file, a test for every
+// source, and no time of day where time has to go on evenly.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -20,6 +20,18 @@ namespace {
 constexpr std::string_view kLicenceLine = "// SPDX-License-Identifier: Apache-2.0";
 
 const std::vector<std::string> kTestedFolders = {"roomcast", "bench", "tests"};
+
+/// From a sensor to a viewer all time is monotonic: somebody who sets a clock disturbs nobody.
+const std::vector<std::string> kTimelessFolders = {"roomcast/core",   "roomcast/wire",
+                                                   "roomcast/net",    "roomcast/source",
+                                                   "roomcast/client", "roomcast/hub"};
+
+bool asks_the_time_of_day(const SourceFile& file) {
+  constexpr std::string_view kWays[] = {"system_clock", "utc_clock",      "gettimeofday(",
+                                        "timespec_get", "CLOCK_REALTIME", "std::time("};
+  return std::ranges::any_of(
+      kWays, [&](std::string_view way) { return file.text.find(way) != std::string::npos; });
+}
 
 bool has_licence(const SourceFile& file) {
   return file.text.compare(0, kLicenceLine.size(), kLicenceLine) == 0;
@@ -102,6 +114,19 @@ TEST(House, every_file_begins_with_its_licence) {
 
 TEST(House, every_source_is_used_by_a_test_beside_it) {
   EXPECT_THAT(untested(read_cpp_files(ROOMCAST_SOURCE_DIR, kTestedFolders)), testing::IsEmpty());
+}
+
+TEST(House, nothing_between_sensor_and_viewer_asks_the_time_of_day) {
+  const auto files = read_cpp_files(ROOMCAST_SOURCE_DIR, kTimelessFolders);
+  EXPECT_GT(files.size(), 10u);
+  for (const SourceFile& file : files) EXPECT_FALSE(asks_the_time_of_day(file)) << file.path;
+}
+
+TEST(House, notices_who_asks_the_time_of_day) {
+  EXPECT_TRUE(
+      asks_the_time_of_day({"a.cpp", "const auto now = std::chrono::system_clock::now();"}));
+  EXPECT_FALSE(
+      asks_the_time_of_day({"a.cpp", "const auto now = std::chrono::steady_clock::now();"}));
 }
 
 TEST(House, notices_a_missing_licence) {
