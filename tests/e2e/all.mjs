@@ -2,3 +2,4 @@
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
 import './room.test.mjs';
 import './trouble.test.mjs';
+import './reverse_proxy.test.mjs';

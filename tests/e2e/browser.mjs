@@ -20,13 +20,15 @@ const args = [
   '--enable-unsafe-swiftshader',
 ];
 
-export async function startBrowser({ width = 640, height = 400 } = {}) {
+/** `ignoreHTTPSErrors`: for certificates that nobody vouches for. */
+export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
     headless: true,
     chromiumSandbox: false,
     viewport: { width, height },
+    ignoreHTTPSErrors,
     timeout: 60_000,
     args,
   });

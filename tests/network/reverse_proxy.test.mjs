@@ -8,6 +8,7 @@ import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, assertServes, scratchFolder, startHub } from '../cli/program.mjs';
+import { makeCertificate } from './certificate.mjs';
 import { nginxIsMissing, startNginx } from './nginx.mjs';
 import { RoomClient } from './room_client.mjs';
 import { startSensor } from './rooms.mjs';
@@ -15,14 +16,6 @@ import { writeSmallRig } from './small_rig.mjs';
 
 const skip = nginxIsMissing;
 const options = { rejectUnauthorized: false };
-
-/** A PEM file and its fingerprint: those that a hub makes for itself. */
-async function makeCertificate(t, folder) {
-  const hub = await startHub(t, '--tls-self-signed', '--data', folder);
-  const [, fingerprint] = await hub.program.prints(/#sha256=([0-9a-f]{64})/);
-  await hub.program.stop();
-  return { file: join(folder, 'self-signed.pem'), fingerprint };
-}
 
 async function startBehindProxy(t) {
   const folder = scratchFolder(t);
