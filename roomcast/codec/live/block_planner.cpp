@@ -23,7 +23,7 @@ constexpr int kMostPatience = 9;  // frames; with the base a change waits half a
 constexpr int kRefinementsPerFrame = 200;
 constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
 constexpr int kFirstRefinement = 10,
-              kNextRefinement = 30;  // samples of each pixel
+              kNextRefinement = 48;  // samples of each pixel
 constexpr float kRefinementGain = 0.6f * kLevelsPerSigma;
 constexpr float kRefinementRounding = 0.25f;
 

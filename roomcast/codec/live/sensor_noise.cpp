@@ -9,9 +9,9 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint32_t kLeastSamples = 100;      // fewer say nothing about a distance
-constexpr std::uint32_t kMostSamples = 1u << 18;  // then old ones are halved away
-constexpr double kTrim = 3.5;                     // standard deviations
+constexpr std::uint32_t kLeastSamples = 100;  // fewer say nothing about a distance
+constexpr int kHalfLife_frames = 45;          // a sensor warms up, or is set anew
+constexpr double kTrim = 3.5;                 // standard deviations
 constexpr double kLeastSigma_mm = 0.25;
 constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane comes as stairs
 
@@ -82,6 +82,7 @@ void SensorNoise::observe(DepthView depth_mm) {
   for (int y = first ? 0 : phase_; y < height_; y += apart) {
     observe_row(depth_mm.row(y), &before_[static_cast<std::size_t>(y) * width], width_);
   }
+  if (++frames_ % kHalfLife_frames == 0) forget_half();
   // The next frame looks at other rows, and must know them as they are now.
   phase_ = (phase_ + 3) % kRowsApart;
   for (int y = phase_; y < height_; y += kRowsApart) {
@@ -110,14 +111,16 @@ void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* bef
       }
     }
   }
-  const auto forget = [](Histogram& histogram, std::uint32_t& samples) {
-    if (samples < kMostSamples) return;
-    for (std::uint32_t& count : histogram) count /= 2;
-    samples /= 2;
-  };
-  for (std::size_t knot = 0; knot < kSigmaKnotCount; ++knot) {
-    forget(in_time_[knot], time_samples_[knot]);
-    forget(in_space_[knot], space_samples_[knot]);
+}
+
+void SensorNoise::forget_half() {
+  for (auto* histograms : {&in_time_, &in_space_}) {
+    for (Histogram& histogram : *histograms) {
+      for (std::uint32_t& count : histogram) count /= 2;
+    }
+  }
+  for (auto* samples : {&time_samples_, &space_samples_}) {
+    for (std::uint32_t& count : *samples) count /= 2;
   }
 }
 

@@ -3,7 +3,8 @@
 // the trimmed mean of what readings change from one frame to the next, so that
 // moving things do not count, together with the steps that the sensor quantises
 // distances to. Before there are two frames, how neighbours scatter around the
-// line between them. Millimetres. docs/spec/codec.md, "Domain".
+// line between them. What was seen seconds ago counts less and less. Millimetres.
+// docs/spec/codec.md, "Domain".
 #pragma once
 
 #include <array>
@@ -29,6 +30,7 @@ class SensorNoise {
   using Histogram = std::array<std::uint32_t, kMostChange_mm>;
 
   void observe_row(const std::uint16_t* row, const std::uint16_t* before, int width);
+  void forget_half();
   [[nodiscard]] double sigma_at(int knot) const;
   [[nodiscard]] double step_at(int knot) const;
 
@@ -36,7 +38,7 @@ class SensorNoise {
   std::array<std::uint32_t, kSigmaKnotCount> time_samples_{}, space_samples_{};
   std::vector<std::uint8_t> seen_mm_;  // which distances occur at all
   std::vector<std::uint16_t> before_;  // the frame before, rows that are looked at
-  int width_ = 0, height_ = 0, phase_ = 0;
+  int width_ = 0, height_ = 0, phase_ = 0, frames_ = 0;
 };
 
 }  // namespace roomcast::codec

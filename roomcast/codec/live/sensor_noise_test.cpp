@@ -44,6 +44,17 @@ TEST(SensorNoise, finds_noise_that_grows_with_distance) {
   }
 }
 
+TEST(SensorNoise, follows_a_sensor_whose_noise_changes_within_seconds) {
+  constexpr int kFourSeconds = 120;
+  std::mt19937 random(6);
+  SensorNoise noise;
+  for (const double sigma_mm : {3.0, 6.0, 3.0}) {
+    const auto sigma = [sigma_mm](double) { return sigma_mm; };
+    for (int i = 0; i < kFourSeconds; ++i) noise.observe(floor_with_noise(sigma, random));
+    EXPECT_NEAR(sigma_in(noise.table(), 3000), sigma_mm, 0.2 * sigma_mm);
+  }
+}
+
 TEST(SensorNoise, one_frame_is_enough_for_a_start) {
   std::mt19937 random(2);
   const auto sigma = [](double z) { return 2 * z; };
