@@ -12,7 +12,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kSpeed = 7;
+constexpr int kSpeed = 6;
 // Finer than the first shows nobody anything; without that limit a room where nothing moves would
 // still use up the whole rate.
 constexpr unsigned kLeastQuantizer = 24, kMostQuantizer = 56;
@@ -21,7 +21,7 @@ constexpr unsigned kLeastQuantizer = 24, kMostQuantizer = 56;
 constexpr unsigned kMostKeyQuantizer = 26;
 constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
 constexpr int kMostKeyFrameShare = 4000;  // percent of the bits of a mean frame
-constexpr unsigned kBaseLayerPercent = 60;
+constexpr unsigned kBaseLayerPercent = 70;
 
 constexpr vpx_enc_frame_flags_t kOnlyLastFrame =
     VP8_EFLAG_NO_REF_GF | VP8_EFLAG_NO_REF_ARF | VP8_EFLAG_NO_UPD_GF | VP8_EFLAG_NO_UPD_ARF;
