@@ -12,6 +12,12 @@ nanoseconds scaled(nanoseconds time, double factor) {
   return nanoseconds(static_cast<std::int64_t>(factor * static_cast<double>(time.count())));
 }
 
+template <class Time>
+bool is_possible(Time time) {
+  const nanoseconds shown = time.time_since_epoch();
+  return -ClockSync::kFarthest <= shown && shown <= ClockSync::kFarthest;
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -21,7 +27,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 void ClockSync::add(HostTime sent, RoomTime hub, HostTime received) {
-  if (received < sent) return;
+  if (!is_possible(sent) || !is_possible(hub) || received < sent) return;
   const nanoseconds round_trip = received - sent;
   const HostTime middle = sent + round_trip / 2;
   const Exchange exchange{received, round_trip, hub.time_since_epoch() - middle.time_since_epoch()};

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -51,9 +52,11 @@ class ClockSync {
   static constexpr double kDriftUncertainty = 10e-6;  // once it has been measured
   /// Two exchanges that did not wait agree to this much: what programs need to wake up.
   static constexpr nanoseconds kAgreement{500'000};
+  static constexpr nanoseconds kFarthest{std::int64_t{1} << 60};  // 36 years; no clock shows more
 
   /// A ping left at `sent`, the hub read it at `hub`, its answer came at `received`; in the order
-  /// of `received`. An answer from before its question is ignored.
+  /// of `received`. An answer from before its question is ignored, and so are times that no clock
+  /// shows.
   void add(HostTime sent, RoomTime hub, HostTime received);
 
   /// Nothing before the first exchange.

@@ -62,6 +62,14 @@ TEST(ClockSync, an_answer_before_its_question_is_ignored) {
   EXPECT_FALSE(sync.estimate().has_value());
 }
 
+TEST(ClockSync, times_that_no_clock_shows_are_ignored) {
+  ClockSync sync;
+  sync.add(host(nanoseconds::min()), room(1s), host(5ms));
+  sync.add(host(1ms), room(nanoseconds::min()), host(5ms));
+  sync.add(host(1ms), room(nanoseconds::max()), host(5ms));
+  EXPECT_FALSE(sync.estimate().has_value());
+}
+
 TEST(ClockSync, the_error_bound_holds_on_a_network_that_is_slow_one_way) {
   std::mt19937 random(1);
   std::exponential_distribution<double> queueing(1 / 20e6);  // 20 ms on average, each way

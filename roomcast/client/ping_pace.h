@@ -5,7 +5,9 @@
 // (measured: 6.9 ms wrong instead of 7 us). docs/spec/wire.md section 3, "Clock". Pure.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <random>
 
 namespace roomcast {
@@ -13,6 +15,8 @@ namespace roomcast {
 class PingPace {
  public:
   static constexpr int kQuickPings = 5;
+  static constexpr int kSettlingPings =
+      32;  // of whom the first are quick: until the time is known well
   static constexpr std::chrono::milliseconds kQuickPing{20};
   /// Who stamps frames needs the time to microseconds; who shows them does not.
   static constexpr std::chrono::milliseconds kOfSensor{100}, kOfViewer{500};
@@ -22,21 +26,20 @@ class PingPace {
       : average_(average), random_(seed) {}
 
   /// A new connection: begin with the quick ones.
-  void start_anew() { quick_pings_left_ = kQuickPings; }
+  void start_anew() { pings_ = 0; }
 
   [[nodiscard]] std::chrono::nanoseconds next() {
-    if (quick_pings_left_ > 0) {
-      --quick_pings_left_;
-      return kQuickPing;
-    }
+    const int ping = pings_++;
+    if (ping < kQuickPings) return kQuickPing;
     std::uniform_real_distribution<double> share(1 - kSpread, 1 + kSpread);
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(average_ * share(random_));
+    const auto average = ping < kSettlingPings ? std::min(average_, kOfSensor) : average_;
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(average * share(random_));
   }
 
  private:
   std::chrono::milliseconds average_;
   std::minstd_rand random_;
-  int quick_pings_left_ = kQuickPings;
+  int pings_ = 0;  // on this connection
 };
 
 }  // namespace roomcast

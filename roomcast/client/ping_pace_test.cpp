@@ -35,5 +35,14 @@ TEST(PingPace, comes_ten_times_a_second_at_distances_from_30_to_170_ms) {
   EXPECT_GT(longest, 165ms);
 }
 
+TEST(PingPace, of_a_viewer_slows_down_once_the_time_is_known) {
+  PingPace pace(PingPace::kOfViewer, 1);
+  for (int i = 0; i < PingPace::kSettlingPings; ++i) EXPECT_LE(pace.next(), 170ms);
+  std::chrono::nanoseconds sum{};
+  constexpr int kPings = 1000;
+  for (int i = 0; i < kPings; ++i) sum += pace.next();
+  EXPECT_NEAR(static_cast<double>((sum / kPings).count()), 500e6, 25e6);
+}
+
 }  // namespace
 }  // namespace roomcast
