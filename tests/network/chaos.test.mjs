@@ -13,7 +13,7 @@ import { writeSmallRig } from './small_rig.mjs';
 
 const kills = 40;
 const longestLife_ms = 250;
-const longestStop_ms = 1_000;
+const longestStop_ms = 2_000;
 
 /** The same numbers in [0, 1) in every run: a linear congruential generator (Park and Miller 1988). */
 function randomNumbers(seed) {

@@ -14,7 +14,7 @@ const fps = 20;
 const setsWhileStalled = 100;
 /** Of the hub: two whole sets for each of them and one on its way, and what an allocator keeps. */
 const mostGrowth_bytes = stalledCount * 3 * 2 * payloadBytes + 8e6;
-const longestStop_ms = 1_000;
+const longestStop_ms = 2_000;
 
 function residentBytes({ child }) {
   const [, kib] = /VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${child.pid}/status`, 'utf8'));
