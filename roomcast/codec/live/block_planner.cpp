@@ -41,18 +41,20 @@ Neighbourhoods surfaces_around(const BlockCode& code, const BlockTarget& target)
     count[k / 8 + 1][k % 8 + 1] = on;
     value[k / 8 + 1][k % 8 + 1] = on * target[i];
   }
+  float row_count[kSide][kBlockSide], row_value[kSide][kBlockSide];
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kBlockSide; ++x) {
+      row_count[y][x] = count[y][x] + count[y][x + 1] + count[y][x + 2];
+      row_value[y][x] = value[y][x] + value[y][x + 1] + value[y][x + 2];
+    }
+  }
   Neighbourhoods sums;
   for (int y = 0; y < kBlockSide; ++y) {
     for (int x = 0; x < kBlockSide; ++x) {
-      float c = -count[y + 1][x + 1], v = -value[y + 1][x + 1];
-      for (int dy = 0; dy < 3; ++dy) {
-        for (int dx = 0; dx < 3; ++dx) {
-          c += count[y + dy][x + dx];
-          v += value[y + dy][x + dx];
-        }
-      }
-      sums.count[y * 8 + x] = c;
-      sums.value[y * 8 + x] = v;
+      sums.count[y * 8 + x] =
+          row_count[y][x] + row_count[y + 1][x] + row_count[y + 2][x] - count[y + 1][x + 1];
+      sums.value[y * 8 + x] =
+          row_value[y][x] + row_value[y + 1][x] + row_value[y + 2][x] - value[y + 1][x + 1];
     }
   }
   return sums;
@@ -147,7 +149,9 @@ bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
       code.labels[k] = label_of(at, here.x0 + x, here.y0 + y, biased);
     }
   }
-  for (int round = 0; round < 2; ++round) smooth_labels(here, code, target);
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds && smooth_labels(here, code, target); ++round) {
+  }
   return std::any_of(code.labels.begin(), code.labels.end(),
                      [](PixelLabel label) { return label != PixelLabel::kStay; });
 }
@@ -189,8 +193,10 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
 
 // Pixels that stay among new ones of their distance join them, so that contours
 // are short; a lone new pixel stays after all.
-void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
+bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
                                  const BlockTarget& target) const {
+  if (std::all_of(code.labels.begin(), code.labels.end(), on_surface)) return false;
+  bool any = false;
   const Neighbourhoods around = surfaces_around(code, target);
   for (int y = 0; y < here.rows; ++y) {
     for (int x = 0; x < here.columns; ++x) {
@@ -205,12 +211,15 @@ void BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
                                                          static_cast<float>(kReach) * fresh
                                : fresh * 4 >= all * 3 && state_.picture[at] != 0;
         if (joins) label = PixelLabel::kFirst;
+        any |= joins;
       } else if (label == PixelLabel::kFirst && fresh <= 1 && all >= 5 && state_.picture[at] != 0 &&
                  !(change_.flags[at] & kPersistent)) {
         label = PixelLabel::kStay;
+        any = true;
       }
     }
   }
+  return any;
 }
 
 // Worth its bits once the averaged difference from the reference is more than

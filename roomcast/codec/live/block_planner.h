@@ -49,7 +49,8 @@ class BlockPlanner {
                                  BlockTarget& target);
   [[nodiscard]] PixelLabel label_of(std::size_t at, int x, int y, bool biased) const;
   [[nodiscard]] PixelLabel label_of_missing(std::size_t at, int x, int y) const;
-  void smooth_labels(const Area& area, BlockCode& code, const BlockTarget& target) const;
+  /// Whether it changed any.
+  bool smooth_labels(const Area& area, BlockCode& code, const BlockTarget& target) const;
   [[nodiscard]] bool plan_refinement(const Area& area, std::size_t block, BlockCode& code);
 
   const LiveState& state_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace roomcast::codec {
 namespace {
@@ -25,30 +26,63 @@ bool on(const BlockCode& code, const BlockTarget& target, PixelLabel label, std:
   return code.labels[k] == label && target[k] > 0;
 }
 
-Plane fitted_plane(const BlockCode& code, const BlockTarget& target, PixelLabel label) {
-  float n = 0, sx = 0, sy = 0, sz = 0, sxx = 0, syy = 0, sxy = 0, sxz = 0, syz = 0;
-  float origin = 0;
-  for (int k = 0; k < kBlockPixels; ++k) {
-    if (!on(code, target, label, static_cast<std::size_t>(k))) continue;
-    const auto x = static_cast<float>(k % 8), y = static_cast<float>(k / 8);
-    if (n == 0) origin = target[static_cast<std::size_t>(k)];
-    const float z = target[static_cast<std::size_t>(k)] - origin;
-    n += 1;
-    sx += x;
-    sy += y;
-    sz += z;
-    sxx += x * x;
-    syy += y * y;
-    sxy += x * y;
-    sxz += x * z;
-    syz += y * z;
+/// 1 for pixels on a surface, else 0.
+using Membership = std::array<float, kBlockPixels>;
+
+Membership members(const BlockCode& code, const BlockTarget& target, PixelLabel label) {
+  Membership on_it;
+  for (std::size_t k = 0; k < kBlockPixels; ++k)
+    on_it[k] = on(code, target, label, k) ? 1.0f : 0.0f;
+  return on_it;
+}
+
+/// Sums over the pixels of a surface, of z from `origin` on.
+struct Moments {
+  float n = 0, x = 0, y = 0, z = 0, xx = 0, yy = 0, xy = 0, xz = 0, yz = 0;
+};
+
+// Column by column, so that the compiler makes vector code of it.
+Moments moments_of(const Membership& on_it, const BlockTarget& target, float origin) {
+  float n[8] = {}, z[8] = {}, y[8] = {}, yy[8] = {}, yz[8] = {};
+  for (int row = 0; row < 8; ++row) {
+    const auto at = static_cast<float>(row);
+    for (int column = 0; column < 8; ++column) {
+      const auto k = static_cast<std::size_t>(8 * row + column);
+      const float w = on_it[k], wz = w * (target[k] - origin);
+      n[column] += w;
+      z[column] += wz;
+      y[column] += at * w;
+      yy[column] += at * at * w;
+      yz[column] += at * wz;
+    }
   }
-  const float mx = sx / n, my = sy / n, mz = sz / n;
+  Moments sums;
+  for (int column = 0; column < 8; ++column) {
+    const auto at = static_cast<float>(column);
+    sums.n += n[column];
+    sums.z += z[column];
+    sums.y += y[column];
+    sums.yy += yy[column];
+    sums.yz += yz[column];
+    sums.x += at * n[column];
+    sums.xx += at * at * n[column];
+    sums.xy += at * y[column];
+    sums.xz += at * z[column];
+  }
+  return sums;
+}
+
+Plane fitted_plane(const Membership& on_it, const BlockTarget& target) {
+  const auto first = std::find(on_it.begin(), on_it.end(), 1.0f);
+  const float origin =
+      first == on_it.end() ? 0 : target[static_cast<std::size_t>(first - on_it.begin())];
+  const Moments s = moments_of(on_it, target, origin);
+  const float mx = s.x / s.n, my = s.y / s.n, mz = s.z / s.n;
   Plane plane{mz + origin, 0, 0};
-  if (n < 8) return plane;
+  if (s.n < 8) return plane;
   constexpr float kRidge = 4;  // keeps a thin strip from tipping over
-  const float xx = sxx - sx * mx + kRidge, yy = syy - sy * my + kRidge, xy = sxy - sx * my;
-  const float xz = sxz - sx * mz, yz = syz - sy * mz, det = xx * yy - xy * xy;
+  const float xx = s.xx - s.x * mx + kRidge, yy = s.yy - s.y * my + kRidge, xy = s.xy - s.x * my;
+  const float xz = s.xz - s.x * mz, yz = s.yz - s.y * mz, det = xx * yy - xy * xy;
   if (det <= 16) return plane;
   plane.slope_x = (xz * yy - yz * xy) / det;
   plane.slope_y = (yz * xx - xz * xy) / det;
@@ -91,9 +125,12 @@ float noise_of(const std::array<float, kBlockPixels>& wanted, float share_seen) 
   constexpr std::size_t kFirstHigh = 28, kCount = kBlockPixels - kFirstHigh;
   std::array<float, kCount> sizes;
   for (std::size_t i = 0; i < kCount; ++i) sizes[i] = std::abs(wanted[kZigzag[kFirstHigh + i]]);
-  std::nth_element(sizes.begin(), sizes.begin() + kCount / 2, sizes.end());
-  constexpr float kMedianOfGaussian = 0.6745f;
-  return sizes[kCount / 2] / (kMedianOfGaussian * std::sqrt(share_seen));
+  float sum = 0, limited_sum = 0;
+  for (const float size : sizes) sum += size;
+  // A coefficient that is no noise counts as twice the mean.
+  for (const float size : sizes) limited_sum += std::min(size, 2 * sum / kCount);
+  constexpr float kLimitedMeanOfGaussian = 0.75f;
+  return limited_sum / (kCount * kLimitedMeanOfGaussian * std::sqrt(share_seen));
 }
 
 void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& prediction, int step,
@@ -120,56 +157,100 @@ struct SurfaceError {
   float largest = 0;
 };
 
-SurfaceError error_of(const BlockCode& code, const BlockTarget& target, PixelLabel label,
+SurfaceError error_of(const Membership& on_it, const BlockTarget& target,
                       const BlockValues& values) {
-  SurfaceError error;
+  int visible = 0;
+  std::array<float, kBlockSide> largest{};
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
-    if (!on(code, target, label, k)) continue;
-    const float off = std::abs(static_cast<float>(values[k]) - target[k]);
-    error.visible += off > kVisibleError;
-    error.largest = std::max(error.largest, off);
+    const float off = on_it[k] * std::abs(static_cast<float>(values[k]) - target[k]);
+    visible += off > kVisibleError;
+    largest[k % kBlockSide] = std::max(largest[k % kBlockSide], off);
   }
-  return error;
+  return {visible, *std::max_element(largest.begin(), largest.end())};
+}
+
+/// Between two values next to each other in size.
+struct Gap {
+  float size = 0, middle = 0;
+};
+
+/// Of the values on a surface. Column by column, so that the compiler makes vector code of it.
+struct Range {
+  float least = 1e9f, most = -1e9f;
+};
+Range range_of(const Membership& on_it, const BlockTarget& target) {
+  std::array<Range, kBlockSide> columns{};
+  for (std::size_t k = 0; k < kBlockPixels; ++k) {
+    Range& column = columns[k % kBlockSide];
+    column.least = std::min(column.least, on_it[k] != 0 ? target[k] : 1e9f);
+    column.most = std::max(column.most, on_it[k] != 0 ? target[k] : -1e9f);
+  }
+  Range range;
+  for (const Range& column : columns) {
+    range.least = std::min(range.least, column.least);
+    range.most = std::max(range.most, column.most);
+  }
+  return range;
+}
+
+/// In linear time (Gonzalez 1975): the largest gap of n values does not fit into one of n equal
+/// parts of their range, so that only the least and the most of each part matter.
+Gap largest_gap(const Membership& on_it, const BlockTarget& target, const Range& range) {
+  std::array<Range, kBlockPixels> parts{};
+  const float scale = (kBlockPixels - 0.01f) / (range.most - range.least);
+  for (std::size_t k = 0; k < kBlockPixels; ++k) {
+    if (on_it[k] == 0) continue;
+    Range& part = parts[static_cast<std::size_t>((target[k] - range.least) * scale)];
+    part.least = std::min(part.least, target[k]);
+    part.most = std::max(part.most, target[k]);
+  }
+  Gap largest;
+  float before = range.least;  // the most of the parts so far
+  for (const Range& part : parts) {
+    if (part.most < part.least) continue;
+    if (part.least - before > largest.size) {
+      largest = {part.least - before, (part.least + before) / 2};
+    }
+    before = part.most;
+  }
+  return largest;
 }
 
 }  // namespace
 
 void split_surfaces(BlockCode& code, BlockTarget& target) {
-  std::array<float, kBlockPixels> sorted;
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < kBlockPixels; ++k) {
-    if (on(code, target, PixelLabel::kFirst, k)) sorted[n++] = target[k];
+  const Membership on_it = members(code, target, PixelLabel::kFirst);
+  const Range range = range_of(on_it, target);
+  code.surface_count = 0;
+  if (range.most < range.least) {
+    std::replace(code.labels.begin(), code.labels.end(), PixelLabel::kFirst, PixelLabel::kStay);
+    return;
   }
-  std::sort(sorted.begin(), sorted.begin() + n);
-  float gap = 0, middle = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (sorted[i] - sorted[i - 1] <= gap) continue;
-    gap = sorted[i] - sorted[i - 1];
-    middle = (sorted[i] + sorted[i - 1]) / 2;
-  }
-  code.surface_count = n == 0 ? 0 : gap > kLeastGap ? 2 : 1;
+  code.surface_count = 1;
+  if (range.most - range.least <= kLeastGap) return;  // most blocks
+  const Gap gap = largest_gap(on_it, target, range);
+  if (gap.size <= kLeastGap) return;
+  code.surface_count = 2;
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
-    if (code.labels[k] != PixelLabel::kFirst) continue;
-    if (n == 0)
-      code.labels[k] = PixelLabel::kStay;
-    else if (code.surface_count == 2 && target[k] > middle)
+    if (code.labels[k] == PixelLabel::kFirst && target[k] > gap.middle) {
       code.labels[k] = PixelLabel::kSecond;
+    }
   }
 }
 
 bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int step,
                     const BlockCode& code, const BlockTarget& target, SurfaceCode& surface) {
-  const Plane plane = fitted_plane(code, target, label);
+  const Membership on_it = members(code, target, label);
+  const Plane plane = fitted_plane(on_it, target);
   std::array<float, kBlockPixels> filled, wanted;
   for (int k = 0; k < kBlockPixels; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    filled[i] = on(code, target, label, i) ? target[i] : plane.at(k);
+    filled[i] = on_it[i] != 0 ? target[i] : plane.at(k);
   }
   forward_transform(filled, wanted);
   surface.candidate = cheapest(candidates, wanted, step);
   const SurfaceParameters& prediction = candidates[surface.candidate];
-  float seen = 0;
-  for (std::size_t k = 0; k < kBlockPixels; ++k) seen += on(code, target, label, k);
+  const float seen = std::accumulate(on_it.begin(), on_it.end(), 0.0f);
   const float noise = std::clamp(noise_of(wanted, seen / kBlockPixels), 0.5f * kLevelsPerSigma,
                                  1.2f * kLevelsPerSigma);
   for (surface.finer = 0;; ++surface.finer) {
@@ -180,7 +261,7 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
     const int rows =
         surface_coefficients(surface.steps, step >> surface.finer, prediction, coefficients);
     inverse_transform(coefficients, rows, values);
-    const SurfaceError error = error_of(code, target, label, values);
+    const SurfaceError error = error_of(on_it, target, values);
     const bool bounded = error.largest <= kErrorBound;
     if ((bounded && error.visible <= kMostVisible) || surface.finer == kMostFiner) return bounded;
   }
