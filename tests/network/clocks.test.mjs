@@ -22,7 +22,7 @@ const onHostAhead = (seconds) => ['unshare', '--time', `--monotonic=${seconds}`,
 const mayHaveOtherHosts = spawnSync('unshare', [...onHostAhead(1).slice(1), 'true']).status === 0;
 const noOtherHosts = mayHaveOtherHosts ? false : 'time namespaces need root and Linux 5.6';
 
-const percentile = (values, share) => values.toSorted((a, b) => a - b)[Math.floor(share * (values.length - 1))];
+const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
 /** Of the sets in which all of these sensors are: between the oldest and the newest picture that it shows, milliseconds. */
 function skews_ms(client, sensorIds) {
