@@ -3,18 +3,6 @@
 
 namespace roomcast::codec {
 
-void ArithmeticEncoder::put(AdaptiveBit& bit, bool value) {
-  const std::uint32_t bound = (range_ >> 16) * bit.probability_of_zero();
-  if (value) {
-    low_ += bound;
-    range_ -= bound;
-  } else {
-    range_ = bound;
-  }
-  bit.learn(value);
-  normalise();
-}
-
 void ArithmeticEncoder::put_raw(std::uint32_t value, int bits) {
   for (int i = bits - 1; i >= 0; --i) {
     range_ >>= 1;
@@ -26,13 +14,6 @@ void ArithmeticEncoder::put_raw(std::uint32_t value, int bits) {
 void ArithmeticEncoder::finish() {
   for (int i = 0; i < 5; ++i) shift_out_byte();
   while (out_.size() > begin_ && out_.back() == 0) out_.pop_back();
-}
-
-void ArithmeticEncoder::normalise() {
-  while (range_ < (1u << 24)) {
-    range_ <<= 8;
-    shift_out_byte();
-  }
 }
 
 void ArithmeticEncoder::shift_out_byte() {

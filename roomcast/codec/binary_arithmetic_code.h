@@ -47,7 +47,17 @@ class ArithmeticEncoder {
  public:
   explicit ArithmeticEncoder(std::vector<std::uint8_t>& out) : out_(out), begin_(out.size()) {}
 
-  void put(AdaptiveBit& bit, bool value);
+  void put(AdaptiveBit& bit, bool value) {
+    const std::uint32_t bound = (range_ >> 16) * bit.probability_of_zero();
+    if (value) {
+      low_ += bound;
+      range_ -= bound;
+    } else {
+      range_ = bound;
+    }
+    bit.learn(value);
+    normalise();
+  }
   void put_raw(std::uint32_t value, int bits);
   template <int Bits>
   void put(BitTree<Bits>& tree, std::uint32_t value) {
@@ -62,7 +72,12 @@ class ArithmeticEncoder {
   void finish();
 
  private:
-  void normalise();
+  void normalise() {
+    while (range_ < (1u << 24)) {
+      range_ <<= 8;
+      shift_out_byte();
+    }
+  }
   void shift_out_byte();
 
   std::vector<std::uint8_t>& out_;

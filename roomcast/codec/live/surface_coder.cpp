@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace roomcast::codec {
@@ -95,19 +96,19 @@ std::int32_t rounded(float value, float step, float rounding) {
   return value < 0 ? -size : size;
 }
 
-/// About the bits that the three lowest coefficients would take.
+/// Grows with the bits that the three lowest coefficients would take: two to their power.
 float prediction_cost(const std::array<float, kBlockPixels>& wanted, const SurfaceParameters& by,
                       float step) {
-  const auto bits = [step](float off) { return std::log2(1 + std::abs(off) / step); };
-  return bits(wanted[0] - static_cast<float>(by.mean)) +
-         bits(wanted[1] - static_cast<float>(by.slope_x)) +
-         bits(wanted[8] - static_cast<float>(by.slope_y));
+  const auto steps = [step](float off) { return 1 + std::abs(off) / step; };
+  return steps(wanted[0] - static_cast<float>(by.mean)) *
+         steps(wanted[1] - static_cast<float>(by.slope_x)) *
+         steps(wanted[8] - static_cast<float>(by.slope_y));
 }
 
 std::uint8_t cheapest(const SurfaceCandidates& candidates,
                       const std::array<float, kBlockPixels>& wanted, int step) {
   std::uint8_t best = 0;
-  float least = 1e9f;
+  float least = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < kSurfaceCandidates; ++i) {
     if (!candidates[i].known) continue;
     const float cost = prediction_cost(wanted, candidates[i], static_cast<float>(step));
