@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_aligner.h"
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
@@ -35,6 +36,7 @@ struct DemoOptions {
   std::string web;
   bool headless = false;
   double seconds = 0;
+  bool true_poses = false;
   bool verbose = false;
 };
 
@@ -69,6 +71,7 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
     SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
     feed_options.codec = options.codec;
+    feed_options.tell_pose = options.true_poses || !spec.starts_with("sim");
     feed_options.log = stderr_log("demo", options.verbose);
     auto feed = SensorFeed::start(std::move(*source), std::move(feed_options));
     if (!feed) return feed.error();
@@ -132,10 +135,13 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
   const auto room = (*viewer)->snapshot();
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::size_t seen = 0;
-  for (const auto& sensor : room->sensors) seen += sensor.picture != nullptr;
-  fmt::print("received {} of {} sensors, {:.1f} frame sets/s, {:.2f} MB/s\n", seen, feeds.size(),
-             static_cast<double>(room->sets_received) / elapsed,
+  std::size_t seen = 0, placed = 0;
+  for (const auto& sensor : room->sensors) {
+    seen += sensor.picture != nullptr;
+    placed += sensor.placed;
+  }
+  fmt::print("received {} of {} sensors, {} placed, {:.1f} frame sets/s, {:.2f} MB/s\n", seen,
+             feeds.size(), placed, static_cast<double>(room->sets_received) / elapsed,
              static_cast<double>(room->bytes_received) / elapsed / 1e6);
   if (seen == feeds.size()) return {};
   return Error{ErrorCode::kUnavailable, "not every sensor's picture arrived"};
@@ -151,9 +157,16 @@ Status run_demo(const DemoOptions& options) {
   hub_options.room = options.rig.empty() ? "demo" : "recording";
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
+  hub_options.aligner_key = make_aligner_key();
+  HubAlignerOptions aligner_options{
+      .certificate = {}, .key = hub_options.aligner_key, .log = hub_options.log};
   auto hub = hub::HubServer::open(std::move(hub_options));
   if (!hub) return hub.error();
   const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
+
+  aligner_options.port = (*hub)->port();
+  const auto aligner = start_hub_aligner(aligner_options);
+  if (!aligner) return aligner.error();
 
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());
   if (!feeds) return feeds.error();
@@ -191,6 +204,8 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       "No browser: receive the room in this process and report (10 s unless --seconds)");
   command->add_option("--seconds", options->seconds, "Stop after this time")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--true-poses", options->true_poses,
+                    "Take the poses of simulated sensors from the simulator instead of aligning");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
   command->callback(

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_aligner.h"
 #include "roomcast/cli/hub_certificate.h"
 #include "roomcast/cli/listen_address.h"
 #include "roomcast/cli/stop_on_signal.h"
@@ -25,6 +26,7 @@ struct HubCommandOptions {
   HubCertificateOptions certificate;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   bool insecure = false;
+  bool align = true;
   bool verbose = false;
 };
 
@@ -76,8 +78,19 @@ Status run_hub(const HubCommandOptions& options) {
     hub.tls = *std::move(tls);
   }
   hub.log = stderr_log("hub", options.verbose);
+  if (options.align) hub.aligner_key = make_aligner_key();
+  HubAlignerOptions aligner_options{
+      .listen_address = listen->address, .certificate = {}, .key = hub.aligner_key, .log = hub.log};
   auto server = hub::HubServer::open(std::move(hub));
   if (!server) return server.error();
+  aligner_options.port = (*server)->port();
+  if (encrypted) aligner_options.certificate = (*certificate)->fingerprint();
+  std::unique_ptr<aligner::RoomAligner> aligner;
+  if (options.align) {
+    auto started = start_hub_aligner(aligner_options);
+    if (!started) return started.error();
+    aligner = *std::move(started);
+  }
   print_where(*listen, (*server)->port(), *certificate, options.certificate.self_signed);
   (*server)->run(stop.token());
   return {};
@@ -106,6 +119,8 @@ void add_hub_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--insecure", options->insecure,
                     "Listen beyond this machine although nothing is encrypted");
+  command->add_flag("!--no-align", options->align,
+                    "Leave sensors where they say they are; work out nothing");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer(
       "Examples:\n"

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include "roomcast/align/bundle/bundle_capture.h"
+#include "roomcast/aligner/bundle_message.h"
 #include "roomcast/cli/frame_log.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
@@ -18,7 +20,7 @@ PublisherOptions publisher_options(const SensorDescription& sensor, const Sensor
   options.room = feed.room;
   options.name = feed.name.empty() ? sensor.name : feed.name;
   options.calibration = sensor.calibration;
-  options.world_from_depth = sensor.world_from_depth;
+  if (feed.tell_pose) options.world_from_depth = sensor.world_from_depth;
   options.fps = sensor.fps;
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
@@ -43,12 +45,14 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
 class SensorFeed::Worker {
  public:
   Worker(std::unique_ptr<FrameSource> source, Registration registration,
-         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s,
+         std::unique_ptr<codec::FrameEncoder> encoder, const SensorFeedOptions& options,
          std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
+        log_(options.log),
+        bundle_(std::in_place, source_->description().name, source_->description().calibration),
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
-        full_color_kbit_per_s_(color_kbit_per_s),
+        full_color_kbit_per_s_(options.codec.color_kbit_per_s),
         frame_log_(std::move(frame_log)) {}
 
   void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
@@ -62,6 +66,7 @@ class SensorFeed::Worker {
       } else if (!*more) {
         break;
       } else {
+        add_to_bundle();
         status = send_captured();
       }
       if (auto failure = publisher_->failure()) status = *failure;
@@ -80,6 +85,27 @@ class SensorFeed::Worker {
   }
 
  private:
+  /// The first frames, together, are what the sensor can be placed by.
+  void add_to_bundle() {
+    if (!bundle_ || captured_.color.empty()) return;
+    const auto enough = bundle_->add(captured_.depth_mm, captured_.color);
+    if (enough && !*enough) return;
+    if (auto status = enough ? send_bundle() : Status(enough.error()); !status && log_) {
+      log_(LogLevel::kWarning,
+           "this sensor cannot be placed by what it sees: " + status.error().message);
+    }
+    bundle_.reset();
+  }
+
+  Status send_bundle() {
+    const auto bundle = bundle_->finish();
+    if (!bundle) return bundle.error();
+    auto message = aligner::message_from_bundle(*bundle);
+    if (!message) return message.error();
+    publisher_->send_bundle(*std::move(message));
+    return {};
+  }
+
   Status send_captured() {
     const auto turn = publisher_->next_turn();
     if (!turn) return {};
@@ -111,6 +137,8 @@ class SensorFeed::Worker {
   }
 
   std::unique_ptr<FrameSource> source_;
+  const LogSink log_;
+  std::optional<align::BundleCapture> bundle_;  // until it has been sent
   Registration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const int full_color_kbit_per_s_;
@@ -146,9 +174,8 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSourc
     if (!opened) return opened.error();
     frame_log = std::move(*opened);
   }
-  auto worker =
-      std::make_unique<Worker>(std::move(source), std::move(*registration), std::move(*encoder),
-                               options.codec.color_kbit_per_s, std::move(frame_log));
+  auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
+                                         std::move(*encoder), options, std::move(frame_log));
   auto publisher = Publisher::open(publisher_options(sensor, options));
   if (!publisher) return publisher.error();
   worker->set_publisher(std::move(*publisher));

@@ -24,6 +24,7 @@ struct SensorFeedOptions {
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;
+  bool tell_pose = true;  // that the source knows; else the hub's aligner has to find it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   LogSink log;
 };

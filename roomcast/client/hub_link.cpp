@@ -181,7 +181,8 @@ void HubLink::take(net::MessageBuffer message) {
 }
 
 void HubLink::take_control(std::span<const std::uint8_t> message) {
-  const auto control = wire::decode_control(message, wire::Sender::kHub);
+  const auto control = wire::decode_control(
+      message, join_.has_aligner() ? wire::Sender::kHubToAligner : wire::Sender::kHub);
   if (!control) return;  // of a later version, or damaged: nothing that we could act on
   switch (control->message_case()) {
     case pb::Control::kWelcome:

@@ -76,6 +76,14 @@ class Publisher::Link final : public HubLinkEvents {
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
                                    HostTime capture_time, net::MessageBuffer message);
 
+  void send_bundle(wire::pb::CalibrationBundle bundle) {
+    boost::asio::post(network_.io(), [this, bundle = std::move(bundle)]() mutable {
+      bundle_.emplace();
+      *bundle_->mutable_calibration_bundle() = std::move(bundle);
+      link_.send(*bundle_);
+    });
+  }
+
   std::optional<Error> failure() const {
     std::lock_guard lock(mutex_);
     return shared_.failure;
@@ -127,11 +135,13 @@ class Publisher::Link final : public HubLinkEvents {
   // The network thread's own.
   NetworkThread network_;
   std::deque<net::SealedMessagePtr> unsent_;
+  std::optional<wire::pb::Control> bundle_;
   HubLink link_;
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   unsent_.clear();
+  if (bundle_) link_.send(*bundle_);
   {
     std::lock_guard lock(mutex_);
     ++shared_.session;
@@ -263,6 +273,10 @@ std::optional<Publisher::Published> Publisher::publish(const Turn& turn,
                                                        HostTime capture_time,
                                                        net::MessageBuffer message) {
   return link_->publish(turn, info, capture_time, std::move(message));
+}
+
+void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
+  link_->send_bundle(std::move(bundle));
 }
 
 std::optional<Error> Publisher::failure() const {

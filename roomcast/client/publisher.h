@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Publisher: one sensor's way to the hub (the paper's Algorithm 1, "send"). It asks the sensor's
 // loop to leave frames out before they are encoded when the network does not keep up, so that
-// nothing encoded is ever lost in between. Threading: one thread calls next_turn(), begin_frame()
-// and publish(); the network has a thread of its own.
+// nothing encoded is ever lost in between. Threading: one thread calls next_turn(), begin_frame(),
+// publish() and send_bundle(); the network has a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/net/message_buffer.h"
+#include "roomcast/wire/control.pb.h"
 
 namespace roomcast {
 
@@ -65,6 +66,10 @@ class Publisher {
   /// Nothing: the connection broke meanwhile, or the frame exceeds the wire's limit.
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
                                    HostTime capture_time, net::MessageBuffer message);
+
+  /// What the sensor sees while nothing moves, so that it can be placed. Sent now, and again after
+  /// every reconnection.
+  void send_bundle(wire::pb::CalibrationBundle bundle);
 
   /// Why it is over for good, once it is.
   [[nodiscard]] std::optional<Error> failure() const;

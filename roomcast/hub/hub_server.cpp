@@ -32,6 +32,11 @@ constexpr char kNoPage[] =
     "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
     "built page (build/web).\n";
 
+std::string role_name(const wire::pb::Join& join) {
+  if (join.has_sensor()) return "sensor";
+  return join.has_aligner() ? "aligner" : "viewer";
+}
+
 }  // namespace
 
 class HubServer::Loop final : public SessionEvents {
@@ -39,7 +44,7 @@ class HubServer::Loop final : public SessionEvents {
   Loop(HubOptions options, std::optional<net::StaticSite> site)
       : options_(std::move(options)),
         site_(std::move(site)),
-        room_(options_.room, ROOMCAST_VERSION) {
+        room_(options_.room, ROOMCAST_VERSION, options_.aligner_key) {
     const std::size_t count = std::max<std::size_t>(options_.threads, 1);
     for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
     for (std::size_t i = 0; i < count; ++i) {
@@ -165,7 +170,7 @@ std::string HubServer::Loop::metrics() const {
 }
 
 void HubServer::Loop::on_join(ConnectionId from, const wire::pb::Join& join) {
-  log(LogLevel::kInfo, (join.has_sensor() ? "sensor \"" : "viewer \"") + join.name() + "\" joins");
+  log(LogLevel::kInfo, role_name(join) + " \"" + join.name() + "\" joins");
   carry_out(room_.join(from, join, now()));
 }
 
@@ -224,7 +229,7 @@ void HubServer::Loop::carry_out(const RestartSensor& action) {
 }
 
 void HubServer::Loop::carry_out(const AcceptConnection& action) {
-  shard_of(action.connection).accept(action.connection, action.is_sensor);
+  shard_of(action.connection).accept(action.connection, action.role);
 }
 
 void HubServer::Loop::carry_out(const Disconnect& action) {

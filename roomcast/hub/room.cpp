@@ -34,8 +34,10 @@ pb::Control welcome_message(const std::string& room, const std::string& hub_vers
 
 }  // namespace
 
-Room::Room(std::string name, std::string hub_version)
-    : name_(std::move(name)), hub_version_(std::move(hub_version)) {}
+Room::Room(std::string name, std::string hub_version, std::string aligner_key)
+    : name_(std::move(name)),
+      hub_version_(std::move(hub_version)),
+      aligner_key_(std::move(aligner_key)) {}
 
 RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
   ROOMCAST_ASSERT(!sensor_of_.contains(from) && !viewers_.contains(from));
@@ -44,10 +46,15 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
                   "this hub has no room \"" + join.room() + "\", only \"" + name_ + "\"", now);
   }
   RoomActions out;
-  if (join.has_sensor()) {
-    join_sensor(from, join, now, out);
-  } else {
-    join_viewer(from, join, now, out);
+  switch (join.role_case()) {
+    case pb::Join::kSensor:
+      join_sensor(from, join, now, out);
+      break;
+    case pb::Join::kAligner:
+      join_aligner(from, join, now, out);
+      break;
+    default:
+      join_viewer(from, join, now, out);
   }
   return out;
 }
@@ -67,6 +74,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   sensor->connection = from;
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
+  sensor->bundle.reset();
   place(*sensor, join.sensor());
   sensor_of_[from] = sensor->id.value;
   sets_.remove_sensor(sensor->id);
@@ -74,7 +82,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
 
   pb::Control welcome = welcome_message(name_, hub_version_);
   welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
-  out.push_back(AcceptConnection{from, true});
+  out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.emplace_back(RestartSensor{sensor->id});
   announce(now, out);
@@ -93,20 +101,34 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
-  for (auto& [connection, other] : viewers_) {
-    other.pose_is_news = other.pose.has_value();
-    poses_are_news_ = poses_are_news_ || other.pose_is_news;
-  }
+  poses_.tell_all_again();
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),
-                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
-                    .pose = {}};
+                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()]};
   ++next_viewer_id_;
-  out.push_back(AcceptConnection{from, false});
+  out.push_back(AcceptConnection{from, Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
   if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
   for (Sensor& sensor : sensors_) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
+  }
+}
+
+void Room::join_aligner(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
+  if (aligner_key_.empty() || join.aligner().key() != aligner_key_) {
+    out = refuse(from, pb::ERROR_UNEXPECTED, "this hub takes no placements from strangers", now);
+    return;
+  }
+  if (aligners_.size() >= wire::kMaxAligners) {
+    out = refuse(from, pb::ERROR_ROOM_FULL, "this room has aligners enough", now);
+    return;
+  }
+  aligners_.push_back(from);
+  out.push_back(AcceptConnection{from, Role::kAligner});
+  out.push_back(SendControl{{from}, welcome_message(name_, hub_version_)});
+  out.push_back(SendControl{{from}, roster_message()});
+  for (const Sensor& sensor : sensors_) {
+    if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
   }
 }
 
@@ -121,6 +143,8 @@ Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
                       .connection = {},
                       .description = {},
                       .world_from_depth = guessed_place(id),
+                      .placement_note = {},
+                      .bundle = {},
                       .key_pace = {},
                       .stats = {}});
   return &sensors_.back();
@@ -131,19 +155,55 @@ void Room::place(Sensor& sensor, const pb::SensorRole& role) {
   std::copy(role.world_from_depth().begin(), role.world_from_depth().end(),
             sensor.world_from_depth.begin());
   sensor.placement = pb::PLACEMENT_GIVEN;
+  sensor.expected_error_mm = 0;
+  sensor.placement_note.clear();
+}
+
+void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
+  pb::Control message;
+  *message.mutable_calibration_bundle() = bundle;
+  message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
+  sensor.bundle = std::move(message);
+  if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
+}
+
+/// A pose that somebody gave stays. One that was found before stays too while no better is known:
+/// the aligner then says why.
+void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
+  for (const pb::SensorPlacement& found : placements.sensors()) {
+    if (found.sensor_id() >= sensors_.size()) continue;
+    Sensor& sensor = sensors_[found.sensor_id()];
+    if (sensor.placement == pb::PLACEMENT_GIVEN) continue;
+    sensor.placement_note = found.note();
+    if (found.world_from_depth().empty()) continue;
+    std::copy(found.world_from_depth().begin(), found.world_from_depth().end(),
+              sensor.world_from_depth.begin());
+    sensor.placement = pb::PLACEMENT_ALIGNED;
+    sensor.expected_error_mm = found.expected_error_mm();
+  }
+  announce(now, out);
 }
 
 RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
   RoomActions out;
   const auto viewer = viewers_.find(from);
+  const auto sensor = sensor_of_.find(from);
   switch (message.message_case()) {
+    case pb::Control::kCalibrationBundle:
+      if (sensor == sensor_of_.end()) break;
+      keep_bundle(sensors_[sensor->second], message.calibration_bundle(), out);
+      return out;
+    case pb::Control::kPlacements:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      take_placements(message.placements(), now, out);
+      return out;
     case pb::Control::kKeyRequest:
       if (viewer == viewers_.end()) break;
       return key_needed(SensorId{static_cast<std::uint16_t>(message.key_request().sensor_id())},
                         now);
     case pb::Control::kViewerPose:
       if (viewer == viewers_.end()) break;
-      set_pose(viewer->second, message.viewer_pose(), now);
+      poses_.set(viewer->second.id, message.viewer_pose(), now);
       return out;
     case pb::Control::kViewerStats:
       if (viewer == viewers_.end()) break;
@@ -199,8 +259,12 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     sensor_of_.erase(found);
     announce(now, out);
     send_closed_sets(now, out);
-  } else if (viewers_.erase(from) > 0) {
+  } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
+    poses_.forget(viewer->second.id);
+    viewers_.erase(viewer);
     announce_in_time(now, out);
+  } else {
+    std::erase(aligners_, from);
   }
   return out;
 }
@@ -211,7 +275,9 @@ RoomActions Room::tick(RoomTime now) {
   for (Sensor& sensor : sensors_) {
     if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
   }
-  if (poses_are_news_ && now >= next_poses_) send_poses(now, out);
+  if (auto poses = poses_.take(now)) {
+    out.push_back(SendControl{viewer_connections(), *std::move(poses)});
+  }
   if (roster_is_news_ && now >= next_roster_) announce(now, out);
   return out;
 }
@@ -224,20 +290,9 @@ std::optional<RoomTime> Room::next_tick() const {
   for (const Sensor& sensor : sensors_) {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
-  if (poses_are_news_) consider(next_poses_);
+  consider(poses_.next());
   if (roster_is_news_) consider(next_roster_);
   return next;
-}
-
-void Room::set_pose(Viewer& viewer, const pb::ViewerPose& pose, RoomTime now) {
-  if (now - viewer.pose_window_begin >= std::chrono::seconds(1)) {
-    viewer.pose_window_begin = now;
-    viewer.poses_in_window = 0;
-  }
-  if (++viewer.poses_in_window > wire::kMaxPosesPerSecond) return;
-  viewer.pose = pose;
-  viewer.pose->set_viewer_id(viewer.id.value);
-  viewer.pose_is_news = poses_are_news_ = true;
 }
 
 void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
@@ -253,27 +308,12 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   }
 }
 
-// One message for all: a viewer skips its own pose. Everyone's pose goes to everyone, so the more
-// moved the longer until they are told again.
-void Room::send_poses(RoomTime now, RoomActions& out) {
-  poses_are_news_ = false;
-  pb::Control control;
-  for (auto& [connection, viewer] : viewers_) {
-    if (std::exchange(viewer.pose_is_news, false))
-      *control.mutable_viewer_poses()->add_poses() = *viewer.pose;
-  }
-  if (!control.has_viewer_poses()) return;
-  const auto count = control.viewer_poses().poses_size();
-  next_poses_ = now + std::max<nanoseconds>(wire::kPoseInterval, count * wire::kIntervalPerPose);
-  out.push_back(SendControl{viewer_connections(), std::move(control)});
-}
-
 /// For what concerns the pictures: nobody may get a sensor's frames before its calibration.
 void Room::announce(RoomTime now, RoomActions& out) {
   roster_is_news_ = false;
-  if (viewers_.empty()) return;
+  if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
-  out.push_back(SendControl{viewer_connections(), roster_message()});
+  out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 
 /// For people who come and go: now, or with others a little later. When a whole class arrives, each
@@ -299,6 +339,12 @@ std::vector<ConnectionId> Room::viewer_connections() const {
   return connections;
 }
 
+std::vector<ConnectionId> Room::readers_of_roster() const {
+  std::vector<ConnectionId> connections = viewer_connections();
+  connections.insert(connections.end(), aligners_.begin(), aligners_.end());
+  return connections;
+}
+
 pb::Roster Room::roster() const {
   pb::Roster roster;
   roster.set_revision(roster_revision_);
@@ -312,6 +358,8 @@ pb::Roster Room::roster() const {
     entry.mutable_world_from_depth()->Assign(sensor.world_from_depth.begin(),
                                              sensor.world_from_depth.end());
     entry.set_placement(sensor.placement);
+    entry.set_expected_error_mm(sensor.expected_error_mm);
+    entry.set_placement_note(sensor.placement_note);
     entry.set_fps(sensor.description.fps());
   }
   for (const auto& [connection, viewer] : viewers_) {

@@ -16,6 +16,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set_builder.h"
 #include "roomcast/hub/key_request_pace.h"
+#include "roomcast/hub/pose_relay.h"
 #include "roomcast/hub/room_action.h"
 #include "roomcast/hub/room_stats.h"
 #include "roomcast/hub/start_pose.h"
@@ -27,7 +28,8 @@ namespace roomcast::hub {
 
 class Room {
  public:
-  Room(std::string name, std::string hub_version);
+  /// `aligner_key`: what an aligner has to say to be let in; empty: none is.
+  Room(std::string name, std::string hub_version, std::string aligner_key = {});
 
   // Events. Messages have passed wire::decode_control or wire::parse_frame.
 
@@ -61,6 +63,9 @@ class Room {
     wire::pb::SensorRole description;        // as last joined
     wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
     Matrix4 world_from_depth{};
+    float expected_error_mm = 0;              // of the placement; 0 unknown
+    std::string placement_note;               // why it is not placed
+    std::optional<wire::pb::Control> bundle;  // the newest since it joined
     KeyRequestPace key_pace;
     SensorStats stats;  // what changes with its frames
   };
@@ -68,26 +73,24 @@ class Room {
     ViewerId id;
     std::string name;
     std::uint32_t color_rgb = 0;
-    std::optional<wire::pb::ViewerPose> pose;
-    bool pose_is_news = false;
-    RoomTime pose_window_begin{};
-    int poses_in_window = 0;
   };
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void join_viewer(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
+  void join_aligner(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
+  void keep_bundle(Sensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
+  void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   Sensor* known_or_new_sensor(const std::string& name);
   void place(Sensor& sensor, const wire::pb::SensorRole& role);
-  void set_pose(Viewer& viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void ask_for_key(const Sensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void count(Sensor& sensor, const wire::FrameHeader& header, std::size_t bytes, RoomTime now);
   void count(const FrameSet& set);
-  void send_poses(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
   bool announce_in_time(RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
+  [[nodiscard]] std::vector<ConnectionId> readers_of_roster() const;
   [[nodiscard]] wire::pb::Roster roster() const;
   [[nodiscard]] Matrix4 next_start_pose() const;
   [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
@@ -95,15 +98,16 @@ class Room {
 
   const std::string name_;
   const std::string hub_version_;
+  const std::string aligner_key_;
   std::vector<Sensor> sensors_;                              // all that were ever here, by id
   std::unordered_map<ConnectionId, std::size_t> sensor_of_;  // online ones: index into sensors_
   std::unordered_map<ConnectionId, Viewer> viewers_;
+  std::vector<ConnectionId> aligners_;
+  PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
-  RoomTime next_poses_{};
-  bool poses_are_news_ = false;  // some viewer's
   RoomTime next_roster_{};
   bool roster_is_news_ = false;  // to some viewers
 };

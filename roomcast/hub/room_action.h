@@ -28,10 +28,12 @@ struct RestartSensor {
   SensorId sensor;
 };
 
-/// This connection was accepted; frames may come from it if it is a sensor's.
+enum class Role { kSensor, kViewer, kAligner };
+
+/// This connection was accepted. Frames may come from sensors, and go to viewers.
 struct AcceptConnection {
   ConnectionId connection;
-  bool is_sensor = false;
+  Role role = Role::kViewer;
 };
 
 /// The room knows this connection no more. Tell it why and close it.

@@ -60,7 +60,8 @@ void Session::take_frame(net::MessageBuffer message) {
 }
 
 void Session::take_control(std::span<const std::uint8_t> message) {
-  const auto control = wire::decode_control(message, wire::Sender::kClient);
+  const auto control =
+      wire::decode_control(message, is_sensor_ ? wire::Sender::kSensor : wire::Sender::kClient);
   if (!control) return refuse(control.error());
   if (control->has_join() == has_joined_) {
     return disconnect(pb::ERROR_UNEXPECTED, has_joined_
@@ -95,9 +96,9 @@ void Session::on_closed(const net::CloseReason& reason) {
   hub_.on_left(id_, reason);
 }
 
-void Session::accept(bool is_sensor) {
+void Session::accept(Role role) {
   is_accepted_ = true;
-  if (is_sensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
+  if (role == Role::kSensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
 }
 
 bool Session::send_control(net::SealedMessagePtr message) {

@@ -11,6 +11,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/outbox.h"
+#include "roomcast/hub/room_action.h"
 #include "roomcast/net/websocket_connection.h"
 #include "roomcast/wire/control.pb.h"
 #include "roomcast/wire/frame_header.h"
@@ -42,7 +43,7 @@ class Session final : public net::ConnectionHandler {
   void on_closed(const net::CloseReason& reason) override;
 
   /// The room has taken it in.
-  void accept(bool is_sensor);
+  void accept(Role role);
   [[nodiscard]] bool is_accepted() const { return is_accepted_; }
   /// It has asked to be taken in.
   [[nodiscard]] bool has_joined() const { return has_joined_; }

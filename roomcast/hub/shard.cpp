@@ -49,13 +49,13 @@ Session* Shard::find(ConnectionId id) const {
 
 // ---- from the room
 
-void Shard::accept(ConnectionId connection, bool is_sensor) {
-  asio::dispatch(place_.io, [this, connection, is_sensor] {
+void Shard::accept(ConnectionId connection, Role role) {
+  asio::dispatch(place_.io, [this, connection, role] {
     Session* session = find(connection);
     if (session == nullptr) return;
-    session->accept(is_sensor);
+    session->accept(role);
     --unjoined_;
-    if (!is_sensor) viewers_.push_back(session);
+    if (role == Role::kViewer) viewers_.push_back(session);
   });
 }
 

@@ -49,7 +49,7 @@ class Shard final : public SessionEvents {
   }
 
   // Any thread. What is for a connection that has gone is dropped.
-  void accept(ConnectionId connection, bool is_sensor);
+  void accept(ConnectionId connection, Role role);
   void send_control(std::vector<ConnectionId> to, net::SealedMessagePtr message);
   void send_set(FrameSetPtr set);
   void restart_sensor(SensorId sensor);

@@ -10,6 +10,22 @@
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::wire {
+namespace {
+
+std::size_t max_bytes(Sender sender) {
+  switch (sender) {
+    case Sender::kClient:
+      return kMaxControlFromClientBytes;
+    case Sender::kHub:
+      return kMaxControlFromHubBytes;
+    case Sender::kSensor:
+    case Sender::kHubToAligner:
+      return kMaxBundleBytes;
+  }
+  return 0;
+}
+
+}  // namespace
 
 void encode_control(const pb::Control& control, std::vector<std::uint8_t>& out) {
   const std::size_t begin = out.size();
@@ -24,8 +40,7 @@ Result<pb::Control> decode_control(std::span<const std::uint8_t> message, Sender
   if (!type) return type.error();
   if (*type != MessageType::kControl)
     return Error{ErrorCode::kMalformed, "this is not a control message"};
-  const std::size_t limit =
-      sender == Sender::kClient ? kMaxControlFromClientBytes : kMaxControlFromHubBytes;
+  const std::size_t limit = max_bytes(sender);
   if (message.size() > limit) {
     return Error{ErrorCode::kTooLarge,
                  "a control message is at most " + std::to_string(limit) + " bytes"};
@@ -34,6 +49,9 @@ Result<pb::Control> decode_control(std::span<const std::uint8_t> message, Sender
   pb::Control control;
   if (!control.ParseFromArray(body.data(), static_cast<int>(body.size()))) {
     return Error{ErrorCode::kMalformed, "a control message is not valid Protobuf"};
+  }
+  if (message.size() > kMaxControlFromHubBytes && !control.has_calibration_bundle()) {
+    return Error{ErrorCode::kTooLarge, "only a calibration bundle may be so large"};
   }
   if (auto status = check_control(control); !status) return status.error();
   return control;

@@ -13,7 +13,8 @@
 
 namespace roomcast::wire {
 
-enum class Sender { kClient, kHub };  // the limits differ
+/// The limits differ: those who have to do with calibration bundles may be sent large messages.
+enum class Sender { kClient, kSensor, kHub, kHubToAligner };
 
 /// Appends the whole message (preamble included) to `out`.
 void encode_control(const pb::Control& control, std::vector<std::uint8_t>& out);

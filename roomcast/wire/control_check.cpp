@@ -95,10 +95,12 @@ Status check_join(const pb::Join& join) {
       return check_sensor_role(join.sensor());
     case pb::Join::kViewer:
       return {};
+    case pb::Join::kAligner:
+      return check_name(join.aligner().key(), "key");
     case pb::Join::ROLE_NOT_SET:
       break;
   }
-  return malformed("a Join says whether it is a sensor's or a viewer's");
+  return malformed("a Join says whether it is a sensor's, a viewer's or an aligner's");
 }
 
 Status check_pose(const pb::Pose& pose) {
@@ -124,17 +126,61 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
   return {};
 }
 
+Status check_note(const std::string& note) {
+  if (note.size() > kMaxNoteBytes) {
+    return Error{ErrorCode::kTooLarge,
+                 "a note has at most " + std::to_string(kMaxNoteBytes) + " bytes"};
+  }
+  return {};
+}
+
+Status check_expected_error(float error_mm) {
+  if (!(error_mm >= 0 && std::isfinite(error_mm))) return malformed("an error is 0 mm or more");
+  return {};
+}
+
+Status check_sensor_id(std::uint32_t id) {
+  if (id > std::numeric_limits<std::uint16_t>::max()) return malformed("a sensor's id has 16 bits");
+  return {};
+}
+
+Status check_bundle(const pb::CalibrationBundle& bundle) {
+  if (auto s = check_sensor_id(bundle.sensor_id()); !s) return s;
+  if (bundle.depth().empty()) return malformed("a calibration bundle has depth");
+  if (bundle.up().empty()) return {};
+  if (bundle.up_size() != 3) return malformed("up has 3 numbers");
+  const double norm2 =
+      bundle.up(0) * bundle.up(0) + bundle.up(1) * bundle.up(1) + bundle.up(2) * bundle.up(2);
+  if (!(std::abs(norm2 - 1) < 0.01)) return malformed("up has unit length");
+  return {};
+}
+
+Status check_placements(const pb::Placements& placements) {
+  if (placements.sensors_size() > int{kMaxSensors}) {
+    return Error{ErrorCode::kTooLarge, "more placements than a room holds sensors"};
+  }
+  for (const auto& sensor : placements.sensors()) {
+    if (auto s = check_sensor_id(sensor.sensor_id()); !s) return s;
+    if (auto s = check_note(sensor.note()); !s) return s;
+    if (auto s = check_expected_error(sensor.expected_error_mm()); !s) return s;
+    if (sensor.world_from_depth().empty()) continue;
+    if (auto s = check_rigid(sensor.world_from_depth(), "world_from_depth"); !s) return s;
+  }
+  return {};
+}
+
 Status check_roster(const pb::Roster& roster) {
   if (roster.sensors_size() > int{kMaxSensors} || roster.viewers_size() > int{kMaxViewers}) {
     return Error{ErrorCode::kTooLarge, "a roster lists more sensors or viewers than a room holds"};
   }
   for (const auto& sensor : roster.sensors()) {
-    if (sensor.id() > std::numeric_limits<std::uint16_t>::max())
-      return malformed("a sensor's id has 16 bits");
+    if (auto s = check_sensor_id(sensor.id()); !s) return s;
     if (auto s = check_name(sensor.name(), "sensor"); !s) return s;
     if (auto s = check_calibration(sensor.calibration()); !s) return s;
     if (auto s = check_rigid(sensor.world_from_depth(), "world_from_depth"); !s) return s;
     if (auto s = check_fps(sensor.fps()); !s) return s;
+    if (auto s = check_note(sensor.placement_note()); !s) return s;
+    if (auto s = check_expected_error(sensor.expected_error_mm()); !s) return s;
   }
   for (const auto& viewer : roster.viewers()) {
     if (auto s = check_name(viewer.name(), "viewer"); !s) return s;
@@ -143,8 +189,7 @@ Status check_roster(const pb::Roster& roster) {
 }
 
 Status check_welcome(const pb::Welcome& welcome) {
-  if (welcome.sensor_id() > std::numeric_limits<std::uint16_t>::max())
-    return malformed("a sensor's id has 16 bits");
+  if (auto s = check_sensor_id(welcome.sensor_id()); !s) return s;
   if (welcome.start_pose().empty()) return {};
   return check_rigid(welcome.start_pose(), "start_pose");
 }
@@ -156,12 +201,6 @@ Status check_viewer_poses(const pb::ViewerPoses& message) {
   for (const auto& pose : message.poses()) {
     if (auto s = check_viewer_pose(pose); !s) return s;
   }
-  return {};
-}
-
-Status check_key_request(const pb::KeyRequest& request) {
-  if (request.sensor_id() > std::numeric_limits<std::uint16_t>::max())
-    return malformed("a sensor's id has 16 bits");
   return {};
 }
 
@@ -182,13 +221,17 @@ Status check_control(const pb::Control& control) {
     case pb::Control::kRoster:
       return check_roster(control.roster());
     case pb::Control::kKeyRequest:
-      return check_key_request(control.key_request());
+      return check_sensor_id(control.key_request().sensor_id());
     case pb::Control::kViewerPose:
       return check_viewer_pose(control.viewer_pose());
     case pb::Control::kViewerPoses:
       return check_viewer_poses(control.viewer_poses());
     case pb::Control::kViewerStats:
       return check_stats(control.viewer_stats());
+    case pb::Control::kCalibrationBundle:
+      return check_bundle(control.calibration_bundle());
+    case pb::Control::kPlacements:
+      return check_placements(control.placements());
     case pb::Control::kClockPing:
     case pb::Control::kClockPong:
     case pb::Control::kError:

@@ -150,6 +150,48 @@ TEST(ControlCheck, a_roster_is_bounded_and_its_entries_are_checked) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
+TEST(ControlCheck, a_bundle_has_depth_and_a_direction_that_is_one) {
+  pb::Control control;
+  auto& bundle = *control.mutable_calibration_bundle();
+  EXPECT_FALSE(check_control(control).ok());
+  bundle.set_depth("bytes");
+  EXPECT_TRUE(check_control(control).ok());
+  for (const double number : {0.0, -1.0}) bundle.add_up(number);
+  EXPECT_FALSE(check_control(control).ok());
+  bundle.add_up(0);
+  EXPECT_TRUE(check_control(control).ok());
+  bundle.set_up(1, kNan);
+  EXPECT_FALSE(check_control(control).ok());
+}
+
+TEST(ControlCheck, placements_are_rigid_and_bounded_and_may_be_none) {
+  pb::Control control;
+  auto& placement = *control.mutable_placements()->add_sensors();
+  placement.set_note("turn it towards another");
+  EXPECT_TRUE(check_control(control).ok());
+  set_identity(*placement.mutable_world_from_depth());
+  EXPECT_TRUE(check_control(control).ok());
+  placement.set_expected_error_mm(-1);
+  EXPECT_FALSE(check_control(control).ok());
+  placement.set_expected_error_mm(4);
+  placement.set_world_from_depth(5, 2);
+  EXPECT_FALSE(check_control(control).ok());
+  placement.set_world_from_depth(5, 1);
+  placement.set_note(std::string(kMaxNoteBytes + 1, 'x'));
+  EXPECT_FALSE(check_control(control).ok());
+  placement.clear_note();
+  for (std::size_t i = 0; i < kMaxSensors; ++i) control.mutable_placements()->add_sensors();
+  EXPECT_FALSE(check_control(control).ok());
+}
+
+TEST(ControlCheck, an_aligners_key_is_a_short_text) {
+  pb::Control control;
+  control.mutable_join()->mutable_aligner()->set_key("open sesame");
+  EXPECT_TRUE(check_control(control).ok());
+  control.mutable_join()->mutable_aligner()->set_key(std::string(kMaxNameBytes + 1, 'x'));
+  EXPECT_FALSE(check_control(control).ok());
+}
+
 TEST(ControlCheck, ids_and_statistics_are_checked) {
   pb::Control key_request;
   key_request.mutable_key_request()->set_sensor_id(65'536);

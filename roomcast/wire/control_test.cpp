@@ -75,5 +75,19 @@ TEST(Control, the_hub_has_a_limit_too) {
   EXPECT_FALSE(decode_control(message_of(control), Sender::kHub).ok());
 }
 
+TEST(Control, only_bundles_are_large_and_only_for_those_who_have_to_do_with_them) {
+  pb::Control bundle;
+  bundle.mutable_calibration_bundle()->set_depth(std::string(kMaxControlFromHubBytes, 'x'));
+  EXPECT_TRUE(decode_control(message_of(bundle), Sender::kSensor).ok());
+  EXPECT_TRUE(decode_control(message_of(bundle), Sender::kHubToAligner).ok());
+  EXPECT_FALSE(decode_control(message_of(bundle), Sender::kClient).ok());
+  EXPECT_FALSE(decode_control(message_of(bundle), Sender::kHub).ok());
+  pb::Control other;
+  other.mutable_error()->set_sentence(std::string(kMaxControlFromHubBytes, 'x'));
+  EXPECT_FALSE(decode_control(message_of(other), Sender::kSensor).ok());
+  bundle.mutable_calibration_bundle()->set_depth(std::string(kMaxBundleBytes, 'x'));
+  EXPECT_FALSE(decode_control(message_of(bundle), Sender::kSensor).ok());
+}
+
 }  // namespace
 }  // namespace roomcast::wire

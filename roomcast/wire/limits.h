@@ -12,16 +12,19 @@ namespace roomcast::wire {
 inline constexpr std::size_t kMaxFrameBytes = 2u << 20;               // header and payload
 inline constexpr std::size_t kMaxControlFromClientBytes = 16u << 10;  // with the 4 bytes in front
 inline constexpr std::size_t kMaxControlFromHubBytes = 256u << 10;
+inline constexpr std::size_t kMaxBundleBytes = 2u << 20;  // a control message with a bundle
 
 // Connections.
 inline constexpr std::chrono::seconds kJoinDeadline{5};
 inline constexpr std::size_t kMaxUnjoinedConnections = 64;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxViewers = 512;
+inline constexpr std::size_t kMaxAligners = 4;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
 // What they may say.
 inline constexpr std::size_t kMaxNameBytes = 64;
+inline constexpr std::size_t kMaxNoteBytes = 300;
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;
 inline constexpr unsigned kMaxDepthSide = 4096;

@@ -13,6 +13,9 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxFrameBytes, 2'097'152u);
   EXPECT_EQ(kMaxControlFromClientBytes, 16'384u);
   EXPECT_EQ(kMaxControlFromHubBytes, 262'144u);
+  EXPECT_EQ(kMaxBundleBytes, 2'097'152u);
+  EXPECT_EQ(kMaxNoteBytes, 300u);
+  EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 64u);
   EXPECT_EQ(kMaxSensors, 32u);
@@ -30,6 +33,7 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxCaptureAhead, 1s);
   EXPECT_EQ(kKeyRequestInterval, 500ms);
   EXPECT_EQ(kPoseInterval, 50ms);
+  EXPECT_EQ(kIntervalPerPose, 5ms);
   EXPECT_EQ(kRosterInterval, 100ms);
 }
 

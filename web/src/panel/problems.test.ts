@@ -63,9 +63,10 @@ describe('what is wrong', () => {
   });
 
   test('is a sensor that nobody has placed', () => {
-    expect(sentences(known({}, [{ ...s0, placement: Placement.UNPLACED }]))[0]).toMatch(
-      /Nobody knows where sensor s0 stands/,
-    );
+    const lost = { ...s0, placement: Placement.UNPLACED };
+    expect(sentences(known({}, [lost]))[0]).toMatch(/Nobody knows yet where sensor s0 stands: it is shown/);
+    const told = { ...lost, placementNote: 'turn it towards s1' };
+    expect(sentences(known({}, [told]))[0]).toMatch(/stands: turn it towards s1\. It is shown/);
   });
 
   test('is a decoder that gave up, or colour that cannot be decoded', () => {

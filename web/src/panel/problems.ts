@@ -65,7 +65,10 @@ function sensorProblems(
       found.push(error(`Sensor ${sensor.name} has been silent for ${Math.round(silence_ms / 1000)} s.`));
     if (counts?.problem) found.push(error(`Sensor ${sensor.name}: ${counts.problem}`));
     if (sensor.placement === Placement.UNPLACED) {
-      found.push(notice(`Nobody knows where sensor ${sensor.name} stands; it is shown at a place that was made up.`));
+      const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
+      found.push(
+        notice(`Nobody knows yet where sensor ${sensor.name} stands: ${why} is shown at a place that was made up.`),
+      );
     }
     return found;
   });

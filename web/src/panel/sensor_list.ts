@@ -52,9 +52,18 @@ export class SensorList {
     });
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
-    const unplaced =
-      entry.placement === Placement.UNPLACED ? element('span', { class: 'tag' }, 'not placed') : undefined;
-    const name = element('span', { class: 'name' }, entry.name, unplaced);
+    const name = element('span', { class: 'name' }, entry.name, placementTag(entry));
     return element('li', { class: entry.online ? '' : 'gone' }, element('label', {}, box, swatch, name), figures);
   }
+}
+
+/** How well the aligner knows where the sensor stands; nothing for poses that were given. */
+function placementTag(entry: SensorEntry): HTMLElement | undefined {
+  if (entry.placement === Placement.UNPLACED) {
+    return element('span', { class: 'tag', title: entry.placementNote || 'being aligned' }, 'not placed');
+  }
+  if (entry.placement !== Placement.ALIGNED) return undefined;
+  const error_mm = Math.max(1, Math.round(entry.expectedErrorMm));
+  const title = entry.placementNote || 'Aligned by what it sees. Expected error 2.5 m in front of it.';
+  return element('span', { class: 'tag good', title }, entry.expectedErrorMm > 0 ? `± ${error_mm} mm` : 'aligned');
 }
