@@ -15,8 +15,8 @@ namespace roomcast {
 class PingPace {
  public:
   static constexpr int kQuickPings = 5;
-  static constexpr int kSettlingPings =
-      32;  // of whom the first are quick: until the time is known well
+  /// Of whom the first are quick: what ClockSync needs to know the drift.
+  static constexpr int kSettlingPings = 160;
   static constexpr std::chrono::milliseconds kQuickPing{20};
   /// Who stamps frames needs the time to microseconds; who shows them does not.
   static constexpr std::chrono::milliseconds kOfSensor{100}, kOfViewer{500};
