@@ -15,10 +15,10 @@ namespace {
 constexpr int kSpeed = 6;
 // Finer than the first shows nobody anything; without that limit a room where nothing moves would
 // still use up the whole rate.
-constexpr unsigned kLeastQuantizer = 24, kMostQuantizer = 56;
+constexpr unsigned kLeastQuantizer = 26, kMostQuantizer = 56;
 // Of key frames. A good one pays: the camera does not move, so that what it shows well stays so,
 // where a poor one is made better piece by piece for more bytes.
-constexpr unsigned kMostKeyQuantizer = 26;
+constexpr unsigned kMostKeyQuantizer = 28;
 constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
 constexpr int kMostKeyFrameShare = 4000;  // percent of the bits of a mean frame
 constexpr unsigned kBaseLayerPercent = 70;

@@ -24,7 +24,7 @@ constexpr int kRefinementsPerFrame = 200;
 constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
 constexpr int kFirstRefinement = 10,
               kNextRefinement = 48;  // samples of each pixel
-constexpr float kRefinementGain = 0.6f * kLevelsPerSigma;
+constexpr float kRefinementGain = 0.68f * kLevelsPerSigma;
 constexpr float kRefinementRounding = 0.25f;
 
 /// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
@@ -258,7 +258,7 @@ bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCod
   return any;
 }
 
-void BlockPlanner::coded(int bx, int by, const BlockCode& code,
+bool BlockPlanner::coded(int bx, int by, const BlockCode& code,
                          const std::array<std::uint16_t, kBlockPixels>& before) {
   const Area here = area(bx, by);
   const bool refined = code.mode == BlockMode::kRefine;
@@ -294,6 +294,7 @@ void BlockPlanner::coded(int bx, int by, const BlockCode& code,
       }
     }
   }
+  return moved && !refined;
 }
 
 }  // namespace roomcast::codec

@@ -30,8 +30,9 @@ class BlockPlanner {
   /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and
   /// `target`; with kRefine code.refinement.
   void plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target);
-  /// A block of a reference frame was coded: `before` is what its pixels were.
-  void coded(int bx, int by, const BlockCode& code,
+  /// A block of a reference frame was coded: `before` is what its pixels were. Whether most of it
+  /// moved.
+  bool coded(int bx, int by, const BlockCode& code,
              const std::array<std::uint16_t, kBlockPixels>& before);
 
  private:

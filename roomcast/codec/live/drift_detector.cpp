@@ -10,8 +10,10 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPatchSide = 4;
-constexpr int kLeastSamples = 10;                                  // of 16 pixels
-constexpr float kNewest = 0.3f;                                    // weight of the newest frame
+constexpr int kLeastSamples = 10;       // of 16 pixels
+constexpr float kNewest = 0.3f;         // weight of the newest frame
+constexpr float kNewestLately = 0.45f;  // of a block that moved lately: what moves goes on moving
+constexpr std::uint8_t kLately_frames = 4;
 constexpr float kMostPatchOffset = 0.7f, kMostBlockOffset = 0.3f;  // of the noise of one pixel
 
 struct Columns {
@@ -47,9 +49,13 @@ void DriftDetector::resize(int width, int height, int blocks_wide, int blocks_hi
   const std::size_t blocks =
       static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
   offset_.assign(4 * blocks, 0);
+  frames_since_motion_.assign(blocks, kLately_frames);
 }
 
 void DriftDetector::update(const FrameChange& change, const PixelHistory& history) {
+  for (std::uint8_t& frames : frames_since_motion_) {
+    frames = std::min<std::uint8_t>(kLately_frames, frames + 1);
+  }
   for (int y = 0; y < height_; y += kPatchSide) {
     add_up_rows(change, history, y);
     for (int x = 0; x < width_; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
@@ -83,7 +89,8 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
   // The mean size of Gaussian noise is 4/5 of its standard deviation.
   const float sigma = std::max(static_cast<float>(kLevelsPerSigma),
                                static_cast<float>(deviation) * (1.25f / (1 << kNoiseShift) / 16));
-  offset += (static_cast<float>(off) / static_cast<float>(close) / sigma - offset) * kNewest;
+  offset += (static_cast<float>(off) / static_cast<float>(close) / sigma - offset) *
+            (frames_since_motion_[block] < kLately_frames ? kNewestLately : kNewest);
 }
 
 bool DriftDetector::drifts(std::size_t block) const {
@@ -97,6 +104,10 @@ bool DriftDetector::drifts(std::size_t block) const {
 
 void DriftDetector::reset(std::size_t block) {
   std::fill_n(offset_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, 0.0f);
+}
+
+void DriftDetector::expect_motion(std::size_t block) {
+  frames_since_motion_[block] = 0;
 }
 
 }  // namespace roomcast::codec

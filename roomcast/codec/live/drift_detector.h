@@ -20,6 +20,8 @@ class DriftDetector {
   [[nodiscard]] bool drifts(std::size_t block) const;
   /// The block was coded: its offsets start anew.
   void reset(std::size_t block);
+  /// The block moves: more of the same is believed sooner.
+  void expect_motion(std::size_t block);
 
  private:
   void add_up_rows(const FrameChange& change, const PixelHistory& history, int y);
@@ -28,6 +30,7 @@ class DriftDetector {
   int width_ = 0, height_ = 0, blocks_wide_ = 0;
   std::vector<std::int16_t> column_off_;
   std::vector<std::uint16_t> column_close_, column_deviation_;
+  std::vector<std::uint8_t> frames_since_motion_;
   std::vector<float> offset_;  // standard deviations of a pixel; four patches for each block
 };
 

@@ -200,8 +200,8 @@ void LiveDepthEncoder::encode_block(Pass& pass, int bx, int by, bool reference) 
     }
   }
   pass.block(bx, by, code_);
-  planner_.coded(bx, by, code_, before);
   drift_.reset(block);
+  if (planner_.coded(bx, by, code_, before)) drift_.expect_motion(block);
 }
 
 DepthView LiveDepthEncoder::shown_mm() const {
