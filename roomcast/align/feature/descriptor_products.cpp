@@ -19,32 +19,53 @@ void descriptor_products_reference(const Descriptor& descriptor, std::span<const
 #if defined(__x86_64__)
 namespace {
 
-constexpr std::size_t kPerRegister = 16, kRegisters = kDescriptorSize / kPerRegister;
+/// Descriptors whose sums are folded together: folding costs as much as multiplying.
+constexpr std::size_t kTogether = 4;
 
-[[gnu::target("avx2")]] std::int32_t horizontal_sum(__m256i sums) {
-  const __m128i four =
-      _mm_add_epi32(_mm256_castsi256_si128(sums), _mm256_extracti128_si256(sums, 1));
-  const __m128i two = _mm_add_epi32(four, _mm_shuffle_epi32(four, 0x4E));
-  return _mm_cvtsi128_si32(_mm_add_epi32(two, _mm_shuffle_epi32(two, 0xB1)));
+[[gnu::target("avx2")]] __m256i part_avx2(const Descriptor& descriptor, std::size_t part) {
+  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(descriptor.data() + 16 * part));
+}
+
+/// Folds the eight sums of each of four registers to one.
+[[gnu::target("avx2")]] __m128i folded(__m256i a, __m256i b, __m256i c, __m256i d) {
+  const __m256i four = _mm256_hadd_epi32(_mm256_hadd_epi32(a, b), _mm256_hadd_epi32(c, d));
+  return _mm_add_epi32(_mm256_castsi256_si128(four), _mm256_extracti128_si256(four, 1));
 }
 
 [[gnu::target("avx2")]] void products_avx2(const Descriptor& descriptor,
                                            std::span<const Descriptor> others,
                                            std::span<std::int32_t> products) {
-  __m256i mine[kRegisters];
-  for (std::size_t r = 0; r < kRegisters; ++r) {
-    mine[r] =
-        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(descriptor.data() + r * kPerRegister));
-  }
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    __m256i sums = _mm256_setzero_si256();
-    for (std::size_t r = 0; r < kRegisters; ++r) {
-      const __m256i other =
-          _mm256_loadu_si256(reinterpret_cast<const __m256i*>(others[i].data() + r * kPerRegister));
-      sums = _mm256_add_epi32(sums, _mm256_madd_epi16(mine[r], other));
+  std::size_t i = 0;
+  for (; i + kTogether <= others.size(); i += kTogether) {
+    __m256i sums[kTogether] = {};
+    for (std::size_t part = 0; part < kDescriptorSize / 16; ++part) {
+      const __m256i mine = part_avx2(descriptor, part);
+      for (std::size_t k = 0; k < kTogether; ++k) {
+        sums[k] =
+            _mm256_add_epi32(sums[k], _mm256_madd_epi16(mine, part_avx2(others[i + k], part)));
+      }
     }
-    products[i] = horizontal_sum(sums);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(products.data() + i),
+                     folded(sums[0], sums[1], sums[2], sums[3]));
   }
+  descriptor_products_reference(descriptor, others.subspan(i), products.subspan(i));
+}
+
+[[gnu::target("avx2,avx512vl,avx512vnni")]] void products_vnni(const Descriptor& descriptor,
+                                                               std::span<const Descriptor> others,
+                                                               std::span<std::int32_t> products) {
+  std::size_t i = 0;
+  for (; i + kTogether <= others.size(); i += kTogether) {
+    __m256i sums[kTogether] = {};
+    for (std::size_t part = 0; part < kDescriptorSize / 16; ++part) {
+      const __m256i mine = part_avx2(descriptor, part);
+      for (std::size_t k = 0; k < kTogether; ++k)
+        sums[k] = _mm256_dpwssd_epi32(sums[k], mine, part_avx2(others[i + k], part));
+    }
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(products.data() + i),
+                     folded(sums[0], sums[1], sums[2], sums[3]));
+  }
+  descriptor_products_reference(descriptor, others.subspan(i), products.subspan(i));
 }
 
 }  // namespace
@@ -53,6 +74,8 @@ constexpr std::size_t kPerRegister = 16, kRegisters = kDescriptorSize / kPerRegi
 void descriptor_products(const Descriptor& descriptor, std::span<const Descriptor> others,
                          std::span<std::int32_t> products) {
 #if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512vnni") && __builtin_cpu_supports("avx512vl"))
+    return products_vnni(descriptor, others, products);
   if (__builtin_cpu_supports("avx2")) return products_avx2(descriptor, others, products);
 #endif
   descriptor_products_reference(descriptor, others, products);

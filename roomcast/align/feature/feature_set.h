@@ -19,11 +19,15 @@ inline constexpr int kDescriptorLength = 512;
 
 using Descriptor = std::array<std::int16_t, kDescriptorSize>;
 
+/// Distance between descriptors that have nothing in common.
+inline constexpr float kNoLookAlike = 2;
+
 struct Feature {
   Eigen::Vector3f point_m;
   Eigen::Vector2f pixel;
-  float size_m = 0;      // in space, where it is known (plane-rectified); else 0
-  float look_alike = 2;  // distance to the most similar feature elsewhere; small = repeats
+  float size_m = 0;  // in space, where it is known (plane-rectified); else 0
+  float look_alike =
+      kNoLookAlike;  // distance to the most similar feature elsewhere; small = repeats
 };
 
 struct FeatureSet {

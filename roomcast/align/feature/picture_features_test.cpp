@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/align/feature/descriptor_matching.h"
+#include "roomcast/align/feature/feature_comparison.h"
 #include "roomcast/align/feature/rectified_features.h"
 #include "roomcast/align/feature/sift_detector.h"
 #include "roomcast/align/made_up_room.h"
@@ -27,7 +27,7 @@ struct Seen {
 /// The share of matches whose features lie at the same place of the room.
 double right_share(const Seen& one, const FeatureSet& of_one, const Seen& other,
                    const FeatureSet& of_other) {
-  const auto matches = match_descriptors(of_one.descriptors, of_other.descriptors, 0.5F);
+  const auto matches = compare_features(of_one, of_other, 0.5F).matches;
   double right = 0;
   for (const DescriptorMatch& match : matches) {
     const Eigen::Vector3d a =

@@ -15,46 +15,32 @@ constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of the ratio to the 
 // However well two repeats match each other, they do not say which of the repeats is meant.
 constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike's distance
 
+bool lie_apart(const Feature& one, const Feature& other) {
+  return (one.point_m - other.point_m).squaredNorm() > kElsewhere_m * kElsewhere_m;
+}
+
 }  // namespace
 
 void find_look_alikes(FeatureSet& set) {
-  std::vector<std::int32_t> products(set.size());
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    descriptor_products(set.descriptors[i], set.descriptors, products);
-    std::int32_t best = 0;
-    for (std::size_t j = 0; j < set.size(); ++j) {
-      if (products[j] <= best) continue;
-      const float apart = (set.features[i].point_m - set.features[j].point_m).squaredNorm();
-      if (apart > kElsewhere_m * kElsewhere_m) best = products[j];
+  const std::span<const Descriptor> all = set.descriptors;
+  std::vector<std::int32_t> best(set.size()), products(kDescriptorTile);
+  for (std::size_t first = 0; first < set.size(); first += kDescriptorTile) {
+    const auto tile = all.subspan(first, std::min(kDescriptorTile, set.size() - first));
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      descriptor_products(all[i], tile, products);
+      for (std::size_t k = 0; k < tile.size(); ++k) {
+        if (products[k] > best[i] && lie_apart(set.features[i], set.features[first + k]))
+          best[i] = products[k];
+      }
     }
-    set.features[i].look_alike = descriptor_distance(best);
+  }
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    set.features[i].look_alike = descriptor_distance(best[i]);
   }
 }
 
-std::vector<Descriptor> repeating_descriptors(const FeatureSet& set) {
-  std::vector<Descriptor> repeating;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set.features[i].look_alike < kRepeats) repeating.push_back(set.descriptors[i]);
-  }
-  return repeating;
-}
-
-std::vector<float> look_alikes_in_rig(
-    const FeatureSet& set, std::span<const std::vector<Descriptor>* const> repeating_elsewhere) {
-  std::vector<float> look_alikes;
-  std::vector<std::int32_t> products;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    float nearest = set.features[i].look_alike;
-    for (const std::vector<Descriptor>* repeating : repeating_elsewhere) {
-      if (repeating->empty()) continue;
-      products.resize(repeating->size());
-      descriptor_products(set.descriptors[i], *repeating, products);
-      nearest = std::min(nearest,
-                         descriptor_distance(*std::max_element(products.begin(), products.end())));
-    }
-    look_alikes.push_back(nearest);
-  }
-  return look_alikes;
+bool repeats(const Feature& feature) {
+  return feature.look_alike < kRepeats;
 }
 
 float uniqueness(float distance, float look_alike_a, float look_alike_b) {

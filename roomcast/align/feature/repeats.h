@@ -5,9 +5,6 @@
 // rig, even for a sensor that sees it only once (the repeat vocabulary). Thread-safe (no state).
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "roomcast/align/feature/feature_set.h"
 
 namespace roomcast::align {
@@ -16,13 +13,9 @@ namespace roomcast::align {
 /// least 12 cm away in space.
 void find_look_alikes(FeatureSet& set);
 
-/// The descriptors that repeat within a set (`find_look_alikes` has been called).
-[[nodiscard]] std::vector<Descriptor> repeating_descriptors(const FeatureSet& set);
-
-/// What `set` looks like once it knows what repeats in the other views: `look_alike` of each
-/// feature, lowered where a repeating descriptor is nearer.
-[[nodiscard]] std::vector<float> look_alikes_in_rig(
-    const FeatureSet& set, std::span<const std::vector<Descriptor>* const> repeating_elsewhere);
+/// Whether there is a look-alike near enough elsewhere in the feature's own view
+/// (`find_look_alikes` has been called).
+[[nodiscard]] bool repeats(const Feature& feature);
 
 /// 0.05 (repeats) to 1 (unique): what a match of two features with this distance is worth.
 [[nodiscard]] float uniqueness(float distance, float look_alike_a, float look_alike_b);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/align/pair/feature_matches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "roomcast/align/feature/descriptor_matching.h"
 #include "roomcast/align/feature/repeats.h"
 
 namespace roomcast::align {
@@ -13,14 +13,15 @@ namespace {
 constexpr float kLargestDescriptorDistance = 0.75F;
 constexpr float kLargestSizeOctaves = 0.6F;  // between sizes in metres of the same thing
 
-using Repeating = std::vector<Descriptor>;
+std::vector<float> look_alikes(const FeatureSet& set) {
+  std::vector<float> distances;
+  for (const Feature& feature : set.features) distances.push_back(feature.look_alike);
+  return distances;
+}
 
-std::vector<const Repeating*> all_but(const std::vector<Repeating>& sets, std::size_t index) {
-  std::vector<const Repeating*> others;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (i != index) others.push_back(&sets[i]);
-  }
-  return others;
+void lower(std::vector<float>& distances, std::span<const float> others) {
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    distances[i] = std::min(distances[i], others[i]);
 }
 
 bool sizes_agree(const Feature& a, const Feature& b) {
@@ -29,9 +30,9 @@ bool sizes_agree(const Feature& a, const Feature& b) {
 }
 
 void add_matches(const FeatureSet& a, std::span<const float> alike_a, const FeatureSet& b,
-                 std::span<const float> alike_b, std::vector<PointMatch>& matches) {
-  for (const DescriptorMatch& match :
-       match_descriptors(a.descriptors, b.descriptors, kLargestDescriptorDistance)) {
+                 std::span<const float> alike_b, const FeatureComparison& comparison,
+                 std::vector<PointMatch>& matches) {
+  for (const DescriptorMatch& match : comparison.matches) {
     const Feature& in_a = a.features[match.a];
     const Feature& in_b = b.features[match.b];
     if (!sizes_agree(in_a, in_b)) continue;
@@ -42,28 +43,33 @@ void add_matches(const FeatureSet& a, std::span<const float> alike_a, const Feat
 
 }  // namespace
 
-std::vector<LookAlikes> look_alikes_of_rig(const std::vector<const SensorView*>& views) {
-  std::vector<Repeating> in_pictures, on_planes;
-  for (const SensorView* view : views) {
-    in_pictures.push_back(repeating_descriptors(view->picture_features));
-    on_planes.push_back(repeating_descriptors(view->rectified_features));
-  }
-  std::vector<LookAlikes> look_alikes;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    look_alikes.push_back(
-        {look_alikes_in_rig(views[i]->picture_features, all_but(in_pictures, i)),
-         look_alikes_in_rig(views[i]->rectified_features, all_but(on_planes, i))});
-  }
-  return look_alikes;
+ViewComparison compare_views(const SensorView& a, const SensorView& b) {
+  return {compare_features(a.picture_features, b.picture_features, kLargestDescriptorDistance),
+          compare_features(a.rectified_features, b.rectified_features, kLargestDescriptorDistance)};
 }
 
-std::vector<PointMatch> match_features(const SensorView& a, const LookAlikes& alike_a,
-                                       const SensorView& b, const LookAlikes& alike_b) {
+LookAlikes own_look_alikes(const SensorView& view) {
+  return {look_alikes(view.picture_features), look_alikes(view.rectified_features)};
+}
+
+void add_repeats_of_b(const ViewComparison& comparison, LookAlikes& of_a) {
+  lower(of_a.of_picture_features, comparison.in_pictures.a_to_repeat);
+  lower(of_a.of_rectified_features, comparison.on_planes.a_to_repeat);
+}
+
+void add_repeats_of_a(const ViewComparison& comparison, LookAlikes& of_b) {
+  lower(of_b.of_picture_features, comparison.in_pictures.b_to_repeat);
+  lower(of_b.of_rectified_features, comparison.on_planes.b_to_repeat);
+}
+
+std::vector<PointMatch> weighed_matches(const SensorView& a, const LookAlikes& of_a,
+                                        const SensorView& b, const LookAlikes& of_b,
+                                        const ViewComparison& comparison) {
   std::vector<PointMatch> matches;
-  add_matches(a.picture_features, alike_a.of_picture_features, b.picture_features,
-              alike_b.of_picture_features, matches);
-  add_matches(a.rectified_features, alike_a.of_rectified_features, b.rectified_features,
-              alike_b.of_rectified_features, matches);
+  add_matches(a.picture_features, of_a.of_picture_features, b.picture_features,
+              of_b.of_picture_features, comparison.in_pictures, matches);
+  add_matches(a.rectified_features, of_a.of_rectified_features, b.rectified_features,
+              of_b.of_rectified_features, comparison.on_planes, matches);
   return matches;
 }
 

@@ -42,15 +42,15 @@ struct Camera {
   }
 };
 
-/// A feature as lifted, and as it is once its sensor is corrected.
+/// A feature as it is once its sensor is corrected, and how it moves with that.
 struct Lifted {
   Eigen::Vector3d point_m;
-  Matrix32 by_shift;
+  Eigen::Matrix<double, 3, kCorrectionUnknowns> by_correction;
 
   Lifted(const Camera& camera, const Eigen::Vector3f& measured_m) {
     const Eigen::Vector3d measured = measured_m.cast<double>();
-    by_shift = camera.point_by_shift(measured);
-    point_m = measured + by_shift * camera.correction.color_shift_px;
+    by_correction << camera.point_by_shift(measured), SensorCorrection::point_by_depth(measured);
+    point_m = measured + by_correction * camera.correction.vector();
   }
 };
 
@@ -105,8 +105,8 @@ PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
       PairJacobian jacobian = PairJacobian::Zero();
       jacobian.leftCols<3>() = -at->by_point * cross_matrix(in_a);
       jacobian.middleCols<3>(3) = at->by_point;
-      jacobian.middleCols<2>(kShiftA) = -Eigen::Matrix2d::Identity();
-      jacobian.middleCols<2>(kShiftB) = at->by_point * a_from_b * of_b.by_shift;
+      jacobian.middleCols<2>(kOfA + kShift) = -Eigen::Matrix2d::Identity();
+      jacobian.middleCols<kCorrectionUnknowns>(kOfB) = at->by_point * a_from_b * of_b.by_correction;
       add(sum, *at, jacobian, sigma_px);
     }
     if (const auto at = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel)) {
@@ -114,8 +114,8 @@ PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
       PairJacobian jacobian = PairJacobian::Zero();
       jacobian.leftCols<3>() = by_a * cross_matrix(of_a.point_m);
       jacobian.middleCols<3>(3) = -by_a;
-      jacobian.middleCols<2>(kShiftB) = -Eigen::Matrix2d::Identity();
-      jacobian.middleCols<2>(kShiftA) = by_a * of_a.by_shift;
+      jacobian.middleCols<2>(kOfB + kShift) = -Eigen::Matrix2d::Identity();
+      jacobian.middleCols<kCorrectionUnknowns>(kOfA) = by_a * of_a.by_correction;
       add(sum, *at, jacobian, sigma_px);
     }
   }

@@ -15,8 +15,10 @@ const RigidTransform& truth() {
 }
 
 PairCandidates candidates_of(const MadeUpView& a, const MadeUpView& b) {
-  const auto alike = look_alikes_of_rig({a.view.get(), b.view.get()});
-  return {*a.view, *b.view, match_features(*a.view, alike[0], *b.view, alike[1])};
+  const ViewComparison comparison = compare_views(*a.view, *b.view);
+  return {*a.view, *b.view,
+          weighed_matches(*a.view, own_look_alikes(*a.view), *b.view, own_look_alikes(*b.view),
+                          comparison)};
 }
 
 const PairCandidates& corners() {

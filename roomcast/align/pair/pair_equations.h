@@ -15,8 +15,10 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Places of the unknowns.
-inline constexpr Eigen::Index kMotion = 0, kShiftA = 6, kShiftB = 8;
-inline constexpr Eigen::Index kPairUnknowns = 10;
+inline constexpr Eigen::Index kMotion = 0, kOfA = 6, kOfB = kOfA + kCorrectionUnknowns;
+inline constexpr Eigen::Index kPairUnknowns = kOfB + kCorrectionUnknowns;
+/// Places among those of one sensor's correction.
+inline constexpr Eigen::Index kShift = 0, kDepth = 2;
 
 using PairVector = Eigen::Matrix<double, kPairUnknowns, 1>;
 using PairMatrix = Eigen::Matrix<double, kPairUnknowns, kPairUnknowns>;

@@ -61,29 +61,65 @@ TEST(SurfaceEquations, lead_back_to_the_true_pose) {
   const auto& a = first_corner();
   const auto b =
       made_up_view({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
-  RigidTransform pose = nudged(true_pose(a, b), 0.01, 0.02);
+  PairState state{nudged(true_pose(a, b), 0.01, 0.02), {}, {}};
   for (int i = 0; i < 12; ++i) {
-    pose = step_transform(solve_motion(
-               surface_equations(a.view->surface, b.view->surface, pose, {0.08F, 4000, 1}))) *
-           pose;
+    const auto partners = surface_partners(a.view->surface, b.view->surface, state, {0.08F, 4000});
+    state.a_from_b =
+        step_transform(solve_motion(surface_equations(partners, state, 1))) * state.a_from_b;
   }
-  const PoseDifference left = difference(pose, true_pose(a, b));
+  const PoseDifference left = difference(state.a_from_b, true_pose(a, b));
   EXPECT_LT(left.angle_rad, 2 * kMilliradian);
   EXPECT_LT(left.distance_m, 5 * kMillimetre);
 }
 
-TEST(SurfaceResiduals, are_small_at_the_truth_and_grow_with_the_error) {
+TEST(SurfaceEquations, gradient_is_that_of_the_distances) {
+  const auto& a = first_corner().view->surface;
+  const auto& b = second_corner().view->surface;
+  PairState state{nudged(true_pose(first_corner(), second_corner()), 0.002, 0.003), {}, {}};
+  state.a.depth_offset_m = 0.004;
+  state.b.depth_scale = 0.002;
+  constexpr double kTrusting = 1e4;
+  const auto partners = surface_partners(a, b, state, {0.1F, 1000});
+  const auto equations = surface_equations(partners, state, kTrusting);
+  const double share = 1500.0 / std::max<double>(1500, double(partners.size()));
+  const auto cost = [&](const PairState& at) {
+    double sum = 0;
+    for (const SurfacePartner& p : partners) {
+      const Eigen::Vector3d apart =
+          at.a_from_b * at.b.corrected(p.b_m.cast<double>()) - at.a.corrected(p.a_m.cast<double>());
+      const double residual = p.normal.cast<double>().dot(apart);
+      sum += residual * residual / double(p.variance_m2);
+    }
+    return sum;
+  };
+  for (Eigen::Index i = 0; i < kPairUnknowns; ++i) {
+    const auto moved = [&](double by) {
+      PairState at = state;
+      const auto unit =
+          CorrectionVector::Unit(i < kOfB ? std::max<Eigen::Index>(0, i - kOfA) : i - kOfB);
+      if (i < kOfA) at.a_from_b = step_transform(by * Vector6::Unit(i)) * at.a_from_b;
+      if (i >= kOfA && i < kOfB) at.a.add(by * unit);
+      if (i >= kOfB) at.b.add(by * unit);
+      return cost(at);
+    };
+    const double numeric = (moved(1e-4) - moved(-1e-4)) / 4e-4;
+    const double analytic = equations.gradient(i) * kTrusting * kTrusting / share;
+    EXPECT_NEAR(analytic, numeric, 0.02 * std::abs(numeric) + 20) << "unknown " << i;
+  }
+}
+
+TEST(SurfacePartners, lie_near_each_other_at_the_truth_and_apart_beside_it) {
   const auto& a = first_corner().view->surface;
   const auto& b = second_corner().view->surface;
   const RigidTransform truth = true_pose(first_corner(), second_corner());
-  const SurfaceResidualOptions options{0.05F, 4000, 1};
-  EXPECT_LT(surface_noise(a, b, truth, options), 0.5);
-  EXPECT_GT(surface_noise(a, b, nudged(truth, 0.01, 0.02), options),
-            2 * surface_noise(a, b, truth, options));
-  EXPECT_FALSE(surface_residuals_m(a, b, truth, options).empty());
+  const auto noise_at = [&](const RigidTransform& pose) {
+    return surface_noise(surface_partners(a, b, {pose, {}, {}}, {0.05F, 4000}));
+  };
+  EXPECT_LT(noise_at(truth), 0.5);
+  EXPECT_GT(noise_at(nudged(truth, 0.01, 0.02)), 2 * noise_at(truth));
   RigidTransform nowhere = truth;
   nowhere.translation_m.y() += 50;
-  EXPECT_TRUE(surface_residuals_m(a, b, nowhere, options).empty());
+  EXPECT_TRUE(surface_partners(a, b, {nowhere, {}, {}}, {}).empty());
 }
 
 TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
@@ -112,8 +148,10 @@ double cost(const MadeUpView& a, const MadeUpView& b, const PairState& state,
       const Eigen::Vector3f moved(in_color.x() + in_color.z() * shift.x() / picture.camera.fx,
                                   in_color.y() + in_color.z() * shift.y() / picture.camera.fy,
                                   in_color.z());
-      return Eigen::Vector3f(picture.color_from_depth_rotation.transpose() *
-                             (moved - picture.color_from_depth_m));
+      const Eigen::Vector3f lifted =
+          picture.color_from_depth_rotation.transpose() * (moved - picture.color_from_depth_m);
+      return Eigen::Vector3f(lifted + correction.corrected(point.cast<double>()).cast<float>() -
+                             point);
     };
     const auto add = [&](const ColorPicture& into, const RigidTransform& into_from_from,
                          const Eigen::Vector3f& point, const Eigen::Vector2f& seen,
@@ -140,6 +178,8 @@ TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
   PairState state{nudged(true_pose(a, b), 0.003, 0.004), {}, {}};
   state.a.color_shift_px = {0.8, -0.5};
   state.b.color_shift_px = {-0.4, 0.6};
+  state.a.depth_offset_m = 0.005;
+  state.b.depth_scale = 0.002;
   constexpr double kTrusting_px = 1e3;
   const auto equations =
       feature_equations(a.view->picture, b.view->picture, state, matches, kTrusting_px);
@@ -147,12 +187,13 @@ TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
   const auto moved = [&](Eigen::Index unknown, double by) {
     PairState at = state;
     if (unknown < 6) at.a_from_b = step_transform(by * Vector6::Unit(unknown)) * at.a_from_b;
-    if (unknown >= kShiftA && unknown < kShiftB) at.a.color_shift_px(unknown - kShiftA) += by;
-    if (unknown >= kShiftB) at.b.color_shift_px(unknown - kShiftB) += by;
+    if (unknown >= kOfA && unknown < kOfB) at.a.add(by * CorrectionVector::Unit(unknown - kOfA));
+    if (unknown >= kOfB) at.b.add(by * CorrectionVector::Unit(unknown - kOfB));
     return cost(a, b, at, matches);
   };
   for (Eigen::Index i = 0; i < kPairUnknowns; ++i) {
-    const double step = i < 6 ? 1e-3 : 0.1;
+    const bool in_px = (i >= kOfA && i < kOfA + kDepth) || (i >= kOfB && i < kOfB + kDepth);
+    const double step = in_px ? 0.1 : 1e-3;
     const double numeric = (moved(i, step) - moved(i, -step)) / (4 * step);
     const double analytic = equations.gradient(i) * kTrusting_px * kTrusting_px;
     EXPECT_NEAR(analytic, numeric, 0.02 * std::abs(numeric) + 1) << "unknown " << i;

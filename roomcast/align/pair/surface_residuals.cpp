@@ -2,6 +2,7 @@
 #include "roomcast/align/pair/surface_residuals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -21,31 +22,32 @@ constexpr double kLeastNoise = 0.2, kMostNoise = 1.5;
 struct Direction {
   const DepthSurface& source;
   const DepthSurface& target;
+  const SensorCorrection &of_source, &of_target;
   Eigen::Matrix3f rotation;  // target from source
   Eigen::Vector3f shift;
 
-  Direction(const DepthSurface& from, const DepthSurface& to, const RigidTransform& to_from_from)
+  Direction(const DepthSurface& from, const SensorCorrection& of_from, const DepthSurface& to,
+            const SensorCorrection& of_to, const RigidTransform& to_from_from)
       : source(from),
         target(to),
+        of_source(of_from),
+        of_target(of_to),
         rotation(to_from_from.rotation.cast<float>()),
         shift(to_from_from.translation_m.cast<float>()) {}
 };
 
-/// A point of the source, in both frames, and its distance along the normal of what it is compared
-/// with.
-struct Partners {
-  Eigen::Vector3f in_source, in_target, normal_in_target;
-  float residual_m;
-  double variance_m2;
-};
+Eigen::Vector3f corrected(const SensorCorrection& correction, const Eigen::Vector3f& point_m) {
+  return correction.corrected(point_m.cast<double>()).cast<float>();
+}
 
+/// Calls `visit(source point, target point)` with what lies within reach of each other.
 template <class Visit>
-void for_each_partner(const Direction& way, const SurfaceResidualOptions& options, Visit visit) {
+void for_each_partner(const Direction& way, const SurfaceReach& options, Visit visit) {
   const auto& samples = way.source.samples;
   const std::size_t step = std::max<std::size_t>(1, samples.size() / options.points);
   const float slide = kSlidePerReach * options.reach_m;
   for (std::size_t i = 0; i < samples.size(); i += step) {
-    const Eigen::Vector3f& from = samples[i].point_m;
+    const Eigen::Vector3f from = corrected(way.of_source, samples[i].point_m);
     const Eigen::Vector3f point = way.rotation * from + way.shift;
     Eigen::Vector2f pixel;
     if (!way.target.lens.project(point, pixel)) continue;
@@ -54,67 +56,95 @@ void for_each_partner(const Direction& way, const SurfaceResidualOptions& option
     if (u < 0 || v < 0 || u >= way.target.at.width() || v >= way.target.at.height()) continue;
     const SurfacePoint& seen = way.target.at.at(u, v);
     if (seen.normal.dot(way.rotation * samples[i].normal) < kAlike) continue;
-    const Eigen::Vector3f apart = point - seen.point_m;
+    const Eigen::Vector3f apart = point - corrected(way.of_target, seen.point_m);
     const float residual = seen.normal.dot(apart);
     if (std::abs(residual) > options.reach_m || apart.squaredNorm() > slide * slide) continue;
-    const double here = double(depth_sigma_m(from.z())),
-                 there = double(depth_sigma_m(seen.point_m.z()));
-    visit(Partners{from, point, seen.normal, residual, 0.5 * (here * here + there * there)});
+    visit(samples[i], seen, residual);
   }
 }
 
-void add(PairEquations& sum, const PairVector& jacobian, const Partners& partners, double noise) {
-  const double residual = double(partners.residual_m);
-  const double variance = noise * noise * partners.variance_m2;
-  sum.add(jacobian, residual, robust_weight(residual / std::sqrt(variance)) / variance);
+float variance_m2(const SurfacePoint& one, const SurfacePoint& other) {
+  const float here = depth_sigma_m(one.point_m.z()), there = depth_sigma_m(other.point_m.z());
+  return 0.5F * (here * here + there * there);
+}
+
+/// Surfaces know nothing of colour: motion and both depths are all that moves them.
+constexpr std::array<Eigen::Index, 10> kKnown = {
+    0, 1, 2, 3, 4, 5, kOfA + kDepth, kOfA + kDepth + 1, kOfB + kDepth, kOfB + kDepth + 1};
+using KnownVector = Eigen::Matrix<double, 10, 1>;
+
+struct KnownEquations {
+  Eigen::Matrix<double, 10, 10> information = Eigen::Matrix<double, 10, 10>::Zero();
+  KnownVector gradient = KnownVector::Zero();
+
+  [[nodiscard]] PairEquations among_all(double factor, int terms) const {
+    PairEquations all;
+    for (std::size_t i = 0; i < kKnown.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      all.gradient(kKnown[i]) = factor * gradient(row);
+      for (std::size_t j = 0; j < kKnown.size(); ++j)
+        all.information(kKnown[i], kKnown[j]) =
+            factor * information(row, static_cast<Eigen::Index>(j));
+    }
+    all.terms = terms;
+    return all;
+  }
+};
+
+KnownVector jacobian_of(const SurfacePartner& partner, const PairState& state) {
+  const Eigen::Vector3d n = partner.normal.cast<double>();
+  const Eigen::Vector3d a = partner.a_m.cast<double>(), b = partner.b_m.cast<double>();
+  const Eigen::Vector3d turned = state.a_from_b.rotation * b;
+  const double by_a = -n.dot(a), by_b = n.dot(turned);
+  KnownVector jacobian;
+  jacobian << (turned + state.a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(),
+      by_b;
+  return jacobian;
 }
 
 }  // namespace
 
-PairEquations surface_equations(const DepthSurface& a, const DepthSurface& b,
-                                const RigidTransform& a_from_b,
-                                const SurfaceResidualOptions& options) {
-  PairEquations sum;
-  PairVector jacobian = PairVector::Zero();
-  for_each_partner(Direction(b, a, a_from_b), options, [&](const Partners& p) {
-    const Eigen::Vector3d n = p.normal_in_target.cast<double>();
-    const Eigen::Vector3d x = p.in_target.cast<double>();
-    jacobian.head<6>() << x.cross(n), n;
-    add(sum, jacobian, p, options.noise);
-  });
-  for_each_partner(Direction(a, b, a_from_b.inverse()), options, [&](const Partners& p) {
-    const Eigen::Vector3d n = a_from_b.rotation * p.normal_in_target.cast<double>();
-    const Eigen::Vector3d x = p.in_source.cast<double>();
-    jacobian.head<6>() << -x.cross(n), -n;
-    add(sum, jacobian, p, options.noise);
-  });
-  PairEquations capped;
-  capped.add(sum, std::min(1.0, kMostIndependent / std::max(1, sum.terms)));
-  return capped;
+std::vector<SurfacePartner> surface_partners(const DepthSurface& a, const DepthSurface& b,
+                                             const PairState& state, const SurfaceReach& reach) {
+  std::vector<SurfacePartner> partners;
+  const Eigen::Matrix3f a_from_b = state.a_from_b.rotation.cast<float>();
+  for_each_partner(Direction(b, state.b, a, state.a, state.a_from_b), reach,
+                   [&](const SurfacePoint& of_b, const SurfacePoint& of_a, float residual) {
+                     partners.push_back({of_a.point_m, of_b.point_m, of_a.normal, residual,
+                                         variance_m2(of_a, of_b)});
+                   });
+  for_each_partner(Direction(a, state.a, b, state.b, state.a_from_b.inverse()), reach,
+                   [&](const SurfacePoint& of_a, const SurfacePoint& of_b, float residual) {
+                     partners.push_back({of_a.point_m, of_b.point_m, a_from_b * of_b.normal,
+                                         -residual, variance_m2(of_a, of_b)});
+                   });
+  return partners;
 }
 
-double surface_noise(const DepthSurface& a, const DepthSurface& b, const RigidTransform& a_from_b,
-                     const SurfaceResidualOptions& options) {
+PairEquations surface_equations(std::span<const SurfacePartner> partners, const PairState& state,
+                                double noise) {
+  KnownEquations sum;
+  for (const SurfacePartner& partner : partners) {
+    const double residual = double(partner.residual_m);
+    const double variance = noise * noise * double(partner.variance_m2);
+    const double weight = robust_weight(residual / std::sqrt(variance)) / variance;
+    const KnownVector jacobian = jacobian_of(partner, state);
+    sum.information.noalias() += weight * jacobian * jacobian.transpose();
+    sum.gradient += weight * residual * jacobian;
+  }
+  const auto count = static_cast<double>(partners.size());
+  return sum.among_all(std::min(1.0, kMostIndependent / std::max(1.0, count)),
+                       static_cast<int>(partners.size()));
+}
+
+double surface_noise(std::span<const SurfacePartner> partners) {
+  if (partners.empty()) return kMostNoise;
   std::vector<double> sigmas;
-  const auto keep = [&](const Partners& partners) {
-    sigmas.push_back(std::abs(double(partners.residual_m)) / std::sqrt(partners.variance_m2));
-  };
-  for_each_partner(Direction(b, a, a_from_b), options, keep);
-  for_each_partner(Direction(a, b, a_from_b.inverse()), options, keep);
-  if (sigmas.empty()) return kMostNoise;
+  for (const SurfacePartner& partner : partners)
+    sigmas.push_back(double(std::abs(partner.residual_m) / std::sqrt(partner.variance_m2)));
   const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
   std::nth_element(sigmas.begin(), middle, sigmas.end());
   return std::clamp(*middle / kMedianOfNormal, kLeastNoise, kMostNoise);
-}
-
-std::vector<float> surface_residuals_m(const DepthSurface& a, const DepthSurface& b,
-                                       const RigidTransform& a_from_b,
-                                       const SurfaceResidualOptions& options) {
-  std::vector<float> residuals;
-  const auto keep = [&](const Partners& partners) { residuals.push_back(partners.residual_m); };
-  for_each_partner(Direction(b, a, a_from_b), options, keep);
-  for_each_partner(Direction(a, b, a_from_b.inverse()), options, keep);
-  return residuals;
 }
 
 }  // namespace roomcast::align

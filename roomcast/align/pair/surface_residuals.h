@@ -5,6 +5,7 @@
 // by the depth noise of both readings. Metres. Thread-safe (no state).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "roomcast/align/pair/pair_equations.h"
@@ -12,27 +13,34 @@
 
 namespace roomcast::align {
 
-struct SurfaceResidualOptions {
+struct SurfaceReach {
   float reach_m = 0.05F;      // along the normal; what is further away is another surface
   std::size_t points = 6000;  // of each view, at most
-  double noise = 1;           // how noisy these two are, as a multiple of depth_sigma_m
 };
 
-/// What both surfaces say. Neighbouring readings err together, so all of them count as no more than
-/// about 1500 independent ones.
-[[nodiscard]] PairEquations surface_equations(const DepthSurface& a, const DepthSurface& b,
-                                              const RigidTransform& a_from_b,
-                                              const SurfaceResidualOptions& options);
+/// A point that one sensor sees, and what the other sees there.
+struct SurfacePartner {
+  Eigen::Vector3f a_m, b_m;  // as measured, in the depth frames
+  Eigen::Vector3f normal;    // of the one that was looked up, in a's frame
+  float residual_m = 0;      // along it, from a's to b's
+  float variance_m2 = 0;     // of the depth noise of both
+};
 
-/// How noisy these surfaces are at this pose, for SurfaceResidualOptions::noise: from the median
-/// residual, within reason.
-[[nodiscard]] double surface_noise(const DepthSurface& a, const DepthSurface& b,
-                                   const RigidTransform& a_from_b,
-                                   const SurfaceResidualOptions& options);
+/// At all points that both see.
+[[nodiscard]] std::vector<SurfacePartner> surface_partners(const DepthSurface& a,
+                                                           const DepthSurface& b,
+                                                           const PairState& state,
+                                                           const SurfaceReach& reach);
 
-/// Distances along the normal (with sign, metres) at all points that both see.
-[[nodiscard]] std::vector<float> surface_residuals_m(const DepthSurface& a, const DepthSurface& b,
-                                                     const RigidTransform& a_from_b,
-                                                     const SurfaceResidualOptions& options);
+/// What both surfaces say, if they are `noise` times as noisy as depth_sigma_m. Neighbouring
+/// readings err together, so all of them count as no more than about 1500 independent ones.
+[[nodiscard]] PairEquations surface_equations(std::span<const SurfacePartner> partners,
+                                              const PairState& state, double noise);
+
+/// How noisy these surfaces are at this pose: from the median residual, within reason.
+[[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners);
+
+/// Before anything is known about it.
+inline constexpr double kUsualNoise = 1;
 
 }  // namespace roomcast::align

@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kHoldingSupport = 6, kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
 constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
-constexpr SurfaceResidualOptions kReported{0.05F, 20'000, 1};
+constexpr SurfaceReach kReported{0.05F, 20'000};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
 /// Whether a pair has enough to say, where its sensors stand now, to take part in refinement.
 bool holds(const PoseEvidence& evidence) {
+  if (is_strong(evidence)) return true;
   return evidence.matches.weight >= kHoldingSupport &&
          evidence.space.consistent > kHoldingOverlap &&
          evidence.space.conflict() <= kHoldingConflict;
@@ -78,9 +79,14 @@ std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::ve
   return holding;
 }
 
-double median_mm(std::vector<float> residuals_m) {
+/// Median distance between the surfaces that both see.
+double residual_mm(const PairCandidates& pair, const PairState& state) {
+  std::vector<float> residuals_m;
+  for (const SurfacePartner& partner :
+       surface_partners(pair.a().surface, pair.b().surface, state, kReported)) {
+    residuals_m.push_back(std::abs(partner.residual_m));
+  }
   if (residuals_m.empty()) return 0;
-  for (float& residual : residuals_m) residual = std::abs(residual);
   const auto middle = residuals_m.begin() + static_cast<std::ptrdiff_t>(residuals_m.size() / 2);
   std::nth_element(residuals_m.begin(), middle, residuals_m.end());
   return 1000.0 * double(*middle);
@@ -102,16 +108,14 @@ void describe(const PoseEvidence& evidence, PairReport& report) {
 }
 
 /// `before` is the evidence that the pair was believed on, with calibrations as given.
-PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
-                         const RigidTransform& a_from_b) {
+PairReport report_placed(const RigPair& pair, const PoseEvidence& before, const PairState& state) {
   const PairCandidates& candidates = *pair.candidates;
-  const PoseEvidence evidence = candidates.examine(a_from_b);
+  const PoseEvidence evidence = candidates.examine(state.a_from_b);
   PairReport report = report_of(candidates);
   describe(evidence, report);
   report.correlation = std::max(before.photo.correlation, evidence.photo.correlation);
-  report.b_from_a = a_from_b.inverse();
-  report.residual_mm = median_mm(
-      surface_residuals_m(candidates.a().surface, candidates.b().surface, a_from_b, kReported));
+  report.b_from_a = state.a_from_b.inverse();
+  report.residual_mm = residual_mm(candidates, state);
   report.accepted = is_strong(before) || is_strong(evidence);
   report.reason = report.accepted ? fmt::format("{} places agree, colours correlate by {:.2f}",
                                                 report.inliers, report.correlation)
@@ -187,7 +191,7 @@ AlignmentReport place_rig(std::span<const SensorView* const> views,
     const RefinedSensor& b = refined[pair.second];
     report.pairs.push_back(report_placed(
         pair, pair.candidates->examine(selection.best.relative(pair.first, pair.second)),
-        a.origin_from_sensor.inverse() * b.origin_from_sensor));
+        {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction}));
   }
   for (std::size_t i = 0; i < views.size(); ++i) {
     SensorReport sensor;

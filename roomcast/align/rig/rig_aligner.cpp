@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/align/rig/rig_aligner.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "roomcast/align/rig/placed_rig.h"
 
 namespace roomcast::align {
+namespace {
+
+// Where the steps begin, of the whole.
+constexpr double kFinding = 0.5, kPlacing = 0.9;
+
+/// Calls `visit(i, j, done)` for each two of `count`; `done` is how far it is, 0..1.
+template <class Visit>
+void for_each_two(std::size_t count, Visit visit) {
+  const double all = static_cast<double>(count * (count - 1)) / 2;
+  double done = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) visit(i, j, done++ / all);
+  }
+}
+
+}  // namespace
 
 void RigAligner::add(std::shared_ptr<const SensorView> view) {
   remove(view->name);
@@ -15,7 +31,7 @@ void RigAligner::add(std::shared_ptr<const SensorView> view) {
 }
 
 void RigAligner::remove(const std::string& name) {
-  std::erase_if(candidates_, [&](const auto& entry) {
+  std::erase_if(pairs_, [&](const auto& entry) {
     return entry.first.first == name || entry.first.second == name;
   });
   std::erase_if(views_, [&](const auto& view) { return view->name == name; });
@@ -23,40 +39,54 @@ void RigAligner::remove(const std::string& name) {
 
 AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   compare_new_pairs(progress);
-  if (progress) progress("placing all sensors", 0.9);
+  find_new_candidates(progress);
+  if (progress) progress("placing all sensors", kPlacing);
   std::vector<const SensorView*> views;
   for (const auto& view : views_) views.push_back(view.get());
   return place_rig(views, pairs());
 }
 
 void RigAligner::compare_new_pairs(const AlignProgress& progress) {
-  std::vector<const SensorView*> views;
-  for (const auto& view : views_) views.push_back(view.get());
-  const std::vector<LookAlikes> look_alikes = look_alikes_of_rig(views);
-  const double all = static_cast<double>(views.size() * (views.size() - 1)) / 2;
-  double done = 0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    for (std::size_t j = i + 1; j < views.size(); ++j) {
-      auto& candidates = candidates_[{views[i]->name, views[j]->name}];
-      if (progress) {
-        progress(fmt::format("comparing {} with {}", views[i]->name, views[j]->name), done++ / all);
-      }
-      if (candidates) continue;
-      candidates = std::make_unique<PairCandidates>(
-          *views[i], *views[j],
-          match_features(*views[i], look_alikes[i], *views[j], look_alikes[j]));
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    if (progress) progress(fmt::format("comparing {} with {}", a.name, b.name), kFinding * done);
+    const Names names(a.name, b.name);
+    if (!pairs_.contains(names)) pairs_[names].comparison = compare_views(a, b);
+  });
+}
+
+void RigAligner::find_new_candidates(const AlignProgress& progress) {
+  const std::vector<LookAlikes> look_alikes = look_alikes_in_rig();
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    if (progress) {
+      progress(fmt::format("seeking how {} and {} stand to each other", a.name, b.name),
+               kFinding + (kPlacing - kFinding) * done);
     }
-  }
+    Pair& pair = pairs_.at({a.name, b.name});
+    if (pair.candidates) return;
+    pair.candidates = std::make_unique<PairCandidates>(
+        a, b, weighed_matches(a, look_alikes[i], b, look_alikes[j], pair.comparison));
+    pair.comparison.forget_matches();
+  });
+}
+
+std::vector<LookAlikes> RigAligner::look_alikes_in_rig() const {
+  std::vector<LookAlikes> look_alikes;
+  for (const auto& view : views_) look_alikes.push_back(own_look_alikes(*view));
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    const ViewComparison& comparison = pairs_.at({views_[i]->name, views_[j]->name}).comparison;
+    add_repeats_of_b(comparison, look_alikes[i]);
+    add_repeats_of_a(comparison, look_alikes[j]);
+  });
+  return look_alikes;
 }
 
 std::vector<RigPair> RigAligner::pairs() const {
   std::vector<RigPair> pairs;
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    for (std::size_t j = i + 1; j < views_.size(); ++j) {
-      const auto found = candidates_.find({views_[i]->name, views_[j]->name});
-      pairs.push_back({i, j, found->second.get()});
-    }
-  }
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    pairs.push_back({i, j, pairs_.at({views_[i]->name, views_[j]->name}).candidates.get()});
+  });
   return pairs;
 }
 

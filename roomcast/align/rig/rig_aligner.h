@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomcast/align/pair/feature_matches.h"
 #include "roomcast/align/rig/alignment_report.h"
 #include "roomcast/align/rig/pose_selection.h"
 #include "roomcast/align/sensor_view.h"
@@ -33,12 +34,18 @@ class RigAligner {
 
  private:
   using Names = std::pair<std::string, std::string>;
+  struct Pair {
+    ViewComparison comparison;
+    std::unique_ptr<PairCandidates> candidates;  // once every pair of its sensors is compared
+  };
 
   void compare_new_pairs(const AlignProgress& progress);
+  void find_new_candidates(const AlignProgress& progress);
+  [[nodiscard]] std::vector<LookAlikes> look_alikes_in_rig() const;
   [[nodiscard]] std::vector<RigPair> pairs() const;
 
   std::vector<std::shared_ptr<const SensorView>> views_;
-  std::map<Names, std::unique_ptr<PairCandidates>> candidates_;
+  std::map<Names, Pair> pairs_;
 };
 
 }  // namespace roomcast::align

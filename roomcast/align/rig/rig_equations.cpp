@@ -8,9 +8,9 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kDamping = 1e-10;  // of the trace: what nothing holds stays where it is
-constexpr double kHeld = 1e12;      // information on what is not to move
-constexpr Eigen::Index kShift = 6;  // place among a sensor's unknowns
+constexpr double kDamping = 1e-10;       // of the trace: what nothing holds stays where it is
+constexpr double kHeld = 1e12;           // information on what is not to move
+constexpr Eigen::Index kCorrection = 6;  // place among a sensor's unknowns
 
 Matrix6 adjoint(const RigidTransform& transform) {
   const Eigen::Vector3d& t = transform.translation_m;
@@ -31,8 +31,9 @@ Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> pair_from_sensors(
   const Matrix6 carry = adjoint(origin_from_a.inverse());
   matrix.block<6, 6>(kMotion, 0) = -carry;
   matrix.block<6, 6>(kMotion, kSensorUnknowns) = carry;
-  matrix.block<2, 2>(kShiftA, kShift).setIdentity();
-  matrix.block<2, 2>(kShiftB, kSensorUnknowns + kShift).setIdentity();
+  constexpr Eigen::Index kN = kCorrectionUnknowns;
+  matrix.block<kN, kN>(kOfA, kCorrection).setIdentity();
+  matrix.block<kN, kN>(kOfB, kSensorUnknowns + kCorrection).setIdentity();
   return matrix;
 }
 
@@ -65,13 +66,15 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
 }
 
 void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& correction) {
-  const Eigen::Index shift = place(sensor) + kShift;
-  const double weight =
+  const double shift_weight =
       1 / (kColorShiftSigma_px * kColorShiftSigma_px + correction.color_shift_px.squaredNorm());
-  for (Eigen::Index i = 0; i < 2; ++i) {
-    information_(shift + i, shift + i) += weight;
-    gradient_(shift + i) += weight * correction.color_shift_px(i);
-  }
+  const CorrectionVector weights(shift_weight, shift_weight,
+                                 1 / (kDepthOffsetSigma_m * kDepthOffsetSigma_m),
+                                 1 / (kDepthScaleSigma * kDepthScaleSigma));
+  const Eigen::Index first = place(sensor) + kCorrection;
+  constexpr Eigen::Index kN = kCorrectionUnknowns;
+  information_.block<kN, kN>(first, first).diagonal() += weights;
+  gradient_.segment<kN>(first) += weights.cwiseProduct(correction.vector());
 }
 
 Eigen::MatrixXd RigEquations::anchored() const {

@@ -12,8 +12,8 @@
 
 namespace roomcast::align {
 
-/// Of each sensor: motion (6), colour shift (2).
-inline constexpr Eigen::Index kSensorUnknowns = 8;
+/// Of each sensor: motion, then correction.
+inline constexpr Eigen::Index kSensorUnknowns = 6 + kCorrectionUnknowns;
 
 class RigEquations {
  public:
@@ -24,9 +24,9 @@ class RigEquations {
   void add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
            const PairEquations& equations);
 
-  /// What is expected of a sensor's calibration: most are good to a pixel, but one that is not may
-  /// be off by any amount (Cauchy's distribution, weighted anew at what it is thought to be off
-  /// by).
+  /// What is expected of a sensor's calibration. Most colour cameras are good to a pixel, but one
+  /// that is not may be off by any amount (Cauchy's distribution, weighted anew at what it is
+  /// thought to be off by); depth is off by a little (Gauss's).
   void add_expectation(std::size_t sensor, const SensorCorrection& correction);
 
   /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move.

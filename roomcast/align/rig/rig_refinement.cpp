@@ -33,9 +33,8 @@ PairEquations equations_of(const HeldPair& held, std::span<const RefinedSensor> 
   const PairState state = state_of(*held.pair, sensors);
   const SensorView& a = held.pair->candidates->a();
   const SensorView& b = held.pair->candidates->b();
-  SurfaceResidualOptions options{reach_m, kPoints, 1};
-  options.noise = surface_noise(a.surface, b.surface, state.a_from_b, options);
-  PairEquations equations = surface_equations(a.surface, b.surface, state.a_from_b, options);
+  const auto partners = surface_partners(a.surface, b.surface, state, {reach_m, kPoints});
+  PairEquations equations = surface_equations(partners, state, surface_noise(partners));
   const double sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
   equations.add(feature_equations(a.picture, b.picture, state, held.agreeing, sigma_px));
   return equations;
@@ -60,7 +59,7 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const Vector6 motion = steps[i].head<6>();
     sensors[i].origin_from_sensor = step_transform(motion) * sensors[i].origin_from_sensor;
-    sensors[i].correction.color_shift_px += steps[i].tail<2>();
+    sensors[i].correction.add(steps[i].tail<kCorrectionUnknowns>());
     largest = std::max(largest, motion.cwiseAbs().maxCoeff());
   }
   return largest;

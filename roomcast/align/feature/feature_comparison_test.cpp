@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/align/feature/descriptor_matching.h"
+#include "roomcast/align/feature/feature_comparison.h"
 
 #include <random>
 #include <vector>
@@ -47,30 +47,6 @@ TEST(DescriptorProducts, equal_those_of_the_plain_version) {
   }
 }
 
-TEST(MatchDescriptors, finds_each_in_a_shuffled_copy) {
-  const auto a = random_descriptors(60, 3);
-  std::vector<Descriptor> b(a.rbegin(), a.rend());
-  for (const DescriptorMatch& match : match_descriptors(a, b, 0.15F)) {
-    EXPECT_EQ(match.b, a.size() - 1 - match.a);
-  }
-  EXPECT_EQ(match_descriptors(a, b, 0.15F).size(), a.size());
-}
-
-TEST(MatchDescriptors, keeps_several_partners_of_what_repeats) {
-  const auto a = random_descriptors(1, 4);
-  const std::vector<Descriptor> b(2, a[0]);
-  const auto matches = match_descriptors(a, b, 0.1F);
-  ASSERT_EQ(matches.size(), 2u);
-  EXPECT_EQ(matches[0].b, 0u);
-  EXPECT_EQ(matches[1].b, 1u);
-}
-
-TEST(MatchDescriptors, of_nothing_are_none) {
-  const auto some = random_descriptors(5, 5);
-  EXPECT_TRUE(match_descriptors({}, some, 2).empty());
-  EXPECT_TRUE(match_descriptors(some, {}, 2).empty());
-}
-
 FeatureSet set_of(const std::vector<Descriptor>& descriptors, float apart_m) {
   FeatureSet set;
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
@@ -78,6 +54,39 @@ FeatureSet set_of(const std::vector<Descriptor>& descriptors, float apart_m) {
   }
   set.descriptors = descriptors;
   return set;
+}
+
+std::vector<DescriptorMatch> matches_of(const std::vector<Descriptor>& a,
+                                        const std::vector<Descriptor>& b, float largest_distance) {
+  return compare_features(set_of(a, 1), set_of(b, 1), largest_distance).matches;
+}
+
+TEST(CompareFeatures, finds_each_in_a_shuffled_copy) {
+  const auto a = random_descriptors(60, 3);
+  const auto matches = matches_of(a, {a.rbegin(), a.rend()}, 0.15F);
+  for (const DescriptorMatch& match : matches) EXPECT_EQ(match.b, a.size() - 1 - match.a);
+  EXPECT_EQ(matches.size(), a.size());
+}
+
+TEST(CompareFeatures, finds_those_beyond_the_first_tile) {
+  const auto many = random_descriptors(2100, 8);
+  const auto matches = matches_of({many[2050]}, many, 0.15F);
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_EQ(matches[0].b, 2050u);
+}
+
+TEST(CompareFeatures, keeps_several_partners_of_what_repeats) {
+  const auto a = random_descriptors(1, 4);
+  const auto matches = matches_of(a, {a[0], a[0]}, 0.1F);
+  ASSERT_EQ(matches.size(), 2u);
+  EXPECT_EQ(matches[0].b, 0u);
+  EXPECT_EQ(matches[1].b, 1u);
+}
+
+TEST(CompareFeatures, of_nothing_are_none) {
+  const auto some = random_descriptors(5, 5);
+  EXPECT_TRUE(matches_of({}, some, 2).empty());
+  EXPECT_TRUE(matches_of(some, {}, 2).empty());
 }
 
 TEST(Repeats, the_same_look_elsewhere_is_a_repeat_and_at_the_same_place_is_not) {
@@ -89,7 +98,9 @@ TEST(Repeats, the_same_look_elsewhere_is_a_repeat_and_at_the_same_place_is_not) 
   EXPECT_LT(far.features[0].look_alike, 0.1F);
   EXPECT_GT(far.features[1].look_alike, 0.5F);
   EXPECT_GT(near.features[0].look_alike, 0.5F);
-  EXPECT_EQ(repeating_descriptors(far).size(), 2u);
+  EXPECT_TRUE(repeats(far.features[0]));
+  EXPECT_TRUE(repeats(far.features[2]));
+  EXPECT_FALSE(repeats(near.features[0]));
 }
 
 TEST(Repeats, what_repeats_for_one_sensor_is_known_to_the_other) {
@@ -98,11 +109,12 @@ TEST(Repeats, what_repeats_for_one_sensor_is_known_to_the_other) {
   FeatureSet once = set_of(descriptors, 1);
   find_look_alikes(twice);
   find_look_alikes(once);
-  const auto vocabulary = repeating_descriptors(twice);
-  const std::vector<const std::vector<Descriptor>*> others = {&vocabulary};
-  const auto alike = look_alikes_in_rig(once, others);
-  EXPECT_LT(alike[0], 0.1F);
-  EXPECT_GT(alike[1], 0.5F);
+  const FeatureComparison one_way = compare_features(once, twice, 0.1F);
+  const FeatureComparison other_way = compare_features(twice, once, 0.1F);
+  for (const auto& alike : {one_way.a_to_repeat, other_way.b_to_repeat}) {
+    EXPECT_LT(alike[0], 0.1F);
+    EXPECT_GT(alike[1], 0.5F);
+  }
   EXPECT_GT(once.features[0].look_alike, 0.5F) << "its own view does not tell";
 }
 
