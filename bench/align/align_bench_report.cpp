@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/align/align_bench.h"
+#include "bench/align/fresh_suite.h"
 
 namespace roomcast::bench {
 namespace {
@@ -29,7 +30,9 @@ void print_table(const std::vector<AlignRow>& rows, std::ostream& out) {
   }
 }
 
-void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
+namespace {
+
+nlohmann::json json_of(const std::vector<AlignRow>& rows) {
   nlohmann::json json = {{"rows", nlohmann::json::array()}};
   for (const AlignRow& row : rows) {
     json["rows"].push_back({{"input", row.input},
@@ -43,6 +46,35 @@ void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
                             {"median_translation_mm", row.median_translation_mm},
                             {"cpu_s_per_pair", row.cpu_s_per_pair}});
   }
+  return json;
+}
+
+}  // namespace
+
+void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
+  out << json_of(rows).dump(1) << "\n";
+}
+
+void print_table(const FreshSuite& suite, std::ostream& out) {
+  print_table(suite.rows(), out);
+  out << fmt::format(
+      "\n{} pairs in {} rooms, overlap \"none\": sensors of different rooms (right: refused)\n"
+      "of {} pairs that share more than {:.0f} %, {} were answered\n"
+      "of {} placed sensors, {:.0f} % err by at most twice what was expected; error over expected "
+      "error: median {:.2f}\n",
+      suite.pairs(), suite.rooms(), suite.sharing(), 100 * kSharesEnough, suite.sharing_answered(),
+      suite.placed(), 100 * suite.within_twice(), suite.median_ratio());
+}
+
+void print_json(const FreshSuite& suite, std::ostream& out) {
+  nlohmann::json json = json_of(suite.rows());
+  json["rooms"] = suite.rooms();
+  json["pairs"] = suite.pairs();
+  json["sharing"] = suite.sharing();
+  json["sharing_answered"] = suite.sharing_answered();
+  json["placed"] = suite.placed();
+  json["within_twice_expected"] = suite.within_twice();
+  json["median_error_over_expected"] = suite.median_ratio();
   out << json.dump(1) << "\n";
 }
 

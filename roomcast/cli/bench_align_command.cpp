@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/align/align_bench.h"
+#include "bench/align/fresh_suite.h"
 #include "roomcast/align/pair/free_space.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
@@ -87,22 +88,54 @@ Status run_bench(const std::vector<std::string>& folders, bool json) {
   return {};
 }
 
+Status run_fresh(const bench::FreshSuiteOptions& options, bool json) {
+  StatusLine line;
+  const auto suite =
+      bench::run_fresh_suite(options, [&](std::string_view what) { line.show(what); });
+  if (!suite) return suite.error();
+  json ? bench::print_json(*suite, std::cout) : bench::print_table(*suite, std::cout);
+  return {};
+}
+
+struct AlignBenchCommand {
+  std::vector<std::string> folders;
+  bool json = false, fresh = false;
+  bench::FreshSuiteOptions suite;
+};
+
+Status run(const AlignBenchCommand& command) {
+  if (command.fresh) return run_fresh(command.suite, command.json);
+  if (!command.folders.empty()) return run_bench(command.folders, command.json);
+  return Error{ErrorCode::kInvalidArgument,
+               "give recordings with known poses, or --suite fresh for simulated rooms"};
+}
+
 }  // namespace
 
 void add_align_bench(CLI::App& bench, Command& chosen) {
-  auto folders = std::make_shared<std::vector<std::string>>();
-  auto json = std::make_shared<bool>(false);
+  auto values = std::make_shared<AlignBenchCommand>();
   CLI::App* command = bench.add_subcommand(
       "align", "Alignment methods side by side on recordings with known poses");
+  command->add_option("recordings", values->folders,
+                      "Rigs with poses, or TUM recordings with alignment_pairs.json");
   command
-      ->add_option("recordings", *folders,
-                   "Rigs with poses, or TUM recordings with alignment_pairs.json")
-      ->required();
-  command->add_flag("--json", *json, "For scripts");
-  command->footer("Example:\n  roomcast bench align recordings/lab recordings/kitchen --json");
-  command->callback([folders, json, &chosen] {
-    chosen = [folders, json] { return finish("bench align", run_bench(*folders, *json)); };
-  });
+      ->add_option_function<std::string>(
+          "--suite", [values](const std::string&) { values->fresh = true; },
+          "fresh: simulated rooms of every scene, half of the pairs without an answer")
+      ->check(CLI::IsMember({"fresh"}));
+  command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command
+      ->add_option("--seed", values->suite.seed,
+                   "Of the suite's first room; run it in pieces with other seeds")
+      ->capture_default_str();
+  command->add_flag("--json", values->json, "For scripts");
+  command->footer(
+      "Example:\n  roomcast bench align recordings/lab recordings/kitchen --json\n"
+      "  roomcast bench align --suite fresh --pairs 200 --seed 5000");
+  command->callback(
+      [values, &chosen] { chosen = [values] { return finish("bench align", run(*values)); }; });
 }
 
 }  // namespace roomcast::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Alignment of rooms that nobody has looked at: simulated rooms of every scene, each with a seed of
+// its own, whose sensors are aligned together with some of other rooms. So about half of the pairs
+// have no answer, and nothing tells the aligner which. Counts how many pairs are answered, how many
+// of the answers are wrong, and whether errors are as large as expected. Single-threaded.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "bench/align/align_bench.h"
+#include "bench/align/align_tally.h"
+#include "bench/align/simulated_views.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::bench {
+
+struct FreshSuiteOptions {
+  int pairs = 1000;           // at least so many are looked at
+  std::uint64_t seed = 1;     // of the first room; each has the next
+  int sensors = 5;            // of a room
+  std::size_t strangers = 2;  // of the rooms before
+  int frames = 3;             // averaged for each sensor
+};
+
+/// Of pairs whose views share more, in the smaller of both directions, most should be answered.
+inline constexpr double kSharesEnough = 0.08;
+
+class FreshSuite {
+ public:
+  /// The sensors of one room, and some of others, all aligned together.
+  void add_room(const std::vector<SimulatedView>& room,
+                const std::vector<SimulatedView>& strangers);
+
+  [[nodiscard]] int pairs() const { return pairs_; }
+  [[nodiscard]] int rooms() const { return rooms_; }
+  /// By overlap; "none": sensors of different rooms.
+  [[nodiscard]] std::vector<AlignRow> rows() const;
+  /// Of the pairs that share enough: how many there are, and were answered.
+  [[nodiscard]] int sharing() const { return sharing_; }
+  [[nodiscard]] int sharing_answered() const { return sharing_answered_; }
+  /// Of the placed sensors: the share whose error is at most twice what was expected, and the
+  /// median of error over expected error.
+  [[nodiscard]] double within_twice() const;
+  [[nodiscard]] double median_ratio() const;
+  [[nodiscard]] std::size_t placed() const { return error_ratios_.size(); }
+
+ private:
+  AlignTally tally_;
+  int pairs_ = 0, rooms_ = 0, sharing_ = 0, sharing_answered_ = 0;
+  std::vector<double> error_ratios_;
+  double cpu_s_ = 0;
+};
+
+/// Errors of simulate_views.
+[[nodiscard]] Result<FreshSuite> run_fresh_suite(const FreshSuiteOptions& options,
+                                                 const BenchProgress& progress);
+
+void print_table(const FreshSuite& suite, std::ostream& out);
+void print_json(const FreshSuite& suite, std::ostream& out);
+
+}  // namespace roomcast::bench

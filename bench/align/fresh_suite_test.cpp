@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/align/fresh_suite.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/align/made_up_views.h"
+
+namespace roomcast::bench {
+namespace {
+
+SimulatedView seen(const align::MadeUpView& view) {
+  return {view.view, view.world_from_depth};
+}
+
+/// Two sensors of one room, and one of a room that looks different.
+FreshSuite two_and_a_stranger() {
+  align::MadeUpRoom elsewhere;
+  elsewhere.looks = 7;
+  const auto stranger = align::made_up_view(elsewhere, "far", align::corner_pose(-2, 1.5));
+  FreshSuite suite;
+  suite.add_room({seen(align::first_corner()), seen(align::second_corner()), {nullptr, {}}},
+                 {seen(stranger)});
+  return suite;
+}
+
+TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
+  const FreshSuite suite = two_and_a_stranger();
+  EXPECT_EQ(suite.pairs(), 3);
+  const auto rows = suite.rows();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].right, 1);
+  EXPECT_EQ(rows[1].overlap, "none");
+  EXPECT_EQ(rows[1].pairs, 2);
+  EXPECT_EQ(rows[1].right, 2);
+  EXPECT_EQ(rows[1].accepted_wrong, 0);
+  EXPECT_EQ(suite.sharing(), 1);
+  EXPECT_EQ(suite.sharing_answered(), 1);
+}
+
+TEST(FreshSuite, judges_expected_errors) {
+  const FreshSuite suite = two_and_a_stranger();
+  EXPECT_EQ(suite.placed(), 1u);
+  EXPECT_EQ(suite.within_twice(), 1) << "without noise nothing is worse than expected";
+  EXPECT_LE(suite.median_ratio(), 2);
+}
+
+TEST(FreshSuite, reports_as_json_and_as_a_table) {
+  std::ostringstream json, table;
+  print_json(two_and_a_stranger(), json);
+  print_table(two_and_a_stranger(), table);
+  EXPECT_EQ(nlohmann::json::parse(json.str())["pairs"], 3);
+  EXPECT_THAT(table.str(), testing::HasSubstr("3 pairs in 1 rooms"));
+}
+
+}  // namespace
+}  // namespace roomcast::bench
