@@ -16,6 +16,7 @@
 #include "roomcast/cli/pair_list.h"
 #include "roomcast/cli/recorded_bundles.h"
 #include "roomcast/cli/recorded_views.h"
+#include "roomcast/cli/rig_poses.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -25,7 +26,7 @@ struct AlignOptions {
   std::string recording;
   std::string method = "auto";
   std::string pairs;
-  bool json = false;
+  bool json = false, write = false;
 };
 
 align::AlignmentReport align_views(const std::vector<SharedView>& views, const std::string& method,
@@ -118,6 +119,9 @@ Status run_align(const AlignOptions& options) {
   StatusLine line;
   const auto report = options.pairs.empty() ? align_rig(options, line) : align_pairs(options, line);
   if (!report) return report.error();
+  if (options.write) {
+    if (Status written = write_rig_poses(options.recording, *report); !written) return written;
+  }
   fmt::print("{}", options.json ? alignment_json(*report) : alignment_table(*report));
   return {};
 }
@@ -136,6 +140,10 @@ void add_align_command(CLI::App& app, Command& chosen) {
   command->add_option(
       "--pairs", options->pairs,
       "Align these pairs of frames of a TUM recording instead (alignment_pairs.json)");
+  command
+      ->add_flag("--write", options->write,
+                 "Write the poses found into the rig's rig.json: null where a sensor stays apart")
+      ->excludes("--pairs");
   command->add_flag("--json", options->json, "For scripts");
   command->footer("Example:\n  roomcast align recordings/lab --json");
   command->callback(

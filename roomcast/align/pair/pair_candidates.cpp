@@ -6,6 +6,7 @@
 
 #include "roomcast/align/pair/pose_difference.h"
 #include "roomcast/align/pair/settling.h"
+#include "roomcast/align/pair/shape_hypotheses.h"
 
 namespace roomcast::align {
 namespace {
@@ -69,10 +70,15 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
                                std::vector<PointMatch> matches)
     : a_(&a), b_(&b), matches_(std::move(matches)) {
   if (same_pictures()) return;
-  std::vector<PoseEvidence> found;
-  for (const PoseHypothesis& hypothesis : vote_for_poses(matches_)) {
-    found.push_back(settled(hypothesis));
-  }
+  rank(vote_for_poses(matches_));
+  if (!convinces()) rank(hypotheses_by_shape(a_->surface, b_->surface));
+}
+
+/// Judges hypotheses and puts them among those ranked before.
+void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses) {
+  std::vector<PoseEvidence> found = std::move(ranked_);
+  ranked_.clear();
+  for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis));
   std::stable_sort(found.begin(), found.end(),
                    [](const PoseEvidence& x, const PoseEvidence& y) { return x.score > y.score; });
   for (const PoseEvidence& candidate : found) {
@@ -82,6 +88,10 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
         });
     if (is_new && ranked_.size() < kMostCandidates) ranked_.push_back(candidate);
   }
+}
+
+bool PairCandidates::convinces() const {
+  return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kLeastMargin;
 }
 
 double PairCandidates::margin() const {

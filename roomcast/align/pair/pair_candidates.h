@@ -52,6 +52,8 @@ class PairCandidates {
   [[nodiscard]] const std::vector<PointMatch>& matches() const { return matches_; }
 
  private:
+  void rank(const std::vector<PoseHypothesis>& hypotheses);
+  [[nodiscard]] bool convinces() const;
   [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis) const;
 
   const SensorView* a_;

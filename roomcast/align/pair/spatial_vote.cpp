@@ -14,7 +14,7 @@
 namespace roomcast::align {
 namespace {
 
-constexpr float kTolerance_m = 0.02F, kTolerancePerMetre = 0.012F;
+constexpr float kTolerancePerMetre = 0.012F;
 constexpr float kLeastApart_m = 0.06F;  // nearer points say nothing about rotation
 constexpr std::size_t kSeedNeighbours = 25;
 constexpr int kSeedRefinements = 4;
@@ -30,19 +30,19 @@ std::vector<PointMatch> heaviest(std::span<const PointMatch> matches, std::size_
   return chosen;
 }
 
-bool are_compatible(const PointMatch& one, const PointMatch& other) {
+bool are_compatible(const PointMatch& one, const PointMatch& other, float tolerance_m) {
   const float in_a = (one.a_m - other.a_m).norm(), in_b = (one.b_m - other.b_m).norm();
   return in_a > kLeastApart_m && in_b > kLeastApart_m &&
-         std::abs(in_a - in_b) < kTolerance_m + kTolerancePerMetre * 0.5F * (in_a + in_b);
+         std::abs(in_a - in_b) < tolerance_m + kTolerancePerMetre * 0.5F * (in_a + in_b);
 }
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
-Neighbours compatible_neighbours(std::span<const PointMatch> matches) {
+Neighbours compatible_neighbours(std::span<const PointMatch> matches, float tolerance_m) {
   Neighbours neighbours(matches.size());
   for (std::uint32_t i = 0; i < matches.size(); ++i) {
     for (std::uint32_t j = i + 1; j < matches.size(); ++j) {
-      if (!are_compatible(matches[i], matches[j])) continue;
+      if (!are_compatible(matches[i], matches[j], tolerance_m)) continue;
       neighbours[i].push_back(j);
       neighbours[j].push_back(i);
     }
@@ -153,7 +153,7 @@ std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found, st
 std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
                                            const VoteOptions& options) {
   const std::vector<PointMatch> matches = heaviest(all, options.most_matches);
-  const Neighbours neighbours = compatible_neighbours(matches);
+  const Neighbours neighbours = compatible_neighbours(matches, options.tolerance_m);
   const SecondOrderVotes votes(matches, neighbours);
   std::vector<float> totals(matches.size());
   for (std::size_t i = 0; i < matches.size(); ++i) totals[i] = votes.total(i);

@@ -18,6 +18,7 @@ struct VoteOptions {
   std::size_t most_seeds = 150;
   std::size_t most_hypotheses = 16;
   float inlier_m = 0.06F;
+  float tolerance_m = 0.02F;  // between distances in both views, and 1.2 % of them
 };
 
 struct PoseHypothesis {

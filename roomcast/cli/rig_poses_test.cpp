@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/rig_poses.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/source/file_bytes.h"
+#include "roomcast/source/rig_json.h"
+
+namespace roomcast::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A rig.json of two sensors that are believed to stand at the origin.
+fs::path make_rig(const char* name) {
+  RigDescription rig;
+  rig.fps = 15;
+  for (const char* id : {"s0", "s1"}) {
+    RigSensorEntry entry;
+    entry.id = id;
+    entry.path = id;
+    entry.world_from_depth = RigidTransform{};
+    rig.sensors.push_back(entry);
+  }
+  const fs::path folder = fs::path(testing::TempDir()) / name;
+  fs::create_directories(folder);
+  EXPECT_TRUE(write_file(folder / "rig.json", rig_json_text(rig)).ok());
+  return folder;
+}
+
+align::AlignmentReport first_placed() {
+  align::AlignmentReport report;
+  report.sensors.resize(2);
+  report.sensors[0].id = "s0";
+  report.sensors[0].placed = true;
+  report.sensors[0].world_from_depth = RigidTransform{};
+  report.sensors[0].world_from_depth->translation_m = {0, 1.5, 0};
+  report.sensors[1].id = "s1";
+  return report;
+}
+
+TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
+  const fs::path folder = make_rig("poses_replace");
+  ASSERT_TRUE(write_rig_poses(folder, first_placed()).ok());
+  const auto rig = read_rig_json(folder / "rig.json");
+  ASSERT_TRUE(rig.ok());
+  EXPECT_EQ(rig->sensors[0].world_from_depth->translation_m.y(), 1.5);
+  EXPECT_FALSE(rig->sensors[1].world_from_depth.has_value()) << "it was not placed";
+  EXPECT_EQ(rig->fps, 15);
+}
+
+TEST(RigPoses, stay_when_nobody_was_placed) {
+  const fs::path folder = make_rig("poses_stay");
+  align::AlignmentReport report = first_placed();
+  report.sensors[0].placed = false;
+  const Status status = write_rig_poses(folder, report);
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().message, testing::HasSubstr("no sensor could be placed"));
+  EXPECT_TRUE(read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());
+}
+
+}  // namespace
+}  // namespace roomcast::cli
