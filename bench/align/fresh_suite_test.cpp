@@ -17,7 +17,7 @@ SimulatedView seen(const align::MadeUpView& view) {
 }
 
 /// Two sensors of one room, and one of a room that looks different.
-FreshSuite two_and_a_stranger() {
+FreshSuite align_two_and_a_stranger() {
   align::MadeUpRoom elsewhere;
   elsewhere.looks = 7;
   const auto stranger = align::made_up_view(elsewhere, "far", align::corner_pose(-2, 1.5));
@@ -27,8 +27,13 @@ FreshSuite two_and_a_stranger() {
   return suite;
 }
 
+const FreshSuite& two_and_a_stranger() {
+  static const FreshSuite suite = align_two_and_a_stranger();
+  return suite;
+}
+
 TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
-  const FreshSuite suite = two_and_a_stranger();
+  const FreshSuite& suite = two_and_a_stranger();
   EXPECT_EQ(suite.pairs(), 3);
   const auto rows = suite.rows();
   ASSERT_EQ(rows.size(), 2u);
@@ -42,7 +47,7 @@ TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
 }
 
 TEST(FreshSuite, judges_expected_errors) {
-  const FreshSuite suite = two_and_a_stranger();
+  const FreshSuite& suite = two_and_a_stranger();
   EXPECT_EQ(suite.placed(), 1u);
   EXPECT_EQ(suite.within_twice(), 1) << "without noise nothing is worse than expected";
   EXPECT_LE(suite.median_ratio(), 2);

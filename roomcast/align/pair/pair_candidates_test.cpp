@@ -48,10 +48,9 @@ TEST(PairCandidates, are_ranked_and_different) {
   }
 }
 
-TEST(PairCandidates, have_none_without_matches) {
-  const PairCandidates none(*first_corner().view, *second_corner().view, {});
-  EXPECT_TRUE(none.ranked().empty());
-  EXPECT_EQ(none.margin(), 0);
+TEST(PairCandidates, are_never_strong_without_matches) {
+  const PairCandidates by_shape(*first_corner().view, *second_corner().view, {});
+  for (const PoseEvidence& evidence : by_shape.ranked()) EXPECT_FALSE(is_strong(evidence));
 }
 
 TEST(FreeSpace, truth_has_no_conflict) {
