@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/align/align_tally.h"
+#include "bench/align/fpfh_ransac.h"
 #include "bench/align/sift_pnp.h"
 #include "roomcast/align/homography/homography_pose.h"
 #include "roomcast/align/rig/rig_aligner.h"
@@ -43,6 +44,10 @@ Answer by_pnp(const View& a, const View& b) {
   return sift_pnp_pose(*a, *b);
 }
 
+Answer by_shape(const View& a, const View& b) {
+  return fpfh_ransac_pose(*a, *b);
+}
+
 Answer by_roomcast(const View& a, const View& b) {
   align::RigAligner aligner;
   aligner.add(a);
@@ -73,6 +78,7 @@ struct NamedMethod {
 std::vector<NamedMethod> methods() {
   return {{"homography (paper)", false, pair_by_pair(by_homography)},
           {"SIFT + PnP", false, pair_by_pair(by_pnp)},
+          {"FPFH + RANSAC + ICP", false, pair_by_pair(by_shape)},
           {"roomcast, pair alone", false, pair_by_pair(by_roomcast)},
           {"roomcast, whole rig", true, whole_rig_by_roomcast}};
 }

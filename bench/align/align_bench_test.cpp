@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/align/fpfh_ransac.h"
 #include "bench/align/sift_pnp.h"
 #include "roomcast/align/made_up_views.h"
 #include "roomcast/align/pair/pose_difference.h"
@@ -28,23 +29,23 @@ AlignInput corners() {
 
 TEST(AlignBench, puts_all_methods_side_by_side) {
   const auto rows = run_align_bench({corners()}, {});
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 5u);
   for (const AlignRow& row : rows) {
     EXPECT_EQ(row.pairs, 1);
     EXPECT_EQ(row.overlap, "10-30 %");
     EXPECT_EQ(row.right + row.accepted_wrong, row.accepted);
   }
-  EXPECT_EQ(rows[2].method, "roomcast, pair alone");
-  EXPECT_EQ(rows[2].right, 1);
+  EXPECT_EQ(rows[3].method, "roomcast, pair alone");
   EXPECT_EQ(rows[3].right, 1);
+  EXPECT_EQ(rows[4].right, 1);
 }
 
 TEST(AlignBench, judges_by_the_truth_it_is_given) {
   AlignInput input = corners();
   input.cases[0].a_from_b.translation_m.x() += 0.2;
   const auto rows = run_align_bench({input}, {});
-  EXPECT_EQ(rows[3].right, 0);
-  EXPECT_EQ(rows[3].accepted_wrong, 1);
+  EXPECT_EQ(rows[4].right, 0);
+  EXPECT_EQ(rows[4].accepted_wrong, 1);
 }
 
 TEST(AlignBench, reports_as_json_and_as_a_table) {
@@ -57,12 +58,22 @@ TEST(AlignBench, reports_as_json_and_as_a_table) {
   EXPECT_THAT(table.str(), testing::HasSubstr("22 of 24"));
 }
 
-TEST(SiftPnp, finds_a_neighbouring_view) {
-  const auto beside = align::made_up_view(
+const align::MadeUpView& beside() {
+  static const align::MadeUpView view = align::made_up_view(
       {}, "beside", world_from_optical_looking_at({1.9, 1.9, 1.4}, {0.3, 0.4, -0.3}));
-  const auto pose = sift_pnp_pose(*first_corner().view, *beside.view);
+  return view;
+}
+
+TEST(SiftPnp, finds_a_neighbouring_view) {
+  const auto pose = sift_pnp_pose(*first_corner().view, *beside().view);
   ASSERT_TRUE(pose.has_value());
-  EXPECT_LT(align::difference(*pose, align::true_pose(first_corner(), beside)).distance_m, 0.1);
+  EXPECT_LT(align::difference(*pose, align::true_pose(first_corner(), beside())).distance_m, 0.1);
+}
+
+TEST(FpfhRansac, finds_a_view_in_itself) {
+  const auto pose = fpfh_ransac_pose(*first_corner().view, *first_corner().view);
+  ASSERT_TRUE(pose.has_value());
+  EXPECT_LT(align::difference(*pose, RigidTransform{}).distance_m, 0.1);
 }
 
 }  // namespace

@@ -19,8 +19,6 @@ nlohmann::json json_of(const align::SensorReport& sensor) {
           {"expected_error_mm", sensor.expected_error_mm},
           {"color_shift_px",
            {sensor.correction.color_shift_px.x(), sensor.correction.color_shift_px.y()}},
-          {"depth_offset_mm", 1000 * sensor.correction.depth_offset_m},
-          {"depth_scale", sensor.correction.depth_scale},
           {"reason", sensor.reason}};
 }
 

@@ -49,8 +49,8 @@ struct Lifted {
 
   Lifted(const Camera& camera, const Eigen::Vector3f& measured_m) {
     const Eigen::Vector3d measured = measured_m.cast<double>();
-    by_correction << camera.point_by_shift(measured), SensorCorrection::point_by_depth(measured);
-    point_m = measured + by_correction * camera.correction.vector();
+    by_correction << camera.point_by_shift(measured), point_by_depth(measured);
+    point_m = measured + by_correction.leftCols<2>() * camera.correction.color_shift_px;
   }
 };
 

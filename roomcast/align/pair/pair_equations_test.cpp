@@ -63,46 +63,44 @@ TEST(SurfaceEquations, lead_back_to_the_true_pose) {
       made_up_view({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
   PairState state{nudged(true_pose(a, b), 0.01, 0.02), {}, {}};
   for (int i = 0; i < 12; ++i) {
-    const auto partners = surface_partners(a.view->surface, b.view->surface, state, {0.08F, 4000});
-    state.a_from_b =
-        step_transform(solve_motion(surface_equations(partners, state, 1))) * state.a_from_b;
+    const auto partners =
+        surface_partners(a.view->surface, b.view->surface, state.a_from_b, {0.08F, 4000});
+    state.a_from_b = step_transform(solve_motion(surface_equations(partners, state.a_from_b, 1))) *
+                     state.a_from_b;
   }
   const PoseDifference left = difference(state.a_from_b, true_pose(a, b));
   EXPECT_LT(left.angle_rad, 2 * kMilliradian);
   EXPECT_LT(left.distance_m, 5 * kMillimetre);
 }
 
+/// A measured point as it is when depth is off by (offset, scale).
+Eigen::Vector3d with_depth(const Eigen::Vector3f& point_m, const Eigen::Vector2d& depth) {
+  const Eigen::Vector3d point = point_m.cast<double>();
+  return (1 + depth(1) + depth(0) / point.z()) * point;
+}
+
 TEST(SurfaceEquations, gradient_is_that_of_the_distances) {
   const auto& a = first_corner().view->surface;
   const auto& b = second_corner().view->surface;
-  PairState state{nudged(true_pose(first_corner(), second_corner()), 0.002, 0.003), {}, {}};
-  state.a.depth_offset_m = 0.004;
-  state.b.depth_scale = 0.002;
+  const RigidTransform pose = nudged(true_pose(first_corner(), second_corner()), 0.002, 0.003);
   constexpr double kTrusting = 1e4;
-  const auto partners = surface_partners(a, b, state, {0.1F, 1000});
-  const auto equations = surface_equations(partners, state, kTrusting);
+  const auto partners = surface_partners(a, b, pose, {0.1F, 1000});
+  const auto equations = surface_equations(partners, pose, kTrusting);
   const double share = 1500.0 / std::max<double>(1500, double(partners.size()));
-  const auto cost = [&](const PairState& at) {
+  const auto cost = [&](const PairVector& at) {
+    const RigidTransform moved = step_transform(at.head<6>()) * pose;
     double sum = 0;
     for (const SurfacePartner& p : partners) {
-      const Eigen::Vector3d apart =
-          at.a_from_b * at.b.corrected(p.b_m.cast<double>()) - at.a.corrected(p.a_m.cast<double>());
+      const Eigen::Vector3d apart = moved * with_depth(p.b_m, at.segment<2>(kOfB + kDepth)) -
+                                    with_depth(p.a_m, at.segment<2>(kOfA + kDepth));
       const double residual = p.normal.cast<double>().dot(apart);
       sum += residual * residual / double(p.variance_m2);
     }
     return sum;
   };
   for (Eigen::Index i = 0; i < kPairUnknowns; ++i) {
-    const auto moved = [&](double by) {
-      PairState at = state;
-      const auto unit =
-          CorrectionVector::Unit(i < kOfB ? std::max<Eigen::Index>(0, i - kOfA) : i - kOfB);
-      if (i < kOfA) at.a_from_b = step_transform(by * Vector6::Unit(i)) * at.a_from_b;
-      if (i >= kOfA && i < kOfB) at.a.add(by * unit);
-      if (i >= kOfB) at.b.add(by * unit);
-      return cost(at);
-    };
-    const double numeric = (moved(1e-4) - moved(-1e-4)) / 4e-4;
+    const PairVector step = 1e-4 * PairVector::Unit(i);
+    const double numeric = (cost(step) - cost(-step)) / 4e-4;
     const double analytic = equations.gradient(i) * kTrusting * kTrusting / share;
     EXPECT_NEAR(analytic, numeric, 0.02 * std::abs(numeric) + 20) << "unknown " << i;
   }
@@ -113,13 +111,13 @@ TEST(SurfacePartners, lie_near_each_other_at_the_truth_and_apart_beside_it) {
   const auto& b = second_corner().view->surface;
   const RigidTransform truth = true_pose(first_corner(), second_corner());
   const auto noise_at = [&](const RigidTransform& pose) {
-    return surface_noise(surface_partners(a, b, {pose, {}, {}}, {0.05F, 4000}));
+    return surface_noise(surface_partners(a, b, pose, {0.05F, 4000}));
   };
   EXPECT_LT(noise_at(truth), 0.5);
   EXPECT_GT(noise_at(nudged(truth, 0.01, 0.02)), 2 * noise_at(truth));
   RigidTransform nowhere = truth;
   nowhere.translation_m.y() += 50;
-  EXPECT_TRUE(surface_partners(a, b, {nowhere, {}, {}}, {}).empty());
+  EXPECT_TRUE(surface_partners(a, b, nowhere, {}).empty());
 }
 
 TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
@@ -138,11 +136,12 @@ TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
 
 /// The sum of squares that the equations are the derivative of, as long as nothing is an outlier.
 double cost(const MadeUpView& a, const MadeUpView& b, const PairState& state,
-            const std::vector<PointMatch>& matches) {
+            const std::vector<PointMatch>& matches, const Eigen::Vector2d& depth_a,
+            const Eigen::Vector2d& depth_b) {
   double sum = 0;
   for (const PointMatch& match : matches) {
     const auto shifted = [](const ColorPicture& picture, const Eigen::Vector3f& point,
-                            const SensorCorrection& correction) {
+                            const SensorCorrection& correction, const Eigen::Vector2d& depth) {
       const Eigen::Vector3f in_color = picture.in_color_frame(point);
       const Eigen::Vector2f shift = correction.color_shift_px.cast<float>();
       const Eigen::Vector3f moved(in_color.x() + in_color.z() * shift.x() / picture.camera.fx,
@@ -150,8 +149,7 @@ double cost(const MadeUpView& a, const MadeUpView& b, const PairState& state,
                                   in_color.z());
       const Eigen::Vector3f lifted =
           picture.color_from_depth_rotation.transpose() * (moved - picture.color_from_depth_m);
-      return Eigen::Vector3f(lifted + correction.corrected(point.cast<double>()).cast<float>() -
-                             point);
+      return Eigen::Vector3f(lifted + with_depth(point, depth).cast<float>() - point);
     };
     const auto add = [&](const ColorPicture& into, const RigidTransform& into_from_from,
                          const Eigen::Vector3f& point, const Eigen::Vector2f& seen,
@@ -162,10 +160,10 @@ double cost(const MadeUpView& a, const MadeUpView& b, const PairState& state,
           correction.color_shift_px;
       sum += residual.squaredNorm();
     };
-    add(a.view->picture, state.a_from_b, shifted(b.view->picture, match.b_m, state.b),
+    add(a.view->picture, state.a_from_b, shifted(b.view->picture, match.b_m, state.b, depth_b),
         match.a_pixel, state.a);
-    add(b.view->picture, state.a_from_b.inverse(), shifted(a.view->picture, match.a_m, state.a),
-        match.b_pixel, state.b);
+    add(b.view->picture, state.a_from_b.inverse(),
+        shifted(a.view->picture, match.a_m, state.a, depth_a), match.b_pixel, state.b);
   }
   return sum;
 }
@@ -178,18 +176,17 @@ TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
   PairState state{nudged(true_pose(a, b), 0.003, 0.004), {}, {}};
   state.a.color_shift_px = {0.8, -0.5};
   state.b.color_shift_px = {-0.4, 0.6};
-  state.a.depth_offset_m = 0.005;
-  state.b.depth_scale = 0.002;
   constexpr double kTrusting_px = 1e3;
   const auto equations =
       feature_equations(a.view->picture, b.view->picture, state, matches, kTrusting_px);
   ASSERT_EQ(equations.terms, 40);
   const auto moved = [&](Eigen::Index unknown, double by) {
+    const PairVector step = by * PairVector::Unit(unknown);
     PairState at = state;
-    if (unknown < 6) at.a_from_b = step_transform(by * Vector6::Unit(unknown)) * at.a_from_b;
-    if (unknown >= kOfA && unknown < kOfB) at.a.add(by * CorrectionVector::Unit(unknown - kOfA));
-    if (unknown >= kOfB) at.b.add(by * CorrectionVector::Unit(unknown - kOfB));
-    return cost(a, b, at, matches);
+    at.a_from_b = step_transform(step.head<6>()) * at.a_from_b;
+    at.a.color_shift_px += step.segment<2>(kOfA + kShift);
+    at.b.color_shift_px += step.segment<2>(kOfB + kShift);
+    return cost(a, b, at, matches, step.segment<2>(kOfA + kDepth), step.segment<2>(kOfB + kDepth));
   };
   for (Eigen::Index i = 0; i < kPairUnknowns; ++i) {
     const bool in_px = (i >= kOfA && i < kOfA + kDepth) || (i >= kOfB && i < kOfB + kDepth);

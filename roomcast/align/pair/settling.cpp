@@ -24,8 +24,9 @@ RigidTransform settled_pose(const SensorView& a, const SensorView& b,
   PairState state{a_from_b, {}, {}};
   float reach = kReach_m;
   for (int i = 0; i < kSteps; ++i) {
-    PairEquations equations = surface_equations(
-        surface_partners(a.surface, b.surface, state, {reach, kPoints}), state, kUsualNoise);
+    PairEquations equations =
+        surface_equations(surface_partners(a.surface, b.surface, state.a_from_b, {reach, kPoints}),
+                          state.a_from_b, kUsualNoise);
     equations.add(feature_equations(a.picture, b.picture, state, agreeing, kUsualFeatureSigma_px));
     const Vector6 step = solve_motion(equations);
     state.a_from_b = step_transform(step) * state.a_from_b;

@@ -22,23 +22,15 @@ constexpr double kLeastNoise = 0.2, kMostNoise = 1.5;
 struct Direction {
   const DepthSurface& source;
   const DepthSurface& target;
-  const SensorCorrection &of_source, &of_target;
   Eigen::Matrix3f rotation;  // target from source
   Eigen::Vector3f shift;
 
-  Direction(const DepthSurface& from, const SensorCorrection& of_from, const DepthSurface& to,
-            const SensorCorrection& of_to, const RigidTransform& to_from_from)
+  Direction(const DepthSurface& from, const DepthSurface& to, const RigidTransform& to_from_from)
       : source(from),
         target(to),
-        of_source(of_from),
-        of_target(of_to),
         rotation(to_from_from.rotation.cast<float>()),
         shift(to_from_from.translation_m.cast<float>()) {}
 };
-
-Eigen::Vector3f corrected(const SensorCorrection& correction, const Eigen::Vector3f& point_m) {
-  return correction.corrected(point_m.cast<double>()).cast<float>();
-}
 
 /// Calls `visit(source point, target point)` with what lies within reach of each other.
 template <class Visit>
@@ -47,8 +39,7 @@ void for_each_partner(const Direction& way, const SurfaceReach& options, Visit v
   const std::size_t step = std::max<std::size_t>(1, samples.size() / options.points);
   const float slide = kSlidePerReach * options.reach_m;
   for (std::size_t i = 0; i < samples.size(); i += step) {
-    const Eigen::Vector3f from = corrected(way.of_source, samples[i].point_m);
-    const Eigen::Vector3f point = way.rotation * from + way.shift;
+    const Eigen::Vector3f point = way.rotation * samples[i].point_m + way.shift;
     Eigen::Vector2f pixel;
     if (!way.target.lens.project(point, pixel)) continue;
     const int u = static_cast<int>(std::lround(pixel.x()));
@@ -56,7 +47,7 @@ void for_each_partner(const Direction& way, const SurfaceReach& options, Visit v
     if (u < 0 || v < 0 || u >= way.target.at.width() || v >= way.target.at.height()) continue;
     const SurfacePoint& seen = way.target.at.at(u, v);
     if (seen.normal.dot(way.rotation * samples[i].normal) < kAlike) continue;
-    const Eigen::Vector3f apart = point - corrected(way.of_target, seen.point_m);
+    const Eigen::Vector3f apart = point - seen.point_m;
     const float residual = seen.normal.dot(apart);
     if (std::abs(residual) > options.reach_m || apart.squaredNorm() > slide * slide) continue;
     visit(samples[i], seen, residual);
@@ -91,44 +82,44 @@ struct KnownEquations {
   }
 };
 
-KnownVector jacobian_of(const SurfacePartner& partner, const PairState& state) {
+KnownVector jacobian_of(const SurfacePartner& partner, const RigidTransform& a_from_b) {
   const Eigen::Vector3d n = partner.normal.cast<double>();
   const Eigen::Vector3d a = partner.a_m.cast<double>(), b = partner.b_m.cast<double>();
-  const Eigen::Vector3d turned = state.a_from_b.rotation * b;
+  const Eigen::Vector3d turned = a_from_b.rotation * b;
   const double by_a = -n.dot(a), by_b = n.dot(turned);
   KnownVector jacobian;
-  jacobian << (turned + state.a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(),
-      by_b;
+  jacobian << (turned + a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(), by_b;
   return jacobian;
 }
 
 }  // namespace
 
 std::vector<SurfacePartner> surface_partners(const DepthSurface& a, const DepthSurface& b,
-                                             const PairState& state, const SurfaceReach& reach) {
+                                             const RigidTransform& a_from_b,
+                                             const SurfaceReach& reach) {
   std::vector<SurfacePartner> partners;
-  const Eigen::Matrix3f a_from_b = state.a_from_b.rotation.cast<float>();
-  for_each_partner(Direction(b, state.b, a, state.a, state.a_from_b), reach,
+  const Eigen::Matrix3f rotation = a_from_b.rotation.cast<float>();
+  for_each_partner(Direction(b, a, a_from_b), reach,
                    [&](const SurfacePoint& of_b, const SurfacePoint& of_a, float residual) {
                      partners.push_back({of_a.point_m, of_b.point_m, of_a.normal, residual,
                                          variance_m2(of_a, of_b)});
                    });
-  for_each_partner(Direction(a, state.a, b, state.b, state.a_from_b.inverse()), reach,
+  for_each_partner(Direction(a, b, a_from_b.inverse()), reach,
                    [&](const SurfacePoint& of_a, const SurfacePoint& of_b, float residual) {
-                     partners.push_back({of_a.point_m, of_b.point_m, a_from_b * of_b.normal,
+                     partners.push_back({of_a.point_m, of_b.point_m, rotation * of_b.normal,
                                          -residual, variance_m2(of_a, of_b)});
                    });
   return partners;
 }
 
-PairEquations surface_equations(std::span<const SurfacePartner> partners, const PairState& state,
-                                double noise) {
+PairEquations surface_equations(std::span<const SurfacePartner> partners,
+                                const RigidTransform& a_from_b, double noise) {
   KnownEquations sum;
   for (const SurfacePartner& partner : partners) {
     const double residual = double(partner.residual_m);
     const double variance = noise * noise * double(partner.variance_m2);
     const double weight = robust_weight(residual / std::sqrt(variance)) / variance;
-    const KnownVector jacobian = jacobian_of(partner, state);
+    const KnownVector jacobian = jacobian_of(partner, a_from_b);
     sum.information.noalias() += weight * jacobian * jacobian.transpose();
     sum.gradient += weight * residual * jacobian;
   }

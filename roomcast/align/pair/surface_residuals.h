@@ -29,13 +29,13 @@ struct SurfacePartner {
 /// At all points that both see.
 [[nodiscard]] std::vector<SurfacePartner> surface_partners(const DepthSurface& a,
                                                            const DepthSurface& b,
-                                                           const PairState& state,
+                                                           const RigidTransform& a_from_b,
                                                            const SurfaceReach& reach);
 
 /// What both surfaces say, if they are `noise` times as noisy as depth_sigma_m. Neighbouring
 /// readings err together, so all of them count as no more than about 1500 independent ones.
 [[nodiscard]] PairEquations surface_equations(std::span<const SurfacePartner> partners,
-                                              const PairState& state, double noise);
+                                              const RigidTransform& a_from_b, double noise);
 
 /// How noisy these surfaces are at this pose: from the median residual, within reason.
 [[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners);

@@ -80,10 +80,10 @@ std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::ve
 }
 
 /// Median distance between the surfaces that both see.
-double residual_mm(const PairCandidates& pair, const PairState& state) {
+double residual_mm(const PairCandidates& pair, const RigidTransform& a_from_b) {
   std::vector<float> residuals_m;
   for (const SurfacePartner& partner :
-       surface_partners(pair.a().surface, pair.b().surface, state, kReported)) {
+       surface_partners(pair.a().surface, pair.b().surface, a_from_b, kReported)) {
     residuals_m.push_back(std::abs(partner.residual_m));
   }
   if (residuals_m.empty()) return 0;
@@ -108,14 +108,15 @@ void describe(const PoseEvidence& evidence, PairReport& report) {
 }
 
 /// `before` is the evidence that the pair was believed on, with calibrations as given.
-PairReport report_placed(const RigPair& pair, const PoseEvidence& before, const PairState& state) {
+PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
+                         const RigidTransform& a_from_b) {
   const PairCandidates& candidates = *pair.candidates;
-  const PoseEvidence evidence = candidates.examine(state.a_from_b);
+  const PoseEvidence evidence = candidates.examine(a_from_b);
   PairReport report = report_of(candidates);
   describe(evidence, report);
   report.correlation = std::max(before.photo.correlation, evidence.photo.correlation);
-  report.b_from_a = state.a_from_b.inverse();
-  report.residual_mm = residual_mm(candidates, state);
+  report.b_from_a = a_from_b.inverse();
+  report.residual_mm = residual_mm(candidates, a_from_b);
   report.accepted = is_strong(before) || is_strong(evidence);
   report.reason = report.accepted ? fmt::format("{} places agree, colours correlate by {:.2f}",
                                                 report.inliers, report.correlation)
@@ -191,7 +192,7 @@ AlignmentReport place_rig(std::span<const SensorView* const> views,
     const RefinedSensor& b = refined[pair.second];
     report.pairs.push_back(report_placed(
         pair, pair.candidates->examine(selection.best.relative(pair.first, pair.second)),
-        {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction}));
+        a.origin_from_sensor.inverse() * b.origin_from_sensor));
   }
   for (std::size_t i = 0; i < views.size(); ++i) {
     SensorReport sensor;

@@ -66,15 +66,16 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
 }
 
 void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& correction) {
+  const Eigen::Index first = place(sensor) + kCorrection;
+  const Eigen::Vector2d& shift_px = correction.color_shift_px;
   const double shift_weight =
-      1 / (kColorShiftSigma_px * kColorShiftSigma_px + correction.color_shift_px.squaredNorm());
+      1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
   const CorrectionVector weights(shift_weight, shift_weight,
                                  1 / (kDepthOffsetSigma_m * kDepthOffsetSigma_m),
                                  1 / (kDepthScaleSigma * kDepthScaleSigma));
-  const Eigen::Index first = place(sensor) + kCorrection;
   constexpr Eigen::Index kN = kCorrectionUnknowns;
   information_.block<kN, kN>(first, first).diagonal() += weights;
-  gradient_.segment<kN>(first) += weights.cwiseProduct(correction.vector());
+  gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }
 
 Eigen::MatrixXd RigEquations::anchored() const {
@@ -85,7 +86,10 @@ Eigen::MatrixXd RigEquations::anchored() const {
 }
 
 std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> RigEquations::solve() const {
-  const Eigen::VectorXd steps = anchored().ldlt().solve(-gradient_);
+  Eigen::MatrixXd matrix = anchored();
+  for (std::size_t i = 0; i < sensors_; ++i)
+    matrix.diagonal().segment<2>(place(i) + kCorrection + kDepth).array() += kHeld;
+  const Eigen::VectorXd steps = matrix.ldlt().solve(-gradient_);
   std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> of_sensors;
   for (std::size_t i = 0; i < sensors_; ++i) {
     of_sensors.emplace_back(steps.segment<kSensorUnknowns>(place(i)));

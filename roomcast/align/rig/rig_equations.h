@@ -29,10 +29,11 @@ class RigEquations {
   /// thought to be off by); depth is off by a little (Gauss's).
   void add_expectation(std::size_t sensor, const SensorCorrection& correction);
 
-  /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move.
+  /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move, and
+  /// depth is left as it is.
   [[nodiscard]] std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> solve() const;
 
-  /// Of the sensors' motions.
+  /// Of the sensors' motions, with depth in doubt.
   [[nodiscard]] std::vector<Matrix6> motion_covariance() const;
 
  private:

@@ -33,8 +33,8 @@ PairEquations equations_of(const HeldPair& held, std::span<const RefinedSensor> 
   const PairState state = state_of(*held.pair, sensors);
   const SensorView& a = held.pair->candidates->a();
   const SensorView& b = held.pair->candidates->b();
-  const auto partners = surface_partners(a.surface, b.surface, state, {reach_m, kPoints});
-  PairEquations equations = surface_equations(partners, state, surface_noise(partners));
+  const auto partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
+  PairEquations equations = surface_equations(partners, state.a_from_b, surface_noise(partners));
   const double sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
   equations.add(feature_equations(a.picture, b.picture, state, held.agreeing, sigma_px));
   return equations;
@@ -59,7 +59,7 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const Vector6 motion = steps[i].head<6>();
     sensors[i].origin_from_sensor = step_transform(motion) * sensors[i].origin_from_sensor;
-    sensors[i].correction.add(steps[i].tail<kCorrectionUnknowns>());
+    sensors[i].correction.color_shift_px += steps[i].segment<2>(6 + kShift);
     largest = std::max(largest, motion.cwiseAbs().maxCoeff());
   }
   return largest;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/align/fpfh_ransac.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "roomcast/align/feature/shape_features.h"
+#include "roomcast/align/pair/rigid_fit.h"
+#include "roomcast/align/pair/settling.h"
+
+namespace roomcast::bench {
+namespace {
+
+using align::PointMatch;
+
+constexpr int kTrials = 20'000;
+constexpr float kInlier_m = 0.09F;  // one and a half times what points are thinned to
+constexpr float kEdgeRatio = 0.9F;  // of the same edge in both views
+constexpr std::size_t kLeastInliers = 5;
+
+std::vector<PointMatch> shape_matches(const align::SensorView& a, const align::SensorView& b) {
+  const auto of_a = align::shape_features(a.surface.samples);
+  const auto of_b = align::shape_features(b.surface.samples);
+  std::vector<PointMatch> matches;
+  for (const align::ShapeMatch& match : align::match_shapes(of_a, of_b)) {
+    matches.push_back({of_a[match.a].point_m, of_b[match.b].point_m, Eigen::Vector2f::Zero(),
+                       Eigen::Vector2f::Zero()});
+  }
+  return matches;
+}
+
+bool edges_agree(const std::array<PointMatch, 3>& three) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PointMatch &one = three[i], &other = three[(i + 1) % 3];
+    const float in_a = (one.a_m - other.a_m).norm(), in_b = (one.b_m - other.b_m).norm();
+    if (!(in_a > kEdgeRatio * in_b && in_b > kEdgeRatio * in_a)) return false;
+  }
+  return true;
+}
+
+std::vector<PointMatch> inliers(const std::vector<PointMatch>& matches,
+                                const RigidTransform& a_from_b) {
+  const Eigen::Matrix3f rotation = a_from_b.rotation.cast<float>();
+  const Eigen::Vector3f shift = a_from_b.translation_m.cast<float>();
+  std::vector<PointMatch> agreeing;
+  for (const PointMatch& match : matches) {
+    if (align::distance_m(rotation, shift, match) < kInlier_m) agreeing.push_back(match);
+  }
+  return agreeing;
+}
+
+std::optional<RigidTransform> fitted(std::span<const PointMatch> matches) {
+  return align::fit_a_from_b(matches, std::vector<float>(matches.size(), 1.F));
+}
+
+}  // namespace
+
+std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
+                                               const align::SensorView& b) {
+  const std::vector<PointMatch> matches = shape_matches(a, b);
+  if (matches.size() < kLeastInliers) return std::nullopt;
+  std::mt19937 random(1);
+  std::vector<PointMatch> best;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::array<PointMatch, 3> three;
+    for (PointMatch& match : three) match = matches[random() % matches.size()];
+    if (!edges_agree(three)) continue;
+    const auto pose = fitted(three);
+    if (!pose) continue;
+    auto agreeing = inliers(matches, *pose);
+    if (agreeing.size() > best.size()) best = std::move(agreeing);
+  }
+  if (best.size() < kLeastInliers) return std::nullopt;
+  const auto pose = fitted(best);
+  if (!pose) return std::nullopt;
+  return align::settled_pose(a, b, {}, *pose);
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// A peer to compare with that looks at shape alone: FPFH features (Rusu et al. 2009), the pose by
+// RANSAC over their matches with the edge-length check of Buch et al. (ICRA 2013), then
+// point-to-plane ICP. Metres. Thread-safe (no state).
+#pragma once
+
+#include <optional>
+
+#include "roomcast/align/sensor_view.h"
+
+namespace roomcast::bench {
+
+/// a_from_b. Nothing when hardly any feature matches.
+[[nodiscard]] std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
+                                                             const align::SensorView& b);
+
+}  // namespace roomcast::bench
