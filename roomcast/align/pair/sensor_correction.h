@@ -28,7 +28,7 @@ struct SensorCorrection {
 
 /// Standard deviations of what is expected of a sensor whose calibration is believed.
 inline constexpr double kColorShiftSigma_px = 0.7;
-inline constexpr double kDepthOffsetSigma_m = 0.004;
-inline constexpr double kDepthScaleSigma = 0.003;
+inline constexpr double kDepthOffsetSigma_m = 0.008;
+inline constexpr double kDepthScaleSigma = 0.006;
 
 }  // namespace roomcast::align
