@@ -47,7 +47,8 @@ struct News {
     pb::CalibrationBundle message;
   };
   std::map<std::string, Bundle> bundles;
-  KnownPoses given;
+  KnownPoses given, found_before;
+  bool somebody_is_lost = false;  // a sensor that is here does not know where it stands
 };
 
 }  // namespace
@@ -67,9 +68,14 @@ class RoomAligner::Worker {
     }
     changed_.notify_all();
   }
-  void set_given(KnownPoses given) {
-    const std::lock_guard lock(mutex_);
-    news_.given = std::move(given);
+  void set_known(KnownPoses given, KnownPoses found_before, bool somebody_is_lost) {
+    {
+      const std::lock_guard lock(mutex_);
+      news_.given = std::move(given);
+      news_.found_before = std::move(found_before);
+      news_.somebody_is_lost = somebody_is_lost;
+    }
+    changed_.notify_all();
   }
 
  private:
@@ -78,14 +84,17 @@ class RoomAligner::Worker {
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
     while (auto news = wait_for_news(stop)) {
       for (const auto& [sensor, bundle] : news->bundles) take(sensor, bundle);
-      auto placements = placing_.solve(news->given);
+      auto placements = placing_.solve(news->given, news->found_before);
       if (!stop.stop_requested()) tell_(std::move(placements));
     }
   }
 
   std::optional<News> wait_for_news(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    if (!changed_.wait(lock, stop, [this] { return !news_.bundles.empty(); })) return std::nullopt;
+    const auto worth_a_thought = [this] {
+      return !news_.bundles.empty() && news_.somebody_is_lost;
+    };
+    if (!changed_.wait(lock, stop, worth_a_thought)) return std::nullopt;
     changed_.wait_for(lock, stop, kWaitForMore, [] { return false; });
     if (stop.stop_requested()) return std::nullopt;
     News news = news_;
@@ -139,7 +148,8 @@ class RoomAligner::Link final : public HubLinkEvents {
   };
 
   void take_roster(const pb::Roster& roster) {
-    KnownPoses given;
+    KnownPoses given, found_before;
+    bool somebody_is_lost = false;
     sensors_.clear();
     for (const pb::SensorEntry& entry : roster.sensors()) {
       auto calibration = calibration_from_message(entry.calibration());
@@ -147,8 +157,10 @@ class RoomAligner::Link final : public HubLinkEvents {
       if (!calibration || !pose) continue;
       sensors_[entry.id()] = {entry.name(), *std::move(calibration)};
       if (entry.placement() == pb::PLACEMENT_GIVEN) given[entry.name()] = *pose;
+      somebody_is_lost |= entry.online() && entry.placement() != pb::PLACEMENT_GIVEN;
+      if (entry.placement() == pb::PLACEMENT_ALIGNED) found_before[entry.name()] = *pose;
     }
-    worker_.set_given(std::move(given));
+    worker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
   }
 
   void take_bundle(const pb::CalibrationBundle& message) {

@@ -52,11 +52,8 @@ void RoomPlacing::refuse(const std::string& sensor, const std::string& reason) {
   refused_[sensor] = reason;
 }
 
-std::vector<Placement> RoomPlacing::solve(const KnownPoses& given) {
-  auto placements = placements_in_place(aligner_.solve(), given, found_);
-  for (const Placement& placement : placements) {
-    if (placement.world_from_depth) found_[placement.sensor] = *placement.world_from_depth;
-  }
+std::vector<Placement> RoomPlacing::solve(const KnownPoses& given, const KnownPoses& found_before) {
+  auto placements = placements_in_place(aligner_.solve(), given, found_before);
   for (const auto& [sensor, reason] : refused_) {
     placements.push_back({.sensor = sensor, .world_from_depth = {}, .note = reason});
   }

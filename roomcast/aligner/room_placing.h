@@ -38,13 +38,14 @@ class RoomPlacing {
   void add(const align::CalibrationBundle& bundle);
   void refuse(const std::string& sensor, const std::string& reason);
 
-  /// All sensors that have been added. `given`: poses that hold whatever is found.
-  [[nodiscard]] std::vector<Placement> solve(const KnownPoses& given);
+  /// All sensors that have been added. `given`: poses that hold whatever is found; `found_before`:
+  /// where the room shows the others now.
+  [[nodiscard]] std::vector<Placement> solve(const KnownPoses& given,
+                                             const KnownPoses& found_before);
 
  private:
   align::RigAligner aligner_;
   std::map<std::string, std::string> refused_;  // reasons
-  KnownPoses found_;
 };
 
 }  // namespace roomcast::aligner

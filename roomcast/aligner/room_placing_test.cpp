@@ -66,7 +66,7 @@ TEST(RoomPlacing, a_view_of_no_use_is_reported) {
   dark.color = ColorImage(dark.color.width(), dark.color.height());
   RoomPlacing placing;
   placing.add(dark);
-  const auto placements = placing.solve({});
+  const auto placements = placing.solve({}, {});
   ASSERT_EQ(placements.size(), 1U);
   EXPECT_EQ(placements[0].sensor, "dark");
   EXPECT_FALSE(placements[0].note.empty());

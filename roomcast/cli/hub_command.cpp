@@ -2,6 +2,7 @@
 // roomcast hub: joins sensors and viewers, one room, one port.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -41,6 +42,17 @@ Status check_secrecy(const HubCommandOptions& options, bool loopback, bool encry
                "--tls-key; or --insecure if you trust everyone on the network"};
 }
 
+/// In the folder for what the hub keeps; nothing where there can be none.
+std::optional<std::filesystem::path> find_pose_file(const std::string& data_folder) {
+  const auto folder = data_folder.empty() ? default_data_folder()
+                                          : std::optional<std::filesystem::path>(data_folder);
+  if (!folder) return std::nullopt;
+  std::error_code error;
+  std::filesystem::create_directories(*folder, error);
+  if (error) return std::nullopt;
+  return *folder / "poses.sqlite";
+}
+
 void print_where(const ListenAddress& listen, std::uint16_t port,
                  const std::optional<net::Certificate>& certificate, bool self_signed) {
   const bool v6 = listen.address.find(':') != std::string::npos;
@@ -78,7 +90,10 @@ Status run_hub(const HubCommandOptions& options) {
     hub.tls = *std::move(tls);
   }
   hub.log = stderr_log("hub", options.verbose);
-  if (options.align) hub.aligner_key = make_aligner_key();
+  if (options.align) {
+    hub.aligner_key = make_aligner_key();
+    hub.pose_file = find_pose_file(options.certificate.data_folder);
+  }
   HubAlignerOptions aligner_options{
       .listen_address = listen->address, .certificate = {}, .key = hub.aligner_key, .log = hub.log};
   auto server = hub::HubServer::open(std::move(hub));

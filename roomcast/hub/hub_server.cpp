@@ -14,6 +14,7 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/control_message.h"
+#include "roomcast/hub/pose_store.h"
 #include "roomcast/hub/room.h"
 #include "roomcast/hub/shard.h"
 #include "roomcast/net/http_server.h"
@@ -56,6 +57,7 @@ class HubServer::Loop final : public SessionEvents {
 
   ~Loop() override;
 
+  void recall_poses();
   Status listen();
   void run(std::stop_token stop);
   [[nodiscard]] std::uint16_t port() const { return http_->port(); }
@@ -83,6 +85,7 @@ class HubServer::Loop final : public SessionEvents {
   void carry_out(const RestartSensor& action);
   void carry_out(const AcceptConnection& action);
   void carry_out(const Disconnect& action);
+  void carry_out(const KeepPoses& action);
   void tell_other_threads();
   void schedule_tick();
   void log(LogLevel level, const std::string& line) const {
@@ -93,6 +96,7 @@ class HubServer::Loop final : public SessionEvents {
   std::optional<net::StaticSite> site_;
   SteadyClock clock_;
   Room room_;
+  std::unique_ptr<PoseStore> poses_;  // null: none are kept
   // For other threads: what they are asked of the room.
   std::atomic<std::size_t> sensor_count_ = 0, viewer_count_ = 0;
   std::atomic<std::shared_ptr<const RoomStats>> stats_ = std::make_shared<const RoomStats>();
@@ -111,6 +115,17 @@ HubServer::Loop::~Loop() {
   http_.reset();
   timer_.reset();
   for (auto& loop : loops_) loop.reset();
+}
+
+/// A room without them is better than none.
+void HubServer::Loop::recall_poses() {
+  if (!options_.pose_file) return;
+  auto store = PoseStore::open(*options_.pose_file);
+  if (!store) return log(LogLevel::kWarning, store.error().message);
+  auto poses = (*store)->load(room_.name());
+  if (!poses) return log(LogLevel::kWarning, poses.error().message);
+  room_.remember(*std::move(poses));
+  poses_ = *std::move(store);
 }
 
 Status HubServer::Loop::listen() {
@@ -200,6 +215,13 @@ void HubServer::Loop::carry_out(RoomActions actions) {
   schedule_tick();
 }
 
+void HubServer::Loop::carry_out(const KeepPoses& action) {
+  if (!poses_) return;
+  if (auto status = poses_->save(room_.name(), action.poses); !status) {
+    log(LogLevel::kWarning, status.error().message);
+  }
+}
+
 void HubServer::Loop::tell_other_threads() {
   const std::size_t sensors = room_.online_sensor_count(), viewers = room_.viewer_count();
   const bool sensors_changed = sensor_count_.exchange(sensors) != sensors;
@@ -263,6 +285,7 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     site = std::move(*loaded);
   }
   auto loop = std::make_unique<Loop>(std::move(options), std::move(site));
+  loop->recall_poses();
   if (auto status = loop->listen(); !status) return status.error();
   return std::unique_ptr<HubServer>(new HubServer(std::move(loop)));
 }

@@ -24,6 +24,8 @@ struct HubOptions {
   std::uint16_t port = 7600;                         // 0: any free one
   std::shared_ptr<const net::TlsServerContext> tls;  // without it nothing is encrypted
   std::string room = "room";
+  std::optional<std::filesystem::path>
+      pose_file;            // where poses are kept that were found; without it they are forgotten
   std::string aligner_key;  // who knows it may place sensors; empty: nobody
   std::optional<std::filesystem::path>
       web_directory;  // the page to serve; without it "/" says how to get one

@@ -147,7 +147,16 @@ Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
                       .bundle = {},
                       .key_pace = {},
                       .stats = {}});
+  recall_pose(sensors_.back());
   return &sensors_.back();
+}
+
+void Room::recall_pose(Sensor& sensor) const {
+  const auto pose = std::ranges::find(remembered_, sensor.name, &KnownPose::sensor);
+  if (pose == remembered_.end()) return;
+  sensor.world_from_depth = pose->world_from_depth;
+  sensor.expected_error_mm = pose->expected_error_mm;
+  sensor.placement = pb::PLACEMENT_ALIGNED;
 }
 
 void Room::place(Sensor& sensor, const pb::SensorRole& role) {
@@ -170,6 +179,7 @@ void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, Room
 /// A pose that somebody gave stays. One that was found before stays too while no better is known:
 /// the aligner then says why.
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
+  std::vector<KnownPose> found_poses;
   for (const pb::SensorPlacement& found : placements.sensors()) {
     if (found.sensor_id() >= sensors_.size()) continue;
     Sensor& sensor = sensors_[found.sensor_id()];
@@ -180,7 +190,9 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
               sensor.world_from_depth.begin());
     sensor.placement = pb::PLACEMENT_ALIGNED;
     sensor.expected_error_mm = found.expected_error_mm();
+    found_poses.push_back({sensor.name, sensor.world_from_depth, sensor.expected_error_mm});
   }
+  if (!found_poses.empty()) out.push_back(KeepPoses{std::move(found_poses)});
   announce(now, out);
 }
 

@@ -31,6 +31,9 @@ class Room {
   /// `aligner_key`: what an aligner has to say to be let in; empty: none is.
   Room(std::string name, std::string hub_version, std::string aligner_key = {});
 
+  /// Where sensors stood before the hub was started; used when they come. Call it first.
+  void remember(std::vector<KnownPose> poses) { remembered_ = std::move(poses); }
+
   // Events. Messages have passed wire::decode_control or wire::parse_frame.
 
   /// The first message of a connection has come.
@@ -81,6 +84,7 @@ class Room {
   void keep_bundle(Sensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   Sensor* known_or_new_sensor(const std::string& name);
+  void recall_pose(Sensor& sensor) const;
   void place(Sensor& sensor, const wire::pb::SensorRole& role);
   void ask_for_key(const Sensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
@@ -103,6 +107,7 @@ class Room {
   std::unordered_map<ConnectionId, std::size_t> sensor_of_;  // online ones: index into sensors_
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
+  std::vector<KnownPose> remembered_;
   PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets

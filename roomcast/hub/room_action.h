@@ -9,6 +9,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set.h"
+#include "roomcast/hub/known_pose.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
@@ -43,7 +44,13 @@ struct Disconnect {
   std::string sentence;
 };
 
-using RoomAction = std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect>;
+/// Found by alignment: to be there when the hub starts again.
+struct KeepPoses {
+  std::vector<KnownPose> poses;
+};
+
+using RoomAction =
+    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, KeepPoses>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

@@ -331,6 +331,25 @@ TEST_F(RoomTest, an_aligned_pose_survives_the_sensors_coming_and_going) {
   EXPECT_EQ(newest_roster(actions).sensors(0).world_from_depth(3), 7);
 }
 
+TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_started_again) {
+  enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  const auto kept = all<KeepPoses>(room.control(aligner, placement_of(0, 7), at(1s)));
+  ASSERT_EQ(kept.size(), 1U);
+  ASSERT_EQ(kept[0].poses.size(), 1U);
+  EXPECT_EQ(kept[0].poses[0].sensor, "left");
+
+  Room restarted("lab", "test");
+  restarted.remember(kept[0].poses);
+  (void)restarted.join(ConnectionId{1}, viewer_join(), at(0s));
+  (void)restarted.join(ConnectionId{2}, sensor_join("right", std::nullopt), at(1s));
+  const auto roster =
+      newest_roster(restarted.join(ConnectionId{3}, sensor_join("left", std::nullopt), at(2s)));
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_UNPLACED);
+  EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_ALIGNED);
+  EXPECT_EQ(roster.sensors(1).world_from_depth(3), 7);
+}
+
 TEST_F(RoomTest, strangers_place_nothing) {
   enter(sensor_join("left", std::nullopt));
   enter(aligner_join("guessed"));

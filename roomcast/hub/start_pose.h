@@ -4,13 +4,12 @@
 // the room and to have something to see.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 
-namespace roomcast::hub {
+#include "roomcast/hub/matrix4.h"
 
-using Matrix4 = std::array<double, 16>;  // row-major, metres
+namespace roomcast::hub {
 
 /// world_from_viewer of the `index`-th viewer, viewer frame x right, y up, -z forward.
 /// `world_from_depth`: of all placed sensors (optical frames). Viewers are spread over the sensors

@@ -2,7 +2,7 @@
 // The hub and its clients when the other side is not there, goes away, or talks nonsense.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { readdirSync } from 'node:fs';
+import { readdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
@@ -130,4 +130,12 @@ test('reason_of_a_hang_up_is_a_sentence', async (t) => {
   const { code, reason } = await socket.closeReason();
   assert.ok([1002, 1003, 1008].includes(code), `${code}`);
   assert.match(reason, /\w+ \w+/);
+});
+
+test('hub_says_that_it_cannot_keep_poses_and_serves_all_the_same', async (t) => {
+  const folder = scratchFolder(t);
+  writeFileSync(join(folder, 'poses.sqlite'), 'x'.repeat(5000));
+  const hub = await startHub(t, '--data', folder);
+  assert.match(hub.stderr, /poses\.sqlite cannot keep poses/);
+  assert.equal(await getStatus(hub.port, '/healthz'), 200);
 });

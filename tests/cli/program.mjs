@@ -8,6 +8,8 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { env } from '../state_folder.mjs';
+
 const sourceDir = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const binary = process.env.ROOMCAST_BIN ?? join(sourceDir, 'build/dev/bin/roomcast');
 
@@ -23,7 +25,7 @@ export class Program {
   constructor(args, { through = [] } = {}) {
     this.args = args;
     const [command, ...rest] = [...through, binary, ...args];
-    this.child = spawn(command, rest, { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child = spawn(command, rest, { env, stdio: ['ignore', 'pipe', 'pipe'] });
     this.child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));
     this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
     this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);

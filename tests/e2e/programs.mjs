@@ -7,6 +7,8 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { setTimeout as delay } from 'node:timers/promises';
 
+import { env } from '../state_folder.mjs';
+
 const readyWithin_ms = 15_000;
 const endWithin_ms = 5_000;
 const kept_lines = 200;
@@ -33,7 +35,7 @@ class Program {
   constructor(name, args) {
     this.name = name;
     this.lines = [];
-    this.child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child = spawn(binary, args, { env, stdio: ['ignore', 'pipe', 'pipe'] });
     started.push(this);
     this.ended = once(this.child, 'close');
     for (const stream of [this.child.stdout, this.child.stderr]) {
