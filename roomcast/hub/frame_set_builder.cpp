@@ -72,9 +72,10 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
   Sensor& sensor = found->second;
   const auto slot = assign_slot(sensor, header.capture_time);
   if (!slot) return false;
+  const bool is_late = newest_closed_ && natural_slot(header.capture_time) <= *newest_closed_;
   const bool joins_own = sensor.last && sensor.last->slot == *slot;
   const std::size_t frames_in_slot = joins_own ? sensor.last->frames_in_slot + 1 : 1;
-  sensor.last = Sensor::Delivery{*slot, frames_in_slot, header.capture_time, now};
+  sensor.last = Sensor::Delivery{*slot, is_late, frames_in_slot, header.capture_time, now};
   const auto [set, is_new] = open_.try_emplace(*slot);
   if (is_new) set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
   set->second.frames.push_back({header, std::move(message)});
@@ -82,16 +83,22 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
   return true;
 }
 
-// By its own rate, does this sensor's next frame belong to this slot or an earlier one?
-bool FrameSetBuilder::is_due(const Sensor& sensor, Slot slot, RoomTime now) const {
+// Is this sensor's frame for this slot still to come, by its own rate, and will it be in time if it
+// takes as long as the last one did? A late frame that travels in this slot does not stand for it:
+// were the sensor not awaited now, it would be late again, and stay behind for good.
+bool FrameSetBuilder::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
+                             RoomTime now) const {
   if (!sensor.last || now - sensor.last->arrival > wire::kSensorSilent) return false;
-  return sensor.last->slot < slot &&
-         natural_slot(sensor.last->capture_time + period_of(sensor.fps)) <= slot;
+  const auto& last = *sensor.last;
+  const bool has_delivered = last.slot > slot || (last.slot == slot && !last.is_late);
+  if (has_delivered || natural_slot(last.capture_time + period_of(sensor.fps)) > slot) return false;
+  const nanoseconds on_the_way = last.arrival - last.capture_time;
+  return RoomTime(slot * period_) + on_the_way <= deadline;
 }
 
-bool FrameSetBuilder::is_complete(Slot slot, RoomTime now) const {
+bool FrameSetBuilder::is_complete(Slot slot, RoomTime deadline, RoomTime now) const {
   return std::none_of(sensors_.begin(), sensors_.end(),
-                      [&](const auto& entry) { return is_due(entry.second, slot, now); });
+                      [&](const auto& entry) { return is_due(entry.second, slot, deadline, now); });
 }
 
 void FrameSetBuilder::close_oldest() {
@@ -112,7 +119,7 @@ void FrameSetBuilder::close_oldest() {
 std::vector<FrameSetPtr> FrameSetBuilder::take_closed(RoomTime now) {
   while (!open_.empty()) {
     const auto& [slot, set] = *open_.begin();
-    if (now < set.deadline && !is_complete(slot, now)) break;
+    if (now < set.deadline && !is_complete(slot, set.deadline, now)) break;
     close_oldest();
   }
   return std::exchange(closed_, {});

@@ -52,6 +52,7 @@ class FrameSetBuilder {
     double fps = 0;
     struct Delivery {
       Slot slot = 0;
+      bool is_late = false;  // it belonged to an earlier slot
       std::size_t frames_in_slot = 0;
       RoomTime capture_time{};
       RoomTime arrival{};
@@ -70,8 +71,8 @@ class FrameSetBuilder {
   void follow_rate();
   [[nodiscard]] Slot natural_slot(RoomTime capture) const;
   [[nodiscard]] std::optional<Slot> assign_slot(const Sensor& sensor, RoomTime capture) const;
-  [[nodiscard]] bool is_due(const Sensor& sensor, Slot slot, RoomTime now) const;
-  [[nodiscard]] bool is_complete(Slot slot, RoomTime now) const;
+  [[nodiscard]] bool is_due(const Sensor& sensor, Slot slot, RoomTime deadline, RoomTime now) const;
+  [[nodiscard]] bool is_complete(Slot slot, RoomTime deadline, RoomTime now) const;
   void close_oldest();
 
   std::unordered_map<SensorId, Sensor> sensors_;

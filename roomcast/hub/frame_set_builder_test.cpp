@@ -141,7 +141,33 @@ TEST_F(Builder, a_frame_that_comes_after_its_set_closed_travels_with_the_next) {
   closed(102ms);
   EXPECT_TRUE(add(kRight, 50ms, 103ms));
   add(kLeft, 100ms, 104ms);
-  EXPECT_THAT(closed(104ms), ElementsAre(ElementsAre(0, 1)));
+  add(kRight, 100ms, 105ms);
+  EXPECT_THAT(closed(105ms), ElementsAre(ElementsAre(0, 1, 1)));
+}
+
+TEST_F(Builder, a_sensor_that_always_comes_last_is_in_step_from_its_second_frame_on) {
+  for (int i = 0; i < 20; ++i) {
+    add(kLeft, i * 50ms, i * 50ms + 1ms);
+    const auto early = closed(i * 50ms + 1ms);
+    add(kRight, i * 50ms, i * 50ms + 21ms);
+    const auto sets = builder.take_closed(at(i * 50ms + 21ms));
+    if (i < 2) continue;
+    EXPECT_THAT(early, IsEmpty()) << i;
+    ASSERT_EQ(sets.size(), 1u) << i;
+    for (const auto& frame : sets[0]->frames) EXPECT_EQ(frame.header.capture_time, at(i * 50ms));
+  }
+}
+
+TEST_F(Builder, nobody_waits_for_a_sensor_whose_frames_would_come_too_late_anyway) {
+  std::size_t frames = 0;
+  for (int i = 0; i < 20; ++i) {
+    add(kRight, (i - 4) * 50ms, i * 50ms + 10ms);
+    frames += closed(i * 50ms + 10ms).size();
+    add(kLeft, i * 50ms, i * 50ms + 1ms + 15ms);
+    if (i > 1) {
+      EXPECT_FALSE(closed(i * 50ms + 16ms).empty()) << i;
+    }
+  }
 }
 
 TEST_F(Builder, a_sensor_on_the_border_between_two_sets_loses_nothing) {
@@ -163,6 +189,7 @@ TEST_F(Builder, a_sensor_that_catches_up_is_back_in_step_at_once) {
   add(kLeft, 50ms, 51ms);
   closed(51ms);
   add(kRight, 50ms, 60ms);
+  closed(60ms);
   for (int i = 2; i < 5; ++i) {
     add(kLeft, i * 50ms, i * 50ms + 1ms);
     add(kRight, i * 50ms, i * 50ms + 1ms);

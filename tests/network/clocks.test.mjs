@@ -49,7 +49,7 @@ test('sensors_whose_clocks_are_days_apart_stamp_room_time', { skip: noOtherHosts
   const hub = await startHub(t);
   const rig = writeSmallRig(scratchFolder(t), { fps });
   await Promise.all(aheadOfHub_s.map((ahead, n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(ahead) })));
-  const { witness } = await witnessOf(t, hub, aheadOfHub_s.length, 40);
+  const { witness, ids } = await witnessOf(t, hub, aheadOfHub_s.length, 40);
 
   // A recording is played so that its frames are due at whole tenths of a second of its host's clock, and the hosts' clocks
   // are whole seconds apart: what is left over is the error.
@@ -60,6 +60,9 @@ test('sensors_whose_clocks_are_days_apart_stamp_room_time', { skip: noOtherHosts
     assert.ok(errors_us[i] <= clockErrorUs, `${errors_us[i]} us wrong, and said at most ${clockErrorUs} us`);
   });
   assert.ok(percentile(errors_us, 0.95) < 1_000, 'within a millisecond');
+  const skews = skews_ms(witness, ids);
+  assert.ok(skews.length >= 0.9 * witness.sets.length, `${skews.length} of ${witness.sets.length} sets are complete`);
+  assert.ok(percentile(skews, 0.9) < 2, `the frames of a set are ${percentile(skews, 0.9)} ms apart`);
 });
 
 const noRealTimes = existsSync(house) ? noOtherHosts : `no recordings at ${data}; set ROOMCAST_DATA to test with them`;
