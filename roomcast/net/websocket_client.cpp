@@ -198,6 +198,12 @@ void Attempt::succeed() {
       std::span(static_cast<const std::uint8_t*>(received.data()), received.size())));
 }
 
+/// Of a hub that is full, or of a proxy whose hub is not there.
+bool is_for_now(http::status status) {
+  return status == http::status::service_unavailable || status == http::status::bad_gateway ||
+         status == http::status::gateway_timeout;
+}
+
 /// An ordinary HTTP answer. A hub explains itself in one line of plain text.
 void Attempt::refused() {
   const auto& answer = answer_.get();
@@ -206,7 +212,7 @@ void Attempt::refused() {
   while (why.ends_with('\n') || why.ends_with('\r')) why.remove_suffix(1);
   const bool one_line = std::ranges::all_of(why, [](char c) { return c >= ' ' && c < 0x7F; });
   const bool from_roomcast = one_line && !why.empty() && answer[http::field::server] == "roomcast";
-  const bool later = answer.result() == http::status::service_unavailable;
+  const bool later = is_for_now(answer.result());
   const std::string sentence =
       from_roomcast ? where_ + " refused the connection: " + std::string(why)
       : later       ? where_ + " is full or not ready; try again later."

@@ -151,6 +151,14 @@ TEST_F(WebSocketClientTest, says_when_the_hub_is_full) {
   expect_error(outcome_of(url(server->port())), ErrorCode::kUnavailable, "full");
 }
 
+TEST_F(WebSocketClientTest, a_proxy_without_its_hub_is_worth_another_try) {
+  for (const std::string status : {"502 Bad Gateway", "504 Gateway Timeout"}) {
+    expect_error(
+        outcome_when_answered("HTTP/1.1 " + status + "\r\nContent-Length: 0\r\n\r\n", false),
+        ErrorCode::kUnavailable, "try again later");
+  }
+}
+
 TEST_F(WebSocketClientTest, a_cancelled_attempt_does_not_call_back) {
   const auto server = listen();
   bool called = false;

@@ -136,6 +136,6 @@ test('hub_says_that_it_cannot_keep_poses_and_serves_all_the_same', async (t) => 
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'poses.sqlite'), 'x'.repeat(5000));
   const hub = await startHub(t, '--data', folder);
-  assert.match(hub.stderr, /poses\.sqlite cannot keep poses/);
+  assert.match(hub.program.stderr, /poses\.sqlite cannot keep poses/);
   assert.equal(await getStatus(hub.port, '/healthz'), 200);
 });
