@@ -10,7 +10,7 @@ namespace roomcast::net {
 
 /// Bytes that the kernel may hold unsent; what does not fit waits with us, where newer frames can
 /// replace it.
-inline constexpr int kMaxUnsentBytes = 32 * 1024;
+inline constexpr int kMaxUnsentBytes = 16 * 1024;
 
 /// Non-blocking, TCP_NODELAY, TCP_NOTSENT_LOWAT, and BBR where the kernel offers it. What the
 /// kernel does not know is left out: the stream then is later, not wrong.
