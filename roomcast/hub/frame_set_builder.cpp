@@ -85,13 +85,15 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
 
 // Is this sensor's frame for this slot still to come, by its own rate, and will it be in time if it
 // takes as long as the last one did? A late frame that travels in this slot does not stand for it:
-// were the sensor not awaited now, it would be late again, and stay behind for good.
+// were the sensor not awaited now, it would be late again, and stay behind for good. A slot that is
+// not due yet was begun by a sensor that outruns its rate; the others must not be hurried by it.
 bool FrameSetBuilder::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
                              RoomTime now) const {
   if (!sensor.last || now - sensor.last->arrival > wire::kSensorSilent) return false;
   const auto& last = *sensor.last;
   const bool has_delivered = last.slot > slot || (last.slot == slot && !last.is_late);
   if (has_delivered || natural_slot(last.capture_time + period_of(sensor.fps)) > slot) return false;
+  if (slot > natural_slot(now)) return true;
   const nanoseconds on_the_way = last.arrival - last.capture_time;
   return RoomTime(slot * period_) + on_the_way <= deadline;
 }

@@ -24,7 +24,7 @@ class FrameSetBuilder {
   /// Sets that wait at the same time; when one more begins, the oldest closes as it is.
   static constexpr std::size_t kMaxOpenSets = 8;
   /// Of a sensor that catches up; normally it is one.
-  static constexpr std::size_t kMaxFramesOfSensorInSet = 16;
+  static constexpr std::size_t kMaxFramesOfSensorInSet = 4;
 
   /// A sensor delivers from now on, `fps` frames a second. Nobody waits for it before its first
   /// frame.

@@ -220,6 +220,18 @@ TEST_F(Builder, frames_of_a_sensor_that_outruns_its_rate_are_discarded) {
   EXPECT_LE(accepted, 1 + int{FrameSetBuilder::kMaxFramesOfSensorInSet});
 }
 
+TEST_F(Builder, a_sensor_that_outruns_its_rate_does_not_hurry_the_room) {
+  both_deliver_once();
+  std::size_t sets = 0;
+  for (int ms = 1; ms <= 2'000; ++ms) {
+    if (ms % 50 == 0) add(kLeft, ms * 1ms, ms * 1ms);
+    if (ms % 5 == 2) add(kRight, ms * 1ms, ms * 1ms);  // ten times its rate
+    sets += closed(ms * 1ms).size();
+  }
+  EXPECT_LE(sets, 45U) << "2 s at 20 a second";
+  EXPECT_GE(sets, 35U);
+}
+
 TEST_F(Builder, set_ids_grow_by_one_and_are_stamped_into_the_messages) {
   for (int i = 0; i < 3; ++i) {
     add(kLeft, i * 50ms, i * 50ms);
