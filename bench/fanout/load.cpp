@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -127,7 +128,7 @@ Status Load::encrypt(int fd, std::optional<net::TlsSession>& tls) {
 Status Load::open_publisher(int index) {
   Publisher publisher;
   publisher.fd = connect_to(engine_.process.port());
-  publisher.frame = make_frame(room_.frame_bytes, room_.fps);
+  publisher.frame = make_frame(room_.frame_bytes);
   if (publisher.fd < 0) return hung_up();
   publishers_.push_back(std::move(publisher));
   Publisher& opened = publishers_.back();
@@ -167,10 +168,14 @@ void Load::publish_all() {
   sent_at_.push_back(Clock::now());
   for (std::size_t i = 0; i < publishers_.size(); ++i) {
     Publisher& publisher = publishers_[i];
-    set_number(publisher.frame, static_cast<int>(i), number, room_.fps);
+    set_number(publisher.frame, static_cast<int>(i), number, capture_time(number));
     engine_.protocol->publish(publisher.frame, publisher.unsent);
     flush(publisher);
   }
+}
+
+RoomTime Load::capture_time(std::uint32_t number) const {
+  return first_capture_ + nanoseconds(std::llround(1e9 / room_.fps * number));
 }
 
 /// What the server answers to a publisher is thrown away, or it would not read on.
@@ -290,6 +295,11 @@ Result<Traffic> Load::run_closed(int window, Clock::duration duration) {
 Result<Traffic> Load::run_paced(double fps, Clock::duration duration) {
   const auto period =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / fps));
+  // From here on as of cameras: a hub waits for a frame that is on its way, not for one of long
+  // ago.
+  const nanoseconds since_first =
+      capture_time(static_cast<std::uint32_t>(sent_at_.size())) - first_capture_;
+  first_capture_ = RoomTime(Clock::now().time_since_epoch() - since_first);
   const auto until = Clock::now() + duration;
   for (auto next = Clock::now(); next < until; next += period) {
     if (next > Clock::now()) {

@@ -62,6 +62,7 @@ class Load {
   Status open_viewer(bool reads);
   Status open_publisher(int index);
   void publish_all();
+  [[nodiscard]] RoomTime capture_time(std::uint32_t number) const;
   void flush(Publisher& publisher);
   Status poll(Clock::duration at_most);
   Status wait_for_answers();
@@ -77,7 +78,8 @@ class Load {
   std::vector<int> stalled_fds_;
   std::vector<Publisher> publishers_;
   std::vector<Clock::time_point> sent_at_;  // by number
-  std::vector<std::uint32_t> numbers_;      // of the last read
+  RoomTime first_capture_{};            // long ago: at full speed every frame is a set of its own
+  std::vector<std::uint32_t> numbers_;  // of the last read
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(256 * 1024);
   Traffic traffic_;
 };

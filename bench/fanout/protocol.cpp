@@ -2,12 +2,12 @@
 #include "bench/fanout/protocol.h"
 
 #include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "bench/fanout/unit_counter.h"
+#include "bench/made_up_sensor.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/control.h"
@@ -124,19 +124,7 @@ class RoomcastProtocol final : public Protocol {
 
   std::string publisher_greeting(int index) const override {
     wire::pb::Control control;
-    control.mutable_join()->set_name(fmt::format("s{}", index));
-    auto& sensor = *control.mutable_join()->mutable_sensor();
-    sensor.set_fps(fps_);
-    auto& calibration = *sensor.mutable_calibration();
-    for (auto* camera : {calibration.mutable_depth(), calibration.mutable_color()}) {
-      camera->set_width(512);
-      camera->set_height(424);
-      camera->set_fx(365);
-      camera->set_fy(365);
-      camera->set_cx(255.5);
-      camera->set_cy(211.5);
-    }
-    for (int i = 0; i < 16; ++i) calibration.add_color_from_depth(i % 5 == 0 ? 1 : 0);
+    *control.mutable_join() = made_up_sensor(fmt::format("s{}", index), fps_);
     return upgrade() + sealed(control);
   }
 
@@ -285,20 +273,21 @@ std::unique_ptr<Protocol> mqtt_protocol() {
   return std::make_unique<MqttProtocol>();
 }
 
-std::vector<std::uint8_t> make_frame(std::size_t bytes, double fps) {
+std::vector<std::uint8_t> make_frame(std::size_t bytes) {
   std::vector<std::uint8_t> frame(bytes);
   for (std::size_t i = 0; i < bytes; ++i) frame[i] = static_cast<std::uint8_t>(i * 131 >> 3);
-  set_number(frame, 0, 0, fps);
+  set_number(frame, 0, 0, RoomTime());
   return frame;
 }
 
-void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number, double fps) {
+void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number,
+                RoomTime capture_time) {
   wire::FrameHeader header;
   header.key = true;
   header.sensor = SensorId{static_cast<std::uint16_t>(sensor)};
   header.seq = number;
   header.base_seq = number;
-  header.capture_time = RoomTime(nanoseconds(std::llround(1e9 / fps * number)));
+  header.capture_time = capture_time;
   header.payload_length = static_cast<std::uint32_t>(frame.size() - wire::kFrameHeaderBytes);
   wire::write_frame_header(header, frame.first<wire::kFrameHeaderBytes>());
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/core/clock.h"
+
 namespace roomcast::bench {
 
 /// Finds messages in what one viewer receives. Keeps no payload.
@@ -43,8 +45,9 @@ class Protocol {
 [[nodiscard]] std::unique_ptr<Protocol> mqtt_protocol();
 
 /// A roomcast frame message, a key frame. Publishers count from 0; so do a hub's sensor ids.
-[[nodiscard]] std::vector<std::uint8_t> make_frame(std::size_t bytes, double fps);
-void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number, double fps);
+[[nodiscard]] std::vector<std::uint8_t> make_frame(std::size_t bytes);
+void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number,
+                RoomTime capture_time);
 inline constexpr std::size_t kNumberOffset = 12;  // of `seq` in the frame header
 
 }  // namespace roomcast::bench

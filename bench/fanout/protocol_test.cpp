@@ -16,8 +16,8 @@ constexpr std::size_t kFrameBytes = 5000;
 using Numbers = std::vector<std::uint32_t>;
 
 std::string frame(std::uint32_t number) {
-  auto bytes = make_frame(kFrameBytes, 30);
-  set_number(bytes, 0, number, 30);
+  auto bytes = make_frame(kFrameBytes);
+  set_number(bytes, 0, number, RoomTime());
   return {bytes.begin(), bytes.end()};
 }
 

@@ -44,7 +44,6 @@ class SetWatcher::Link final : public HubLinkEvents {
     const std::lock_guard lock(mutex_);
     arrivals_.ages_ms.push_back(age.count());
     ++arrivals_.sets[header->set.value];
-    arrivals_.bytes += message.size();
   }
   net::SealedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate& estimate) override {

@@ -16,7 +16,6 @@ struct Arrivals {
   std::vector<double> ages_ms;          // of all frames
   std::map<std::uint64_t, int> sets;    // by id: how many of its frames have come
   std::vector<double> clock_errors_us;  // of the estimate, after each exchange
-  std::uint64_t bytes = 0;
 };
 
 class SetWatcher {

@@ -10,34 +10,12 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "bench/latency/hub_address.h"
+#include "bench/made_up_sensor.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::bench {
-
-namespace {
-
-/// A Kinect v2 that stands somewhere.
-wire::pb::Join join_message(const TimedSensorOptions& options) {
-  wire::pb::Join join;
-  join.set_name(options.name);
-  auto& sensor = *join.mutable_sensor();
-  sensor.set_fps(options.fps);
-  auto& calibration = *sensor.mutable_calibration();
-  for (auto* camera : {calibration.mutable_depth(), calibration.mutable_color()}) {
-    camera->set_width(512);
-    camera->set_height(424);
-    camera->set_fx(365);
-    camera->set_fy(365);
-    camera->set_cx(256);
-    camera->set_cy(212);
-  }
-  for (int i = 0; i < 16; ++i) calibration.add_color_from_depth(i % 5 == 0 ? 1 : 0);
-  return join;
-}
-
-}  // namespace
 
 class TimedSensor::Link final : public HubLinkEvents {
  public:
@@ -46,7 +24,8 @@ class TimedSensor::Link final : public HubLinkEvents {
         period_(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
             std::chrono::duration<double>(1 / options.fps))),
         timer_(network_.io()),
-        link_(network_.io(), hub_address(options.hub_url), join_message(options), *this) {
+        link_(network_.io(), hub_address(options.hub_url),
+              made_up_sensor(options.name, options.fps), *this) {
     link_.start();
     network_.start();
   }

@@ -18,13 +18,6 @@ namespace pb = wire::pb;
 constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                         0x0072B2, 0xD55E00, 0xCC79A7};
 
-// A sensor that nobody has placed is shown standing beside the others rather than not at all.
-Matrix4 guessed_place(SensorId id) {
-  constexpr double kSpacing_m = 3, kHeight_m = 1.2;
-  // Optical axes to world: x right, y down -> -y, z forward -> -z.
-  return {1, 0, 0, kSpacing_m * id.value, 0, -1, 0, kHeight_m, 0, 0, -1, 0, 0, 0, 0, 1};
-}
-
 pb::Control welcome_message(const std::string& room, const std::string& hub_version) {
   pb::Control control;
   control.mutable_welcome()->set_room(room);
@@ -75,7 +68,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->bundle.reset();
-  place(*sensor, join.sensor());
+  sensor->place.give(join.sensor());
   sensor_of_[from] = sensor->id.value;
   sets_.remove_sensor(sensor->id);
   sets_.add_sensor(sensor->id, join.sensor().fps());
@@ -142,30 +135,14 @@ Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
                       .name = name,
                       .connection = {},
                       .description = {},
-                      .world_from_depth = guessed_place(id),
-                      .placement_note = {},
+                      .place = SensorPlace::guessed(id),
                       .bundle = {},
                       .key_pace = {},
                       .stats = {}});
-  recall_pose(sensors_.back());
-  return &sensors_.back();
-}
-
-void Room::recall_pose(Sensor& sensor) const {
-  const auto pose = std::ranges::find(remembered_, sensor.name, &KnownPose::sensor);
-  if (pose == remembered_.end()) return;
-  sensor.world_from_depth = pose->world_from_depth;
-  sensor.expected_error_mm = pose->expected_error_mm;
-  sensor.placement = pb::PLACEMENT_ALIGNED;
-}
-
-void Room::place(Sensor& sensor, const pb::SensorRole& role) {
-  if (role.world_from_depth().empty()) return;  // keeps what the room knows
-  std::copy(role.world_from_depth().begin(), role.world_from_depth().end(),
-            sensor.world_from_depth.begin());
-  sensor.placement = pb::PLACEMENT_GIVEN;
-  sensor.expected_error_mm = 0;
-  sensor.placement_note.clear();
+  Sensor& added = sensors_.back();
+  const auto pose = std::ranges::find(remembered_, name, &KnownPose::sensor);
+  if (pose != remembered_.end()) added.place.recall(*pose);
+  return &added;
 }
 
 void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
@@ -176,21 +153,14 @@ void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, Room
   if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
 }
 
-/// A pose that somebody gave stays. One that was found before stays too while no better is known:
-/// the aligner then says why.
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
   std::vector<KnownPose> found_poses;
   for (const pb::SensorPlacement& found : placements.sensors()) {
     if (found.sensor_id() >= sensors_.size()) continue;
     Sensor& sensor = sensors_[found.sensor_id()];
-    if (sensor.placement == pb::PLACEMENT_GIVEN) continue;
-    sensor.placement_note = found.note();
-    if (found.world_from_depth().empty()) continue;
-    std::copy(found.world_from_depth().begin(), found.world_from_depth().end(),
-              sensor.world_from_depth.begin());
-    sensor.placement = pb::PLACEMENT_ALIGNED;
-    sensor.expected_error_mm = found.expected_error_mm();
-    found_poses.push_back({sensor.name, sensor.world_from_depth, sensor.expected_error_mm});
+    if (!sensor.place.find(found)) continue;
+    found_poses.push_back(
+        {sensor.name, sensor.place.world_from_depth, sensor.place.expected_error_mm});
   }
   if (!found_poses.empty()) out.push_back(KeepPoses{std::move(found_poses)});
   announce(now, out);
@@ -246,7 +216,7 @@ RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
                   "this frame was captured in the future: synchronise the clock first", now);
   }
   if (header.key) sensor.key_pace.key_frame_came();
-  count(sensor, header, message.size(), now);
+  count_frame(header, message.size(), now, sensor.stats);
   RoomActions out;
   if (!sets_.add_frame(header, std::move(message), now)) return out;
   send_closed_sets(now, out);
@@ -315,7 +285,7 @@ void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
 
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
-    count(*set);
+    count_set(*set, sensor_of_.size(), set_stats_);
     if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
@@ -367,11 +337,7 @@ pb::Roster Room::roster() const {
     entry.set_name(sensor.name);
     entry.set_online(sensor.connection.has_value());
     *entry.mutable_calibration() = sensor.description.calibration();
-    entry.mutable_world_from_depth()->Assign(sensor.world_from_depth.begin(),
-                                             sensor.world_from_depth.end());
-    entry.set_placement(sensor.placement);
-    entry.set_expected_error_mm(sensor.expected_error_mm);
-    entry.set_placement_note(sensor.placement_note);
+    sensor.place.write_to(entry);
     entry.set_fps(sensor.description.fps());
   }
   for (const auto& [connection, viewer] : viewers_) {
@@ -381,24 +347,6 @@ pb::Roster Room::roster() const {
     entry.set_color_rgb(viewer.color_rgb);
   }
   return roster;
-}
-
-void Room::count(Sensor& sensor, const wire::FrameHeader& header, std::size_t bytes, RoomTime now) {
-  using Seconds = std::chrono::duration<double>;
-  SensorStats& stats = sensor.stats;
-  ++stats.frames;
-  stats.bytes += bytes;
-  stats.delay_s = Seconds(now - header.capture_time).count();
-  stats.clock_error_s.reset();
-  if (header.clock_error_us != wire::kClockErrorUnknown) {
-    stats.clock_error_s = 1e-6 * header.clock_error_us;
-  }
-}
-
-void Room::count(const FrameSet& set) {
-  ++set_stats_.sets;
-  if (sensor_count(set) < sensor_of_.size()) ++set_stats_.incomplete_sets;
-  set_stats_.set_skew_s = std::chrono::duration<double>(capture_skew(set)).count();
 }
 
 RoomStats Room::stats() const {
@@ -416,10 +364,11 @@ RoomStats Room::stats() const {
 Matrix4 Room::next_start_pose() const {
   std::vector<Matrix4> placed;
   for (const Sensor& sensor : sensors_) {
-    if (sensor.placement != pb::PLACEMENT_UNPLACED) placed.push_back(sensor.world_from_depth);
+    if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;
+    placed.push_back(sensor.place.world_from_depth);
   }
   if (placed.empty()) {
-    for (const Sensor& sensor : sensors_) placed.push_back(sensor.world_from_depth);
+    for (const Sensor& sensor : sensors_) placed.push_back(sensor.place.world_from_depth);
   }
   return start_pose(placed, viewers_.size());
 }

@@ -19,6 +19,7 @@
 #include "roomcast/hub/pose_relay.h"
 #include "roomcast/hub/room_action.h"
 #include "roomcast/hub/room_stats.h"
+#include "roomcast/hub/sensor_place.h"
 #include "roomcast/hub/start_pose.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
@@ -64,10 +65,7 @@ class Room {
     std::string name;
     std::optional<ConnectionId> connection;  // while online
     wire::pb::SensorRole description;        // as last joined
-    wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
-    Matrix4 world_from_depth{};
-    float expected_error_mm = 0;              // of the placement; 0 unknown
-    std::string placement_note;               // why it is not placed
+    SensorPlace place;
     std::optional<wire::pb::Control> bundle;  // the newest since it joined
     KeyRequestPace key_pace;
     SensorStats stats;  // what changes with its frames
@@ -84,12 +82,8 @@ class Room {
   void keep_bundle(Sensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   Sensor* known_or_new_sensor(const std::string& name);
-  void recall_pose(Sensor& sensor) const;
-  void place(Sensor& sensor, const wire::pb::SensorRole& role);
   void ask_for_key(const Sensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
-  void count(Sensor& sensor, const wire::FrameHeader& header, std::size_t bytes, RoomTime now);
-  void count(const FrameSet& set);
   void announce(RoomTime now, RoomActions& out);
   bool announce_in_time(RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control roster_message();

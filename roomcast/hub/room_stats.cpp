@@ -83,6 +83,23 @@ std::size_t sensor_count(const FrameSet& set) {
   return newest_captures(set).size();
 }
 
+void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime now,
+                 SensorStats& stats) {
+  ++stats.frames;
+  stats.bytes += bytes;
+  stats.delay_s = std::chrono::duration<double>(now - header.capture_time).count();
+  stats.clock_error_s.reset();
+  if (header.clock_error_us != wire::kClockErrorUnknown) {
+    stats.clock_error_s = 1e-6 * header.clock_error_us;
+  }
+}
+
+void count_set(const FrameSet& set, std::size_t online_sensors, RoomStats& stats) {
+  ++stats.sets;
+  if (sensor_count(set) < online_sensors) ++stats.incomplete_sets;
+  stats.set_skew_s = std::chrono::duration<double>(capture_skew(set)).count();
+}
+
 std::string metrics_text(const RoomStats& stats, std::uint64_t dropped_sets) {
   MetricsWriter out(stats.room);
   write_sensors(stats.sensors, out);

@@ -35,6 +35,11 @@ struct RoomStats {
 [[nodiscard]] nanoseconds capture_skew(const FrameSet& set);
 [[nodiscard]] std::size_t sensor_count(const FrameSet& set);
 
+/// A frame has arrived; a set has closed while so many sensors were online.
+void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime now,
+                 SensorStats& stats);
+void count_set(const FrameSet& set, std::size_t online_sensors, RoomStats& stats);
+
 /// `dropped_sets`: that were left out for slow viewers, over all viewers.
 [[nodiscard]] std::string metrics_text(const RoomStats& stats, std::uint64_t dropped_sets);
 

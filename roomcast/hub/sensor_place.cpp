@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/sensor_place.h"
+
+#include <algorithm>
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+SensorPlace SensorPlace::guessed(SensorId id) {
+  constexpr double kSpacing_m = 3, kHeight_m = 1.2;
+  // Optical axes to world: x right, y down -> -y, z forward -> -z.
+  SensorPlace place;
+  place.world_from_depth = {1, 0, 0, kSpacing_m * id.value, 0, -1, 0, kHeight_m, 0, 0, -1, 0, 0,
+                            0, 0, 1};
+  return place;
+}
+
+void SensorPlace::give(const pb::SensorRole& role) {
+  if (role.world_from_depth().empty()) return;
+  std::ranges::copy(role.world_from_depth(), world_from_depth.begin());
+  placement = pb::PLACEMENT_GIVEN;
+  expected_error_mm = 0;
+  note.clear();
+}
+
+bool SensorPlace::find(const pb::SensorPlacement& found) {
+  if (placement == pb::PLACEMENT_GIVEN) return false;
+  note = found.note();
+  if (found.world_from_depth().empty()) return false;
+  std::ranges::copy(found.world_from_depth(), world_from_depth.begin());
+  placement = pb::PLACEMENT_ALIGNED;
+  expected_error_mm = found.expected_error_mm();
+  return true;
+}
+
+void SensorPlace::recall(const KnownPose& pose) {
+  world_from_depth = pose.world_from_depth;
+  expected_error_mm = pose.expected_error_mm;
+  placement = pb::PLACEMENT_ALIGNED;
+}
+
+void SensorPlace::write_to(pb::SensorEntry& entry) const {
+  entry.mutable_world_from_depth()->Assign(world_from_depth.begin(), world_from_depth.end());
+  entry.set_placement(placement);
+  entry.set_expected_error_mm(expected_error_mm);
+  entry.set_placement_note(note);
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SensorPlace: where a sensor stands and who says so. What somebody gave holds; what alignment
+// found gives way to what it finds later; before either there is a guess, so that there is
+// something to see. Plain data and its rules. docs/spec/wire.md §3, "Where sensors stand".
+#pragma once
+
+#include <string>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/known_pose.h"
+#include "roomcast/hub/matrix4.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+struct SensorPlace {
+  wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
+  Matrix4 world_from_depth{};
+  float expected_error_mm = 0;  // 0: unknown
+  std::string note;             // why alignment could not place it
+
+  /// Standing beside the others.
+  [[nodiscard]] static SensorPlace guessed(SensorId id);
+
+  /// What the sensor itself says; nothing changes when it says nothing.
+  void give(const wire::pb::SensorRole& role);
+  /// What the aligner says. True: a new pose holds.
+  bool find(const wire::pb::SensorPlacement& found);
+  /// What was found before the hub was started.
+  void recall(const KnownPose& pose);
+
+  void write_to(wire::pb::SensorEntry& entry) const;
+};
+
+}  // namespace roomcast::hub
