@@ -18,6 +18,9 @@ namespace roomcast::bench {
 struct FanoutRoom {
   std::size_t frame_bytes = 20'480;
   double fps = 30;  // that sensors announce
+  /// Frames are stamped with the moment at which they are sent. Else, for those who send faster
+  /// than any camera, with one of long ago: each is then a set of its own.
+  bool real_time = true;
 };
 
 struct RunningEngine {

@@ -72,6 +72,7 @@ Result<FanoutRow> measure(const Engine& engine, const LoadCase& load_case,
   FanoutRoom room;
   room.frame_bytes = options.frame_bytes;
   room.fps = load_case.paced ? kRoomFps : kMaxFps;
+  room.real_time = load_case.paced;
   const auto running = engine.start(room);
   if (!running) return running.error();
   const ChildProcess& process = running->process;

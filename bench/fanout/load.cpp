@@ -175,7 +175,8 @@ void Load::publish_all() {
 }
 
 RoomTime Load::capture_time(std::uint32_t number) const {
-  return first_capture_ + nanoseconds(std::llround(1e9 / room_.fps * number));
+  if (room_.real_time) return RoomTime(sent_at_[number].time_since_epoch());
+  return RoomTime(nanoseconds(std::llround(1e9 / room_.fps * number)));
 }
 
 /// What the server answers to a publisher is thrown away, or it would not read on.
@@ -295,11 +296,6 @@ Result<Traffic> Load::run_closed(int window, Clock::duration duration) {
 Result<Traffic> Load::run_paced(double fps, Clock::duration duration) {
   const auto period =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / fps));
-  // From here on as of cameras: a hub waits for a frame that is on its way, not for one of long
-  // ago.
-  const nanoseconds since_first =
-      capture_time(static_cast<std::uint32_t>(sent_at_.size())) - first_capture_;
-  first_capture_ = RoomTime(Clock::now().time_since_epoch() - since_first);
   const auto until = Clock::now() + duration;
   for (auto next = Clock::now(); next < until; next += period) {
     if (next > Clock::now()) {

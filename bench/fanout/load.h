@@ -78,8 +78,7 @@ class Load {
   std::vector<int> stalled_fds_;
   std::vector<Publisher> publishers_;
   std::vector<Clock::time_point> sent_at_;  // by number
-  RoomTime first_capture_{};            // long ago: at full speed every frame is a set of its own
-  std::vector<std::uint32_t> numbers_;  // of the last read
+  std::vector<std::uint32_t> numbers_;      // of the last read
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(256 * 1024);
   Traffic traffic_;
 };
