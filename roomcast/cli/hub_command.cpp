@@ -43,14 +43,14 @@ Status check_secrecy(const HubCommandOptions& options, bool loopback, bool encry
 }
 
 /// In the folder for what the hub keeps; nothing where there can be none.
-std::optional<std::filesystem::path> find_pose_file(const std::string& data_folder) {
+std::optional<std::filesystem::path> find_state_file(const std::string& data_folder) {
   const auto folder = data_folder.empty() ? default_data_folder()
                                           : std::optional<std::filesystem::path>(data_folder);
   if (!folder) return std::nullopt;
   std::error_code error;
   std::filesystem::create_directories(*folder, error);
   if (error) return std::nullopt;
-  return *folder / "poses.sqlite";
+  return *folder / "hub.sqlite";
 }
 
 void print_where(const ListenAddress& listen, std::uint16_t port,
@@ -92,8 +92,8 @@ Status run_hub(const HubCommandOptions& options) {
   hub.log = stderr_log("hub", options.verbose);
   if (options.align) {
     hub.aligner_key = make_aligner_key();
-    hub.pose_file = find_pose_file(options.certificate.data_folder);
   }
+  hub.state_file = find_state_file(options.certificate.data_folder);
   HubAlignerOptions aligner_options{
       .listen_address = listen->address, .certificate = {}, .key = hub.aligner_key, .log = hub.log};
   auto server = hub::HubServer::open(std::move(hub));

@@ -14,8 +14,8 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/control_message.h"
-#include "roomcast/hub/pose_store.h"
 #include "roomcast/hub/room.h"
+#include "roomcast/hub/sensor_store.h"
 #include "roomcast/hub/shard.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/static_site.h"
@@ -57,7 +57,7 @@ class HubServer::Loop final : public SessionEvents {
 
   ~Loop() override;
 
-  void recall_poses();
+  void recall_sensors();
   Status listen();
   void run(std::stop_token stop);
   [[nodiscard]] std::uint16_t port() const { return http_->port(); }
@@ -85,7 +85,7 @@ class HubServer::Loop final : public SessionEvents {
   void carry_out(const RestartSensor& action);
   void carry_out(const AcceptConnection& action);
   void carry_out(const Disconnect& action);
-  void carry_out(const KeepPoses& action);
+  void carry_out(const KeepSensors& action);
   void tell_other_threads();
   void schedule_tick();
   void log(LogLevel level, const std::string& line) const {
@@ -96,7 +96,7 @@ class HubServer::Loop final : public SessionEvents {
   std::optional<net::StaticSite> site_;
   SteadyClock clock_;
   Room room_;
-  std::unique_ptr<PoseStore> poses_;  // null: none are kept
+  std::unique_ptr<SensorStore> store_;  // null: nothing is kept
   // For other threads: what they are asked of the room.
   std::atomic<std::size_t> sensor_count_ = 0, viewer_count_ = 0;
   std::atomic<std::shared_ptr<const RoomStats>> stats_ = std::make_shared<const RoomStats>();
@@ -117,15 +117,15 @@ HubServer::Loop::~Loop() {
   for (auto& loop : loops_) loop.reset();
 }
 
-/// A room without them is better than none.
-void HubServer::Loop::recall_poses() {
-  if (!options_.pose_file) return;
-  auto store = PoseStore::open(*options_.pose_file);
+/// A room that remembers nobody is better than none.
+void HubServer::Loop::recall_sensors() {
+  if (!options_.state_file) return;
+  auto store = SensorStore::open(*options_.state_file);
   if (!store) return log(LogLevel::kWarning, store.error().message);
-  auto poses = (*store)->load(room_.name());
-  if (!poses) return log(LogLevel::kWarning, poses.error().message);
-  room_.remember(*std::move(poses));
-  poses_ = *std::move(store);
+  auto sensors = (*store)->load(room_.name());
+  if (!sensors) return log(LogLevel::kWarning, sensors.error().message);
+  room_.remember(*std::move(sensors));
+  store_ = *std::move(store);
 }
 
 Status HubServer::Loop::listen() {
@@ -215,9 +215,9 @@ void HubServer::Loop::carry_out(RoomActions actions) {
   schedule_tick();
 }
 
-void HubServer::Loop::carry_out(const KeepPoses& action) {
-  if (!poses_) return;
-  if (auto status = poses_->save(room_.name(), action.poses); !status) {
+void HubServer::Loop::carry_out(const KeepSensors& action) {
+  if (!store_) return;
+  if (auto status = store_->save(room_.name(), action.sensors); !status) {
     log(LogLevel::kWarning, status.error().message);
   }
 }
@@ -285,7 +285,7 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     site = std::move(*loaded);
   }
   auto loop = std::make_unique<Loop>(std::move(options), std::move(site));
-  loop->recall_poses();
+  loop->recall_sensors();
   if (auto status = loop->listen(); !status) return status.error();
   return std::unique_ptr<HubServer>(new HubServer(std::move(loop)));
 }

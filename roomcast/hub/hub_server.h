@@ -25,7 +25,7 @@ struct HubOptions {
   std::shared_ptr<const net::TlsServerContext> tls;  // without it nothing is encrypted
   std::string room = "room";
   std::optional<std::filesystem::path>
-      pose_file;            // where poses are kept that were found; without it they are forgotten
+      state_file;           // where sensors' ids and poses are kept; without it they are forgotten
   std::string aligner_key;  // who knows it may place sensors; empty: nobody
   std::optional<std::filesystem::path>
       web_directory;  // the page to serve; without it "/" says how to get one

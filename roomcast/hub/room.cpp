@@ -18,6 +18,11 @@ namespace pb = wire::pb;
 constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                         0x0072B2, 0xD55E00, 0xCC79A7};
 
+/// What a message calls a sensor; an id that none can have for one that is too large.
+SensorId wire_id(std::uint32_t id) {
+  return SensorId{static_cast<std::uint16_t>(std::min<std::uint32_t>(id, wire::kMaxSensors))};
+}
+
 pb::Control welcome_message(const std::string& room, const std::string& hub_version) {
   pb::Control control;
   control.mutable_welcome()->set_room(room);
@@ -33,7 +38,7 @@ Room::Room(std::string name, std::string hub_version, std::string aligner_key)
       aligner_key_(std::move(aligner_key)) {}
 
 RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
-  ROOMCAST_ASSERT(!sensor_of_.contains(from) && !viewers_.contains(from));
+  ROOMCAST_ASSERT(sensors_.find(from) == nullptr && !viewers_.contains(from));
   if (!join.room().empty() && join.room() != name_) {
     return refuse(from, pb::ERROR_NO_SUCH_ROOM,
                   "this hub has no room \"" + join.room() + "\", only \"" + name_ + "\"", now);
@@ -53,23 +58,21 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
 }
 
 void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
-  Sensor* sensor = known_or_new_sensor(join.name());
+  RoomSensor* sensor = known_or_new_sensor(join.name(), out);
   if (sensor == nullptr) {
     out = refuse(from, pb::ERROR_ROOM_FULL,
                  "this room knows " + std::to_string(wire::kMaxSensors) + " sensors already", now);
     return;
   }
   if (sensor->connection) {
-    sensor_of_.erase(*sensor->connection);
     out.push_back(Disconnect{*sensor->connection, pb::ERROR_REPLACED,
                              "sensor \"" + sensor->name + "\" has joined again from elsewhere"});
   }
-  sensor->connection = from;
+  sensors_.connect(*sensor, from);
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->bundle.reset();
   sensor->place.give(join.sensor());
-  sensor_of_[from] = sensor->id.value;
   sets_.remove_sensor(sensor->id);
   sets_.add_sensor(sensor->id, join.sensor().fps());
 
@@ -102,7 +105,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   out.push_back(AcceptConnection{from, Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
   if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
-  for (Sensor& sensor : sensors_) {
+  for (RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
   }
 }
@@ -120,32 +123,25 @@ void Room::join_aligner(ConnectionId from, const pb::Join& join, RoomTime now, R
   out.push_back(AcceptConnection{from, Role::kAligner});
   out.push_back(SendControl{{from}, welcome_message(name_, hub_version_)});
   out.push_back(SendControl{{from}, roster_message()});
-  for (const Sensor& sensor : sensors_) {
+  for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
   }
 }
 
-Room::Sensor* Room::known_or_new_sensor(const std::string& name) {
-  const auto known = std::find_if(sensors_.begin(), sensors_.end(),
-                                  [&](const Sensor& s) { return s.name == name; });
-  if (known != sensors_.end()) return &*known;
-  if (sensors_.size() >= wire::kMaxSensors) return nullptr;
-  const SensorId id{static_cast<std::uint16_t>(sensors_.size())};
-  sensors_.push_back({.id = id,
-                      .name = name,
-                      .connection = {},
-                      .description = {},
-                      .place = SensorPlace::guessed(id),
-                      .bundle = {},
-                      .key_pace = {},
-                      .stats = {}});
-  Sensor& added = sensors_.back();
-  const auto pose = std::ranges::find(remembered_, name, &KnownPose::sensor);
-  if (pose != remembered_.end()) added.place.recall(*pose);
-  return &added;
+RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out) {
+  if (RoomSensor* known = sensors_.find(name)) return known;
+  RoomSensor* added = sensors_.add(name);
+  if (added == nullptr) return nullptr;
+  const KnownSensor* earlier = sensors_.remembered(name);
+  const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
+  if (pose && !aligner_key_.empty()) added->place.recall(*pose);
+  if (earlier == nullptr || earlier->id != added->id) {
+    out.push_back(KeepSensors{{{name, added->id, pose}}});
+  }
+  return added;
 }
 
-void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
+void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
   pb::Control message;
   *message.mutable_calibration_bundle() = bundle;
   message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
@@ -154,26 +150,24 @@ void Room::keep_bundle(Sensor& sensor, const pb::CalibrationBundle& bundle, Room
 }
 
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
-  std::vector<KnownPose> found_poses;
+  std::vector<KnownSensor> placed;
   for (const pb::SensorPlacement& found : placements.sensors()) {
-    if (found.sensor_id() >= sensors_.size()) continue;
-    Sensor& sensor = sensors_[found.sensor_id()];
-    if (!sensor.place.find(found)) continue;
-    found_poses.push_back(
-        {sensor.name, sensor.place.world_from_depth, sensor.place.expected_error_mm});
+    RoomSensor* sensor = sensors_.find(wire_id(found.sensor_id()));
+    if (sensor == nullptr || !sensor->place.find(found)) continue;
+    placed.push_back({sensor->name, sensor->id, sensor->place.found()});
   }
-  if (!found_poses.empty()) out.push_back(KeepPoses{std::move(found_poses)});
+  if (!placed.empty()) out.push_back(KeepSensors{std::move(placed)});
   announce(now, out);
 }
 
 RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
   RoomActions out;
   const auto viewer = viewers_.find(from);
-  const auto sensor = sensor_of_.find(from);
+  RoomSensor* const sensor = sensors_.find(from);
   switch (message.message_case()) {
     case pb::Control::kCalibrationBundle:
-      if (sensor == sensor_of_.end()) break;
-      keep_bundle(sensors_[sensor->second], message.calibration_bundle(), out);
+      if (sensor == nullptr) break;
+      keep_bundle(*sensor, message.calibration_bundle(), out);
       return out;
     case pb::Control::kPlacements:
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;
@@ -181,8 +175,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       return out;
     case pb::Control::kKeyRequest:
       if (viewer == viewers_.end()) break;
-      return key_needed(SensorId{static_cast<std::uint16_t>(message.key_request().sensor_id())},
-                        now);
+      return key_needed(wire_id(message.key_request().sensor_id()), now);
     case pb::Control::kViewerPose:
       if (viewer == viewers_.end()) break;
       poses_.set(viewer->second.id, message.viewer_pose(), now);
@@ -201,22 +194,22 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
 
 RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message, RoomTime now) {
-  const auto found = sensor_of_.find(from);
-  if (found == sensor_of_.end()) {
+  RoomSensor* const sensor = sensors_.find(from);
+  if (sensor == nullptr) {
     return refuse(from, pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames", now);
   }
-  Sensor& sensor = sensors_[found->second];
-  if (header.sensor != sensor.id) {
+  if (header.sensor != sensor->id) {
     return refuse(
         from, pb::ERROR_UNEXPECTED,
-        "this frame carries the id of another sensor than " + std::to_string(sensor.id.value), now);
+        "this frame carries the id of another sensor than " + std::to_string(sensor->id.value),
+        now);
   }
   if (header.capture_time > now + wire::kMaxCaptureAhead) {
     return refuse(from, pb::ERROR_MALFORMED,
                   "this frame was captured in the future: synchronise the clock first", now);
   }
-  if (header.key) sensor.key_pace.key_frame_came();
-  count_frame(header, message.size(), now, sensor.stats);
+  if (header.key) sensor->key_pace.key_frame_came();
+  count_frame(header, message.size(), now, sensor->stats);
   RoomActions out;
   if (!sets_.add_frame(header, std::move(message), now)) return out;
   send_closed_sets(now, out);
@@ -225,20 +218,17 @@ RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
 
 RoomActions Room::key_needed(SensorId id, RoomTime now) {
   RoomActions out;
-  if (id.value >= sensors_.size())
-    return out;  // a viewer with an old roster, or a joker: nothing to do
-  Sensor& sensor = sensors_[id.value];
-  if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
+  RoomSensor* const sensor = sensors_.find(id);  // none: a viewer with an old roster, or a joker
+  if (sensor == nullptr || !sensor->connection) return out;
+  if (sensor->key_pace.request(now)) ask_for_key(*sensor, out);
   return out;
 }
 
 RoomActions Room::leave(ConnectionId from, RoomTime now) {
   RoomActions out;
-  if (const auto found = sensor_of_.find(from); found != sensor_of_.end()) {
-    Sensor& sensor = sensors_[found->second];
-    sensor.connection.reset();
-    sets_.remove_sensor(sensor.id);
-    sensor_of_.erase(found);
+  if (RoomSensor* sensor = sensors_.find(from)) {
+    sensors_.disconnect(*sensor);
+    sets_.remove_sensor(sensor->id);
     announce(now, out);
     send_closed_sets(now, out);
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
@@ -254,7 +244,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
 RoomActions Room::tick(RoomTime now) {
   RoomActions out;
   send_closed_sets(now, out);
-  for (Sensor& sensor : sensors_) {
+  for (RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
   }
   if (auto poses = poses_.take(now)) {
@@ -269,7 +259,7 @@ std::optional<RoomTime> Room::next_tick() const {
   const auto consider = [&](std::optional<RoomTime> time) {
     if (time && (!next || *time < *next)) next = time;
   };
-  for (const Sensor& sensor : sensors_) {
+  for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
   consider(poses_.next());
@@ -277,7 +267,7 @@ std::optional<RoomTime> Room::next_tick() const {
   return next;
 }
 
-void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
+void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
   pb::Control request;
   request.mutable_key_request()->set_sensor_id(sensor.id.value);
   out.push_back(SendControl{{*sensor.connection}, std::move(request)});
@@ -285,7 +275,7 @@ void Room::ask_for_key(const Sensor& sensor, RoomActions& out) {
 
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
-    count_set(*set, sensor_of_.size(), set_stats_);
+    count_set(*set, sensors_.online_count(), set_stats_);
     if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
@@ -331,7 +321,7 @@ pb::Roster Room::roster() const {
   pb::Roster roster;
   roster.set_revision(roster_revision_);
   roster.set_fps(sets_.fps());
-  for (const Sensor& sensor : sensors_) {
+  for (const RoomSensor& sensor : sensors_.all()) {
     auto& entry = *roster.add_sensors();
     entry.set_id(sensor.id.value);
     entry.set_name(sensor.name);
@@ -353,7 +343,7 @@ RoomStats Room::stats() const {
   RoomStats stats = set_stats_;
   stats.room = name_;
   stats.viewers = viewers_.size();
-  for (const Sensor& sensor : sensors_) {
+  for (const RoomSensor& sensor : sensors_.all()) {
     stats.sensors.push_back(sensor.stats);
     stats.sensors.back().name = sensor.name;
     stats.sensors.back().online = sensor.connection.has_value();
@@ -363,12 +353,12 @@ RoomStats Room::stats() const {
 
 Matrix4 Room::next_start_pose() const {
   std::vector<Matrix4> placed;
-  for (const Sensor& sensor : sensors_) {
+  for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;
     placed.push_back(sensor.place.world_from_depth);
   }
   if (placed.empty()) {
-    for (const Sensor& sensor : sensors_) placed.push_back(sensor.place.world_from_depth);
+    for (const RoomSensor& sensor : sensors_.all()) placed.push_back(sensor.place.world_from_depth);
   }
   return start_pose(placed, viewers_.size());
 }

@@ -15,11 +15,10 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set_builder.h"
-#include "roomcast/hub/key_request_pace.h"
 #include "roomcast/hub/pose_relay.h"
 #include "roomcast/hub/room_action.h"
 #include "roomcast/hub/room_stats.h"
-#include "roomcast/hub/sensor_place.h"
+#include "roomcast/hub/sensor_list.h"
 #include "roomcast/hub/start_pose.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
@@ -32,8 +31,9 @@ class Room {
   /// `aligner_key`: what an aligner has to say to be let in; empty: none is.
   Room(std::string name, std::string hub_version, std::string aligner_key = {});
 
-  /// Where sensors stood before the hub was started; used when they come. Call it first.
-  void remember(std::vector<KnownPose> poses) { remembered_ = std::move(poses); }
+  /// Who was here before the hub was started. They get their ids back when they come, and their
+  /// poses if there may be an aligner to verify them. Call it first.
+  void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
 
   // Events. Messages have passed wire::decode_control or wire::parse_frame.
 
@@ -55,21 +55,11 @@ class Room {
   [[nodiscard]] std::optional<RoomTime> next_tick() const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] std::size_t online_sensor_count() const { return sensor_of_.size(); }
+  [[nodiscard]] std::size_t online_sensor_count() const { return sensors_.online_count(); }
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
   [[nodiscard]] RoomStats stats() const;
 
  private:
-  struct Sensor {
-    SensorId id;
-    std::string name;
-    std::optional<ConnectionId> connection;  // while online
-    wire::pb::SensorRole description;        // as last joined
-    SensorPlace place;
-    std::optional<wire::pb::Control> bundle;  // the newest since it joined
-    KeyRequestPace key_pace;
-    SensorStats stats;  // what changes with its frames
-  };
   struct Viewer {
     ViewerId id;
     std::string name;
@@ -79,10 +69,10 @@ class Room {
   void join_sensor(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void join_viewer(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void join_aligner(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
-  void keep_bundle(Sensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
+  void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
-  Sensor* known_or_new_sensor(const std::string& name);
-  void ask_for_key(const Sensor& sensor, RoomActions& out);
+  RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
+  void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
   bool announce_in_time(RoomTime now, RoomActions& out);
@@ -97,11 +87,9 @@ class Room {
   const std::string name_;
   const std::string hub_version_;
   const std::string aligner_key_;
-  std::vector<Sensor> sensors_;                              // all that were ever here, by id
-  std::unordered_map<ConnectionId, std::size_t> sensor_of_;  // online ones: index into sensors_
+  SensorList sensors_;
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
-  std::vector<KnownPose> remembered_;
   PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets

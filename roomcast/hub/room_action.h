@@ -9,7 +9,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/frame_set.h"
-#include "roomcast/hub/known_pose.h"
+#include "roomcast/hub/known_sensor.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
@@ -44,13 +44,13 @@ struct Disconnect {
   std::string sentence;
 };
 
-/// Found by alignment: to be there when the hub starts again.
-struct KeepPoses {
-  std::vector<KnownPose> poses;
+/// To be known when the hub starts again.
+struct KeepSensors {
+  std::vector<KnownSensor> sensors;
 };
 
 using RoomAction =
-    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, KeepPoses>;
+    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, KeepSensors>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

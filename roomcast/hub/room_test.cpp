@@ -1,92 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/room.h"
 
-#include <algorithm>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "roomcast/hub/room_test_fixture.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
 namespace {
 
-using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
-namespace pb = wire::pb;
-
-RoomTime at(nanoseconds since_start) {
-  return RoomTime(1h + since_start);
-}
-
-Matrix4 pose_at(double x) {
-  return {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-}
-
-pb::Join sensor_join(const std::string& name,
-                     std::optional<Matrix4> world_from_depth = pose_at(1)) {
-  pb::Join join;
-  join.set_name(name);
-  join.mutable_sensor()->set_fps(30);
-  join.mutable_sensor()->mutable_calibration()->mutable_depth()->set_width(512);
-  if (world_from_depth) {
-    join.mutable_sensor()->mutable_world_from_depth()->Assign(world_from_depth->begin(),
-                                                              world_from_depth->end());
-  }
-  return join;
-}
-
-pb::Join viewer_join(const std::string& name = "") {
-  pb::Join join;
-  join.set_name(name);
-  join.mutable_viewer();
-  return join;
-}
-
-template <class T>
-std::vector<T> all(const RoomActions& actions) {
-  std::vector<T> found;
-  for (const auto& action : actions) {
-    if (const auto* match = std::get_if<T>(&action)) found.push_back(*match);
-  }
-  return found;
-}
-
-/// Control messages of one kind, with whom they go to.
-std::vector<SendControl> messages(const RoomActions& actions, pb::Control::MessageCase kind) {
-  auto found = all<SendControl>(actions);
-  std::erase_if(found,
-                [&](const SendControl& send) { return send.message.message_case() != kind; });
-  return found;
-}
-
-pb::Roster newest_roster(const RoomActions& actions) {
-  const auto rosters = messages(actions, pb::Control::kRoster);
-  return rosters.empty() ? pb::Roster() : rosters.back().message.roster();
-}
-
-class RoomTest : public testing::Test {
- protected:
-  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s) {
-    const ConnectionId connection{next_connection++};
-    actions = room.join(connection, join, at(now));
-    return connection;
-  }
-
-  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
-                    bool key = true) {
-    wire::FrameHeader header{.key = key, .sensor = sensor, .capture_time = at(captured)};
-    std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
-    wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
-    return room.frame(from, header, net::MessageBuffer(bytes), at(arrived));
-  }
-
-  Room room{"lab", "test", "open sesame"};
-  RoomActions actions;  // of the last enter()
-  std::uint64_t next_connection = 1;
-};
 
 TEST_F(RoomTest, sensors_get_ids_in_order_of_their_first_coming) {
   const auto first = enter(sensor_join("left"));
@@ -252,119 +175,6 @@ TEST_F(RoomTest, frames_from_strangers_or_under_another_id_or_from_the_future_en
   EXPECT_EQ(
       all<Disconnect>(frame(again, SensorId{0}, 0s + wire::kMaxCaptureAhead + 1ms, 0s))[0].code,
       pb::ERROR_MALFORMED);
-}
-
-pb::Join aligner_join(const std::string& key = "open sesame") {
-  pb::Join join;
-  join.mutable_aligner()->set_key(key);
-  return join;
-}
-
-pb::Control bundle_message() {
-  pb::Control control;
-  control.mutable_calibration_bundle()->set_sensor_id(99);  // a lie; the hub knows better
-  control.mutable_calibration_bundle()->set_depth("depth");
-  return control;
-}
-
-pb::Control placement_of(std::uint32_t sensor, double x) {
-  pb::Control control;
-  auto& found = *control.mutable_placements()->add_sensors();
-  found.set_sensor_id(sensor);
-  const Matrix4 pose = pose_at(x);
-  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
-  found.set_expected_error_mm(4);
-  return control;
-}
-
-TEST_F(RoomTest, an_aligner_is_told_of_sensors_and_gets_their_bundles) {
-  const auto sensor = enter(sensor_join("left", std::nullopt));
-  EXPECT_THAT(room.control(sensor, bundle_message(), at(0s)), IsEmpty()) << "nobody wants it yet";
-  const auto aligner = enter(aligner_join());
-  EXPECT_EQ(newest_roster(actions).sensors_size(), 1);
-  const auto kept = messages(actions, pb::Control::kCalibrationBundle);
-  ASSERT_EQ(kept.size(), 1U);
-  EXPECT_EQ(kept[0].message.calibration_bundle().sensor_id(), 0U);
-  const auto fresh =
-      messages(room.control(sensor, bundle_message(), at(1s)), pb::Control::kCalibrationBundle);
-  ASSERT_EQ(fresh.size(), 1U);
-  EXPECT_THAT(fresh[0].to, ElementsAre(aligner));
-  EXPECT_THAT(all<SendSet>(frame(sensor, SensorId{0}, 1s, 1s)), IsEmpty()) << "it gets no frames";
-}
-
-TEST_F(RoomTest, what_the_aligner_finds_everyone_is_told) {
-  enter(sensor_join("left", std::nullopt));
-  enter(viewer_join());
-  const auto aligner = enter(aligner_join());
-  const auto roster = newest_roster(room.control(aligner, placement_of(0, 7), at(1s)));
-  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_ALIGNED);
-  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
-  EXPECT_EQ(roster.sensors(0).expected_error_mm(), 4);
-}
-
-TEST_F(RoomTest, a_sensor_that_cannot_be_placed_stays_where_it_was_and_says_why) {
-  enter(sensor_join("left", std::nullopt));
-  const auto aligner = enter(aligner_join());
-  (void)room.control(aligner, placement_of(0, 7), at(1s));
-  pb::Control lost;
-  lost.mutable_placements()->add_sensors()->set_note("it shares nothing with the others");
-  const auto roster = newest_roster(room.control(aligner, lost, at(2s)));
-  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
-  EXPECT_EQ(roster.sensors(0).placement_note(), "it shares nothing with the others");
-}
-
-TEST_F(RoomTest, a_pose_that_was_given_is_not_aligned_away) {
-  enter(sensor_join("left", pose_at(1)));
-  const auto aligner = enter(aligner_join());
-  const auto roster = newest_roster(room.control(aligner, placement_of(0, 7), at(1s)));
-  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_GIVEN);
-  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 1);
-}
-
-TEST_F(RoomTest, an_aligned_pose_survives_the_sensors_coming_and_going) {
-  const auto sensor = enter(sensor_join("left", std::nullopt));
-  const auto aligner = enter(aligner_join());
-  (void)room.control(aligner, placement_of(0, 7), at(1s));
-  (void)room.leave(sensor, at(2s));
-  enter(sensor_join("left", std::nullopt), 3s);
-  EXPECT_EQ(newest_roster(actions).sensors(0).world_from_depth(3), 7);
-}
-
-TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_started_again) {
-  enter(sensor_join("left", std::nullopt));
-  const auto aligner = enter(aligner_join());
-  const auto kept = all<KeepPoses>(room.control(aligner, placement_of(0, 7), at(1s)));
-  ASSERT_EQ(kept.size(), 1U);
-  ASSERT_EQ(kept[0].poses.size(), 1U);
-  EXPECT_EQ(kept[0].poses[0].sensor, "left");
-
-  Room restarted("lab", "test");
-  restarted.remember(kept[0].poses);
-  (void)restarted.join(ConnectionId{1}, viewer_join(), at(0s));
-  (void)restarted.join(ConnectionId{2}, sensor_join("right", std::nullopt), at(1s));
-  const auto roster =
-      newest_roster(restarted.join(ConnectionId{3}, sensor_join("left", std::nullopt), at(2s)));
-  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_UNPLACED);
-  EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_ALIGNED);
-  EXPECT_EQ(roster.sensors(1).world_from_depth(3), 7);
-}
-
-TEST_F(RoomTest, strangers_place_nothing) {
-  enter(sensor_join("left", std::nullopt));
-  enter(aligner_join("guessed"));
-  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_UNEXPECTED);
-  const auto viewer = enter(viewer_join());
-  EXPECT_EQ(all<Disconnect>(room.control(viewer, placement_of(0, 7), at(1s))).at(0).code,
-            pb::ERROR_UNEXPECTED);
-  Room closed("lab", "test");
-  EXPECT_EQ(all<Disconnect>(closed.join(ConnectionId{1}, aligner_join(""), at(0s))).at(0).code,
-            pb::ERROR_UNEXPECTED);
-}
-
-TEST_F(RoomTest, what_an_aligner_says_of_sensors_that_are_not_there_is_ignored) {
-  const auto aligner = enter(aligner_join());
-  EXPECT_EQ(newest_roster(room.control(aligner, placement_of(9, 7), at(1s))).sensors_size(), 0);
-  EXPECT_THAT(room.leave(aligner, at(2s)), IsEmpty());
 }
 
 pb::Control pose_message(float x) {

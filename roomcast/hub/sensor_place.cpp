@@ -40,6 +40,11 @@ void SensorPlace::recall(const KnownPose& pose) {
   placement = pb::PLACEMENT_ALIGNED;
 }
 
+std::optional<KnownPose> SensorPlace::found() const {
+  if (placement != pb::PLACEMENT_ALIGNED) return std::nullopt;
+  return KnownPose{world_from_depth, expected_error_mm};
+}
+
 void SensorPlace::write_to(pb::SensorEntry& entry) const {
   entry.mutable_world_from_depth()->Assign(world_from_depth.begin(), world_from_depth.end());
   entry.set_placement(placement);

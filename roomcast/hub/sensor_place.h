@@ -4,10 +4,11 @@
 // something to see. Plain data and its rules. docs/spec/wire.md §3, "Where sensors stand".
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/hub/known_pose.h"
+#include "roomcast/hub/known_sensor.h"
 #include "roomcast/hub/matrix4.h"
 #include "roomcast/wire/control.pb.h"
 
@@ -28,6 +29,8 @@ struct SensorPlace {
   bool find(const wire::pb::SensorPlacement& found);
   /// What was found before the hub was started.
   void recall(const KnownPose& pose);
+  /// The pose that alignment found, if one holds.
+  [[nodiscard]] std::optional<KnownPose> found() const;
 
   void write_to(wire::pb::SensorEntry& entry) const;
 };

@@ -48,7 +48,7 @@ TEST(SensorPlace, what_is_found_holds_until_something_else_is) {
 
 TEST(SensorPlace, what_is_given_goes_before_what_is_found) {
   auto place = SensorPlace::guessed(SensorId{0});
-  place.recall({"left", pose_at(1), 4});
+  place.recall({pose_at(1), 4});
   EXPECT_EQ(place.placement, pb::PLACEMENT_ALIGNED);
   place.give({});
   EXPECT_EQ(place.world_from_depth, pose_at(1)) << "it says nothing";

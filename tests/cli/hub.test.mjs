@@ -132,10 +132,10 @@ test('reason_of_a_hang_up_is_a_sentence', async (t) => {
   assert.match(reason, /\w+ \w+/);
 });
 
-test('hub_says_that_it_cannot_keep_poses_and_serves_all_the_same', async (t) => {
+test('hub_says_that_it_cannot_keep_sensors_and_serves_all_the_same', async (t) => {
   const folder = scratchFolder(t);
-  writeFileSync(join(folder, 'poses.sqlite'), 'x'.repeat(5000));
+  writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
   const hub = await startHub(t, '--data', folder);
-  assert.match(hub.program.stderr, /poses\.sqlite cannot keep poses/);
+  assert.match(hub.program.stderr, /hub\.sqlite cannot keep sensors/);
   assert.equal(await getStatus(hub.port, '/healthz'), 200);
 });

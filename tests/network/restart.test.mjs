@@ -35,27 +35,30 @@ async function witnessOfAll(t, url) {
   return witness;
 }
 
-const poses = (witness) => new Map(witness.rosters.at(-1).sensors.map(({ name, worldFromDepth }) => [name, worldFromDepth]));
+const sensorsByName = (witness) =>
+  new Map(witness.rosters.at(-1).sensors.map(({ name, id, worldFromDepth }) => [name, { id, worldFromDepth }]));
 
 test('killed_hub_comes_back_and_four_sensors_and_ten_viewers_with_it', { timeout: 60_000 }, async (t) => {
   const folder = scratchFolder(t);
   const rig = writeSmallRig(folder);
-  const hub = await startHub(t);
+  const data = ['--data', join(folder, 'data')];
+  const hub = await startHub(t, ...data);
   await Promise.all(Array.from({ length: sensorCount }, (_, n) => startSensor(t, hub.url, rig, n)));
   const viewers = Array.from({ length: viewerCount }, (_, n) => startViewer(t, hub.url, folder, n));
   const before = await witnessOfAll(t, hub.url);
-  assert.equal(new Set([...poses(before).values()].map(String)).size, sensorCount, 'four different poses');
+  const places = new Set([...sensorsByName(before).values()].map(({ worldFromDepth }) => String(worldFromDepth)));
+  assert.equal(places.size, sensorCount, 'four different poses');
 
   await hub.program.stop('SIGKILL');
   const killed_ms = performance.now();
-  const next = new Program(['hub', '--listen', `127.0.0.1:${hub.port}`]);
+  const next = new Program(['hub', '--listen', `127.0.0.1:${hub.port}`, ...data]);
   t.after(() => next.stop('SIGKILL'));
   await next.prints(/http/);
   const after = await witnessOfAll(t, hub.url);
   const back_ms = performance.now() - killed_ms;
   t.diagnostic(`all back ${Math.round(back_ms)} ms after the hub was killed`);
   assert.ok(back_ms < backWithin_ms, `${back_ms} ms`);
-  assert.deepEqual(poses(after), poses(before), 'every sensor stands where it stood');
+  assert.deepEqual(sensorsByName(after), sensorsByName(before), 'every sensor has its id and stands where it stood');
 
   await after.moreSets(20);
   assertMissedNothing(after, after.rosters.at(-1).sensors.map(({ id }) => id));

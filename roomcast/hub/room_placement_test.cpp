@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room_test_fixture.h"
+
+namespace roomcast::hub {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+pb::Join aligner_join(const std::string& key = "open sesame") {
+  pb::Join join;
+  join.mutable_aligner()->set_key(key);
+  return join;
+}
+
+pb::Control bundle_message() {
+  pb::Control control;
+  control.mutable_calibration_bundle()->set_sensor_id(99);  // a lie; the hub knows better
+  control.mutable_calibration_bundle()->set_depth("depth");
+  return control;
+}
+
+pb::Control placement_of(std::uint32_t sensor, double x) {
+  pb::Control control;
+  auto& found = *control.mutable_placements()->add_sensors();
+  found.set_sensor_id(sensor);
+  const Matrix4 pose = pose_at(x);
+  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  found.set_expected_error_mm(4);
+  return control;
+}
+
+TEST_F(RoomTest, an_aligner_is_told_of_sensors_and_gets_their_bundles) {
+  const auto sensor = enter(sensor_join("left", std::nullopt));
+  EXPECT_THAT(room.control(sensor, bundle_message(), at(0s)), IsEmpty()) << "nobody wants it yet";
+  const auto aligner = enter(aligner_join());
+  EXPECT_EQ(newest_roster(actions).sensors_size(), 1);
+  const auto kept = messages(actions, pb::Control::kCalibrationBundle);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].message.calibration_bundle().sensor_id(), 0U);
+  const auto fresh =
+      messages(room.control(sensor, bundle_message(), at(1s)), pb::Control::kCalibrationBundle);
+  ASSERT_EQ(fresh.size(), 1U);
+  EXPECT_THAT(fresh[0].to, ElementsAre(aligner));
+  EXPECT_THAT(all<SendSet>(frame(sensor, SensorId{0}, 1s, 1s)), IsEmpty()) << "it gets no frames";
+}
+
+TEST_F(RoomTest, what_the_aligner_finds_everyone_is_told) {
+  enter(sensor_join("left", std::nullopt));
+  enter(viewer_join());
+  const auto aligner = enter(aligner_join());
+  const auto roster = newest_roster(room.control(aligner, placement_of(0, 7), at(1s)));
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_ALIGNED);
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+  EXPECT_EQ(roster.sensors(0).expected_error_mm(), 4);
+}
+
+TEST_F(RoomTest, a_sensor_that_cannot_be_placed_stays_where_it_was_and_says_why) {
+  enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(aligner, placement_of(0, 7), at(1s));
+  pb::Control lost;
+  lost.mutable_placements()->add_sensors()->set_note("it shares nothing with the others");
+  const auto roster = newest_roster(room.control(aligner, lost, at(2s)));
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+  EXPECT_EQ(roster.sensors(0).placement_note(), "it shares nothing with the others");
+}
+
+TEST_F(RoomTest, a_pose_that_was_given_is_not_aligned_away) {
+  enter(sensor_join("left", pose_at(1)));
+  const auto aligner = enter(aligner_join());
+  const auto roster = newest_roster(room.control(aligner, placement_of(0, 7), at(1s)));
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_GIVEN);
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 1);
+}
+
+TEST_F(RoomTest, an_aligned_pose_survives_the_sensors_coming_and_going) {
+  const auto sensor = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(aligner, placement_of(0, 7), at(1s));
+  (void)room.leave(sensor, at(2s));
+  enter(sensor_join("left", std::nullopt), 3s);
+  EXPECT_EQ(newest_roster(actions).sensors(0).world_from_depth(3), 7);
+}
+
+TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_started_again) {
+  enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  const auto kept = all<KeepSensors>(room.control(aligner, placement_of(0, 7), at(1s)));
+  ASSERT_EQ(kept.size(), 1U);
+  ASSERT_EQ(kept[0].sensors.size(), 1U);
+  EXPECT_EQ(kept[0].sensors[0].name, "left");
+
+  Room restarted("lab", "test", "key");
+  restarted.remember(kept[0].sensors);
+  (void)restarted.join(ConnectionId{1}, viewer_join(), at(0s));
+  (void)restarted.join(ConnectionId{2}, sensor_join("right", std::nullopt), at(1s));
+  const auto roster =
+      newest_roster(restarted.join(ConnectionId{3}, sensor_join("left", std::nullopt), at(2s)));
+  EXPECT_EQ(roster.sensors(0).name(), "left");
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_ALIGNED);
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+  EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_UNPLACED);
+}
+
+TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {
+  std::vector<KnownSensor> kept;
+  for (const char* name : {"left", "right"}) {
+    enter(sensor_join(name));
+    for (const auto& keep : all<KeepSensors>(actions)) {
+      kept.insert(kept.end(), keep.sensors.begin(), keep.sensors.end());
+    }
+  }
+  Room restarted("lab", "test");
+  restarted.remember(kept);
+  const auto back = restarted.join(ConnectionId{1}, sensor_join("right"), at(0s));
+  EXPECT_EQ(messages(back, pb::Control::kWelcome).at(0).message.welcome().sensor_id(), 1U);
+  EXPECT_THAT(all<KeepSensors>(back), IsEmpty()) << "nothing new";
+}
+
+TEST_F(RoomTest, poses_that_nobody_would_verify_are_not_used) {
+  Room alone("lab", "test");
+  alone.remember({{"left", SensorId{0}, KnownPose{pose_at(7), 4}}});
+  (void)alone.join(ConnectionId{1}, viewer_join(), at(0s));
+  const auto roster =
+      newest_roster(alone.join(ConnectionId{2}, sensor_join("left", std::nullopt), at(1s)));
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_UNPLACED);
+}
+
+TEST_F(RoomTest, strangers_place_nothing) {
+  enter(sensor_join("left", std::nullopt));
+  enter(aligner_join("guessed"));
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_UNEXPECTED);
+  const auto viewer = enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(room.control(viewer, placement_of(0, 7), at(1s))).at(0).code,
+            pb::ERROR_UNEXPECTED);
+  Room closed("lab", "test");
+  EXPECT_EQ(all<Disconnect>(closed.join(ConnectionId{1}, aligner_join(""), at(0s))).at(0).code,
+            pb::ERROR_UNEXPECTED);
+}
+
+TEST_F(RoomTest, what_an_aligner_says_of_sensors_that_are_not_there_is_ignored) {
+  const auto aligner = enter(aligner_join());
+  EXPECT_EQ(newest_roster(room.control(aligner, placement_of(9, 7), at(1s))).sensors_size(), 0);
+  EXPECT_THAT(room.leave(aligner, at(2s)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace roomcast::hub

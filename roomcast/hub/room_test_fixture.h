@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of the Room: who joins it, and what it then wants done.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/room.h"
+
+namespace roomcast::hub {
+
+using namespace std::chrono_literals;
+namespace pb = wire::pb;
+
+inline RoomTime at(nanoseconds since_start) {
+  return RoomTime(1h + since_start);
+}
+
+inline Matrix4 pose_at(double x) {
+  return {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
+
+inline pb::Join sensor_join(const std::string& name,
+                            std::optional<Matrix4> world_from_depth = pose_at(1)) {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_sensor()->set_fps(30);
+  join.mutable_sensor()->mutable_calibration()->mutable_depth()->set_width(512);
+  if (world_from_depth) {
+    join.mutable_sensor()->mutable_world_from_depth()->Assign(world_from_depth->begin(),
+                                                              world_from_depth->end());
+  }
+  return join;
+}
+
+inline pb::Join viewer_join(const std::string& name = "") {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_viewer();
+  return join;
+}
+
+template <class T>
+std::vector<T> all(const RoomActions& actions) {
+  std::vector<T> found;
+  for (const auto& action : actions) {
+    if (const auto* match = std::get_if<T>(&action)) found.push_back(*match);
+  }
+  return found;
+}
+
+/// Control messages of one kind, with whom they go to.
+inline std::vector<SendControl> messages(const RoomActions& actions,
+                                         pb::Control::MessageCase kind) {
+  auto found = all<SendControl>(actions);
+  std::erase_if(found,
+                [&](const SendControl& send) { return send.message.message_case() != kind; });
+  return found;
+}
+
+inline pb::Roster newest_roster(const RoomActions& actions) {
+  const auto rosters = messages(actions, pb::Control::kRoster);
+  return rosters.empty() ? pb::Roster() : rosters.back().message.roster();
+}
+
+class RoomTest : public testing::Test {
+ protected:
+  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s) {
+    const ConnectionId connection{next_connection++};
+    actions = room.join(connection, join, at(now));
+    return connection;
+  }
+
+  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
+                    bool key = true) {
+    wire::FrameHeader header{.key = key, .sensor = sensor, .capture_time = at(captured)};
+    std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+    wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+    return room.frame(from, header, net::MessageBuffer(bytes), at(arrived));
+  }
+
+  Room room{"lab", "test", "open sesame"};
+  RoomActions actions;  // of the last enter()
+  std::uint64_t next_connection = 1;
+};
+
+}  // namespace roomcast::hub

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SensorList: the sensors that a room has seen, by name, id and connection. A name keeps its id,
+// also over a restart of the hub when its earlier ids are remembered. Single-threaded.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/key_request_pace.h"
+#include "roomcast/hub/known_sensor.h"
+#include "roomcast/hub/room_stats.h"
+#include "roomcast/hub/sensor_place.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+struct RoomSensor {
+  SensorId id;
+  std::string name;
+  std::optional<ConnectionId> connection = {};  // while online
+  wire::pb::SensorRole description = {};        // as last joined
+  SensorPlace place = {};
+  std::optional<wire::pb::Control> bundle = {};  // the newest since it joined
+  KeyRequestPace key_pace = {};
+  SensorStats stats = {};  // what changes with its frames
+};
+
+class SensorList {
+ public:
+  /// Who was here before the hub was started. Call it first.
+  void remember(std::vector<KnownSensor> sensors) { remembered_ = std::move(sensors); }
+
+  /// What is remembered under this name, if anything.
+  [[nodiscard]] const KnownSensor* remembered(const std::string& name) const;
+
+  /// A sensor whose name is new here. It gets the id that it had, or else the lowest that nobody
+  /// has. Null: wire::kMaxSensors are here.
+  RoomSensor* add(const std::string& name);
+
+  /// Null: there is none of this name or id, or none behind this connection.
+  [[nodiscard]] RoomSensor* find(const std::string& name);
+  [[nodiscard]] RoomSensor* find(SensorId id);
+  [[nodiscard]] RoomSensor* find(ConnectionId connection);
+
+  /// It is online now, behind this connection and no other.
+  void connect(RoomSensor& sensor, ConnectionId connection);
+  void disconnect(RoomSensor& sensor);
+
+  [[nodiscard]] std::size_t online_count() const { return by_connection_.size(); }
+  /// In the order of their ids.
+  [[nodiscard]] auto all() { return std::views::values(sensors_); }
+  [[nodiscard]] auto all() const { return std::views::values(sensors_); }
+
+ private:
+  [[nodiscard]] std::optional<SensorId> free_id(const std::string& name) const;
+  [[nodiscard]] bool is_remembered(SensorId id) const;
+
+  std::map<SensorId, RoomSensor> sensors_;  // all that were ever here
+  std::unordered_map<ConnectionId, SensorId> by_connection_;
+  std::vector<KnownSensor> remembered_;
+};
+
+}  // namespace roomcast::hub
