@@ -18,12 +18,13 @@
 
 #include "bench/codec/bench_input.h"
 #include "bench/codec/codec_choice.h"
+#include "roomcast/codec/frame_codec.h"
 
 namespace roomcast::bench {
 
 struct CodecBenchOptions {
-  std::string only;            // a codec or a mode; empty: all
-  int color_kbit_per_s = 600;  // of the colour codecs with rate control
+  std::string only;                               // a codec or a mode; empty: all
+  int color_kbit_per_s = codec::kUsualColorKbit;  // of the colour codecs with rate control
   int most_frames = 300;
   double warm_up_s = 1;
   double key_every_s = 4;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
@@ -20,7 +21,7 @@ struct BenchFrame {
 struct BenchPicture {
   int width = 0, height = 0;
   double fps = 30;
-  int color_kbit_per_s = 600;  // for codecs with rate control
+  int color_kbit_per_s = codec::kUsualColorKbit;  // for codecs with rate control
 };
 
 /// Bytes and CPU milliseconds of one frame.

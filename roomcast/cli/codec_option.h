@@ -15,7 +15,7 @@ struct CodecChoice {
   codec::DepthMode depth_mode = codec::DepthMode::kLive;
   int depth_bound_mm = 2;
   int layers = 2;
-  int color_kbit_per_s = 600;
+  int color_kbit_per_s = codec::kUsualColorKbit;
 };
 
 /// Adds --codec, --bound-mm, --layers and --color-kbit.

@@ -21,12 +21,15 @@ enum class DepthMode {
   kLossless,      // every reading as it was, each frame by itself
 };
 
+/// Of a stream: what two people who exercise before the sensor need to look well.
+inline constexpr int kUsualColorKbit = 800;
+
 struct FrameEncoderOptions {
-  int width = 0, height = 0;   // of the depth grid; both 16..4096
-  double fps = 30;             // nominal, for rate control
-  int color_kbit_per_s = 600;  // target of the colour stream
-  int temporal_layers = 2;     // 1..3; frames of layer 1 and up can be dropped without harm
-  double key_interval_s = 4;   // from one key frame to the next, at most
+  int width = 0, height = 0;               // of the depth grid; both 16..4096
+  double fps = 30;                         // nominal, for rate control
+  int color_kbit_per_s = kUsualColorKbit;  // target of the colour stream
+  int temporal_layers = 2;    // 1..3; frames of layer 1 and up can be dropped without harm
+  double key_interval_s = 4;  // from one key frame to the next, at most
   DepthMode depth_mode = DepthMode::kLive;
   int depth_bound_mm = 2;  // near-lossless: no reading is off by more; 1..63
   /// kInvalidArgument with the field that is wrong.

@@ -38,7 +38,10 @@ class Vp9ColorEncoder {
   Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec);
   void remember_seen(MaskView seen);
   void fill_never_seen();
-  bool limit_quantizer(unsigned most);
+  void choose_quality();
+  [[nodiscard]] bool limit_quantizer(FrameRole role);
+  void set_layer(bool droppable);
+  void take_packets(std::vector<std::uint8_t>& out);
   void set_active(MaskView active);
 
   FrameEncoderOptions options_;
@@ -49,6 +52,9 @@ class Vp9ColorEncoder {
   MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;
+  std::int64_t key_at_ = 0;          // the frame_count_ of the newest key frame
+  std::size_t bytes_since_key_ = 0;  // without its own
+  unsigned least_quantizer_;         // until the next key frame
 };
 
 }  // namespace roomcast::codec

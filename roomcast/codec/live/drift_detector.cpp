@@ -14,7 +14,7 @@ constexpr int kLeastSamples = 10;       // of 16 pixels
 constexpr float kNewest = 0.3f;         // weight of the newest frame
 constexpr float kNewestLately = 0.45f;  // of a block that moved lately: what moves goes on moving
 constexpr std::uint8_t kLately_frames = 4;
-constexpr float kMostPatchOffset = 0.7f, kMostBlockOffset = 0.3f;  // of the noise of one pixel
+constexpr float kMostPatchOffset = 0.9f, kMostBlockOffset = 0.3f;  // of the noise of one pixel
 
 struct Columns {
   std::int16_t* off;

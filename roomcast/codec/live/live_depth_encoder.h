@@ -22,8 +22,10 @@ namespace roomcast::codec {
 
 struct LiveDepthOptions {
   int width = 0, height = 0;
-  int step = 3 * kLevelsPerSigma;      // quantiser of moving surfaces, levels
-  int key_step = 3 * kLevelsPerSigma;  // of the background in key frames
+  int step = 5 * kLevelsPerSigma / 2;  // quantiser of moving surfaces, levels
+  // Of the background in key frames: finer, for a coarse one is corrected for seconds, block by
+  // block, which costs more.
+  int key_step = 3 * kLevelsPerSigma / 2;
 };
 
 class LiveDepthEncoder {

@@ -11,9 +11,7 @@ namespace {
 
 constexpr float kLeastGap = 10 * kLevelsPerSigma;
 constexpr float kLowRounding = 0.45f, kHighRounding = 0.10f;
-constexpr float kWorthCoding = 3;  // standard deviations of noise in a coefficient
-constexpr float kVisibleError = 4.5f * kLevelsPerSigma;
-constexpr int kMostVisible = 2;  // pixels of a block that may be off by more
+constexpr float kWorthCoding = 3.5f;  // standard deviations of noise in a coefficient
 
 /// The plane that fits best, at pixel (x, y): mean + slope_x x + slope_y y.
 struct Plane {
@@ -153,21 +151,13 @@ void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& p
   steps[kBlockPixels - 1] = 0;  // the highest frequency is never coded
 }
 
-struct SurfaceError {
-  int visible = 0;
-  float largest = 0;
-};
-
-SurfaceError error_of(const Membership& on_it, const BlockTarget& target,
-                      const BlockValues& values) {
-  int visible = 0;
+float largest_error(const Membership& on_it, const BlockTarget& target, const BlockValues& values) {
   std::array<float, kBlockSide> largest{};
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
     const float off = on_it[k] * std::abs(static_cast<float>(values[k]) - target[k]);
-    visible += off > kVisibleError;
     largest[k % kBlockSide] = std::max(largest[k % kBlockSide], off);
   }
-  return {visible, *std::max_element(largest.begin(), largest.end())};
+  return *std::max_element(largest.begin(), largest.end());
 }
 
 /// Between two values next to each other in size.
@@ -262,9 +252,8 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
     const int rows =
         surface_coefficients(surface.steps, step >> surface.finer, prediction, coefficients);
     inverse_transform(coefficients, rows, values);
-    const SurfaceError error = error_of(on_it, target, values);
-    const bool bounded = error.largest <= kErrorBound;
-    if ((bounded && error.visible <= kMostVisible) || surface.finer == kMostFiner) return bounded;
+    const bool bounded = largest_error(on_it, target, values) <= static_cast<float>(kErrorBound);
+    if (bounded || surface.finer == kMostFiner) return bounded;
   }
 }
 
