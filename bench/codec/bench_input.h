@@ -29,7 +29,10 @@ enum class ColorReference {
 /// The truth of one frame.
 struct BenchTruth {
   DepthImage depth_mm;  // empty: not known
-  ColorImage color;     // ColorReference says what it is; empty without colour
+  // What the sensor would have read without random noise, with its systematic errors; empty: not
+  // known. A codec can take noise out, but not these errors, which are the same in every frame.
+  DepthImage noise_free_mm;
+  ColorImage color;  // ColorReference says what it is; empty without colour
 };
 
 class BenchInput {

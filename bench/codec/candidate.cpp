@@ -21,6 +21,11 @@ DepthQuality quality_of(const DepthError& error, double frames) {
     quality.rms_truth_slow_mm = error.rms_truth_mm(Motion::kSlow);
     quality.rms_truth_moving_mm = error.rms_truth_mm(Motion::kMoving);
   }
+  if (error.has_noise_free()) {
+    quality.rms_noise_free_static_mm = error.rms_noise_free_mm(Motion::kStatic);
+    quality.rms_noise_free_slow_mm = error.rms_noise_free_mm(Motion::kSlow);
+    quality.rms_noise_free_moving_mm = error.rms_noise_free_mm(Motion::kMoving);
+  }
   quality.outliers_20mm = static_cast<double>(error.outliers()) / frames;
   quality.lost = static_cast<double>(error.lost()) / frames;
   quality.made_up = static_cast<double>(error.made_up()) / frames;
@@ -41,8 +46,9 @@ Status Candidate::run(const BenchFrame& frame, const BenchTruth& truth,
   now.key = key;
   now.cost = *cost;
   if (!decoded_.depth_mm.empty()) {
-    const DepthTruth depth_truth =
-        truth.depth_mm.empty() ? DepthTruth{} : DepthTruth{truth.depth_mm, motion};
+    const DepthTruth depth_truth = truth.depth_mm.empty()
+                                       ? DepthTruth{}
+                                       : DepthTruth{truth.depth_mm, motion, truth.noise_free_mm};
     now.depth.add(decoded_.depth_mm, frame.depth_mm, depth_truth);
   }
   if (!decoded_.color.empty()) compare_color(frame, truth, now);

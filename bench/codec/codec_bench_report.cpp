@@ -24,6 +24,9 @@ void add_depth(const std::optional<DepthQuality>& depth, ordered_json& json) {
   json["rms_truth_static_mm"] = or_null(quality.rms_truth_static_mm);
   json["rms_truth_slow_mm"] = or_null(quality.rms_truth_slow_mm);
   json["rms_truth_moving_mm"] = or_null(quality.rms_truth_moving_mm);
+  json["rms_noise_free_static_mm"] = or_null(quality.rms_noise_free_static_mm);
+  json["rms_noise_free_slow_mm"] = or_null(quality.rms_noise_free_slow_mm);
+  json["rms_noise_free_moving_mm"] = or_null(quality.rms_noise_free_moving_mm);
   json["outliers_20mm"] = if_depth(quality.outliers_20mm);
   json["lost"] = if_depth(quality.lost);
   json["made_up"] = if_depth(quality.made_up);
@@ -93,6 +96,9 @@ void put_row(std::ostream& out, const CodecBenchRow& row) {
   put(out, 7, 2, depth.rms_truth_static_mm);
   put(out, 6, 2, depth.rms_truth_slow_mm);
   put(out, 7, 2, depth.rms_truth_moving_mm);
+  put(out, 7, 2, depth.rms_noise_free_static_mm);
+  put(out, 6, 2, depth.rms_noise_free_slow_mm);
+  put(out, 7, 2, depth.rms_noise_free_moving_mm);
   put(out, 8, 0, if_depth(depth.outliers_20mm));
   put(out, 7, 0, if_depth(depth.lost));
   put(out, 8, 1, row.color_psnr_y);
@@ -133,9 +139,10 @@ void print_table(const CodecBenchReport& report, std::ostream& out) {
       << " colour, over pixels shown, "
       << "shown on the measured surface, all seen\n\n"
       << "                           depth          colour             CPU ms       to input  "
-         "      depth error to truth      >20mm    lost          colour PSNR\n"
+         "      depth error to truth  to noise-free reading   >20mm    lost          colour "
+         "PSNR\n"
       << "codec        mode        B/frame    bpp  B/frame    MB/s  encode  decode     rms   max  "
-         "   rms static  slow moving  /frame /frame   shown surface   all\n";
+         "   rms static  slow moving static  slow moving  /frame /frame   shown surface   all\n";
   for (const CodecBenchRow& row : report.rows) put_row(out, row);
 }
 

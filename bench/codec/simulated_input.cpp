@@ -73,6 +73,7 @@ class SimulatedInput final : public BenchInput {
     frame.color = registered_.color;
     frame.seen = registered_.seen;
     truth.depth_mm = sensor_->clean_depth_mm(moment_);
+    sensor_->expected_depth(moment_, truth.noise_free_mm);
     sensor_->clean_color(exposure, moment_, color_);
     if (Status s = registration_.run(frame.depth_mm, color_, registered_); !s.ok())
       return s.error();

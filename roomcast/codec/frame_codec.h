@@ -16,7 +16,8 @@ namespace roomcast::codec {
 
 /// How depth is coded. docs/spec/codec.md.
 enum class DepthMode {
-  kLive,          // noise is not sent: few bytes, less error than the sensor's own
+  kLive,  // noise is not sent: few bytes, less error than the sensor's own; within 5 mm of each
+          // reading, for many more bytes, as long as the sensor itself is carried about
   kNearLossless,  // every reading within depth_bound_mm, each frame by itself
   kLossless,      // every reading as it was, each frame by itself
 };

@@ -10,6 +10,7 @@
 #include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/mask/steady_mask.h"
 #include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/sensor_motion.h"
 #include "roomcast/codec/shown_surface.h"
 #include "roomcast/codec/vp9_color_encoder.h"
 
@@ -20,6 +21,7 @@ constexpr double kMostFps = 240;
 constexpr int kLeastKbit = 50, kMostKbit = 100000;
 constexpr int kMostLayers = 3;
 constexpr double kMostKeyInterval_s = 3600;
+constexpr int kCarriedBound_mm = 5;  // of live depth while the sensor itself moves
 
 Status invalid(const char* message) {
   return Error{ErrorCode::kInvalidArgument, message};
@@ -37,7 +39,9 @@ int key_interval(const FrameEncoderOptions& options) {
 class SectionFrameEncoder final : public FrameEncoder {
  public:
   explicit SectionFrameEncoder(const FrameEncoderOptions& options)
-      : options_(options), schedule_(options.temporal_layers, key_interval(options)) {
+      : options_(options),
+        mode_(options.depth_mode),
+        schedule_(options.temporal_layers, key_interval(options)) {
     if (options.depth_mode == DepthMode::kLive) {
       live_ = std::make_unique<LiveDepthEncoder>(LiveDepthOptions{options.width, options.height});
     }
@@ -48,7 +52,8 @@ class SectionFrameEncoder final : public FrameEncoder {
     if (Status status = check_sizes(depth_mm, color, color_seen); !status.ok())
       return status.error();
     const bool has_color = color.data != nullptr;
-    const FrameRole role = schedule_.next(want_key || (has_color && !color_started_));
+    const bool anew = options_.depth_mode == DepthMode::kLive && follow_sensor(depth_mm);
+    const FrameRole role = schedule_.next(want_key || anew || (has_color && !color_started_));
     if (role.key) color_started_ = has_color;
     const std::size_t begin = out.size();
     append_depth(depth_mm, role, out);
@@ -67,7 +72,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   }
 
   [[nodiscard]] DepthView decoded_depth() const override {
-    switch (options_.depth_mode) {
+    switch (mode_) {
       case DepthMode::kLive:
         return live_->shown_mm();
       case DepthMode::kNearLossless:
@@ -92,15 +97,26 @@ class SectionFrameEncoder final : public FrameEncoder {
     return {};
   }
 
+  /// A carried sensor gives live depth nothing to hold on to: until it stands still again, its
+  /// readings are kept within a bound. True when live depth begins anew.
+  bool follow_sensor(DepthView depth_mm) {
+    const bool stood = mode_ == DepthMode::kLive;
+    mode_ = motion_.update(depth_mm) ? DepthMode::kNearLossless : DepthMode::kLive;
+    if (stood || mode_ != DepthMode::kLive) return false;
+    live_ = std::make_unique<LiveDepthEncoder>(LiveDepthOptions{options_.width, options_.height});
+    steady_ = {};
+    return true;
+  }
+
   void append_depth(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
     input_depth_ = depth_mm;
     const std::size_t section = begin_section(SectionKind::kDepth, depth_codec(), out);
-    switch (options_.depth_mode) {
+    switch (mode_) {
       case DepthMode::kLive:
         live_->encode(depth_mm, role, out);
         break;
       case DepthMode::kNearLossless:
-        intra_.encode_near_lossless(depth_mm, options_.depth_bound_mm, out);
+        intra_.encode_near_lossless(depth_mm, bound_mm(), out);
         break;
       case DepthMode::kLossless:
         intra_.encode(depth_mm, out);
@@ -108,8 +124,11 @@ class SectionFrameEncoder final : public FrameEncoder {
     }
     end_section(section, out);
   }
+  [[nodiscard]] int bound_mm() const {
+    return options_.depth_mode == DepthMode::kLive ? kCarriedBound_mm : options_.depth_bound_mm;
+  }
   [[nodiscard]] std::uint8_t depth_codec() const {
-    switch (options_.depth_mode) {
+    switch (mode_) {
       case DepthMode::kLive:
         return kLiveDepth;
       case DepthMode::kNearLossless:
@@ -136,7 +155,7 @@ class SectionFrameEncoder final : public FrameEncoder {
       color_ = std::move(*created);
     }
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
-    if (live_) {
+    if (mode_ == DepthMode::kLive) {
       shown_surface_.update(depth_mm, live_->shown_mm(), seen);
       seen = shown_surface_.seen();
     }
@@ -151,8 +170,9 @@ class SectionFrameEncoder final : public FrameEncoder {
   // A frame that leaves no trace would pay for a change that the next one pays for again; the eye
   // misses nothing in one frame.
   void append_mask(MaskView seen, FrameRole role, std::vector<std::uint8_t>& out) {
-    if (live_) seen = steady_.update(seen, shown_surface_.depth_mm());
-    if (live_ && role.layer > 0) {
+    const bool live = mode_ == DepthMode::kLive;
+    if (live) seen = steady_.update(seen, shown_surface_.depth_mm());
+    if (live && role.layer > 0) {
       ColorMaskEncoder::repeat(out);
     } else {
       mask_.encode(seen, decoded_depth(), role, out);
@@ -160,6 +180,8 @@ class SectionFrameEncoder final : public FrameEncoder {
   }
 
   FrameEncoderOptions options_;
+  DepthMode mode_;       // of the newest frame
+  SensorMotion motion_;  // in live mode
   LayerSchedule schedule_;
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode

@@ -6,6 +6,7 @@
 
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/live/synthetic_motion.h"
+#include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/synthetic_color.h"
 
 namespace roomcast::codec {
@@ -36,11 +37,14 @@ class LiveStream {
     encoder_ = std::move(FrameEncoder::create(options)).value();
   }
   Sent next(bool with_color = true, bool want_key = false) {
-    SyntheticFrame frame = synthetic_frame(kWidth, kHeight, count_);
     SyntheticMotion scene;
     scene.width = kWidth;
     scene.height = kHeight;
-    frame.depth_mm = scene.reading(count_++);
+    return next_of(scene.reading(count_), with_color, want_key);
+  }
+  Sent next_of(DepthImage depth_mm, bool with_color = true, bool want_key = false) {
+    SyntheticFrame frame = synthetic_frame(kWidth, kHeight, count_++);
+    frame.depth_mm = std::move(depth_mm);
     Sent sent;
     sent.info = encoder_
                     ->encode(frame.depth_mm, with_color ? ColorView(frame.color) : ColorView{},
@@ -133,6 +137,61 @@ TEST(LiveFrame, a_colour_mask_belongs_to_the_depth_that_is_shown) {
         ASSERT_EQ(out.color_seen.data()[k], 0);
       }
     }
+  }
+}
+
+/// A room that a sensor goes towards, 10 mm a frame.
+DepthImage nearer_by(int frames) {
+  SyntheticMotion scene;
+  scene.width = kWidth;
+  scene.height = kHeight;
+  DepthImage depth = scene.reading(0);
+  for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
+    std::uint16_t& z = depth.data()[i];
+    if (z != 0) z = static_cast<std::uint16_t>(z - 10 * frames);
+  }
+  return depth;
+}
+
+int largest_difference_mm(const DepthImage& a, const DepthImage& b) {
+  int largest = 0;
+  for (std::size_t i = 0; i < a.view().pixel_count(); ++i) {
+    if ((a.data()[i] == 0) != (b.data()[i] == 0)) return 65535;
+    largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
+  }
+  return largest;
+}
+
+TEST(LiveFrame, readings_of_a_carried_sensor_are_kept_within_5_mm) {
+  LiveStream stream(2);
+  auto decoder = new_decoder();
+  DecodedFrame out;
+  for (int i = 0; i < 24; ++i) {
+    const DepthImage reading = nearer_by(i);
+    const Sent sent = stream.next_of(reading);
+    ASSERT_TRUE(decoder->decode(sent.payload, out).ok()) << i;
+    EXPECT_EQ(out.depth_mm, sent.shown);
+    if (i >= 8) {
+      EXPECT_LE(largest_difference_mm(out.depth_mm, reading), 5) << i;
+    }
+  }
+}
+
+TEST(LiveFrame, a_sensor_that_stands_again_begins_live_depth_with_a_key_frame) {
+  constexpr int kStandsAgain = 13, kSetInterval = 4;
+  LiveStream stream(2);
+  auto decoder = new_decoder();
+  DecodedFrame out;
+  for (int i = 0; i < 12; ++i) {
+    ASSERT_TRUE(decoder->decode(stream.next_of(nearer_by(i)).payload, out).ok());
+  }
+  for (int i = 0; i < 28; ++i) {
+    const Sent sent = stream.next_of(nearer_by(11));
+    ASSERT_TRUE(decoder->decode(sent.payload, out).ok()) << i;
+    EXPECT_EQ(out.depth_mm, sent.shown);
+    EXPECT_EQ(sent.info.key, i == kStandsAgain || i == kSetInterval) << i;
+    const auto sections = parse_sections(sent.payload, kWidth, kHeight);
+    EXPECT_EQ(sections->depth_codec, i < kStandsAgain ? kNearLosslessDepth : kLiveDepth) << i;
   }
 }
 

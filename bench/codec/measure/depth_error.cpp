@@ -30,6 +30,7 @@ double DepthError::Sums::rms() const {
 void DepthError::add(DepthView decoded_mm, DepthView input_mm, const DepthTruth& truth) {
   const bool known = truth.depth_mm.data != nullptr;
   has_truth_ |= known;
+  if (truth.noise_free_mm.data != nullptr) compare_noise_free(decoded_mm, truth);
   for (int y = 0; y < decoded_mm.height; ++y) {
     for (int x = 0; x < decoded_mm.width; ++x) {
       const int decoded = decoded_mm.at(x, y);
@@ -38,6 +39,17 @@ void DepthError::add(DepthView decoded_mm, DepthView input_mm, const DepthTruth&
       Sums& sums = truth_[static_cast<std::size_t>(truth.motion.at(x, y))];
       ++sums.pixels;
       if (decoded != 0) sums.add(std::abs(decoded - truth.depth_mm.at(x, y)));
+    }
+  }
+}
+
+void DepthError::compare_noise_free(DepthView decoded_mm, const DepthTruth& truth) {
+  has_noise_free_ = true;
+  for (int y = 0; y < decoded_mm.height; ++y) {
+    for (int x = 0; x < decoded_mm.width; ++x) {
+      const int decoded = decoded_mm.at(x, y), wanted = truth.noise_free_mm.at(x, y);
+      if (decoded == 0 || wanted == 0 || truth.depth_mm.at(x, y) == 0) continue;
+      noise_free_[static_cast<std::size_t>(truth.motion.at(x, y))].add(std::abs(decoded - wanted));
     }
   }
 }
@@ -53,11 +65,15 @@ void DepthError::compare(int decoded_mm, int input_mm) {
 
 void DepthError::add(const DepthError& other) {
   input_.add(other.input_);
-  for (std::size_t i = 0; i < truth_.size(); ++i) truth_[i].add(other.truth_[i]);
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    truth_[i].add(other.truth_[i]);
+    noise_free_[i].add(other.noise_free_[i]);
+  }
   max_input_mm_ = std::max(max_input_mm_, other.max_input_mm_);
   lost_ += other.lost_;
   made_up_ += other.made_up_;
   has_truth_ |= other.has_truth_;
+  has_noise_free_ |= other.has_noise_free_;
 }
 
 double DepthError::rms_truth_mm() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far decoded depth is from the input, and from the truth where it is known. Millimetres.
+// How far decoded depth is from the input, and, where they are known, from the truth and from what
+// the sensor would have read without noise. Millimetres.
 // A pixel that is off by more than 20 mm is an outlier: it counts as one and is left out of the
 // root mean squares, which would else say nothing of surfaces.
 #pragma once
@@ -18,6 +19,7 @@ inline constexpr int kOutlier_mm = 20;
 struct DepthTruth {
   DepthView depth_mm;
   ImageView<const Motion> motion;
+  DepthView noise_free_mm = {};  // may be empty where the others are not
 };
 
 /// Sums over pixels; those of frames can be added up.
@@ -35,6 +37,12 @@ class DepthError {
   /// Over pixels with a reading whose truth is known; 0 where there are none.
   [[nodiscard]] double rms_truth_mm() const;
   [[nodiscard]] double rms_truth_mm(Motion motion) const { return of(motion).rms(); }
+
+  /// Of these, over pixels that the sensor can read, to what it would read without noise.
+  [[nodiscard]] bool has_noise_free() const { return has_noise_free_; }
+  [[nodiscard]] double rms_noise_free_mm(Motion motion) const {
+    return noise_free_[static_cast<std::size_t>(motion)].rms();
+  }
 
   /// Pixels, in all frames; against the truth where it is known, else against the input.
   [[nodiscard]] std::int64_t outliers() const;
@@ -54,15 +62,16 @@ class DepthError {
     [[nodiscard]] double rms() const;
   };
   void compare(int decoded_mm, int input_mm);
+  void compare_noise_free(DepthView decoded_mm, const DepthTruth& truth);
   [[nodiscard]] const Sums& of(Motion motion) const {
     return truth_[static_cast<std::size_t>(motion)];
   }
 
   Sums input_;
-  std::array<Sums, kMotionCount> truth_;
+  std::array<Sums, kMotionCount> truth_, noise_free_;
   int max_input_mm_ = 0;
   std::int64_t lost_ = 0, made_up_ = 0;
-  bool has_truth_ = false;
+  bool has_truth_ = false, has_noise_free_ = false;
 };
 
 }  // namespace roomcast::bench

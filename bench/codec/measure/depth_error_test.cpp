@@ -82,5 +82,18 @@ TEST(DepthError, frames_add_up) {
   EXPECT_EQ(both.max_input_mm(), 4);
 }
 
+TEST(DepthError, to_the_noise_free_reading_leaves_out_where_the_sensor_never_reads) {
+  DepthError error;
+  const DepthImage decoded = row_of({1007, 2005, 3000, 0}),
+                   truth = row_of({1000, 2000, 3000, 4000});
+  const DepthImage noise_free = row_of({1004, 2009, 0, 4000});
+  const auto motion =
+      motion_of({Motion::kStatic, Motion::kMoving, Motion::kStatic, Motion::kStatic});
+  error.add(decoded, decoded, {truth, motion.view(), noise_free});
+  EXPECT_TRUE(error.has_noise_free());
+  EXPECT_DOUBLE_EQ(error.rms_noise_free_mm(Motion::kStatic), 3);
+  EXPECT_DOUBLE_EQ(error.rms_noise_free_mm(Motion::kMoving), 4);
+}
+
 }  // namespace
 }  // namespace roomcast::bench

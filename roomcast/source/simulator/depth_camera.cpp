@@ -149,8 +149,8 @@ OtherSurface DepthCamera::beside(const DepthReading& centre, const MovingThings&
   return other_surface(centre, samples);
 }
 
-void DepthCamera::read_moving(const MovingThings& things, Work& work,
-                              ImageView<std::uint16_t> out) const {
+template <class Do>
+void DepthCamera::for_each_moving(const Work& work, Do&& what) const {
   using Sees = MovingOutline::Sees;
   const PixelBox& box = work.outline.box();
   for (int y = box.top; y < box.bottom; ++y) {
@@ -158,11 +158,28 @@ void DepthCamera::read_moving(const MovingThings& things, Work& work,
       const Sees sees = work.outline.at(x, y);
       if (sees == Sees::kStill) continue;
       if (sees == Sees::kMaybeBoth && !shows_moving(work, x, y)) continue;
-      DepthReading reading = centre_of(things, work, x, y);
-      if (sees == Sees::kMaybeBoth) reading.other = beside(reading, things, work, x, y);
-      out.at(x, y) = sensing_.read(sensing_.expect(reading, x, y), x, y, work.noise);
+      what(x, y, sees);
     }
   }
+}
+
+void DepthCamera::read_moving(const MovingThings& things, Work& work,
+                              ImageView<std::uint16_t> out) const {
+  for_each_moving(work, [&](int x, int y, MovingOutline::Sees sees) {
+    DepthReading reading = centre_of(things, work, x, y);
+    if (sees == MovingOutline::Sees::kMaybeBoth)
+      reading.other = beside(reading, things, work, x, y);
+    out.at(x, y) = sensing_.read(sensing_.expect(reading, x, y), x, y, work.noise);
+  });
+}
+
+void DepthCamera::expect(const MovingThings& things, const Work& work, DepthImage& depth_mm) const {
+  copy_into(work.clean_mm, depth_mm);
+  if (!noise_) return;
+  still_.expect(depth_mm.view());
+  for_each_moving(work, [&](int x, int y, MovingOutline::Sees) {
+    depth_mm.at(x, y) = sensing_.expect(centre_of(things, work, x, y), x, y).rounded_mm();
+  });
 }
 
 void DepthCamera::read(const MovingThings& things, std::uint32_t key, nanoseconds scene_time,

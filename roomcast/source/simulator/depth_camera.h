@@ -45,6 +45,9 @@ class DepthCamera {
   /// What the sensor reports of it: a function of `key` and of the scene time (interference).
   void read(const MovingThings& things, std::uint32_t key, nanoseconds scene_time, Work& work,
             DepthImage& depth_mm) const;
+  /// What it would report without anything random: with its systematic errors alone; beside an edge
+  /// the surface at the pixel's centre; 0 where there is never a reading.
+  void expect(const MovingThings& things, const Work& work, DepthImage& depth_mm) const;
 
  private:
   [[nodiscard]] Image<ExpectedReading> expect_still() const;
@@ -57,6 +60,9 @@ class DepthCamera {
                                           int x, int y) const;
   [[nodiscard]] FineSample fine_sample(const MovingThings& things, const Work& work, int x,
                                        int y) const;
+  /// Calls `what(x, y, sees)` for the pixels that see something that moves.
+  template <class Do>
+  void for_each_moving(const Work& work, Do&& what) const;
   void read_moving(const MovingThings& things, Work& work, ImageView<std::uint16_t> out) const;
 
   const Room& room_;

@@ -151,5 +151,34 @@ TEST(DepthCamera, noise_of_the_empty_room_does_not_depend_on_who_is_in_it) {
   EXPECT_LE(differing, 20);
 }
 
+TEST(DepthCamera, the_expected_reading_is_the_mean_of_many) {
+  const auto room = SimulatedRoom::build("office", 1).value();
+  SimulatedSensor::Options options;
+  options.sensing.half_color = true;
+  const auto sensor = SimulatedSensor::open(room, options).value();
+  auto moment = sensor->make_moment();
+  sensor->look(milliseconds(3700), moment);
+  DepthImage expected, reading;
+  sensor->expected_depth(moment, expected);
+  constexpr int kReadings = 40;
+  std::vector<double> sum(expected.view().pixel_count());
+  for (int i = 0; i < kReadings; ++i) {
+    sensor->read_depth(static_cast<std::uint64_t>(i), moment, reading);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += reading.data()[k];
+  }
+  std::size_t differing = 0;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    differing += std::abs(sum[k] / kReadings - expected.data()[k]) > 5;
+  }
+  // Edges and pixels that flicker.
+  EXPECT_LT(differing, sum.size() / 10);
+  const DepthImage& truth = sensor->clean_depth_mm(moment);
+  std::size_t biased = 0;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    biased += expected.data()[k] != 0 && std::abs(expected.data()[k] - truth.data()[k]) > 5;
+  }
+  EXPECT_GT(biased, sum.size() / 100) << "it has the sensor's systematic errors";
+}
+
 }  // namespace
 }  // namespace roomcast

@@ -78,6 +78,10 @@ void SimulatedSensor::read_depth(std::uint64_t frame, Moment& moment, DepthImage
   depth_.read(moment.things_, noise_key(frame), moment.scene_time_, moment.depth_, depth_mm);
 }
 
+void SimulatedSensor::expected_depth(const Moment& moment, DepthImage& depth_mm) const {
+  depth_.expect(moment.things_, moment.depth_, depth_mm);
+}
+
 void SimulatedSensor::read_color(std::uint64_t frame, float exposure, const Moment& moment,
                                  ColorImage& color) const {
   if (!options_.sensing.noise) return color_.expose(exposure, moment.color_, color);

@@ -69,6 +69,8 @@ class SimulatedSensor {
 
   /// What the sensor reports as its frame number `frame`.
   void read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const;
+  /// What it would report without anything random.
+  void expected_depth(const Moment& moment, DepthImage& depth_mm) const;
   void read_color(std::uint64_t frame, float exposure, const Moment& moment,
                   ColorImage& color) const;
 

@@ -12,7 +12,7 @@ namespace {
 constexpr float kGrazing = 0.1219F;  // cos 83 degrees
 constexpr std::uint32_t kFate = 0x5bd1e995U;
 
-std::uint16_t rounded_mm(float value_mm) {
+std::uint16_t to_mm(float value_mm) {
   return static_cast<std::uint16_t>(std::clamp(value_mm + 0.5F, 0.0F, 65535.0F));
 }
 
@@ -22,6 +22,10 @@ float wander(std::uint32_t hash) {
 }
 
 }  // namespace
+
+std::uint16_t ExpectedReading::rounded_mm() const {
+  return mean_mm > 0.0F ? to_mm(mean_mm) : std::uint16_t{0};
+}
 
 float DepthSensing::sigma_mm(const DepthReading& reading) const {
   const float theta = std::acos(std::clamp(reading.facing, 0.0F, 1.0F));
@@ -85,7 +89,7 @@ std::uint16_t DepthSensing::read(const ExpectedReading& expected, int x, int y,
       seen_mm = *seen;
     }
   }
-  return rounded_mm(seen_mm + factor * expected.sigma_mm * unit + ripple_mm);
+  return to_mm(seen_mm + factor * expected.sigma_mm * unit + ripple_mm);
 }
 
 StillDepth::StillDepth(ImageView<const ExpectedReading> expected)
@@ -96,6 +100,15 @@ StillDepth::StillDepth(ImageView<const ExpectedReading> expected)
       mean_mm_.at(x, y) = at.mean_mm;
       sigma_mm_.at(x, y) = at.sigma_mm;
       if (at.mean_mm > 0.0F && !at.is_plain()) uncertain_.push_back({x, y, at});
+    }
+  }
+}
+
+void StillDepth::expect(ImageView<std::uint16_t> out) const {
+  for (int y = 0; y < out.height; ++y) {
+    for (int x = 0; x < out.width; ++x) {
+      const float mean = mean_mm_.at(x, y);
+      out.at(x, y) = mean > 0.0F ? to_mm(mean) : std::uint16_t{0};
     }
   }
 }
@@ -111,7 +124,7 @@ void StillDepth::read(const DepthSensing& sensing, const FrameNoise& noise,
     for (int x = 0; x < out.width; ++x) {
       const float ripple_mm = noise.burst ? noise.burst->ripple_mm(x, y) : 0.0F;
       const float value = mean[x] + factor * sigma[x] * unit[x] + ripple_mm;
-      row[x] = mean[x] > 0.0F ? rounded_mm(value) : std::uint16_t{0};
+      row[x] = mean[x] > 0.0F ? to_mm(value) : std::uint16_t{0};
     }
   }
   for (const Uncertain& at : uncertain_) {

@@ -44,6 +44,7 @@ struct ExpectedReading {
   OtherSurface other;    // its depth in metres
   float lateral_px = 0;  // how far the pixel's gaze wanders, in pixels; only beside another surface
 
+  [[nodiscard]] std::uint16_t rounded_mm() const;
   [[nodiscard]] bool is_plain() const { return dropout == 0.0F && other.share == 0.0F; }
 };
 
@@ -84,6 +85,8 @@ class StillDepth {
 
   void read(const DepthSensing& sensing, const FrameNoise& noise,
             ImageView<std::uint16_t> out) const;
+  /// The means, 0 where there is never a reading.
+  void expect(ImageView<std::uint16_t> out) const;
 
  private:
   struct Uncertain {

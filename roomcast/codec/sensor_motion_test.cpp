@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/sensor_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/codec/live/synthetic_motion.h"
+
+namespace roomcast::codec {
+namespace {
+
+/// The room as a sensor sees it that goes towards it at 0.3 m/s, 30 frames a second.
+DepthImage nearer_by(int frames) {
+  SyntheticMotion room;
+  DepthImage depth = room.reading(0);
+  for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
+    std::uint16_t& z = depth.data()[i];
+    if (z != 0) z = static_cast<std::uint16_t>(z - 10 * frames);
+  }
+  return depth;
+}
+
+TEST(SensorMotion, a_carried_sensor_moves_within_an_eighth_of_a_second_and_a_little) {
+  SensorMotion motion;
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(motion.update(nearer_by(i)), i >= 6) << i;
+}
+
+TEST(SensorMotion, it_stands_again_after_half_a_second) {
+  SensorMotion motion;
+  for (int i = 0; i < 12; ++i) (void)motion.update(nearer_by(i));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(motion.update(nearer_by(11)), i < 13) << i;
+}
+
+TEST(SensorMotion, noise_and_what_crosses_the_view_are_no_motion) {
+  SensorMotion motion;
+  const SyntheticMotion room;
+  for (int i = 0; i < 60; ++i) EXPECT_FALSE(motion.update(room.reading(i))) << i;
+}
+
+TEST(SensorMotion, without_readings_there_is_none) {
+  SensorMotion motion;
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(motion.update(DepthImage(128, 96)));
+}
+
+}  // namespace
+}  // namespace roomcast::codec
