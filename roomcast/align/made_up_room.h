@@ -26,6 +26,7 @@ struct MadeUpRoom {
       {Eigen::Vector3d(1.5, 0, 1.2), Eigen::Vector3d(2.4, 0.9, 1.9)}};
   std::uint32_t looks = 1;  // another number: other patterns
   double period_m = 0;      // above 0: the pattern repeats along x and z
+  bool turned = false;      // the pattern of either half is that of the other, turned by half
 };
 
 /// A small Kinect-like sensor: depth 200 x 160, colour 400 x 300.
@@ -51,6 +52,7 @@ inline double pattern_grey(const MadeUpRoom& room, Eigen::Vector3d at) {
   if (room.period_m > 0) {
     for (const int axis : {0, 2}) at(axis) -= room.period_m * std::floor(at(axis) / room.period_m);
   }
+  if (room.turned && at.x() < 0) at = {-at.x(), at.y(), -at.z()};
   double grey = 20;
   std::uint32_t seed = 16 * room.looks;
   for (const double size : {0.5, 0.23, 0.11, 0.06}) {

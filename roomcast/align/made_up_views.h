@@ -37,6 +37,25 @@ inline const MadeUpView& third_corner() {
   return view;
 }
 
+/// A room that looks the same turned by half, but for one box, from opposite corners.
+inline MadeUpRoom nearly_symmetric_room() {
+  MadeUpRoom room;
+  room.turned = true;
+  room.boxes = {{Eigen::Vector3d(-2.5, 0, -2), Eigen::Vector3d(-1.8, 1.5, -1.2)},
+                {Eigen::Vector3d(1.8, 0, 1.2), Eigen::Vector3d(2.5, 1.5, 2)},
+                {Eigen::Vector3d(0.2, 0, 0), Eigen::Vector3d(1, 0.7, 0.7)}};
+  return room;
+}
+inline const MadeUpView& one_side() {
+  static const MadeUpView view = made_up_view(nearly_symmetric_room(), "one", corner_pose(2, -1.5));
+  return view;
+}
+inline const MadeUpView& other_side() {
+  static const MadeUpView view =
+      made_up_view(nearly_symmetric_room(), "other", corner_pose(-2, 1.5));
+  return view;
+}
+
 inline RigidTransform true_pose(const MadeUpView& a, const MadeUpView& b) {
   return a.world_from_depth.inverse() * b.world_from_depth;
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "roomcast/align/pair/pair_equations.h"
+#include "roomcast/align/pair/patch_scores.h"
 #include "roomcast/align/pair/rigid_fit.h"
 #include "roomcast/align/view/color_picture.h"
 
@@ -16,6 +17,10 @@ namespace roomcast::align {
 [[nodiscard]] PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                               const PairState& state,
                                               std::span<const PointMatch> matches, double sigma_px);
+
+/// The terms of feature_equations, by patches.
+void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const PairState& state,
+                        std::span<const PointMatch> matches, double sigma_px, PairScores& scores);
 
 /// To within how many pixels the places of these matches are known: from the median residual,
 /// within reason.

@@ -20,6 +20,16 @@ struct FreeSpaceCheck {
   [[nodiscard]] double conflict() const { return violating / (consistent + violating + 1e-3); }
 };
 
+/// Blocks of both views, about 1.6 degrees wide and high.
+struct SolidConflict {
+  std::size_t consistent = 0, violating = 0;
+};
+
+/// Like check_free_space, but only what is in the way as a whole counts: a thing that one sensor
+/// sees where the other looks through. Edges that are a little off are not solid.
+[[nodiscard]] SolidConflict check_solid_conflict(const DepthSurface& a, const DepthSurface& b,
+                                                 const RigidTransform& a_from_b);
+
 /// `points`: how many of each view are tested, at most.
 [[nodiscard]] FreeSpaceCheck check_free_space(const DepthSurface& a, const DepthSurface& b,
                                               const RigidTransform& a_from_b, std::size_t points);

@@ -18,6 +18,7 @@ constexpr std::size_t kMostCandidates = 12;
 // The score. Its unit is the weight of one unique match.
 constexpr double kMostMatchScore = 60;
 constexpr double kViolationScore = 300, kForgivenConflict = 0.03;
+constexpr double kSolidScore = 1;  // each block in the way
 constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMostPhotoScore = 60;
 
 // Gates: what is beyond them is refuted, whatever the matches say.
@@ -30,6 +31,7 @@ constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
 // all the rest speaks for the pose.
 constexpr double kFaintSupport = 3.5, kFaintScore = 20;
 constexpr int kFaintCells = 20;
+constexpr double kPooledScore = 40;
 constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
 
 constexpr double kLeastSupportKept = 0.5;  // by which settling may lose matches
@@ -46,6 +48,7 @@ double score_of(const PoseEvidence& evidence) {
   score -=
       kViolationScore *
       std::max(0.0, space.violating - kForgivenConflict * (space.consistent + space.violating));
+  score -= kSolidScore * static_cast<double>(evidence.solid.violating);
   score += std::clamp(kPhotoScore * photo.textured * (photo.correlation - kNeutralCorrelation),
                       -kMostPhotoScore, kMostPhotoScore);
   if (violates_space(space)) score = std::min(score, 0.0) + kRefuted;
@@ -64,6 +67,20 @@ bool is_strong(const PoseEvidence& evidence) {
          evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMostConflict &&
          evidence.photo.correlation > kStrongCorrelation &&
          evidence.photo.textured > kStrongTextured;
+}
+
+void PooledEvidence::add(const PoseEvidence& evidence) {
+  support += evidence.matches.weight;
+  score += evidence.score;
+  textured += evidence.photo.textured;
+  correlated += evidence.photo.textured * evidence.photo.correlation;
+  cells += evidence.matches.cells;
+}
+
+bool is_strong(const PooledEvidence& evidence) {
+  return evidence.support >= kFaintSupport && evidence.cells >= kFaintCells &&
+         evidence.score >= kPooledScore && evidence.textured > kStrongTextured &&
+         evidence.correlated > kStrongCorrelation * evidence.textured;
 }
 
 PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
@@ -109,6 +126,7 @@ PoseEvidence PairCandidates::examine(const RigidTransform& a_from_b) const {
   evidence.matches = match_support(agreeing_matches(matches_, a_from_b, kInlier_m));
   evidence.space = check_free_space(a_->surface, b_->surface, a_from_b, kTestedPoints);
   if (!violates_space(evidence.space)) {
+    evidence.solid = check_solid_conflict(a_->surface, b_->surface, a_from_b);
     evidence.photo = check_photo_consistency(*a_, *b_, a_from_b);
   }
   evidence.score = score_of(evidence);

@@ -20,6 +20,7 @@ struct PoseEvidence {
   RigidTransform a_from_b;
   MatchSupport matches;
   FreeSpaceCheck space;
+  SolidConflict solid;
   PhotoConsistency photo;
   double score =
       0;  // all of it in one number: about the weight of unique matches; below 0: refuted
@@ -27,6 +28,17 @@ struct PoseEvidence {
 
 /// Enough for a pose to be believed if no other fits as well.
 [[nodiscard]] bool is_strong(const PoseEvidence& evidence);
+
+/// What several pairs say for poses that follow from one another, put together.
+struct PooledEvidence {
+  double support = 0, score = 0, textured = 0, correlated = 0;
+  int cells = 0;
+
+  void add(const PoseEvidence& evidence);
+};
+
+/// Enough for poses of which no single one could be believed.
+[[nodiscard]] bool is_strong(const PooledEvidence& evidence);
 
 /// By this much an answer must be ahead of its best rival.
 inline constexpr double kLeastMargin = 6;

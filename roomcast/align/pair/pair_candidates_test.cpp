@@ -53,6 +53,51 @@ TEST(PairCandidates, are_never_strong_without_matches) {
   for (const PoseEvidence& evidence : by_shape.ranked()) EXPECT_FALSE(is_strong(evidence));
 }
 
+PoseEvidence weak_evidence() {
+  PoseEvidence evidence;
+  evidence.matches = {1.3, 12};
+  evidence.space.consistent = 0.4;
+  evidence.photo = {0.05, 0.6};
+  evidence.score = 18;
+  return evidence;
+}
+
+TEST(PooledEvidence, is_strong_when_several_weak_pairs_agree) {
+  PooledEvidence pooled;
+  for (const bool enough : {false, false, true}) {
+    EXPECT_FALSE(is_strong(weak_evidence()));
+    pooled.add(weak_evidence());
+    EXPECT_EQ(is_strong(pooled), enough);
+  }
+}
+
+TEST(PooledEvidence, is_not_strong_when_one_of_them_is_refuted) {
+  PooledEvidence pooled;
+  for (int i = 0; i < 3; ++i) pooled.add(weak_evidence());
+  PoseEvidence refuted;
+  refuted.score = -40;
+  pooled.add(refuted);
+  EXPECT_FALSE(is_strong(pooled));
+}
+
+TEST(SolidConflict, is_none_at_the_truth_nor_near_it) {
+  const DepthSurface &a = first_corner().view->surface, &b = second_corner().view->surface;
+  EXPECT_EQ(check_solid_conflict(a, b, truth()).violating, 0u);
+  EXPECT_GT(check_solid_conflict(a, b, truth()).consistent, 100u);
+  EXPECT_LE(check_solid_conflict(a, b, shifted(truth(), {0.05, 0, 0})).violating, 1u);
+}
+
+TEST(SolidConflict, is_a_box_that_one_sensor_looks_through) {
+  RigidTransform half_a_turn;
+  half_a_turn.rotation = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const RigidTransform turned =
+      one_side().world_from_depth.inverse() * half_a_turn * other_side().world_from_depth;
+  const auto conflict =
+      check_solid_conflict(one_side().view->surface, other_side().view->surface, turned);
+  EXPECT_GT(conflict.violating, 20u);
+  EXPECT_GT(conflict.consistent, 10 * conflict.violating);
+}
+
 TEST(FreeSpace, truth_has_no_conflict) {
   const auto check =
       check_free_space(first_corner().view->surface, second_corner().view->surface, truth(), 4000);

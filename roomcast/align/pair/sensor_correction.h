@@ -28,7 +28,11 @@ struct SensorCorrection {
 
 /// Standard deviations of what is expected of a sensor whose calibration is believed.
 inline constexpr double kColorShiftSigma_px = 0.7;
-inline constexpr double kDepthOffsetSigma_m = 0.008;
-inline constexpr double kDepthScaleSigma = 0.006;
+
+/// By how much depth may be off in a way that no view tells, one standard deviation: of each sensor
+/// by itself, and of all alike (multipath makes every reading of a room too long).
+struct DepthDoubt {
+  double offset_m = 0.001, scale = 0.0005, common_scale = 0.0025;
+};
 
 }  // namespace roomcast::align

@@ -64,15 +64,22 @@ constexpr std::array<Eigen::Index, 10> kKnown = {
     0, 1, 2, 3, 4, 5, kOfA + kDepth, kOfA + kDepth + 1, kOfB + kDepth, kOfB + kDepth + 1};
 using KnownVector = Eigen::Matrix<double, 10, 1>;
 
+PairVector spread(const KnownVector& known) {
+  PairVector all = PairVector::Zero();
+  for (std::size_t i = 0; i < kKnown.size(); ++i)
+    all(kKnown[i]) = known(static_cast<Eigen::Index>(i));
+  return all;
+}
+
 struct KnownEquations {
   Eigen::Matrix<double, 10, 10> information = Eigen::Matrix<double, 10, 10>::Zero();
   KnownVector gradient = KnownVector::Zero();
 
   [[nodiscard]] PairEquations among_all(double factor, int terms) const {
     PairEquations all;
+    all.gradient = factor * spread(gradient);
     for (std::size_t i = 0; i < kKnown.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      all.gradient(kKnown[i]) = factor * gradient(row);
       for (std::size_t j = 0; j < kKnown.size(); ++j)
         all.information(kKnown[i], kKnown[j]) =
             factor * information(row, static_cast<Eigen::Index>(j));
@@ -90,6 +97,16 @@ KnownVector jacobian_of(const SurfacePartner& partner, const RigidTransform& a_f
   KnownVector jacobian;
   jacobian << (turned + a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(), by_b;
   return jacobian;
+}
+
+double weight_of(const SurfacePartner& partner, double noise) {
+  const double variance = noise * noise * double(partner.variance_m2);
+  return robust_weight(double(partner.residual_m) / std::sqrt(variance)) / variance;
+}
+
+/// By which all count as no more than kMostIndependent.
+double share_that_counts(std::size_t partners) {
+  return std::min(1.0, kMostIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
 }
 
 }  // namespace
@@ -116,16 +133,24 @@ PairEquations surface_equations(std::span<const SurfacePartner> partners,
                                 const RigidTransform& a_from_b, double noise) {
   KnownEquations sum;
   for (const SurfacePartner& partner : partners) {
-    const double residual = double(partner.residual_m);
-    const double variance = noise * noise * double(partner.variance_m2);
-    const double weight = robust_weight(residual / std::sqrt(variance)) / variance;
+    const double weight = weight_of(partner, noise);
     const KnownVector jacobian = jacobian_of(partner, a_from_b);
     sum.information.noalias() += weight * jacobian * jacobian.transpose();
-    sum.gradient += weight * residual * jacobian;
+    sum.gradient += weight * double(partner.residual_m) * jacobian;
   }
-  const auto count = static_cast<double>(partners.size());
-  return sum.among_all(std::min(1.0, kMostIndependent / std::max(1.0, count)),
-                       static_cast<int>(partners.size()));
+  return sum.among_all(share_that_counts(partners.size()), static_cast<int>(partners.size()));
+}
+
+void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
+                        double noise, PairScores& scores) {
+  const double factor = share_that_counts(partners.size());
+  for (const SurfacePartner& partner : partners) {
+    const double weight = factor * weight_of(partner, noise);
+    const double residual_m = double(partner.residual_m);
+    scores.add_surface(partner.a_m.cast<double>(), partner.b_m.cast<double>(),
+                       weight * residual_m * spread(jacobian_of(partner, a_from_b)), residual_m,
+                       weight);
+  }
 }
 
 double surface_noise(std::span<const SurfacePartner> partners) {

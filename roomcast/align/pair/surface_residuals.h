@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "roomcast/align/pair/pair_equations.h"
+#include "roomcast/align/pair/patch_scores.h"
 #include "roomcast/align/view/depth_surface.h"
 
 namespace roomcast::align {
@@ -36,6 +37,10 @@ struct SurfacePartner {
 /// readings err together, so all of them count as no more than about 1500 independent ones.
 [[nodiscard]] PairEquations surface_equations(std::span<const SurfacePartner> partners,
                                               const RigidTransform& a_from_b, double noise);
+
+/// The terms of surface_equations, by patches.
+void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
+                        double noise, PairScores& scores);
 
 /// How noisy these surfaces are at this pose: from the median residual, within reason.
 [[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners);

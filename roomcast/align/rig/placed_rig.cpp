@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -15,15 +16,17 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kHoldingSupport = 6, kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
+constexpr double kHoldingSupport = 6, kHoldingScore = 6;
+constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
 constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
+constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
 constexpr SurfaceReach kReported{0.05F, 20'000};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
 /// Whether a pair has enough to say, where its sensors stand now, to take part in refinement.
 bool holds(const PoseEvidence& evidence) {
   if (is_strong(evidence)) return true;
-  return evidence.matches.weight >= kHoldingSupport &&
+  return (evidence.matches.weight >= kHoldingSupport || evidence.score >= kHoldingScore) &&
          evidence.space.consistent > kHoldingOverlap &&
          evidence.space.conflict() <= kHoldingConflict;
 }
@@ -42,29 +45,60 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
   return placed;
 }
 
-/// Refined poses are exact, so what they contradict now is held against them more strictly.
-bool contradicts(const PoseEvidence& refined) {
-  return refined.space.conflict() > kRefinedConflict &&
-         refined.space.violating > kNegligibleViolation;
-}
+/// What all others see where a sensor is said to stand.
+struct SeenByOthers {
+  double consistent = 0, violating = 0;              // shares of views
+  double solid_consistent = 0, solid_violating = 0;  // blocks
 
-/// Takes out sensors whose refined place contradicts what others see: of each such pair the one
-/// that was less sure.
-void drop_contradicted(std::span<const RigPair> pairs, std::span<const RefinedSensor> refined,
-                       const PoseSelection& selection, std::vector<bool>& placed) {
-  const auto margin = [&](std::size_t i) {
-    return std::min(selection.margin_to_rival[i], selection.margin_to_unplaced[i]);
-  };
-  for (const RigPair& pair : pairs) {
-    const auto [a, b, candidates] = pair;
-    if (!placed[a] || !placed[b]) continue;
-    const RigidTransform a_from_b =
-        refined[a].origin_from_sensor.inverse() * refined[b].origin_from_sensor;
-    if (!contradicts(candidates->examine(a_from_b))) continue;
-    const bool drop_a = a != selection.origin && margin(a) < margin(b);
-    placed[drop_a ? a : b] = false;
+  void add(const PoseEvidence& evidence) {
+    consistent += evidence.space.consistent;
+    violating += evidence.space.violating;
+    solid_consistent += static_cast<double>(evidence.solid.consistent);
+    solid_violating += static_cast<double>(evidence.solid.violating);
   }
-  if (std::count(placed.begin(), placed.end(), true) == 1) placed[selection.origin] = false;
+  [[nodiscard]] double conflict() const { return violating / (consistent + violating + 1e-3); }
+  /// Refined poses are exact, so what they contradict is held against them more strictly.
+  [[nodiscard]] bool contradicts() const {
+    return (conflict() > kRefinedConflict && violating > kNegligibleViolation) ||
+           (solid_violating > kNegligibleSolid &&
+            solid_violating > kRefinedSolidConflict * (solid_consistent + solid_violating));
+  }
+};
+
+/// One way to place the sensors, refined.
+struct RigAnswer {
+  PoseSelection selection;
+  std::vector<bool> placed;
+  std::vector<RefinedSensor> refined;
+
+  [[nodiscard]] RigidTransform relative(const RigPair& pair) const {
+    return refined[pair.first].origin_from_sensor.inverse() *
+           refined[pair.second].origin_from_sensor;
+  }
+};
+
+/// Of the sensors whose refined places contradict what all others see, the one that does so most;
+/// of two that do so alike, the one that was less sure.
+std::optional<std::size_t> contradicted_sensor(std::span<const RigPair> pairs,
+                                               const RigAnswer& answer) {
+  const std::size_t count = answer.placed.size();
+  std::vector<SeenByOthers> seen(count);
+  for (const RigPair& pair : pairs) {
+    if (!answer.placed[pair.first] || !answer.placed[pair.second]) continue;
+    const PoseEvidence evidence = pair.candidates->examine(answer.relative(pair));
+    seen[pair.first].add(evidence);
+    seen[pair.second].add(evidence);
+  }
+  const auto rank = [&](std::size_t i) {
+    const PoseSelection& selection = answer.selection;
+    return std::tuple(seen[i].conflict(), i != selection.origin,
+                      -std::min(selection.margin_to_rival[i], selection.margin_to_unplaced[i]));
+  };
+  std::optional<std::size_t> worst;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (seen[i].contradicts() && (!worst || rank(i) > rank(*worst))) worst = i;
+  }
+  return worst;
 }
 
 std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
@@ -92,7 +126,7 @@ double residual_mm(const PairCandidates& pair, const RigidTransform& a_from_b) {
   return 1000.0 * double(*middle);
 }
 
-PairReport report_of(const PairCandidates& candidates) {
+PairReport empty_report(const PairCandidates& candidates) {
   PairReport report;
   report.a = candidates.a().name;
   report.b = candidates.b().name;
@@ -112,7 +146,7 @@ PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
                          const RigidTransform& a_from_b) {
   const PairCandidates& candidates = *pair.candidates;
   const PoseEvidence evidence = candidates.examine(a_from_b);
-  PairReport report = report_of(candidates);
+  PairReport report = empty_report(candidates);
   describe(evidence, report);
   report.correlation = std::max(before.photo.correlation, evidence.photo.correlation);
   report.b_from_a = a_from_b.inverse();
@@ -124,15 +158,25 @@ PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
   return report;
 }
 
-PairReport report_refused(const RigPair& pair) {
+/// Whether the pair settles how its sensors stand, only not where in the world.
+bool stand_apart_together(const RigPair& pair, const PoseSelection& selection) {
+  return selection.best.together(pair.first, pair.second) &&
+         !selection.best.together(pair.first, selection.origin);
+}
+
+PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
   const PairCandidates& candidates = *pair.candidates;
-  PairReport report = report_of(candidates);
+  PairReport report = empty_report(candidates);
   if (!candidates.ranked().empty()) describe(candidates.ranked()[0], report);
   report.reason = why_pair_is_refused(candidates);
-  if (report.reason.empty()) {
-    report.reason =
-        fmt::format("what {} and {} see of each other contradicts other pairs", report.a, report.b);
-  }
+  if (!report.reason.empty()) return report;
+  report.reason = stand_apart_together(pair, answer.selection)
+                      ? fmt::format(
+                            "{} and {} fit together, but neither fits the sensors that are placed; "
+                            "turn one of them so that it shares more with those",
+                            report.a, report.b)
+                      : fmt::format("what {} and {} see of each other contradicts other pairs",
+                                    report.a, report.b);
   return report;
 }
 
@@ -156,58 +200,77 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
   return nearest ? nearest->reason : "there is no other sensor to align it with";
 }
 
+RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
+  // 1. Which hypotheses fit together, and whose sensors have no rival place?
+  RigAnswer answer;
+  answer.selection = select_poses(sensors, pairs);
+  answer.placed = placed_sensors(answer.selection);
+
+  // 2. All placed sensors at once, on all that any two of them share.
+  const auto& start = answer.selection.best.group_from_sensor;
+  answer.refined =
+      refine_rig(start, answer.selection.origin, holding_pairs(pairs, answer.placed, start));
+  return answer;
+}
+
+/// An answer that contradicts itself has fooled us; what is left when the sensor that was least
+/// sure is taken out must hold on its own, so it is sought anew.
+RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs) {
+  std::vector<RigPair> left(pairs.begin(), pairs.end());
+  for (;;) {
+    RigAnswer answer = answer_of(sensors, left);
+    const auto fooled = contradicted_sensor(left, answer);
+    if (!fooled) return answer;
+    std::erase_if(
+        left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });
+  }
+}
+
+WorldFrame world_of(std::span<const SensorView* const> views, const RigAnswer& answer) {
+  std::vector<Plane> floors;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (answer.placed[i] && views[i]->floor)
+      floors.push_back(transformed(answer.refined[i].origin_from_sensor, *views[i]->floor));
+  }
+  return world_frame(floors);
+}
+
+PairReport report_of(const RigPair& pair, const RigAnswer& answer) {
+  if (!answer.placed[pair.first] || !answer.placed[pair.second])
+    return report_refused(pair, answer);
+  const RigidTransform selected = answer.selection.best.relative(pair.first, pair.second);
+  return report_placed(pair, pair.candidates->examine(selected), answer.relative(pair));
+}
+
+SensorReport report_of(std::size_t index, const std::string& name, const RigAnswer& answer,
+                       const WorldFrame& world, const std::vector<PairReport>& pairs) {
+  SensorReport report;
+  report.id = name;
+  report.placed = answer.placed[index];
+  if (!report.placed) {
+    report.reason = why_sensor_is_apart(name, pairs);
+    return report;
+  }
+  const RefinedSensor& refined = answer.refined[index];
+  report.world_from_depth = world.world_from_origin * refined.origin_from_sensor;
+  report.expected_error_mm = expected_error_mm(refined);
+  report.correction = refined.correction;
+  report.reason = index == answer.selection.origin ? "stands at the origin" : "placed";
+  return report;
+}
+
 }  // namespace
 
 AlignmentReport place_rig(std::span<const SensorView* const> views,
                           std::span<const RigPair> pairs) {
   AlignmentReport report;
   if (views.empty()) return report;
-
-  // 1. Which hypotheses fit together, and whose sensors have no rival place?
-  const PoseSelection selection = select_poses(views.size(), pairs);
-  std::vector<bool> placed = placed_sensors(selection);
-
-  // 2. All placed sensors at once, on all that any two of them share.
-  const auto& start = selection.best.group_from_sensor;
-  const std::vector<RefinedSensor> refined =
-      refine_rig(start, selection.origin, holding_pairs(pairs, placed, start));
-  if (views.size() > 1) drop_contradicted(pairs, refined, selection, placed);
-
-  // 3. Floor down, y up.
-  std::vector<Plane> floors;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    if (placed[i] && views[i]->floor)
-      floors.push_back(transformed(refined[i].origin_from_sensor, *views[i]->floor));
-  }
-  const WorldFrame world = world_frame(floors);
+  const RigAnswer answer = answer_without_contradiction(views.size(), pairs);
+  const WorldFrame world = world_of(views, answer);
   report.has_floor = world.has_floor;
-
-  // 4. What came of it.
-  for (const RigPair& pair : pairs) {
-    if (!placed[pair.first] || !placed[pair.second]) {
-      report.pairs.push_back(report_refused(pair));
-      continue;
-    }
-    const RefinedSensor& a = refined[pair.first];
-    const RefinedSensor& b = refined[pair.second];
-    report.pairs.push_back(report_placed(
-        pair, pair.candidates->examine(selection.best.relative(pair.first, pair.second)),
-        a.origin_from_sensor.inverse() * b.origin_from_sensor));
-  }
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    SensorReport sensor;
-    sensor.id = views[i]->name;
-    sensor.placed = placed[i];
-    if (placed[i]) {
-      sensor.world_from_depth = world.world_from_origin * refined[i].origin_from_sensor;
-      sensor.expected_error_mm = expected_error_mm(refined[i]);
-      sensor.correction = refined[i].correction;
-      sensor.reason = i == selection.origin ? "stands at the origin" : "placed";
-    } else {
-      sensor.reason = why_sensor_is_apart(views[i]->name, report.pairs);
-    }
-    report.sensors.push_back(std::move(sensor));
-  }
+  for (const RigPair& pair : pairs) report.pairs.push_back(report_of(pair, answer));
+  for (std::size_t i = 0; i < views.size(); ++i)
+    report.sensors.push_back(report_of(i, views[i]->name, answer, world, report.pairs));
   return report;
 }
 

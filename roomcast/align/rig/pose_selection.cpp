@@ -30,17 +30,16 @@ class LoopEvidence {
  public:
   explicit LoopEvidence(std::span<const RigPair> pairs) : pairs_(pairs), examined_(pairs.size()) {}
 
-  double score(std::size_t pair, const RigidTransform& a_from_b) {
+  const PoseEvidence& at(std::size_t pair, const RigidTransform& a_from_b) {
     for (const PoseEvidence& known : pairs_[pair].candidates->ranked()) {
-      if (!are_rivals(known.a_from_b, a_from_b)) return known.score;
+      if (!are_rivals(known.a_from_b, a_from_b)) return known;
     }
     for (const PoseEvidence& known : examined_[pair]) {
       const PoseDifference apart = difference(known.a_from_b, a_from_b);
-      if (apart.angle_rad < kSameAngle_rad && apart.distance_m < kSameDistance_m)
-        return known.score;
+      if (apart.angle_rad < kSameAngle_rad && apart.distance_m < kSameDistance_m) return known;
     }
     examined_[pair].push_back(pairs_[pair].candidates->examine(a_from_b));
-    return examined_[pair].back().score;
+    return examined_[pair].back();
   }
 
  private:
@@ -48,19 +47,19 @@ class LoopEvidence {
   std::vector<std::vector<PoseEvidence>> examined_;
 };
 
-/// An edge of the tree: a strong hypothesis of a pair.
+/// An edge of the tree: a hypothesis of a pair.
 struct Edge {
   std::size_t pair;
   const PoseEvidence* evidence;
 };
 
-std::vector<Edge> strong_edges(std::span<const RigPair> pairs) {
+std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
   std::vector<Edge> edges;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     std::size_t taken = 0;
     for (const PoseEvidence& evidence : pairs[pair].candidates->ranked()) {
       if (taken == kEdgesPerPair) break;
-      if (evidence.score < kEdgeCost || !is_strong(evidence)) continue;
+      if (evidence.score < kEdgeCost) continue;
       edges.push_back({pair, &evidence});
       ++taken;
     }
@@ -91,17 +90,19 @@ Placement joined(const Placement& before, const RigPair& pair, const RigidTransf
   return after;
 }
 
-/// What the pairs say that this edge brings together, apart from the edge's own.
-double loop_score(const Placement& before, const Placement& after, std::span<const RigPair> pairs,
-                  std::size_t edge_pair, LoopEvidence& evidence) {
-  double score = 0;
+/// What all the pairs say that this edge brings together.
+PooledEvidence pooled_evidence(const Placement& before, const Placement& after,
+                               std::span<const RigPair> pairs, const Edge& edge,
+                               LoopEvidence& evidence) {
+  PooledEvidence pooled;
+  pooled.add(*edge.evidence);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [first, second, candidates] = pairs[i];
-    if (i == edge_pair || before.together(first, second) || !after.together(first, second))
+    if (i == edge.pair || before.together(first, second) || !after.together(first, second))
       continue;
-    score += evidence.score(i, after.relative(first, second));
+    pooled.add(evidence.at(i, after.relative(first, second)));
   }
-  return score;
+  return pooled;
 }
 
 /// The answers with the highest scores, each once.
@@ -128,8 +129,9 @@ std::vector<Placement> extended(std::span<const Placement> beam, std::span<const
       const RigPair& pair = pairs[edge.pair];
       if (before.together(pair.first, pair.second)) continue;
       Placement after = joined(before, pair, edge.evidence->a_from_b);
-      after.score = before.score + edge.evidence->score - kEdgeCost +
-                    loop_score(before, after, pairs, edge.pair, evidence);
+      const PooledEvidence pooled = pooled_evidence(before, after, pairs, edge, evidence);
+      if (!is_strong(*edge.evidence) && !is_strong(pooled)) continue;
+      after.score = before.score + pooled.score - kEdgeCost;
       next.push_back(std::move(after));
     }
   }
@@ -165,7 +167,7 @@ void measure_margins(std::span<const Placement> answers, PoseSelection& selectio
 }  // namespace
 
 PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) {
-  const std::vector<Edge> edges = strong_edges(pairs);
+  const std::vector<Edge> edges = edges_of(pairs);
   LoopEvidence evidence(pairs);
   std::vector<Placement> beam = {nobody_placed(sensors)};
   std::vector<Placement> answers = beam;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of the pairs' hypotheses are true? Those that fit together: an answer places sensors along
-// a tree of strong hypotheses, and is judged by the evidence of all pairs, also of those that only
-// close a loop. Beam search, so that eight sensors with a dozen hypotheses per pair take seconds.
-// An answer counts for a sensor only if no other answer that places it elsewhere, or not at all,
-// comes near. Metres. Single-threaded, deterministic.
+// a tree of hypotheses, and is judged by the evidence of all pairs, also of those that only close a
+// loop. Each branch must be strong: by itself, or by what all the pairs say that it brings
+// together. Beam search, so that eight sensors with a dozen hypotheses per pair take seconds. An
+// answer counts for a sensor only if no other answer that places it elsewhere, or not at all, comes
+// near. Metres. Single-threaded, deterministic.
 #pragma once
 
 #include <cstddef>

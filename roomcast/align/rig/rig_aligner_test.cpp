@@ -108,6 +108,17 @@ TEST(RigAligner, sensors_that_share_nothing_stay_apart) {
   EXPECT_FALSE(report.pairs[0].b_from_a.has_value());
 }
 
+TEST(RigAligner, is_not_fooled_by_a_room_that_looks_the_same_turned_by_half) {
+  RigAligner aligner;
+  aligner.add(one_side().view);
+  aligner.add(other_side().view);
+  const auto b_from_a = aligner.solve().pairs[0].b_from_a;
+  if (!b_from_a) return;  // unsure, and says so
+  const PoseDifference error = difference(b_from_a->inverse(), true_pose(one_side(), other_side()));
+  EXPECT_LT(error.angle_rad, kMostAngle_rad);
+  EXPECT_LT(error.distance_m, kMost_m);
+}
+
 TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
   RigAligner aligner;
   aligner.add(first_corner().view);

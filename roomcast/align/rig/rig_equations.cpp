@@ -23,7 +23,12 @@ Matrix6 adjoint(const RigidTransform& transform) {
   return out;
 }
 
-/// A pair's unknowns from both sensors' own: xi is the difference of their motions, seen from a.
+Eigen::Index place(std::size_t sensor) {
+  return kSensorUnknowns * static_cast<Eigen::Index>(sensor);
+}
+
+}  // namespace
+
 Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> pair_from_sensors(
     const RigidTransform& origin_from_a) {
   Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> matrix;
@@ -36,12 +41,6 @@ Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> pair_from_sensors(
   matrix.block<kN, kN>(kOfB, kSensorUnknowns + kCorrection).setIdentity();
   return matrix;
 }
-
-Eigen::Index place(std::size_t sensor) {
-  return kSensorUnknowns * static_cast<Eigen::Index>(sensor);
-}
-
-}  // namespace
 
 RigEquations::RigEquations(std::size_t sensors, std::size_t origin)
     : sensors_(sensors),
@@ -70,11 +69,7 @@ void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& c
   const Eigen::Vector2d& shift_px = correction.color_shift_px;
   const double shift_weight =
       1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
-  const CorrectionVector weights(shift_weight, shift_weight,
-                                 1 / (kDepthOffsetSigma_m * kDepthOffsetSigma_m),
-                                 1 / (kDepthScaleSigma * kDepthScaleSigma));
-  constexpr Eigen::Index kN = kCorrectionUnknowns;
-  information_.block<kN, kN>(first, first).diagonal() += weights;
+  information_.diagonal().segment<2>(first + kShift).array() += shift_weight;
   gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }
 
@@ -82,14 +77,13 @@ Eigen::MatrixXd RigEquations::anchored() const {
   Eigen::MatrixXd matrix = information_;
   matrix.diagonal().array() += kDamping * information_.trace() + std::numeric_limits<double>::min();
   matrix.block<6, 6>(place(origin_), place(origin_)).diagonal().array() += kHeld;
+  for (std::size_t i = 0; i < sensors_; ++i)
+    matrix.diagonal().segment<2>(place(i) + kCorrection + kDepth).array() += kHeld;
   return matrix;
 }
 
 std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> RigEquations::solve() const {
-  Eigen::MatrixXd matrix = anchored();
-  for (std::size_t i = 0; i < sensors_; ++i)
-    matrix.diagonal().segment<2>(place(i) + kCorrection + kDepth).array() += kHeld;
-  const Eigen::VectorXd steps = matrix.ldlt().solve(-gradient_);
+  const Eigen::VectorXd steps = anchored().ldlt().solve(-gradient_);
   std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> of_sensors;
   for (std::size_t i = 0; i < sensors_; ++i) {
     of_sensors.emplace_back(steps.segment<kSensorUnknowns>(place(i)));
@@ -97,9 +91,27 @@ std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> RigEquations::solve() con
   return of_sensors;
 }
 
-std::vector<Matrix6> RigEquations::motion_covariance() const {
+Eigen::MatrixXd RigEquations::variance_by_depth(const DepthDoubt& doubt) const {
+  Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(place(sensors_), place(sensors_));
+  Eigen::VectorXd by_common_scale = Eigen::VectorXd::Zero(place(sensors_));
+  for (std::size_t i = 0; i < sensors_; ++i) {
+    const Eigen::Index depth = place(i) + kCorrection + kDepth;
+    const Eigen::VectorXd by_offset = doubt.offset_m * information_.col(depth);
+    const Eigen::VectorXd by_scale = doubt.scale * information_.col(depth + 1);
+    variance += by_offset * by_offset.transpose() + by_scale * by_scale.transpose();
+    by_common_scale += doubt.common_scale * information_.col(depth + 1);
+  }
+  variance += by_common_scale * by_common_scale.transpose();
+  return variance;
+}
+
+std::vector<Matrix6> RigEquations::motion_covariance(const RigScatter& scatter,
+                                                     const DepthDoubt& doubt) const {
+  const auto factors = anchored().ldlt();
+  const Eigen::MatrixXd random =
+      factors.solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
   const Eigen::MatrixXd all =
-      anchored().ldlt().solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
+      random + random * (scatter.variance() + variance_by_depth(doubt)) * random;
   std::vector<Matrix6> of_sensors;
   for (std::size_t i = 0; i < sensors_; ++i) {
     const Eigen::Index k = place(i);

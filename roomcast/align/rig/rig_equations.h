@@ -9,11 +9,16 @@
 #include <Eigen/Core>
 
 #include "roomcast/align/pair/pair_equations.h"
+#include "roomcast/align/rig/rig_scatter.h"
 
 namespace roomcast::align {
 
 /// Of each sensor: motion, then correction.
 inline constexpr Eigen::Index kSensorUnknowns = 6 + kCorrectionUnknowns;
+
+/// A pair's unknowns from both sensors' own: its motion is the difference of theirs, seen from a.
+[[nodiscard]] Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> pair_from_sensors(
+    const RigidTransform& origin_from_a);
 
 class RigEquations {
  public:
@@ -26,18 +31,22 @@ class RigEquations {
 
   /// What is expected of a sensor's calibration. Most colour cameras are good to a pixel, but one
   /// that is not may be off by any amount (Cauchy's distribution, weighted anew at what it is
-  /// thought to be off by); depth is off by a little (Gauss's).
+  /// thought to be off by).
   void add_expectation(std::size_t sensor, const SensorCorrection& correction);
 
   /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move, and
   /// depth is left as it is.
   [[nodiscard]] std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> solve() const;
 
-  /// Of the sensors' motions, with depth in doubt.
-  [[nodiscard]] std::vector<Matrix6> motion_covariance() const;
+  /// How far off the sensors' motions may be: by random noise, by smooth errors, and by what depth
+  /// is expected to be off by, which no view tells.
+  [[nodiscard]] std::vector<Matrix6> motion_covariance(const RigScatter& scatter,
+                                                       const DepthDoubt& doubt) const;
 
  private:
   [[nodiscard]] Eigen::MatrixXd anchored() const;
+  /// Of the sum of all scores, if depth is off by as much as is doubted.
+  [[nodiscard]] Eigen::MatrixXd variance_by_depth(const DepthDoubt& doubt) const;
 
   std::size_t sensors_, origin_;
   Eigen::MatrixXd information_;

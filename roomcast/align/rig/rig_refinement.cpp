@@ -2,6 +2,7 @@
 #include "roomcast/align/rig/rig_refinement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "roomcast/align/pair/feature_residuals.h"
 #include "roomcast/align/pair/surface_residuals.h"
@@ -28,16 +29,37 @@ PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) 
   return {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction};
 }
 
-PairEquations equations_of(const HeldPair& held, std::span<const RefinedSensor> sensors,
-                           float reach_m) {
-  const PairState state = state_of(*held.pair, sensors);
-  const SensorView& a = held.pair->candidates->a();
-  const SensorView& b = held.pair->candidates->b();
-  const auto partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
-  PairEquations equations = surface_equations(partners, state.a_from_b, surface_noise(partners));
-  const double sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
-  equations.add(feature_equations(a.picture, b.picture, state, held.agreeing, sigma_px));
+/// What a pair's sensors share, as they stand now.
+struct Shared {
+  PairState state;
+  std::vector<SurfacePartner> partners;
+  double noise, sigma_px;
+
+  Shared(const HeldPair& held, std::span<const RefinedSensor> sensors, float reach_m)
+      : state(state_of(*held.pair, sensors)) {
+    const SensorView& a = held.pair->candidates->a();
+    const SensorView& b = held.pair->candidates->b();
+    partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
+    noise = surface_noise(partners);
+    sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
+  }
+};
+
+PairEquations equations_of(const HeldPair& held, const Shared& shared) {
+  const PairCandidates& pair = *held.pair->candidates;
+  PairEquations equations = surface_equations(shared.partners, shared.state.a_from_b, shared.noise);
+  equations.add(feature_equations(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
+                                  shared.sigma_px));
   return equations;
+}
+
+PairScores scores_of(const HeldPair& held, const Shared& shared) {
+  const PairCandidates& pair = *held.pair->candidates;
+  PairScores scores;
+  add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores);
+  add_feature_scores(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
+                     shared.sigma_px, scores);
+  return scores;
 }
 
 RigEquations rig_equations(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
@@ -46,10 +68,28 @@ RigEquations rig_equations(std::span<const HeldPair> pairs, std::span<const Refi
   for (const HeldPair& held : pairs) {
     const RigPair& pair = *held.pair;
     rig.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
-            equations_of(held, sensors, reach_m));
+            equations_of(held, Shared(held, sensors, reach_m)));
   }
   for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_expectation(i, sensors[i].correction);
   return rig;
+}
+
+RigScatter rig_scatter(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
+                       float reach_m) {
+  RigScatter scatter(sensors.size());
+  for (const HeldPair& held : pairs) {
+    const RigPair& pair = *held.pair;
+    scatter.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
+                scores_of(held, Shared(held, sensors, reach_m)));
+  }
+  return scatter;
+}
+
+/// Sensors that disagree smoothly by so much may as well agree on being wrong by as much.
+DepthDoubt doubt_of(const RigScatter& scatter) {
+  DepthDoubt doubt;
+  doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
+  return doubt;
 }
 
 /// The largest component of any motion.
@@ -83,7 +123,9 @@ std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_fro
     if (reach_m == kLeastReach_m && largest < kStill) break;
     reach_m = std::max(kLeastReach_m, kShrink * reach_m);
   }
-  const auto covariance = rig_equations(held, sensors, origin, reach_m).motion_covariance();
+  const RigScatter scatter = rig_scatter(held, sensors, reach_m);
+  const auto covariance =
+      rig_equations(held, sensors, origin, reach_m).motion_covariance(scatter, doubt_of(scatter));
   for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
   return sensors;
 }
