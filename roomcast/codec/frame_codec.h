@@ -23,7 +23,7 @@ enum class DepthMode {
 };
 
 /// Of a stream: what two people who exercise before the sensor need to look well.
-inline constexpr int kUsualColorKbit = 800;
+inline constexpr int kUsualColorKbit = 790;
 
 struct FrameEncoderOptions {
   int width = 0, height = 0;               // of the depth grid; both 16..4096

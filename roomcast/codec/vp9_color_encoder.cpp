@@ -17,7 +17,7 @@ constexpr unsigned kMostQuantizer = 56;
 // Of key frames, and the finest of those after them. Fine key frames pay: the camera does not move,
 // so that what is shown well once stays so for a small part of what motion takes. In a room where
 // next to nothing moves they are most of the stream; there they are coarser.
-constexpr unsigned kFineQuantizer = 14, kCalmQuantizer = 20;
+constexpr unsigned kFineQuantizer = 10, kCalmQuantizer = 20;
 constexpr double kCalmShare = 0.5;        // of the rate that a calm room uses between key frames
 constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
 constexpr int kMostKeyFrameShare = 4000;  // percent of the bits of a mean frame

@@ -15,8 +15,7 @@ constexpr int kPersistentUrgency = 3;
 constexpr int kLeastMoved = 24;  // pixels; fewer that are coded are not taken for another surface
 constexpr int kLeastUrgency = 10, kLeastPassingUrgency = 9;  // of 64
 constexpr int kLeastUrgencyInMotion = 3;                     // when the sensor itself moves
-constexpr float kSameSurface =
-    2;  // standard deviations between a reading and what is there already
+constexpr int kSameSurface = 2;  // standard deviations between a reading and what is there already
 constexpr int kReach = 6 * kLevelsPerSigma;
 constexpr int kMostPatience = 9;  // frames; with the base a change waits half a second at most
 
@@ -159,9 +158,9 @@ bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
 PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) const {
   const int reading = change_.reading[at], old = state_.picture[at], back = state_.background[at];
   if (reading == 0) return label_of_missing(at, x, y);
-  const float same = kSameSurface * static_cast<float>(history_.sigma(at));
+  const int same = kSameSurface * history_.sigma(at);
   const auto near = [same, reading](int value) {
-    return value != 0 && static_cast<float>(std::abs(reading - value)) <= same;
+    return value != 0 && std::abs(reading - value) <= same;
   };
   if (near(old) && !biased) return PixelLabel::kStay;
   const bool back_is_old = std::abs(back - old) < 4 * kLevelsPerSigma;

@@ -16,22 +16,18 @@ constexpr float kWorthCoding = 3.5f;  // standard deviations of noise in a coeff
 /// The plane that fits best, at pixel (x, y): mean + slope_x x + slope_y y.
 struct Plane {
   float mean = 0, slope_x = 0, slope_y = 0;
-  [[nodiscard]] float at(int k) const {
-    return mean + slope_x * static_cast<float>(k % 8) + slope_y * static_cast<float>(k / 8);
-  }
 };
-
-bool on(const BlockCode& code, const BlockTarget& target, PixelLabel label, std::size_t k) {
-  return code.labels[k] == label && target[k] > 0;
-}
 
 /// 1 for pixels on a surface, else 0.
 using Membership = std::array<float, kBlockPixels>;
 
 Membership members(const BlockCode& code, const BlockTarget& target, PixelLabel label) {
   Membership on_it;
-  for (std::size_t k = 0; k < kBlockPixels; ++k)
-    on_it[k] = on(code, target, label, k) ? 1.0f : 0.0f;
+  for (std::size_t k = 0; k < kBlockPixels; ++k) {
+    // Without a branch, so that the compiler makes vector code of it.
+    const int on = int{code.labels[k] == label} & int{target[k] > 0};
+    on_it[k] = static_cast<float>(on);
+  }
   return on_it;
 }
 
@@ -89,6 +85,19 @@ Plane fitted_plane(const Membership& on_it, const BlockTarget& target) {
   return plane;
 }
 
+/// The surface where it is seen, else the plane that goes through it.
+void fill(const Membership& on_it, const BlockTarget& target, const Plane& plane,
+          std::array<float, kBlockPixels>& filled) {
+  for (std::size_t row = 0; row < kBlockSide; ++row) {
+    const float at_row = plane.mean + plane.slope_y * static_cast<float>(row);
+    for (std::size_t column = 0; column < kBlockSide; ++column) {
+      const std::size_t k = kBlockSide * row + column;
+      const float flat = at_row + plane.slope_x * static_cast<float>(column);
+      filled[k] = flat + on_it[k] * (target[k] - flat);
+    }
+  }
+}
+
 std::int32_t rounded(float value, float step, float rounding) {
   const auto size = static_cast<std::int32_t>(std::abs(value) / step + rounding);
   return value < 0 ? -size : size;
@@ -139,15 +148,11 @@ void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& p
     wanted[1] -= static_cast<float>(prediction.slope_x);
     wanted[8] -= static_cast<float>(prediction.slope_y);
   }
-  for (std::size_t k = 0; k + 1 < kBlockPixels; ++k) {
-    const bool low = k <= 1 || k == 8;
-    if (low)
-      steps[k] = rounded(wanted[k], static_cast<float>(step), kLowRounding);
-    else
-      steps[k] = std::abs(wanted[k]) < least
-                     ? 0
-                     : rounded(wanted[k], static_cast<float>(step), kHighRounding);
+  const auto width = static_cast<float>(step);
+  for (std::size_t k = 0; k < kBlockPixels; ++k) {
+    steps[k] = std::abs(wanted[k]) < least ? 0 : rounded(wanted[k], width, kHighRounding);
   }
+  for (const std::size_t k : {0, 1, 8}) steps[k] = rounded(wanted[k], width, kLowRounding);
   steps[kBlockPixels - 1] = 0;  // the highest frequency is never coded
 }
 
@@ -234,10 +239,7 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
   const Membership on_it = members(code, target, label);
   const Plane plane = fitted_plane(on_it, target);
   std::array<float, kBlockPixels> filled, wanted;
-  for (int k = 0; k < kBlockPixels; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    filled[i] = on_it[i] != 0 ? target[i] : plane.at(k);
-  }
+  fill(on_it, target, plane, filled);
   forward_transform(filled, wanted);
   surface.candidate = cheapest(candidates, wanted, step);
   const SurfaceParameters& prediction = candidates[surface.candidate];
