@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kSpeed = 5;
 constexpr unsigned kMostQuantizer = 56;
-// Of key frames, and the finest of those after them. Fine key frames pay: the camera does not move,
-// so that what is shown well once stays so for a small part of what motion takes. In a room where
-// next to nothing moves they are most of the stream; there they are coarser.
+// Of key frames. Fine ones pay: the camera does not move, so that what is shown well once stays so
+// for a small part of what motion takes. In a room where next to nothing moves they are most of the
+// stream; there they are coarser, and no frame between them is finer.
 constexpr unsigned kFineQuantizer = 10, kCalmQuantizer = 20;
 constexpr double kCalmShare = 0.5;        // of the rate that a calm room uses between key frames
 constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
@@ -62,7 +62,7 @@ bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config
   config.g_lag_in_frames = 0;
   config.kf_mode = VPX_KF_DISABLED;  // key frames come when asked for
   config.rc_end_usage = VPX_CBR;
-  config.rc_min_quantizer = kFineQuantizer;
+  config.rc_min_quantizer = kCalmQuantizer;
   config.rc_max_quantizer = kMostQuantizer;
   config.rc_dropframe_thresh = 0;  // depth goes out anyway
   config.rc_resize_allowed = 0;
@@ -107,7 +107,7 @@ struct Vp9ColorEncoder::Codec : VpxContext {
 };
 
 Vp9ColorEncoder::Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec)
-    : options_(options), codec_(std::move(codec)), least_quantizer_(kFineQuantizer) {
+    : options_(options), codec_(std::move(codec)), key_quantizer_(kFineQuantizer) {
   input_.resize(options.width, options.height);
   ever_seen_.resize(options.width, options.height);
   chroma_ever_seen_.resize(input_.cb.width(), input_.cb.height());
@@ -185,19 +185,18 @@ void Vp9ColorEncoder::choose_quality() {
     const double kbit_per_s =
         static_cast<double>(bytes_since_key_) * 8 / 1000 * options_.fps / frames;
     const bool calm = kbit_per_s < kCalmShare * options_.color_kbit_per_s;
-    least_quantizer_ = calm ? kCalmQuantizer : kFineQuantizer;
+    key_quantizer_ = calm ? kCalmQuantizer : kFineQuantizer;
   }
   bytes_since_key_ = 0;
 }
 
 bool Vp9ColorEncoder::limit_quantizer(FrameRole role) {
-  const unsigned most = role.key ? least_quantizer_ : kMostQuantizer;
-  if (codec_->config.rc_max_quantizer == most &&
-      codec_->config.rc_min_quantizer == least_quantizer_) {
-    return true;
-  }
-  codec_->config.rc_min_quantizer = least_quantizer_;
-  codec_->config.rc_max_quantizer = most;
+  const unsigned least = role.key ? key_quantizer_ : kCalmQuantizer;
+  const unsigned most = role.key ? key_quantizer_ : kMostQuantizer;
+  vpx_codec_enc_cfg_t& config = codec_->config;
+  if (config.rc_min_quantizer == least && config.rc_max_quantizer == most) return true;
+  config.rc_min_quantizer = least;
+  config.rc_max_quantizer = most;
   return vpx_codec_enc_config_set(&codec_->context, &codec_->config) == VPX_CODEC_OK;
 }
 

@@ -54,7 +54,7 @@ class Vp9ColorEncoder {
   std::int64_t frame_count_ = 0;
   std::int64_t key_at_ = 0;          // the frame_count_ of the newest key frame
   std::size_t bytes_since_key_ = 0;  // without its own
-  unsigned least_quantizer_;         // until the next key frame
+  unsigned key_quantizer_;           // of the next key frame
 };
 
 }  // namespace roomcast::codec
