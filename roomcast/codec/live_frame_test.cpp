@@ -26,6 +26,13 @@ DepthImage copy_of(DepthView view) {
   return image;
 }
 
+SyntheticMotion scene() {
+  SyntheticMotion scene;
+  scene.width = kWidth;
+  scene.height = kHeight;
+  return scene;
+}
+
 class LiveStream {
  public:
   explicit LiveStream(int layers) {
@@ -37,10 +44,7 @@ class LiveStream {
     encoder_ = std::move(FrameEncoder::create(options)).value();
   }
   Sent next(bool with_color = true, bool want_key = false) {
-    SyntheticMotion scene;
-    scene.width = kWidth;
-    scene.height = kHeight;
-    return next_of(scene.reading(count_), with_color, want_key);
+    return next_of(scene().reading(count_), with_color, want_key);
   }
   Sent next_of(DepthImage depth_mm, bool with_color = true, bool want_key = false) {
     SyntheticFrame frame = synthetic_frame(kWidth, kHeight, count_++);
@@ -140,17 +144,9 @@ TEST(LiveFrame, a_colour_mask_belongs_to_the_depth_that_is_shown) {
   }
 }
 
-/// A room that a sensor goes towards, 10 mm a frame.
+/// A room that a sensor goes towards.
 DepthImage nearer_by(int frames) {
-  SyntheticMotion scene;
-  scene.width = kWidth;
-  scene.height = kHeight;
-  DepthImage depth = scene.reading(0);
-  for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
-    std::uint16_t& z = depth.data()[i];
-    if (z != 0) z = static_cast<std::uint16_t>(z - 10 * frames);
-  }
-  return depth;
+  return scene().reading_from_nearer(10 * frames);
 }
 
 int largest_difference_mm(const DepthImage& a, const DepthImage& b) {

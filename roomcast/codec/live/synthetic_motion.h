@@ -53,6 +53,16 @@ struct SyntheticMotion {
     }
     return depth;
   }
+
+  /// The first reading, of a sensor that has come nearer.
+  [[nodiscard]] DepthImage reading_from_nearer(int by_mm) const {
+    DepthImage depth = reading(0);
+    for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
+      std::uint16_t& z = depth.data()[i];
+      if (z != 0) z = static_cast<std::uint16_t>(z - by_mm);
+    }
+    return depth;
+  }
 };
 
 }  // namespace roomcast::codec
