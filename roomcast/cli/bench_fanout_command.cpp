@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast bench fanout: the hub beside the least that is possible, and beside message brokers.
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -24,6 +25,7 @@ Status run_fanout(const bench::FanoutBenchOptions& options, bool json) {
 void add_fanout_bench(CLI::App& bench, Command& chosen) {
   auto options = std::make_shared<bench::FanoutBenchOptions>();
   auto json = std::make_shared<bool>(false);
+  auto seconds = std::make_shared<double>(std::chrono::duration<double>(options->duration).count());
   CLI::App* command = bench.add_subcommand(
       "fanout", "One frame to many viewers: CPU time and delay of the hub, brokers beside it");
   command->add_option("--viewers", options->viewers, "How many, at full speed")
@@ -38,11 +40,20 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
       ->check(CLI::IsMember({"max", "room", "stall"}));
   command->add_option("--only", options->only, "Servers whose name contains one of these")
       ->delimiter(',');
+  command
+      ->add_option("--seconds", *seconds,
+                   "A measurement at full speed; room and stall take twice as long (a hub gives up "
+                   "viewers that "
+                   "say nothing for 15)")
+      ->check(CLI::Range(0.1, 6.0))
+      ->capture_default_str();
   command->add_flag("--json", *json, "For scripts");
   command->footer(
       "Example:\n  roomcast bench fanout --viewers 100,500 --rounds 5\n"
       "nats-server, redis-server and mosquitto are measured too where they are installed.");
-  command->callback([options, json, &chosen] {
+  command->callback([options, seconds, json, &chosen] {
+    options->duration =
+        std::chrono::round<std::chrono::milliseconds>(std::chrono::duration<double>(*seconds));
     chosen = [options, json] { return finish("bench fanout", run_fanout(*options, *json)); };
   });
 }
