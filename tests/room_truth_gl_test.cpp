@@ -197,7 +197,7 @@ class RoomTruth : public ::testing::Test {
 constexpr double kMeshFloorDb = 20.0, kPointsFloorDb = 19.0, kMaxHoles = 0.02;
 
 TEST_F(RoomTruth, points_look_like_the_room_from_where_no_sensor_stood) {
-  const Comparison result = compare(RenderMode::kPoints);
+  const Comparison result = compare(RenderMode::kSplats);
   EXPECT_GT(result.psnr_db(), kPointsFloorDb);
   EXPECT_LT(result.holes(), kMaxHoles);
 }

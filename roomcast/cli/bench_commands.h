@@ -9,5 +9,6 @@ namespace roomcast::cli {
 void add_align_bench(CLI::App& bench, Command& chosen);
 void add_fanout_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);
+void add_render_bench(CLI::App& bench, Command& chosen);
 
 }  // namespace roomcast::cli

@@ -12,6 +12,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/frame_log.h"
+#include "roomcast/cli/render_mode_option.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/client/subscriber.h"
@@ -34,7 +35,7 @@ struct ViewOptions {
   std::vector<int> size = {1280, 720};
   double fov_deg = 60;
   double seconds = 0;
-  RenderMode mode = RenderMode::kPoints;
+  RenderMode mode = RenderMode::kSplats;
   bool json = false;
 };
 
@@ -191,9 +192,7 @@ void add_view_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--seconds", options->seconds, "Receive this long before drawing")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--mode", options->mode, "points or mesh")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, RenderMode>{
-          {"points", RenderMode::kPoints}, {"mesh", RenderMode::kMesh}}));
+  add_mode_option(*command, "--mode", options->mode);
   command->add_flag("--json", options->json, "Report which frames were drawn");
   command->footer(
       "Waits up to 10 s until every sensor that is in the room has sent a picture. When there is\n"

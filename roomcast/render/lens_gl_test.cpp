@@ -64,9 +64,9 @@ class LensTest : public RoomTest, public ::testing::WithParamInterface<RenderMod
         << expected->transpose();
   }
 };
-INSTANTIATE_TEST_SUITE_P(Modes, LensTest, ::testing::Values(RenderMode::kPoints, RenderMode::kMesh),
+INSTANTIATE_TEST_SUITE_P(Modes, LensTest, ::testing::Values(RenderMode::kSplats, RenderMode::kMesh),
                          [](const auto& mode) {
-                           return mode.param == RenderMode::kPoints ? "points" : "mesh";
+                           return mode.param == RenderMode::kSplats ? "splats" : "mesh";
                          });
 
 TEST_P(LensTest, a_distorted_pixel_lands_where_the_camera_model_says) {

@@ -83,6 +83,18 @@ ColorImage OffscreenTarget::read_color() const {
   return read_back<Rgb8>(color_, width_, height_, GL_RGB, GL_UNSIGNED_BYTE);
 }
 
+Image<float> OffscreenTarget::read_depth_m(const ViewCamera& camera) const {
+  Image<float> depth = read_back<float>(depth_, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT);
+  const double near_m = camera.near_m, far_m = camera.far_m;
+  float* const values = depth.data();
+  for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
+    const double ndc = 2 * static_cast<double>(values[i]) - 1;
+    const double z_m = 2 * far_m * near_m / (far_m + near_m - ndc * (far_m - near_m));
+    values[i] = values[i] < 1 ? static_cast<float>(z_m) : 0;
+  }
+  return depth;
+}
+
 Image<std::int32_t> OffscreenTarget::read_sensors() const {
   return read_back<std::int32_t>(sensors_, width_, height_, GL_RED_INTEGER, GL_INT);
 }

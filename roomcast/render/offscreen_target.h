@@ -8,6 +8,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/render/gl_object.h"
+#include "roomcast/render/view_camera.h"
 
 namespace roomcast {
 
@@ -30,6 +31,8 @@ class OffscreenTarget {
 
   /// Wait for the drawing to end. Top row first, as every image here.
   [[nodiscard]] ColorImage read_color() const;
+  /// Along the axis of the eye for which it was drawn; 0 where no surface was.
+  [[nodiscard]] Image<float> read_depth_m(const ViewCamera& camera) const;
   /// SensorId::value, or kDrawnByNoSensor.
   [[nodiscard]] Image<std::int32_t> read_sensors() const;
 

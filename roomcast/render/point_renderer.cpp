@@ -26,11 +26,13 @@ Result<PointRenderer> PointRenderer::create() {
 PointRenderer::PointRenderer(GlProgram program)
     : program_(std::move(program)), no_attributes_(GlVertexArray::create()) {}
 
-void PointRenderer::draw(const SensorSurface& surface, const SurfaceView& view) const {
+void PointRenderer::draw(const SensorSurface& surface, const SurfaceView& view,
+                         PointSize size) const {
   const double sensor_focal_px = std::min(surface.intrinsics().fx, surface.intrinsics().fy);
   set_surface_view(program_, view);
-  glProgramUniform1f(program_.name(), kSizeAtEqualDistance,
-                     static_cast<float>(kOverlap * view.focal_px / sensor_focal_px));
+  const double size_px =
+      size == PointSize::kAsSurface ? kOverlap * view.focal_px / sensor_focal_px : 0;
+  glProgramUniform1f(program_.name(), kSizeAtEqualDistance, static_cast<float>(size_px));
   surface.bind();
   glUseProgram(program_.name());
   glBindVertexArray(no_attributes_.name());

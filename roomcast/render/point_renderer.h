@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a sensor's surface as square points (the paper's rendering), each as large on the screen as
-// the surface between it and its neighbours, so that there are few holes. Draws into the bound
-// framebuffer; needs the GL context it was made with.
+// Draws a sensor's surface as points: of one pixel each (the paper's rendering), or as squares as
+// large on the screen as the surface between a reading and its neighbours, so that there are few
+// holes. Draws into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include "roomcast/render/gl_program.h"
@@ -10,12 +10,14 @@
 
 namespace roomcast {
 
+enum class PointSize { kOnePixel, kAsSurface };
+
 class PointRenderer {
  public:
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<PointRenderer> create();
 
-  void draw(const SensorSurface& surface, const SurfaceView& view) const;
+  void draw(const SensorSurface& surface, const SurfaceView& view, PointSize size) const;
 
  private:
   explicit PointRenderer(GlProgram program);

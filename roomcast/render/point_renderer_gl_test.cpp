@@ -38,7 +38,7 @@ TEST_F(PointTest, a_wall_has_no_holes_when_one_goes_nearer) {
   for (const double distance_m : {1.5, 1.0, 0.4}) {
     const RigidTransform nearer =
         world_from_optical_looking_at(kAhead + Vector3d(0, 0, distance_m), kAhead);
-    const Picture picture = draw(eye_of(kLens, nearer), RenderMode::kPoints);
+    const Picture picture = draw(eye_of(kLens, nearer), RenderMode::kSplats);
     expect_red_but_at_the_border(picture, static_cast<int>(std::ceil(2 / distance_m)));
   }
 }
@@ -46,7 +46,7 @@ TEST_F(PointTest, a_wall_has_no_holes_when_one_goes_nearer) {
 TEST_F(PointTest, a_wall_seen_at_45_degrees_has_no_holes) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
   const RigidTransform aside = world_from_optical_looking_at(kAhead + Vector3d(1, 0, 1), kAhead);
-  const Picture picture = draw(eye_of(pinhole(32, 24, 60), aside), RenderMode::kPoints);
+  const Picture picture = draw(eye_of(pinhole(32, 24, 60), aside), RenderMode::kSplats);
   expect_red_but_at_the_border(picture, 2);
 }
 
@@ -64,7 +64,7 @@ TEST_F(PointTest, a_wall_that_its_sensor_sees_at_a_slant_has_no_holes) {
   const Vector3d middle = kEye - Vector3d(0, 0, middle_m);
   const Vector3d normal = Vector3d((kStep - 1) * kLens.fx, 0, 1).normalized();
   const RigidTransform facing = world_from_optical_looking_at(middle + middle_m * normal, middle);
-  const Picture picture = draw(eye_of(pinhole(64, 48, 4 * kLens.fx), facing), RenderMode::kPoints);
+  const Picture picture = draw(eye_of(pinhole(64, 48, 4 * kLens.fx), facing), RenderMode::kSplats);
   EXPECT_EQ(picture.color, ColorImage(64, 48, kRed));
 }
 
@@ -75,7 +75,7 @@ TEST_F(PointTest, a_lone_reading_is_drawn_only_when_it_has_a_color) {
   pictures.depth_mm.at(40, 24) = 1000;
   pictures.color.at(40, 24) = kBlue;
   add(kFirst, kLens, kPose, pictures);
-  const ColorImage picture = draw(eye_of(kLens, kPose), RenderMode::kPoints).color;
+  const ColorImage picture = draw(eye_of(kLens, kPose), RenderMode::kSplats).color;
   EXPECT_EQ(picture.at(20, 24), kNothing);
   EXPECT_EQ(picture.at(40, 24), kBlue);
 }
@@ -86,10 +86,10 @@ TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
   add(kFirst, kLens, kPose, pictures);
   const CameraIntrinsics fine = pinhole(640, 480, 600);  // ten pixels to one of the sensor's
   const double overlap = 1.2;
-  EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPose), RenderMode::kPoints)), 10 * overlap, 1);
+  EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPose), RenderMode::kSplats)), 10 * overlap, 1);
 
   const RigidTransform back = world_from_optical_looking_at(Vector3d(0, 1.5, 2), kAhead);
-  EXPECT_NEAR(width_drawn(draw(eye_of(fine, back), RenderMode::kPoints)), 5 * overlap, 1);
+  EXPECT_NEAR(width_drawn(draw(eye_of(fine, back), RenderMode::kSplats)), 5 * overlap, 1);
 }
 
 }  // namespace

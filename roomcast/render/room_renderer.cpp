@@ -84,7 +84,9 @@ void RoomRenderer::draw_sensors(const ViewCamera& camera, RenderMode mode) {
   for (auto& [id, sensor] : sensors_) {
     const SurfaceView view = surface_view(id, sensor.world_from_depth, camera);
     if (mode == RenderMode::kPoints) {
-      points_.draw(sensor.surface, view);
+      points_.draw(sensor.surface, view, PointSize::kOnePixel);
+    } else if (mode == RenderMode::kSplats) {
+      points_.draw(sensor.surface, view, PointSize::kAsSurface);
     } else {
       mesher_.update(sensor.surface, look_.mesh, sensor.mesh);
       meshes_.draw(sensor.surface, sensor.mesh, view);

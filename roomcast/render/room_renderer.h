@@ -11,13 +11,12 @@
 #include "roomcast/render/mesh_renderer.h"
 #include "roomcast/render/offscreen_target.h"
 #include "roomcast/render/point_renderer.h"
+#include "roomcast/render/render_mode.h"
 #include "roomcast/render/sensor_surface.h"
 #include "roomcast/render/surface_mesh.h"
 #include "roomcast/render/view_camera.h"
 
 namespace roomcast {
-
-enum class RenderMode { kPoints, kMesh };
 
 struct RoomLook {
   Rgb8 background = {24, 26, 30};

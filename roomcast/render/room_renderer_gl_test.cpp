@@ -22,9 +22,9 @@ class EveryMode : public RoomTest, public ::testing::WithParamInterface<RenderMo
   Picture draw_wide() { return draw(eye_of(kWideLens, kPose), GetParam()); }
 };
 INSTANTIATE_TEST_SUITE_P(Modes, EveryMode,
-                         ::testing::Values(RenderMode::kPoints, RenderMode::kMesh),
+                         ::testing::Values(RenderMode::kSplats, RenderMode::kMesh),
                          [](const auto& mode) {
-                           return mode.param == RenderMode::kPoints ? "points" : "mesh";
+                           return mode.param == RenderMode::kSplats ? "splats" : "mesh";
                          });
 
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {

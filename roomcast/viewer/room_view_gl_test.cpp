@@ -43,7 +43,7 @@ class RoomViewTest : public testing::Test {
     ViewCamera camera;
     camera.width = camera.height = kSide;
     camera.world_from_view = world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
-    EXPECT_TRUE(view->draw(camera, *target, RenderMode::kPoints).ok());
+    EXPECT_TRUE(view->draw(camera, *target, RenderMode::kSplats).ok());
     return target->read_color().at(kSide / 2, kSide / 2);
   }
 

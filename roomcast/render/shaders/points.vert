@@ -1,6 +1,6 @@
-// One square point per depth pixel, as large on the screen as the surface between it and its neighbours.
+// One square point per depth pixel: as large on the screen as the surface between it and its neighbours, or one pixel.
 
-layout(location = 2) uniform float size_at_equal_distance_px;  // of a surface that faces its sensor
+layout(location = 2) uniform float size_at_equal_distance_px;  // of a surface that faces its sensor; 0: one pixel, always
 
 const float kMinSizePx = 1.0;
 const float kMaxSizePx = 48.0;

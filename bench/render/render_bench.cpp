@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/render/render_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "bench/render/rig_frames.h"
+#include "roomcast/render/gl_context.h"
+#include "roomcast/render/render_mode.h"
+#include "roomcast/source/image_file.h"
+
+namespace roomcast::bench {
+namespace {
+
+constexpr int kDrawingsPerView = 3;
+
+/// Of all threads of the process.
+double process_cpu_ms() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+Eigen::Vector3d random_direction(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Eigen::Vector3d direction(normal(random), normal(random), normal(random));
+  return direction.normalized();
+}
+
+RigidTransform disturbed(const RigidTransform& pose, const RenderBenchOptions& options,
+                         std::mt19937_64& random) {
+  const double angle = options.pose_error_deg * std::numbers::pi / 180;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(angle, random_direction(random)).toRotationMatrix();
+  const Eigen::Vector3d shift = 1e-3 * options.pose_error_mm * random_direction(random);
+  return {turn * pose.rotation, pose.translation_m + shift};
+}
+
+/// A view, what it should show, and by classes.
+struct JudgedView {
+  TruthViewEntry entry;
+  TruthView truth;
+  ViewClasses classes;
+};
+
+class RenderBench {
+ public:
+  RenderBench(const RenderBenchOptions& options, TruthViews views, RigFrames frames,
+              const std::function<void(const std::string&)>& progress)
+      : options_(options),
+        views_(std::move(views)),
+        frames_(std::move(frames)),
+        progress_(progress) {}
+
+  Status judge_views();
+  Result<RenderRow> measure(RenderMode mode);
+  [[nodiscard]] std::size_t view_count() const { return judged_.size(); }
+
+ private:
+  using FrameNumbers = std::vector<std::uint64_t>;  // by sensor
+
+  Result<RoomRenderer> room_of(RenderMode mode);
+  Status warm_up(RoomRenderer& room, RenderMode mode);
+  Status show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
+  Status upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
+  Result<DrawnView> draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
+                         RenderRow* cost);
+  Status write_picture(const JudgedView& view, RenderMode mode, const DrawnView& drawn) const;
+  [[nodiscard]] bool is_compared(std::size_t sensor, std::uint64_t number) const;
+  [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
+  [[nodiscard]] std::set<int> instants() const;
+  void tell(const std::string& what) const {
+    if (progress_) progress_(what);
+  }
+
+  const RenderBenchOptions& options_;
+  TruthViews views_;
+  RigFrames frames_;
+  const std::function<void(const std::string&)>& progress_;
+  std::vector<JudgedView> judged_;
+  RegisteredFrame frame_;
+  int uploads_ = 0;
+};
+
+Status RenderBench::judge_views() {
+  tell("true views");
+  std::map<std::pair<int, int>, TruthView> truths;
+  for (const TruthViewEntry& entry : views_.entries) {
+    auto truth = load(entry);
+    if (!truth) return truth.error();
+    truths.emplace(std::pair(entry.view, entry.instant), *std::move(truth));
+  }
+  std::map<int, std::vector<ColorSight>> sights;
+  for (const TruthViewEntry& entry : views_.entries) {
+    if (sights.contains(entry.instant)) continue;
+    for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
+      auto sensor = frames_.truth(frames_.sensors()[s], entry.frames[s]);
+      if (!sensor) return sensor.error();
+      sights[entry.instant].emplace_back(*sensor);
+    }
+  }
+  for (const TruthViewEntry& entry : views_.entries) {
+    const auto other = std::ranges::find_if(views_.entries, [&](const TruthViewEntry& e) {
+      return e.view == entry.view && e.instant != entry.instant;
+    });
+    const TruthView& now = truths.at({entry.view, entry.instant});
+    const TruthView& then =
+        other == views_.entries.end() ? now : truths.at({other->view, other->instant});
+    judged_.push_back({entry, now, classify(entry, now, then, sights.at(entry.instant))});
+  }
+  return {};
+}
+
+std::set<int> RenderBench::instants() const {
+  std::set<int> instants;
+  for (const JudgedView& view : judged_) instants.insert(view.entry.instant);
+  return instants;
+}
+
+Result<RoomRenderer> RenderBench::room_of(RenderMode mode) {
+  auto room = RoomRenderer::create();
+  if (!room) return room;
+  RoomLook look;
+  look.floor_grid = false;
+  look.background = {};
+  if (auto status = room->set_look(look); !status) return status.error();
+  std::mt19937_64 random(options_.pose_seed);
+  for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
+    const RigFrames::Sensor& sensor = frames_.sensors()[s];
+    const SensorId id{static_cast<std::uint16_t>(s)};
+    const RigidTransform pose = disturbed(sensor.world_from_depth, options_, random);
+    auto status = room->set_sensor(id, sensor.recording.camera.calibration.depth, pose);
+    if (!status) return status.error();
+  }
+  if (auto status = warm_up(*room, mode); !status) return status.error();
+  return room;
+}
+
+bool RenderBench::is_compared(std::size_t sensor, std::uint64_t number) const {
+  return std::ranges::any_of(
+      views_.entries, [&](const TruthViewEntry& entry) { return entry.frames[sensor] == number; });
+}
+
+/// All frames of the recording but those compared, in the order of time, for modes that remember.
+Status RenderBench::warm_up(RoomRenderer& room, RenderMode mode) {
+  if (!remembers_background(mode)) return {};
+  std::size_t longest = 0;
+  for (const auto& sensor : frames_.sensors()) {
+    longest = std::max(longest, sensor.recording.frames.size());
+  }
+  for (std::size_t i = 0; i < longest; ++i) {
+    tell(fmt::format("{}: background, frame {} of {}", name_of(mode), i + 1, longest));
+    for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
+      const auto& files = frames_.sensors()[s].recording.frames;
+      if (i >= files.size() || is_compared(s, files[i].index)) continue;
+      if (auto status = upload(room, s, files[i].index, nullptr); !status) return status;
+    }
+  }
+  return {};
+}
+
+Status RenderBench::upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number,
+                           RenderRow* cost) {
+  if (auto status = frames_.read(frames_.sensors()[sensor], number, frame_); !status) return status;
+  glFinish();
+  const double before = process_cpu_ms();
+  auto status = room.upload(SensorId{static_cast<std::uint16_t>(sensor)}, frame_.depth_mm,
+                            frame_.color.color, frame_.color.seen);
+  glFinish();
+  if (cost != nullptr) {
+    cost->upload_cpu_ms += process_cpu_ms() - before;
+    ++uploads_;
+  }
+  return status;
+}
+
+Status RenderBench::show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost) {
+  for (std::size_t s = 0; s < numbers.size(); ++s) {
+    if (auto status = upload(room, s, numbers[s], cost); !status) return status;
+  }
+  return {};
+}
+
+Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
+                                    RenderRow* cost) {
+  const ViewCamera& camera = view.entry.camera;
+  const auto target = OffscreenTarget::create(camera.width, camera.height);
+  if (!target) return target.error();
+  // What is derived once from a frame belongs to the frame.
+  if (auto status = room.draw(camera, *target, mode); !status) return status.error();
+  glFinish();
+  const double before = process_cpu_ms();
+  for (int i = 0; cost != nullptr && i < kDrawingsPerView; ++i) {
+    if (auto status = room.draw(camera, *target, mode); !status) return status.error();
+    glFinish();
+  }
+  if (cost != nullptr) cost->draw_cpu_ms += (process_cpu_ms() - before) / kDrawingsPerView;
+  return DrawnView{target->read_color(), target->read_depth_m(camera)};
+}
+
+Status RenderBench::write_picture(const JudgedView& view, RenderMode mode,
+                                  const DrawnView& drawn) const {
+  if (!options_.pictures) return {};
+  std::error_code error;
+  std::filesystem::create_directories(*options_.pictures, error);
+  const auto name =
+      fmt::format("view{}_t{}_{}.png", view.entry.view, view.entry.instant, name_of(mode));
+  return write_color_png(*options_.pictures / name, drawn.color);
+}
+
+/// Of every sensor the frame after this one; nothing where one has no next, or it was lost.
+std::optional<RenderBench::FrameNumbers> RenderBench::next_frames(const FrameNumbers& numbers) {
+  FrameNumbers next;
+  for (std::size_t s = 0; s < numbers.size(); ++s) {
+    const auto& files = frames_.sensors()[s].recording.frames;
+    const auto file = std::ranges::find(files, numbers[s], &RecordedFrame::index);
+    if (file == files.end() || file + 1 == files.end()) return std::nullopt;
+    next.push_back((file + 1)->index);
+  }
+  return next;
+}
+
+Result<RenderRow> RenderBench::measure(RenderMode mode) {
+  auto room = room_of(mode);
+  if (!room) return room.error();
+  RenderRow row;
+  row.mode = name_of(mode);
+  uploads_ = 0;
+  std::vector<ViewScore> scores;
+  double flicker_sum = 0;
+  int flickers = 0;
+  for (const int instant : instants()) {
+    std::vector<const JudgedView*> views;
+    for (const JudgedView& view : judged_) {
+      if (view.entry.instant == instant) views.push_back(&view);
+    }
+    if (auto status = show(*room, views.front()->entry.frames, &row); !status) {
+      return status.error();
+    }
+    std::vector<DrawnView> drawn;
+    for (const JudgedView* view : views) {
+      tell(fmt::format("{}: view {} of instant {}", row.mode, view->entry.view, instant));
+      auto picture = draw(*room, *view, mode, &row);
+      if (!picture) return picture.error();
+      scores.push_back(score(*picture, view->truth, view->classes));
+      if (auto status = write_picture(*view, mode, *picture); !status) return status.error();
+      drawn.push_back(*std::move(picture));
+    }
+    const auto next = next_frames(views.front()->entry.frames);
+    if (!next) continue;
+    if (auto status = show(*room, *next, nullptr); !status) return status.error();
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      auto picture = draw(*room, *views[i], mode, nullptr);
+      if (!picture) return picture.error();
+      flicker_sum += flicker(drawn[i], *picture, views[i]->truth, views[i]->classes);
+      ++flickers;
+    }
+  }
+  row.score = mean(scores);
+  row.flicker_levels = flickers > 0 ? flicker_sum / flickers : 0;
+  row.upload_cpu_ms /= std::max(uploads_, 1);
+  row.draw_cpu_ms /= static_cast<double>(std::max<std::size_t>(scores.size(), 1));
+  return row;
+}
+
+}  // namespace
+
+Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
+                                      const std::function<void(const std::string&)>& progress) {
+  auto views = read_truth_views(options.rig);
+  if (!views) return views.error();
+  if (views->entries.empty()) {
+    return Error{ErrorCode::kInvalidArgument, options.rig.string() + " has no true views"};
+  }
+  auto frames = RigFrames::open(options.rig, views->rig);
+  if (!frames) return frames.error();
+  auto context = EglContext::create();
+  if (!context) return context.error();
+
+  RenderReport report;
+  report.rig = options.rig.filename().string();
+  report.driver = context->driver_name();
+  report.sensors = static_cast<int>(frames->sensors().size());
+  report.width = views->entries.front().camera.width;
+  report.height = views->entries.front().camera.height;
+  RenderBench bench(options, *std::move(views), *std::move(frames), progress);
+  if (auto status = bench.judge_views(); !status) return status.error();
+  report.views = static_cast<int>(bench.view_count());
+  std::vector<RenderMode> modes = options.modes;
+  if (modes.empty()) modes.assign(kRenderModes.begin(), kRenderModes.end());
+  for (const RenderMode mode : modes) {
+    auto row = bench.measure(mode);
+    if (!row) return row.error();
+    if (mode == RenderMode::kPoints) report.points_draw_cpu_ms = row->draw_cpu_ms;
+    if (report.points_draw_cpu_ms > 0) {
+      row->draw_per_points = row->draw_cpu_ms / report.points_draw_cpu_ms;
+    }
+    report.rows.push_back(*std::move(row));
+  }
+  return report;
+}
+
+}  // namespace roomcast::bench

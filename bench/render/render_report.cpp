@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/render/render_bench.h"
+
+namespace roomcast::bench {
+
+void print_table(const RenderReport& report, std::ostream& out) {
+  out << fmt::format("{}: {} sensors, {} views of {}x{}, simulated; {}\n", report.rig,
+                     report.sensors, report.views, report.width, report.height, report.driver);
+  out << fmt::format("{:<8} {:>13} {:>13} {:>13} {:>7} {:>7} {:>8} {:>7} {:>8} {:>9} {:>8} {:>8}\n",
+                     "mode", "visible", "with colour", "covered", "moving", "holes", "floaters",
+                     "wrong", "flicker", "upload", "draw", "points=1");
+  const auto quality = [](double psnr, double ssim) {
+    return fmt::format("{:.2f} / {:.3f}", psnr, ssim);
+  };
+  for (const RenderRow& row : report.rows) {
+    const ViewScore& s = row.score;
+    out << fmt::format(
+        "{:<8} {:>13} {:>13} {:>13} {:>7.2f} {:>6.2f}% {:>7.2f}% {:>6.2f}% {:>8.2f} {:>6.1f} ms "
+        "{:>5.0f} ms "
+        "{:>8}\n",
+        row.mode, quality(s.psnr_visible, s.ssim_visible), quality(s.psnr_colored, s.ssim_colored),
+        quality(s.psnr_covered, s.ssim_covered), s.psnr_moving, 100 * s.holes, 100 * s.floaters,
+        100 * s.wrong_depth, row.flicker_levels, row.upload_cpu_ms, row.draw_cpu_ms,
+        row.draw_per_points > 0 ? fmt::format("{:.2f}", row.draw_per_points) : "-");
+  }
+}
+
+void print_json(const RenderReport& report, std::ostream& out) {
+  nlohmann::json json = {{"rig", report.rig},
+                         {"driver", report.driver},
+                         {"sensors", report.sensors},
+                         {"views", report.views},
+                         {"width", report.width},
+                         {"height", report.height},
+                         {"rows", nlohmann::json::array()}};
+  for (const RenderRow& row : report.rows) {
+    const ViewScore& s = row.score;
+    json["rows"].push_back({{"mode", row.mode},
+                            {"psnr_visible", s.psnr_visible},
+                            {"ssim_visible", s.ssim_visible},
+                            {"psnr_colored", s.psnr_colored},
+                            {"ssim_colored", s.ssim_colored},
+                            {"psnr_covered", s.psnr_covered},
+                            {"ssim_covered", s.ssim_covered},
+                            {"psnr_moving", s.psnr_moving},
+                            {"holes", s.holes},
+                            {"floaters", s.floaters},
+                            {"wrong_depth", s.wrong_depth},
+                            {"covered", s.covered},
+                            {"flicker_levels", row.flicker_levels},
+                            {"upload_cpu_ms", row.upload_cpu_ms},
+                            {"draw_cpu_ms", row.draw_cpu_ms},
+                            {"draw_per_points", row.draw_per_points}});
+  }
+  out << json.dump(1) << "\n";
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/render/rig_frames.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace roomcast::bench {
+
+Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const RigDescription& rig) {
+  RigFrames frames;
+  for (const RigSensorEntry& entry : rig.sensors) {
+    if (!entry.world_from_depth) {
+      return Error{ErrorCode::kInvalidArgument, "sensor " + entry.id + " of the rig has no pose"};
+    }
+    auto recording = read_rig_recording(folder, entry.id);
+    if (!recording) return recording.error();
+    auto registration = Registration::create(recording->camera.calibration);
+    if (!registration) return registration.error();
+    frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth,
+                               *std::move(registration), folder / "truth" / entry.id});
+  }
+  return frames;
+}
+
+Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out) {
+  const auto& files = sensor.recording.frames;
+  const auto file = std::ranges::find(files, number, &RecordedFrame::index);
+  if (file == files.end()) {
+    return Error{ErrorCode::kNotFound, fmt::format("the recording lacks frame {}", number)};
+  }
+  const SensorCalibration& cameras = sensor.recording.camera.calibration;
+  const ImageSize depth{cameras.depth.width, cameras.depth.height};
+  if (auto status = reader_.read_depth(file->depth, depth, out.depth_mm); !status) return status;
+  const ImageSize color{cameras.color.width, cameras.color.height};
+  if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
+  return sensor.registration.run(out.depth_mm, color_, out.color);
+}
+
+Result<TrueSensor> RigFrames::truth(const Sensor& sensor, std::uint64_t number) {
+  TrueSensor truth{sensor.recording.camera.calibration, sensor.world_from_depth, {}};
+  const CameraIntrinsics& lens = truth.calibration.depth;
+  const auto path = sensor.truth / fmt::format("{:06}.png", number);
+  if (auto status = reader_.read_depth(path, {lens.width, lens.height}, truth.depth_mm); !status) {
+    return status.error();
+  }
+  return truth;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frames of a rig as a viewer gets them: depth, and colour registered to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "bench/render/truth_view.h"
+#include "bench/render/view_classes.h"
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/registration.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/source/recording.h"
+
+namespace roomcast::bench {
+
+struct RegisteredFrame {
+  DepthImage depth_mm;
+  RegisteredColor color;
+};
+
+class RigFrames {
+ public:
+  /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument for a sensor without a pose.
+  static Result<RigFrames> open(const std::filesystem::path& folder, const RigDescription& rig);
+
+  struct Sensor {
+    Recording recording;
+    RigidTransform world_from_depth;
+    Registration registration;
+    std::filesystem::path truth;  // folder of its depth without error
+  };
+  [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }
+
+  /// The frame of this number. kNotFound when it was lost.
+  [[nodiscard]] Status read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out);
+  [[nodiscard]] Result<TrueSensor> truth(const Sensor& sensor, std::uint64_t number);
+
+ private:
+  ImageFileReader reader_;
+  ColorImage color_;
+  std::vector<Sensor> sensors_;
+};
+
+}  // namespace roomcast::bench

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/render/truth_view.h"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "roomcast/source/image_file.h"
+
+namespace roomcast::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TruthViewEntry entry_from_json(const json& file, const json& view, const RigDescription& rig,
+                               const fs::path& folder) {
+  TruthViewEntry entry;
+  entry.view = view.at("view");
+  entry.instant = view.at("instant");
+  const std::vector<double> pose = view.at("world_from_view");
+  entry.camera.world_from_view = transform_from_row_major(pose).value() * optical_from_view();
+  entry.camera.width = file.at("width");
+  entry.camera.height = file.at("height");
+  entry.camera.vertical_fov_rad =
+      2 * std::atan(0.5 * entry.camera.height / file.at("fy").get<double>());
+  entry.color = folder / view.at("color").get<std::string>();
+  entry.depth = folder / view.at("depth").get<std::string>();
+  entry.seen = folder / view.at("seen").get<std::string>();
+  for (const RigSensorEntry& sensor : rig.sensors) {
+    entry.frames.push_back(view.at("frame").at(sensor.id).get<std::uint64_t>());
+  }
+  return entry;
+}
+
+}  // namespace
+
+Result<TruthViews> read_truth_views(const fs::path& rig_folder) {
+  const fs::path path = rig_folder / "truth" / "views.json";
+  std::ifstream stream(path);
+  if (!stream) {
+    return Error{ErrorCode::kNotFound, "there are no true views to compare with: " + path.string() +
+                                           " is missing (roomcast simulate --views writes it)"};
+  }
+  auto rig = read_rig_json(rig_folder / "rig.json");
+  if (!rig) return rig.error();
+  TruthViews views{*std::move(rig), {}};
+  try {
+    const json file = json::parse(stream);
+    for (const json& view : file.at("views")) {
+      views.entries.push_back(entry_from_json(file, view, views.rig, path.parent_path()));
+    }
+  } catch (const json::exception& e) {
+    return Error{ErrorCode::kMalformed, path.string() + ": " + e.what()};
+  }
+  return views;
+}
+
+Result<TruthView> load(const TruthViewEntry& entry) {
+  const ImageSize size{entry.camera.width, entry.camera.height};
+  ImageFileReader reader;
+  TruthView view;
+  if (auto status = reader.read_color(entry.color, size, view.color); !status) {
+    return status.error();
+  }
+  if (auto status = reader.read_depth(entry.depth, size, view.depth_mm); !status) {
+    return status.error();
+  }
+  if (auto status = reader.read_mask(entry.seen, size, view.seen); !status) return status.error();
+  return view;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pictures from free viewpoints that come with a simulated rig (`truth/views.json`, written by
+// `roomcast simulate --views`): what a viewer should see from where no sensor stood.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/render/view_camera.h"
+#include "roomcast/source/rig_json.h"
+
+namespace roomcast::bench {
+
+struct TruthViewEntry {
+  int view = 0, instant = 0;
+  ViewCamera camera;
+  std::filesystem::path color, depth, seen;
+  std::vector<std::uint64_t> frames;  // of each sensor of the rig, taken nearest to the instant
+};
+
+struct TruthViews {
+  RigDescription rig;
+  std::vector<TruthViewEntry> entries;
+};
+
+struct TruthView {
+  ColorImage color;
+  DepthImage depth_mm;  // along the eye's axis
+  MaskImage seen;       // bit i: sensor i sees the surface now
+};
+
+/// kNotFound without the file; kMalformed, naming it, when it is not as above.
+[[nodiscard]] Result<TruthViews> read_truth_views(const std::filesystem::path& rig_folder);
+
+/// Errors as ImageFileReader's.
+[[nodiscard]] Result<TruthView> load(const TruthViewEntry& entry);
+
+}  // namespace roomcast::bench
