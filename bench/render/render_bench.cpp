@@ -131,6 +131,7 @@ Result<RoomRenderer> RenderBench::room_of(RenderMode mode) {
   RoomLook look;
   look.floor_grid = false;
   look.background = {};
+  look.remember = remembers_background(mode);
   if (auto status = room->set_look(look); !status) return status.error();
   std::mt19937_64 random(options_.pose_seed);
   for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {

@@ -14,7 +14,7 @@ enum class RenderMode {
   kBlend,   // triangles of all sensors weighted by how well each sees what the eye sees
 };
 inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSplats,
-                                            RenderMode::kMesh};
+                                            RenderMode::kMesh, RenderMode::kBlend};
 
 [[nodiscard]] constexpr std::string_view name_of(RenderMode mode) {
   switch (mode) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace roomcast {
 
@@ -15,16 +16,13 @@ Result<RoomRenderer> RoomRenderer::create() {
   if (!meshes) return std::move(meshes).error();
   Result<FloorGrid> floor = FloorGrid::create();
   if (!floor) return std::move(floor).error();
-  return RoomRenderer(*std::move(points), *std::move(mesher), *std::move(meshes),
-                      *std::move(floor));
+  Result<MemoryKeeper> memories = MemoryKeeper::create();
+  if (!memories) return std::move(memories).error();
+  Result<BlendRenderer> blend = BlendRenderer::create();
+  if (!blend) return std::move(blend).error();
+  return RoomRenderer(Parts{*std::move(points), *std::move(mesher), *std::move(meshes),
+                            *std::move(floor), *std::move(memories), *std::move(blend)});
 }
-
-RoomRenderer::RoomRenderer(PointRenderer points, SurfaceMesher mesher, MeshRenderer meshes,
-                           FloorGrid floor)
-    : points_(std::move(points)),
-      mesher_(std::move(mesher)),
-      meshes_(std::move(meshes)),
-      floor_(std::move(floor)) {}
 
 Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
                                 const RigidTransform& world_from_depth) {
@@ -34,6 +32,7 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   const auto known = sensors_.find(id);
   if (known != sensors_.end() && known->second.surface.intrinsics() == depth) {
     known->second.world_from_depth = world_from_depth;
+    for (auto& [other, sensor] : sensors_) sensor.memory_is_fresh = false;
     return {};
   }
   if (known == sensors_.end() && sensors_.size() >= kMaxRenderedSensors) {
@@ -41,7 +40,8 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   }
   Result<SensorSurface> surface = SensorSurface::create(depth);
   if (!surface) return std::move(surface).error();
-  sensors_.insert_or_assign(id, Sensor{*std::move(surface), world_from_depth, {}});
+  sensors_.insert_or_assign(id,
+                            Sensor{*std::move(surface), world_from_depth, {}, SensorMemory(depth)});
   return {};
 }
 static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
@@ -52,7 +52,11 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
     return Error{ErrorCode::kNotFound, "sensor " + std::to_string(id.value) +
                                            " has sent a picture before its calibration"};
   }
-  return sensor->second.surface.upload(depth_mm, color, seen);
+  Sensor& known = sensor->second;
+  if (Status uploaded = known.surface.upload(depth_mm, color, seen); !uploaded) return uploaded;
+  if (look_.remember) parts_.memories.remember(known.surface, known.memory);
+  known.memory_is_fresh = false;
+  return {};
 }
 
 void RoomRenderer::remove(SensorId id) {
@@ -73,9 +77,41 @@ Status RoomRenderer::draw(const ViewCamera& camera, const OffscreenTarget& targe
                  "the view's size is not that of the picture it is drawn into"};
   }
   target.clear(look_.background);
-  if (look_.floor_grid) floor_.draw(camera, look_.floor_line);
-  draw_sensors(camera, mode);
+  if (look_.floor_grid) parts_.floor.draw(camera, look_.floor_line);
+  if (mode == RenderMode::kBlend) {
+    draw_blend(camera, target);
+  } else {
+    draw_sensors(camera, mode);
+  }
   return {};
+}
+
+void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& target) {
+  refresh_memories();
+  std::vector<BlendLayer> layers;
+  for (const auto& [id, sensor] : sensors_) {
+    BlendLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays(),
+                     &sensor.surface.color()};
+    layers.push_back(layer);
+    layer.surface = &sensor.memory.background();
+    layer.color = &sensor.memory.background_color();
+    layer.is_background = true;
+    layers.push_back(layer);
+  }
+  parts_.blend.draw(layers, camera, target);
+}
+
+void RoomRenderer::refresh_memories() {
+  for (auto& [id, sensor] : sensors_) {
+    if (std::exchange(sensor.memory_is_fresh, true)) continue;
+    std::vector<OtherSensor> others;
+    for (const auto& [other_id, other] : sensors_) {
+      if (other_id == id) continue;
+      others.push_back(
+          {&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth});
+    }
+    parts_.memories.refresh(sensor.surface, others, look_.mesh, sensor.memory);
+  }
 }
 
 void RoomRenderer::draw_sensors(const ViewCamera& camera, RenderMode mode) {
@@ -84,12 +120,12 @@ void RoomRenderer::draw_sensors(const ViewCamera& camera, RenderMode mode) {
   for (auto& [id, sensor] : sensors_) {
     const SurfaceView view = surface_view(id, sensor.world_from_depth, camera);
     if (mode == RenderMode::kPoints) {
-      points_.draw(sensor.surface, view, PointSize::kOnePixel);
+      parts_.points.draw(sensor.surface, view, PointSize::kOnePixel);
     } else if (mode == RenderMode::kSplats) {
-      points_.draw(sensor.surface, view, PointSize::kAsSurface);
+      parts_.points.draw(sensor.surface, view, PointSize::kAsSurface);
     } else {
-      mesher_.update(sensor.surface, look_.mesh, sensor.mesh);
-      meshes_.draw(sensor.surface, sensor.mesh, view);
+      parts_.mesher.update(sensor.surface, look_.mesh, sensor.mesh);
+      parts_.meshes.draw(sensor.surface, sensor.mesh, view);
     }
   }
 }

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/render/blend/blend_renderer.h"
+#include "roomcast/render/blend/sensor_memory.h"
 #include "roomcast/render/floor_grid.h"
 #include "roomcast/render/mesh_renderer.h"
 #include "roomcast/render/offscreen_target.h"
@@ -23,6 +25,8 @@ struct RoomLook {
   bool floor_grid = true;
   Rgb8 floor_line = {150, 160, 175};
   SurfaceMeshOptions mesh;
+  /// For RenderMode::kBlend: every picture is remembered, whichever mode is drawn.
+  bool remember = true;
 
   /// As SurfaceMeshOptions::check.
   [[nodiscard]] Status check() const { return mesh.check(); }
@@ -61,15 +65,24 @@ class RoomRenderer {
     SensorSurface surface;
     RigidTransform world_from_depth;
     SurfaceMesh mesh;
+    SensorMemory memory;
+    bool memory_is_fresh = false;
+  };
+  struct Parts {
+    PointRenderer points;
+    SurfaceMesher mesher;
+    MeshRenderer meshes;
+    FloorGrid floor;
+    MemoryKeeper memories;
+    BlendRenderer blend;
   };
 
-  RoomRenderer(PointRenderer points, SurfaceMesher mesher, MeshRenderer meshes, FloorGrid floor);
+  explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}
   void draw_sensors(const ViewCamera& camera, RenderMode mode);
+  void draw_blend(const ViewCamera& camera, const OffscreenTarget& target);
+  void refresh_memories();
 
-  PointRenderer points_;
-  SurfaceMesher mesher_;
-  MeshRenderer meshes_;
-  FloorGrid floor_;
+  Parts parts_;
   RoomLook look_;
   std::map<SensorId, Sensor>
       sensors_;  // in order, so that the same room always gives the same picture

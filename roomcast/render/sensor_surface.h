@@ -30,6 +30,11 @@ class SensorSurface {
   /// Puts the textures where shaders/sensor_surface.glsl looks for them.
   void bind() const;
 
+  [[nodiscard]] const GlTexture& depth_mm() const { return depth_mm_; }
+  [[nodiscard]] const GlTexture& rays() const { return rays_; }
+  [[nodiscard]] const GlTexture& color() const { return color_; }
+  [[nodiscard]] const GlTexture& seen() const { return seen_; }
+
   [[nodiscard]] const CameraIntrinsics& intrinsics() const { return intrinsics_; }
   [[nodiscard]] int pixel_count() const { return intrinsics_.width * intrinsics_.height; }
   /// How many pictures were uploaded: what is derived from one compares it to know that it is out

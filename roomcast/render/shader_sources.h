@@ -7,13 +7,30 @@
 
 namespace roomcast::shaders {
 
+extern const std::string_view background_depth_comp;
+extern const std::string_view blend_surface_glsl;
+extern const std::string_view carve_comp;
+extern const std::string_view depth_noise_glsl;
+extern const std::string_view edge_distance_comp;
+extern const std::string_view fill_small_comp;
 extern const std::string_view floor_grid_frag;
 extern const std::string_view floor_grid_vert;
+extern const std::string_view grow_comp;
 extern const std::string_view mesh_frag;
 extern const std::string_view mesh_vert;
+extern const std::string_view mix_frag;
+extern const std::string_view mix_vert;
+extern const std::string_view nearest_frag;
+extern const std::string_view nearest_vert;
 extern const std::string_view points_frag;
 extern const std::string_view points_vert;
+extern const std::string_view quality_comp;
+extern const std::string_view remember_background_comp;
+extern const std::string_view resolve_frag;
 extern const std::string_view sensor_surface_glsl;
+extern const std::string_view shrink_comp;
+extern const std::string_view smooth_comp;
 extern const std::string_view surface_mesh_comp;
+extern const std::string_view whole_picture_vert;
 
 }  // namespace roomcast::shaders

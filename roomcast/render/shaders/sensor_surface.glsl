@@ -16,10 +16,9 @@ const vec3 kUnseenGrey = vec3(0.5);
 const float kUnseenSetback = 0.02;
 const vec4 kOutsideClip = vec4(2.0, 2.0, 2.0, 1.0);
 
-ivec2 pixel_of(int index) {
-  int width = textureSize(depth_mm, 0).x;
-  return ivec2(index % width, index / width);
-}
+int grid_width() { return textureSize(depth_mm, 0).x; }
+
+ivec2 pixel_of(int index) { return ivec2(index % grid_width(), index / grid_width()); }
 
 // Metres along the optical axis, 0 where there is nothing to draw.
 float z_at(ivec2 pixel) {

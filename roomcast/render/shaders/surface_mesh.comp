@@ -18,7 +18,7 @@ bool connected(float a, float b, float c) {
   return nearest > 0.0 && max(a, max(b, c)) - nearest < max_gap.x + max_gap.y * nearest;
 }
 
-uint index_of(ivec2 pixel) { return uint(pixel.y * textureSize(depth_mm, 0).x + pixel.x); }
+uint index_of(ivec2 pixel) { return uint(pixel.y * grid_width() + pixel.x); }
 
 void put(uint slot, bool whole, ivec2 a, ivec2 b, ivec2 c) {
   uint first = index_of(a);  // three times the same vertex: a triangle without area, drawn as nothing

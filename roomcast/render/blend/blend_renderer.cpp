@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/blend_renderer.h"
+
+#include <array>
+#include <utility>
+
+#include "roomcast/render/shader_sources.h"
+#include "roomcast/render/surface_view.h"
+
+namespace roomcast {
+namespace {
+
+constexpr std::size_t kLevels = 5;  // holes of up to 2^5 pixels are filled
+constexpr float kBackgroundSetback_m = 0.03F;
+constexpr float kBackgroundWeight = 0.02F;
+// How much alike directions count: higher is sharper, lower hides seams.
+constexpr float kExponent = 4;
+
+// As in shaders/blend/.
+enum SurfaceTexture : GLuint { kDepth = 0, kRays = 1, kColor = 2, kQuality = 4 };
+enum SurfaceUniform : GLint {
+  kClipFromView = 0,
+  kViewFromDepth = 1,
+  kSetback = 2,
+  kSensor = 3,
+  kWeight = 4,
+  kDirections = 5,
+};
+constexpr GLint kFromPicture = 0;  // uniform of shrink.comp
+constexpr GLint kDepthFromZ = 0;   // uniform of resolve.frag
+
+GlTexture make_smooth_texture(GLenum format, int width, int height) {
+  GlTexture texture = make_texture(format, width, height);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return texture;
+}
+
+void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const GlTexture*> colors) {
+  std::vector<GLenum> outputs;
+  for (const GlTexture* color : colors) {
+    outputs.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(outputs.size()));
+    glNamedFramebufferTexture(framebuffer.name(), outputs.back(), color->name(), 0);
+  }
+  glNamedFramebufferDrawBuffers(framebuffer.name(), static_cast<GLsizei>(outputs.size()),
+                                outputs.data());
+}
+
+}  // namespace
+
+Result<BlendRenderer> BlendRenderer::create() {
+  auto nearest =
+      make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::nearest_vert}},
+                    {GL_FRAGMENT_SHADER, {shaders::nearest_frag}}});
+  if (!nearest) return std::move(nearest).error();
+  auto mix = make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::mix_vert}},
+                           {GL_FRAGMENT_SHADER, {shaders::mix_frag}}});
+  if (!mix) return std::move(mix).error();
+  auto resolve = make_program({{GL_VERTEX_SHADER, {shaders::whole_picture_vert}},
+                               {GL_FRAGMENT_SHADER, {shaders::resolve_frag}}});
+  if (!resolve) return std::move(resolve).error();
+  auto shrink = ComputePass::create({shaders::shrink_comp});
+  if (!shrink) return std::move(shrink).error();
+  auto grow = ComputePass::create({shaders::grow_comp});
+  if (!grow) return std::move(grow).error();
+  return BlendRenderer({*std::move(nearest), *std::move(mix), *std::move(resolve),
+                        *std::move(shrink), *std::move(grow)});
+}
+
+BlendRenderer::BlendRenderer(Programs programs)
+    : programs_(std::move(programs)), vertices_(GlVertexArray::create()) {}
+
+void BlendRenderer::make_room(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, width, height);
+  nearest_sensor_ = make_texture(GL_R32I, width, height);
+  color_sum_ = make_texture(GL_RGBA16F, width, height);
+  depth_sum_ = make_texture(GL_RG32F, width, height);
+  nearest_target_ = GlFramebuffer::create();
+  use_outputs(nearest_target_, {&nearest_sensor_});
+  sum_target_ = GlFramebuffer::create();
+  use_outputs(sum_target_, {&color_sum_, &depth_sum_});
+  for (const GlFramebuffer* target : {&nearest_target_, &sum_target_}) {
+    glNamedFramebufferTexture(target->name(), GL_DEPTH_ATTACHMENT, nearest_depth_.name(), 0);
+  }
+  levels_.clear();
+  while (levels_.size() < kLevels) {
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+    levels_.push_back({make_smooth_texture(GL_RGBA16F, width, height), width, height});
+  }
+}
+
+void BlendRenderer::draw(std::span<const BlendLayer> layers, const ViewCamera& camera,
+                         const OffscreenTarget& target) {
+  make_room(camera.width, camera.height);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  draw_nearest(layers, camera);
+  mix(layers, camera);
+  glDisable(GL_CULL_FACE);
+  find_surroundings();
+  resolve(camera, target);
+}
+
+void BlendRenderer::draw_nearest(std::span<const BlendLayer> layers, const ViewCamera& camera) {
+  constexpr std::array<GLint, 4> kNobody = {kDrawnByNoSensor, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, nearest_target_.name());
+  glViewport(0, 0, width_, height_);
+  glClearNamedFramebufferiv(nearest_target_.name(), GL_COLOR, 0, kNobody.data());
+  glClearNamedFramebufferfv(nearest_target_.name(), GL_DEPTH, 0, &kFarthest);
+  glDepthFunc(GL_LESS);
+  for (const BlendLayer& layer : layers) {
+    glProgramUniform1i(programs_.nearest.name(), kSensor, layer.sensor.value);
+    draw_layer(programs_.nearest, layer, camera);
+  }
+}
+
+/// Sums up whatever lies no farther than the nearest surface, which has been set back.
+void BlendRenderer::mix(std::span<const BlendLayer> layers, const ViewCamera& camera) {
+  constexpr std::array<float, 4> kNothing{};
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sum_target_.name());
+  for (const GLint output : {0, 1}) {
+    glClearNamedFramebufferfv(sum_target_.name(), GL_COLOR, output, kNothing.data());
+  }
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glProgramUniform1f(programs_.mix.name(), kDirections, kExponent);
+  for (const BlendLayer& layer : layers) {
+    glProgramUniform1f(programs_.mix.name(), kWeight, layer.is_background ? kBackgroundWeight : 1);
+    draw_layer(programs_.mix, layer, camera);
+  }
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void BlendRenderer::draw_layer(const GlProgram& program, const BlendLayer& layer,
+                               const ViewCamera& camera) {
+  const SurfaceMesh& mesh = layer.surface->mesh;
+  if (mesh.count == 0) return;
+  const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, camera);
+  glProgramUniformMatrix4fv(program.name(), kClipFromView, 1, GL_FALSE, view.clip_from_view.data());
+  glProgramUniformMatrix4fv(program.name(), kViewFromDepth, 1, GL_FALSE,
+                            view.view_from_depth.data());
+  glProgramUniform1f(program.name(), kSetback, layer.is_background ? kBackgroundSetback_m : 0);
+  glBindTextureUnit(kDepth, layer.surface->depth_m.name());
+  glBindTextureUnit(kRays, layer.rays->name());
+  glBindTextureUnit(kColor, layer.color->name());
+  glBindTextureUnit(kQuality, layer.surface->quality.name());
+  glUseProgram(program.name());
+  glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
+  glBindVertexArray(vertices_.name());
+  glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+}
+
+void BlendRenderer::find_surroundings() {
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const Level& level = levels_[i];
+    glProgramUniform1i(programs_.shrink.program().name(), kFromPicture, i == 0);
+    glBindTextureUnit(0, i == 0 ? color_sum_.name() : levels_[i - 1].texture.name());
+    glBindTextureUnit(1, depth_sum_.name());
+    bind_image(0, level.texture, ImageAccess::kWrite, GL_RGBA16F);
+    programs_.shrink.run(level.width, level.height);
+  }
+  for (std::size_t i = levels_.size() - 1; i > 0; --i) {
+    const Level& finer = levels_[i - 1];
+    glBindTextureUnit(0, levels_[i].texture.name());
+    bind_image(0, finer.texture, ImageAccess::kBoth, GL_RGBA16F);
+    programs_.grow.run(finer.width, finer.height);
+  }
+}
+
+void BlendRenderer::resolve(const ViewCamera& camera, const OffscreenTarget& target) {
+  target.bind();
+  const Eigen::Matrix4f clip = clip_from_view(camera);
+  glProgramUniform2f(programs_.resolve.name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
+  glBindTextureUnit(0, color_sum_.name());
+  glBindTextureUnit(1, depth_sum_.name());
+  glBindTextureUnit(2, levels_.front().texture.name());
+  glBindTextureUnit(3, nearest_sensor_.name());
+  glDepthFunc(GL_ALWAYS);
+  glUseProgram(programs_.resolve.name());
+  glBindVertexArray(vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthFunc(GL_LESS);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws the surfaces of several sensors as one: those that lie within about 2 cm + 1.2 % of the
+// nearest are mixed, weighted by how well each was seen and by how alike the sensor's and the eye's
+// directions are (Buehler et al. 2001); holes of up to 32 pixels take the colour of what surrounds
+// them, the far more than the near. Needs the GL context it was made with.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/render/blend/clean_surface.h"
+#include "roomcast/render/blend/compute_pass.h"
+#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/view_camera.h"
+
+namespace roomcast {
+
+struct BlendLayer {
+  SensorId sensor;
+  RigidTransform world_from_depth;
+  const CleanSurface* surface = nullptr;
+  const GlTexture* rays = nullptr;
+  const GlTexture* color = nullptr;
+  bool is_background = false;  // stands back, and counts little beside a live one
+};
+
+class BlendRenderer {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<BlendRenderer> create();
+
+  /// Over what `target` holds. Its size must be the camera's.
+  void draw(std::span<const BlendLayer> layers, const ViewCamera& camera,
+            const OffscreenTarget& target);
+
+ private:
+  struct Programs {
+    GlProgram nearest, mix, resolve;
+    ComputePass shrink, grow;
+  };
+  explicit BlendRenderer(Programs programs);
+
+  void make_room(int width, int height);
+  void draw_nearest(std::span<const BlendLayer> layers, const ViewCamera& camera);
+  void mix(std::span<const BlendLayer> layers, const ViewCamera& camera);
+  void draw_layer(const GlProgram& program, const BlendLayer& layer, const ViewCamera& camera);
+  void find_surroundings();
+  void resolve(const ViewCamera& camera, const OffscreenTarget& target);
+
+  Programs programs_;
+  GlVertexArray vertices_;
+  int width_ = 0, height_ = 0;  // of what follows
+  GlTexture nearest_depth_, nearest_sensor_, color_sum_, depth_sum_;
+  GlFramebuffer nearest_target_, sum_target_;
+  struct Level {
+    GlTexture texture;
+    int width = 0, height = 0;
+  };
+  std::vector<Level> levels_;  // each half of the one before, the first half of the picture
+};
+
+}  // namespace roomcast

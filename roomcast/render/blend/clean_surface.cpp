@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/clean_surface.h"
+
+#include <utility>
+
+#include "roomcast/render/shader_sources.h"
+
+namespace roomcast {
+namespace {
+
+// As in shaders/blend/.
+enum TextureUnit : GLuint { kDepth = 0, kRays = 1, kSeen = 3, kEdges = 4, kBackgroundColor = 5 };
+constexpr GLint kIsBackground = 0;  // uniform of quality.comp
+
+void bind_texture(GLuint unit, const GlTexture& texture) {
+  glBindTextureUnit(unit, texture.name());
+}
+
+}  // namespace
+
+CleanSurface::CleanSurface(const CameraIntrinsics& lens)
+    : depth_m(make_texture(GL_R32F, lens.width, lens.height)),
+      quality(make_texture(GL_RG16F, lens.width, lens.height)) {
+  glClearTexImage(depth_m.name(), 0, GL_RED, GL_FLOAT, nullptr);
+}
+
+Result<SurfaceCleaner> SurfaceCleaner::create() {
+  auto fill = ComputePass::create({shaders::fill_small_comp});
+  if (!fill) return std::move(fill).error();
+  auto smooth = ComputePass::create({shaders::depth_noise_glsl, shaders::smooth_comp});
+  if (!smooth) return std::move(smooth).error();
+  auto edges = ComputePass::create({shaders::edge_distance_comp});
+  if (!edges) return std::move(edges).error();
+  auto quality = ComputePass::create({shaders::quality_comp});
+  if (!quality) return std::move(quality).error();
+  auto mesher = SurfaceMesher::create(DepthTexture::kMetres);
+  if (!mesher) return std::move(mesher).error();
+  return SurfaceCleaner(*std::move(fill), *std::move(smooth), *std::move(edges),
+                        *std::move(quality), *std::move(mesher));
+}
+
+SurfaceCleaner::SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges,
+                               ComputePass quality, SurfaceMesher mesher)
+    : fill_(std::move(fill)),
+      smooth_(std::move(smooth)),
+      edges_(std::move(edges)),
+      quality_(std::move(quality)),
+      mesher_(std::move(mesher)) {}
+
+void SurfaceCleaner::make_room(int width, int height) {
+  if (width == width_ && height == height_) return;
+  between_ = make_texture(GL_R32F, width, height);
+  edge_in_row_ = make_texture(GL_R8UI, width, height);
+  width_ = width;
+  height_ = height;
+}
+
+void SurfaceCleaner::clean(const SensorSurface& sensor, const GlTexture* background_color,
+                           const SurfaceMeshOptions& options, CleanSurface& surface) {
+  make_room(sensor.intrinsics().width, sensor.intrinsics().height);
+  const auto filter = [this](const ComputePass& pass, const GlTexture& from, const GlTexture& to) {
+    bind_texture(kDepth, from);
+    bind_image(0, to, ImageAccess::kWrite, GL_R32F);
+    pass.run(width_, height_);
+  };
+  filter(fill_, surface.depth_m, between_);
+  std::swap(between_, surface.depth_m);
+  filter(fill_, surface.depth_m, between_);
+  filter(smooth_, between_, surface.depth_m);
+
+  bind_texture(kDepth, surface.depth_m);
+  bind_image(0, edge_in_row_, ImageAccess::kWrite, GL_R8UI);
+  edges_.run(width_, height_);
+
+  bind_texture(kRays, sensor.rays());
+  bind_texture(kSeen, sensor.seen());
+  bind_texture(kEdges, edge_in_row_);
+  bind_texture(kBackgroundColor, background_color != nullptr ? *background_color : sensor.rays());
+  glProgramUniform1i(quality_.program().name(), kIsBackground, background_color != nullptr);
+  bind_image(0, surface.quality, ImageAccess::kWrite, GL_RG16F);
+  quality_.run(width_, height_);
+
+  mesher_.build(width_, height_, options, surface.mesh);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// CleanSurface: a surface of one sensor made ready to be mixed with others: depth without small
+// holes and most of its noise, how much each pixel counts, and its triangles. SurfaceCleaner makes
+// it on the GPU, once per frame. Steps and constants as measured in a prototype; the shaders say
+// what each does. Needs the GL context it was made with.
+#pragma once
+
+#include "roomcast/core/result.h"
+#include "roomcast/render/blend/compute_pass.h"
+#include "roomcast/render/sensor_surface.h"
+#include "roomcast/render/surface_mesh.h"
+
+namespace roomcast {
+
+struct CleanSurface {
+  explicit CleanSurface(const CameraIntrinsics& lens);
+
+  GlTexture depth_m;  // R32F, 0: nothing
+  GlTexture quality;  // RG16F: as a surface, as a colour
+  SurfaceMesh mesh;
+};
+
+class SurfaceCleaner {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<SurfaceCleaner> create();
+
+  /// Cleans `surface.depth_m` in place and derives the rest. `background_color`: where the colour
+  /// comes from (its alpha above 0: there is one); null: from the sensor's newest picture.
+  void clean(const SensorSurface& sensor, const GlTexture* background_color,
+             const SurfaceMeshOptions& options, CleanSurface& surface);
+
+ private:
+  SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges, ComputePass quality,
+                 SurfaceMesher mesher);
+  void make_room(int width, int height);
+
+  ComputePass fill_, smooth_, edges_, quality_;
+  SurfaceMesher mesher_;
+  int width_ = 0, height_ = 0;  // of what follows
+  GlTexture between_, edge_in_row_;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A compute shader that does something for every pixel of a picture. Needs the GL context it was
+// made with.
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "roomcast/core/result.h"
+#include "roomcast/render/gl_program.h"
+
+namespace roomcast {
+
+class ComputePass {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shader.
+  static Result<ComputePass> create(std::initializer_list<std::string_view> sources);
+
+  /// Its textures and images must be bound. What it wrote can be fetched afterwards.
+  void run(int width, int height) const;
+
+  [[nodiscard]] const GlProgram& program() const { return program_; }
+
+ private:
+  explicit ComputePass(GlProgram program);
+
+  GlProgram program_;
+  int group_width_ = 1, group_height_ = 1;
+};
+
+enum class ImageAccess : GLenum {
+  kRead = GL_READ_ONLY,
+  kWrite = GL_WRITE_ONLY,
+  kBoth = GL_READ_WRITE,
+};
+
+void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenum format);
+
+}  // namespace roomcast

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/sensor_memory.h"
+
+#include <utility>
+
+#include "roomcast/render/shader_sources.h"
+#include "roomcast/render/surface_view.h"
+
+namespace roomcast {
+namespace {
+
+// As in shaders/blend/.
+enum ImageUnit : GLuint { kReadings = 0, kColor = 1, kDepthOut = 2 };
+enum CarveTexture : GLuint { kRays = 1, kOtherDepth = 4 };
+enum CarveUniform : GLint {
+  kOtherFromDepth = 0,
+  kFocalCenter = 1,
+  kRadial = 2,
+  kTangential = 3,
+  kWidest = 4,
+};
+
+void clear(const GlTexture& texture) {
+  glClearTexImage(texture.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+}  // namespace
+
+SensorMemory::SensorMemory(const CameraIntrinsics& lens)
+    : readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
+      background_color_(make_texture(GL_RGBA16F, lens.width, lens.height)),
+      live_(lens),
+      background_(lens) {
+  clear(readings_);
+  clear(background_color_);
+}
+
+Result<MemoryKeeper> MemoryKeeper::create() {
+  auto remember = ComputePass::create(
+      {shaders::sensor_surface_glsl, shaders::depth_noise_glsl, shaders::remember_background_comp});
+  if (!remember) return std::move(remember).error();
+  auto background =
+      ComputePass::create({shaders::sensor_surface_glsl, shaders::background_depth_comp});
+  if (!background) return std::move(background).error();
+  auto carve = ComputePass::create({shaders::carve_comp});
+  if (!carve) return std::move(carve).error();
+  auto cleaner = SurfaceCleaner::create();
+  if (!cleaner) return std::move(cleaner).error();
+  return MemoryKeeper(*std::move(remember), *std::move(background), *std::move(carve),
+                      *std::move(cleaner));
+}
+
+MemoryKeeper::MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve,
+                           SurfaceCleaner cleaner)
+    : remember_(std::move(remember)),
+      background_(std::move(background)),
+      carve_(std::move(carve)),
+      cleaner_(std::move(cleaner)) {}
+
+void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) const {
+  sensor.bind();
+  bind_image(kReadings, memory.readings_, ImageAccess::kBoth, GL_RGBA32F);
+  bind_image(kColor, memory.background_color_, ImageAccess::kBoth, GL_RGBA16F);
+  bind_image(kDepthOut, memory.live_.depth_m, ImageAccess::kWrite, GL_R32F);
+  remember_.run(sensor.intrinsics().width, sensor.intrinsics().height);
+}
+
+void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
+                           const SurfaceMeshOptions& options, SensorMemory& memory) {
+  sensor.bind();
+  bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
+  bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);
+  background_.run(sensor.intrinsics().width, sensor.intrinsics().height);
+  for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
+  cleaner_.clean(sensor, &memory.background_color_, options, memory.background_);
+  cleaner_.clean(sensor, nullptr, options, memory.live_);
+}
+
+void MemoryKeeper::carve(const SensorSurface& sensor, const OtherSensor& other,
+                         const GlTexture& depth) const {
+  const CameraIntrinsics& lens = other.surface->intrinsics();
+  const Eigen::Matrix4f other_from_depth = matrix_from_transform(other.other_from_depth);
+  const GLuint program = carve_.program().name();
+  const auto real = [](double value) { return static_cast<float>(value); };
+  glProgramUniformMatrix4fv(program, kOtherFromDepth, 1, GL_FALSE, other_from_depth.data());
+  glProgramUniform4f(program, kFocalCenter, real(lens.fx), real(lens.fy), real(lens.cx),
+                     real(lens.cy));
+  glProgramUniform3f(program, kRadial, real(lens.k1), real(lens.k2), real(lens.k3));
+  glProgramUniform2f(program, kTangential, real(lens.p1), real(lens.p2));
+  glProgramUniform1f(program, kWidest, real(widest_radius_squared(lens)));
+  glBindTextureUnit(kRays, sensor.rays().name());
+  glBindTextureUnit(kOtherDepth, other.surface->depth_mm().name());
+  bind_image(0, depth, ImageAccess::kBoth, GL_R32F);
+  carve_.run(sensor.intrinsics().width, sensor.intrinsics().height);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SensorMemory: what one sensor shows now and what it has seen behind that before: two clean
+// surfaces. The remembered background fills what people hide and what a sensor momentarily loses;
+// it gives way where any sensor looks through it. Single-threaded; needs the GL context it was made
+// with.
+#pragma once
+
+#include <span>
+
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/render/blend/clean_surface.h"
+#include "roomcast/render/blend/compute_pass.h"
+#include "roomcast/render/sensor_surface.h"
+
+namespace roomcast {
+
+/// Of another sensor, to look through what this one remembers.
+struct OtherSensor {
+  const SensorSurface* surface = nullptr;
+  RigidTransform other_from_depth;
+};
+
+class SensorMemory {
+ public:
+  explicit SensorMemory(const CameraIntrinsics& lens);
+
+  [[nodiscard]] const CleanSurface& live() const { return live_; }
+  [[nodiscard]] const CleanSurface& background() const { return background_; }
+  [[nodiscard]] const GlTexture& background_color() const { return background_color_; }
+
+ private:
+  friend class MemoryKeeper;
+
+  GlTexture readings_;          // RGBA32F: remember_background.comp
+  GlTexture background_color_;  // RGBA16F: rgb, readings
+  CleanSurface live_, background_;
+};
+
+/// The programs that keep memories; one for all sensors.
+class MemoryKeeper {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<MemoryKeeper> create();
+
+  /// The sensor has a new picture. Every one counts, whether it is drawn or not.
+  void remember(const SensorSurface& sensor, SensorMemory& memory) const;
+
+  /// Makes the surfaces ready to be drawn. Once per picture, when all sensors have theirs.
+  void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
+               const SurfaceMeshOptions& options, SensorMemory& memory);
+
+ private:
+  MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve,
+               SurfaceCleaner cleaner);
+  void carve(const SensorSurface& sensor, const OtherSensor& other, const GlTexture& depth) const;
+
+  ComputePass remember_, background_, carve_;
+  SurfaceCleaner cleaner_;
+};
+
+}  // namespace roomcast

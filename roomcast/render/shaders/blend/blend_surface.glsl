@@ -1,0 +1,27 @@
+// A cleaned surface of one sensor: put in front of the shaders that mix them. The bindings and locations are those of
+// blend_renderer.cpp; the mesh's indices come from surface_mesh.comp.
+
+layout(binding = 0) uniform sampler2D depth_m;  // 0: nothing to draw
+layout(binding = 1) uniform sampler2D rays;
+layout(binding = 2) uniform sampler2D color;    // in the depth grid
+layout(binding = 4) uniform sampler2D quality;  // as a surface, as a colour
+
+layout(location = 0) uniform mat4 clip_from_view;
+layout(location = 1) uniform mat4 view_from_depth;
+layout(location = 2) uniform float setback_m;  // along the eye's ray
+
+// Surfaces this close to the nearest one are mixed with it.
+const float kMix_m = 0.02;
+const float kMixPer_m = 0.012;
+
+int grid_width() { return textureSize(depth_m, 0).x; }
+
+ivec2 pixel_of(int index) { return ivec2(index % grid_width(), index / grid_width()); }
+
+float z_at(ivec2 pixel) { return texelFetch(depth_m, pixel, 0).r; }
+
+vec3 point_in_view(ivec2 pixel) {
+  float z = z_at(pixel);
+  vec3 point = (view_from_depth * vec4(texelFetch(rays, pixel, 0).xy * z, z, 1.0)).xyz;
+  return point * (1.0 + setback_m / max(-point.z, 1.0e-3));
+}

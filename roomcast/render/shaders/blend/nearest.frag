@@ -1,0 +1,4 @@
+layout(location = 3) uniform int sensor;
+layout(location = 0) out int drawn_by;
+
+void main() { drawn_by = sensor; }

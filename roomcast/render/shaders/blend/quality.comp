@@ -1,0 +1,63 @@
+// How much a pixel counts when surfaces of several sensors are mixed: the more, the closer it is, the more squarely it
+// was seen, and the farther from the next break of the surface, where depth and colour mix what lies on both sides.
+// Red: as a surface; green: as a colour.
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D depth_in;
+layout(binding = 1) uniform sampler2D rays;
+layout(binding = 3) uniform usampler2D seen;
+layout(binding = 4) uniform usampler2D edge_in_row;
+layout(binding = 5) uniform sampler2D background_color;  // its alpha is above 0 where it has a colour
+layout(rg16f, binding = 0) writeonly uniform image2D quality;
+
+layout(location = 0) uniform bool is_background;
+
+const int kReach = 5;
+
+float edge_distance(ivec2 pixel, ivec2 size) {
+  float nearest = float(kReach * kReach);
+  for (int y = max(pixel.y - kReach, 0); y <= min(pixel.y + kReach, size.y - 1); ++y) {
+    float across = float(texelFetch(edge_in_row, ivec2(pixel.x, y), 0).r);
+    float down = float(y - pixel.y);
+    nearest = min(nearest, across * across + down * down);
+  }
+  return sqrt(nearest);
+}
+
+vec3 point_at(ivec2 pixel, ivec2 size) {
+  pixel = clamp(pixel, ivec2(0), size - 1);
+  float z = texelFetch(depth_in, pixel, 0).r;
+  return vec3(texelFetch(rays, pixel, 0).xy * z, z);
+}
+
+// From the point before to the point behind, 0 where either is missing.
+vec3 across(ivec2 pixel, ivec2 step, ivec2 size) {
+  vec3 a = point_at(pixel - step, size), b = point_at(pixel + step, size);
+  return a.z > 0.0 && b.z > 0.0 ? b - a : vec3(0.0);
+}
+
+// Of the angle between the ray and the surface's normal; 1 where there is no normal to be had.
+float facing(ivec2 pixel, ivec2 size, vec3 point) {
+  vec3 right = across(pixel, ivec2(1, 0), size) + across(pixel, ivec2(2, 0), size);
+  vec3 down = across(pixel, ivec2(0, 1), size) + across(pixel, ivec2(0, 2), size);
+  vec3 normal = cross(right, down);
+  float size2 = dot(normal, normal);
+  return size2 > 0.0 ? abs(dot(normal, normalize(point))) * inversesqrt(size2) : 1.0;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(quality);
+  if (any(greaterThanEqual(pixel, size))) return;
+  vec3 point = point_at(pixel, size);
+  vec2 counts = vec2(0.0);
+  if (point.z > 0.0) {
+    float cosine = facing(pixel, size, point);
+    float inside = min((edge_distance(pixel, size) + 0.3) / float(kReach), 1.0);
+    bool has_color = is_background ? texelFetch(background_color, pixel, 0).a > 0.0
+                                   : texelFetch(seen, pixel, 0).r != 0u;
+    counts.r = (0.05 + cosine * cosine) / (point.z * point.z) * inside;
+    counts.g = has_color ? counts.r : 0.0;
+  }
+  imageStore(quality, pixel, vec4(counts, 0.0, 0.0));
+}

@@ -1,0 +1,49 @@
+// What the sensor has seen farthest behind each pixel, and that surface's colour: the running mean of readings that
+// agree. A farther surface takes the place of a nearer one when it has been read several times; what comes in front
+// of it changes nothing. Writes the depth that is drawn, too: readings of the remembered surface become that surface,
+// which takes the noise out of whatever stands still.
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(rgba32f, binding = 0) uniform image2D background;        // metres, readings; metres, readings of a candidate
+layout(rgba16f, binding = 1) uniform image2D background_color;  // rgb, readings
+layout(r32f, binding = 2) writeonly uniform image2D depth_out;  // metres
+
+const float kMostReadings = 64.0;
+const float kMostColors = 32.0;
+const float kReadingsOfFarther = 3.0;
+
+void remember_color(ivec2 pixel, vec4 known) {
+  if (!color_is_seen(pixel)) return;
+  known.a = min(known.a + 1.0, kMostColors);
+  known.rgb += (texelFetch(color, pixel, 0).rgb - known.rgb) / known.a;
+  imageStore(background_color, pixel, known);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, textureSize(depth_mm, 0)))) return;
+  float z = z_at(pixel);
+  vec4 known = imageLoad(background, pixel);
+  float shown = z;
+  if (z > 0.0) {
+    float gate = same_surface_gate(z);
+    if (known.x > 0.0 && abs(z - known.x) < gate) {
+      known.y = min(known.y + 1.0, kMostReadings);
+      known.x += (z - known.x) / known.y;
+      known.w = 0.0;
+      shown = known.x;
+      remember_color(pixel, imageLoad(background_color, pixel));
+    } else if (z > known.x) {
+      bool agrees = known.w > 0.0 && abs(z - known.z) < gate;
+      known.w = agrees ? known.w + 1.0 : 1.0;
+      known.z = agrees ? known.z + (z - known.z) / known.w : z;
+      if (known.x == 0.0 || known.w >= kReadingsOfFarther) {
+        known = vec4(known.zw, 0.0, 0.0);
+        imageStore(background_color, pixel, vec4(0.0));
+        remember_color(pixel, vec4(0.0));
+      }
+    }
+    imageStore(background, pixel, known);
+  }
+  imageStore(depth_out, pixel, vec4(shown));
+}

@@ -1,0 +1,30 @@
+// Half the size: sums of colours with their weights (push-pull, Gortler et al. 1996). The far counts more: what fills a
+// hole beside a person is the wall behind.
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D color_sum;  // of the mixed picture, or the finer level
+layout(binding = 1) uniform sampler2D depth_sum;
+layout(rgba16f, binding = 0) writeonly uniform image2D coarser;
+
+layout(location = 0) uniform bool from_picture;
+
+const float kFar_m = 4.0;
+
+vec4 weighted(ivec2 pixel) {
+  ivec2 size = textureSize(color_sum, 0);
+  if (any(greaterThanEqual(pixel, size))) return vec4(0.0);
+  vec4 sum = texelFetch(color_sum, pixel, 0);
+  if (!from_picture) return sum;
+  vec2 depth = texelFetch(depth_sum, pixel, 0).rg;
+  if (sum.a <= 0.0 || depth.y <= 0.0) return vec4(0.0);
+  float far = min(depth.x / depth.y / kFar_m, 1.0);
+  return vec4(sum.rgb / sum.a, 1.0) * (far * far * far + 0.001);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(coarser)))) return;
+  ivec2 first = 2 * pixel;
+  vec4 sum = weighted(first) + weighted(first + ivec2(1, 0)) + weighted(first + ivec2(0, 1)) + weighted(first + 1);
+  imageStore(coarser, pixel, 0.25 * sum);
+}
