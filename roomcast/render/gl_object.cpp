@@ -49,6 +49,13 @@ GlTexture make_texture(GLenum internal_format, int width, int height) {
   return texture;
 }
 
+GlTexture make_smooth_texture(GLenum internal_format, int width, int height) {
+  GlTexture texture = make_texture(internal_format, width, height);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return texture;
+}
+
 GlBuffer make_buffer(GLsizeiptr bytes) {
   GlBuffer buffer = GlBuffer::create();
   glNamedBufferStorage(buffer.name(), bytes, nullptr, 0);

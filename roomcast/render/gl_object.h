@@ -59,6 +59,9 @@ using GlTexture = GlObject<GlTextureKind>;
 /// error.)
 [[nodiscard]] GlTexture make_texture(GLenum internal_format, int width, int height);
 
+/// The same, read between pixels: linear. Not for integers.
+[[nodiscard]] GlTexture make_smooth_texture(GLenum internal_format, int width, int height);
+
 /// A buffer of fixed size that the CPU does not touch. Its content is undefined.
 [[nodiscard]] GlBuffer make_buffer(GLsizeiptr bytes);
 

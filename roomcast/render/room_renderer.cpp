@@ -90,11 +90,9 @@ void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& t
   refresh_memories();
   std::vector<BlendLayer> layers;
   for (const auto& [id, sensor] : sensors_) {
-    BlendLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays(),
-                     &sensor.surface.color()};
+    BlendLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays()};
     layers.push_back(layer);
     layer.surface = &sensor.memory.background();
-    layer.color = &sensor.memory.background_color();
     layer.is_background = true;
     layers.push_back(layer);
   }

@@ -10,7 +10,9 @@
 namespace roomcast {
 namespace {
 
-constexpr std::size_t kLevels = 5;  // holes of up to 2^5 pixels are filled
+constexpr std::size_t kLevels = 10;  // the coarsest covers 1024 pixels
+// Of which coverage is asked; 16 and 64 pixels are one there.
+constexpr std::size_t kNarrow = 4, kWide = 6;
 constexpr float kBackgroundSetback_m = 0.03F;
 constexpr float kBackgroundWeight = 0.02F;
 // How much alike directions count: higher is sharper, lower hides seams.
@@ -27,14 +29,7 @@ enum SurfaceUniform : GLint {
   kDirections = 5,
 };
 constexpr GLint kFromPicture = 0;  // uniform of shrink.comp
-constexpr GLint kDepthFromZ = 0;   // uniform of resolve.frag
-
-GlTexture make_smooth_texture(GLenum format, int width, int height) {
-  GlTexture texture = make_texture(format, width, height);
-  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
-}
+enum ResolveUniform : GLint { kDepthFromZ = 0, kCoverageSizes = 1 };
 
 void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const GlTexture*> colors) {
   std::vector<GLenum> outputs;
@@ -54,7 +49,7 @@ Result<BlendRenderer> BlendRenderer::create() {
                     {GL_FRAGMENT_SHADER, {shaders::nearest_frag}}});
   if (!nearest) return std::move(nearest).error();
   auto mix = make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::mix_vert}},
-                           {GL_FRAGMENT_SHADER, {shaders::mix_frag}}});
+                           {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::mix_frag}}});
   if (!mix) return std::move(mix).error();
   auto resolve = make_program({{GL_VERTEX_SHADER, {shaders::whole_picture_vert}},
                                {GL_FRAGMENT_SHADER, {shaders::resolve_frag}}});
@@ -89,7 +84,8 @@ void BlendRenderer::make_room(int width, int height) {
   while (levels_.size() < kLevels) {
     width = (width + 1) / 2;
     height = (height + 1) / 2;
-    levels_.push_back({make_smooth_texture(GL_RGBA16F, width, height), width, height});
+    levels_.push_back({make_smooth_texture(GL_RGBA16F, width, height),
+                       make_smooth_texture(GL_R16F, width, height), width, height});
   }
 }
 
@@ -150,7 +146,7 @@ void BlendRenderer::draw_layer(const GlProgram& program, const BlendLayer& layer
   glProgramUniform1f(program.name(), kSetback, layer.is_background ? kBackgroundSetback_m : 0);
   glBindTextureUnit(kDepth, layer.surface->depth_m.name());
   glBindTextureUnit(kRays, layer.rays->name());
-  glBindTextureUnit(kColor, layer.color->name());
+  glBindTextureUnit(kColor, layer.surface->weighted_color.name());
   glBindTextureUnit(kQuality, layer.surface->quality.name());
   glUseProgram(program.name());
   glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
@@ -163,15 +159,17 @@ void BlendRenderer::find_surroundings() {
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     const Level& level = levels_[i];
     glProgramUniform1i(programs_.shrink.program().name(), kFromPicture, i == 0);
-    glBindTextureUnit(0, i == 0 ? color_sum_.name() : levels_[i - 1].texture.name());
+    glBindTextureUnit(0, i == 0 ? color_sum_.name() : levels_[i - 1].color.name());
     glBindTextureUnit(1, depth_sum_.name());
-    bind_image(0, level.texture, ImageAccess::kWrite, GL_RGBA16F);
+    glBindTextureUnit(2, i == 0 ? depth_sum_.name() : levels_[i - 1].coverage.name());
+    bind_image(0, level.color, ImageAccess::kWrite, GL_RGBA16F);
+    bind_image(1, level.coverage, ImageAccess::kWrite, GL_R16F);
     programs_.shrink.run(level.width, level.height);
   }
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
     const Level& finer = levels_[i - 1];
-    glBindTextureUnit(0, levels_[i].texture.name());
-    bind_image(0, finer.texture, ImageAccess::kBoth, GL_RGBA16F);
+    glBindTextureUnit(0, levels_[i].color.name());
+    bind_image(0, finer.color, ImageAccess::kBoth, GL_RGBA16F);
     programs_.grow.run(finer.width, finer.height);
   }
 }
@@ -182,13 +180,22 @@ void BlendRenderer::resolve(const ViewCamera& camera, const OffscreenTarget& tar
   glProgramUniform2f(programs_.resolve.name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
   glBindTextureUnit(0, color_sum_.name());
   glBindTextureUnit(1, depth_sum_.name());
-  glBindTextureUnit(2, levels_.front().texture.name());
+  const Level &narrow = levels_[kNarrow - 1], &wide = levels_[kWide - 1];
+  glBindTextureUnit(2, levels_.front().color.name());
   glBindTextureUnit(3, nearest_sensor_.name());
+  glBindTextureUnit(4, narrow.coverage.name());
+  glBindTextureUnit(5, wide.coverage.name());
+  const auto px = [](int pixels, std::size_t level) { return static_cast<float>(pixels << level); };
+  glProgramUniform4f(programs_.resolve.name(), kCoverageSizes, px(narrow.width, kNarrow),
+                     px(narrow.height, kNarrow), px(wide.width, kWide), px(wide.height, kWide));
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_ALWAYS);
   glUseProgram(programs_.resolve.name());
   glBindVertexArray(vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace roomcast

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the surfaces of several sensors as one: those that lie within about 2 cm + 1.2 % of the
 // nearest are mixed, weighted by how well each was seen and by how alike the sensor's and the eye's
-// directions are (Buehler et al. 2001); holes of up to 32 pixels take the colour of what surrounds
-// them, the far more than the near. Needs the GL context it was made with.
+// directions are (Buehler et al. 2001). Holes among surfaces, and surfaces whose colour nobody saw,
+// take the colour of what surrounds them, the far more than the near (push-pull, Gortler et al.
+// 1996). Needs the GL context it
+// was made with.
 #pragma once
 
 #include <span>
@@ -21,7 +23,6 @@ struct BlendLayer {
   RigidTransform world_from_depth;
   const CleanSurface* surface = nullptr;
   const GlTexture* rays = nullptr;
-  const GlTexture* color = nullptr;
   bool is_background = false;  // stands back, and counts little beside a live one
 };
 
@@ -54,7 +55,7 @@ class BlendRenderer {
   GlTexture nearest_depth_, nearest_sensor_, color_sum_, depth_sum_;
   GlFramebuffer nearest_target_, sum_target_;
   struct Level {
-    GlTexture texture;
+    GlTexture color, coverage;
     int width = 0, height = 0;
   };
   std::vector<Level> levels_;  // each half of the one before, the first half of the picture

@@ -9,7 +9,15 @@ namespace roomcast {
 namespace {
 
 // As in shaders/blend/.
-enum TextureUnit : GLuint { kDepth = 0, kRays = 1, kSeen = 3, kEdges = 4, kBackgroundColor = 5 };
+enum TextureUnit : GLuint {
+  kDepth = 0,
+  kRays = 1,
+  kColor = 2,
+  kSeen = 3,
+  kEdges = 4,
+  kBackgroundColor = 5,
+  kReadings = 6,
+};
 constexpr GLint kIsBackground = 0;  // uniform of quality.comp
 
 void bind_texture(GLuint unit, const GlTexture& texture) {
@@ -20,7 +28,8 @@ void bind_texture(GLuint unit, const GlTexture& texture) {
 
 CleanSurface::CleanSurface(const CameraIntrinsics& lens)
     : depth_m(make_texture(GL_R32F, lens.width, lens.height)),
-      quality(make_texture(GL_RG16F, lens.width, lens.height)) {
+      quality(make_smooth_texture(GL_R16F, lens.width, lens.height)),
+      weighted_color(make_smooth_texture(GL_RGBA16F, lens.width, lens.height)) {
   glClearTexImage(depth_m.name(), 0, GL_RED, GL_FLOAT, nullptr);
 }
 
@@ -31,7 +40,7 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
   if (!smooth) return std::move(smooth).error();
   auto edges = ComputePass::create({shaders::edge_distance_comp});
   if (!edges) return std::move(edges).error();
-  auto quality = ComputePass::create({shaders::quality_comp});
+  auto quality = ComputePass::create({shaders::depth_noise_glsl, shaders::quality_comp});
   if (!quality) return std::move(quality).error();
   auto mesher = SurfaceMesher::create(DepthTexture::kMetres);
   if (!mesher) return std::move(mesher).error();
@@ -55,7 +64,7 @@ void SurfaceCleaner::make_room(int width, int height) {
   height_ = height;
 }
 
-void SurfaceCleaner::clean(const SensorSurface& sensor, const GlTexture* background_color,
+void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& background, Shows shows,
                            const SurfaceMeshOptions& options, CleanSurface& surface) {
   make_room(sensor.intrinsics().width, sensor.intrinsics().height);
   const auto filter = [this](const ComputePass& pass, const GlTexture& from, const GlTexture& to) {
@@ -73,11 +82,14 @@ void SurfaceCleaner::clean(const SensorSurface& sensor, const GlTexture* backgro
   edges_.run(width_, height_);
 
   bind_texture(kRays, sensor.rays());
+  bind_texture(kColor, sensor.color());
   bind_texture(kSeen, sensor.seen());
   bind_texture(kEdges, edge_in_row_);
-  bind_texture(kBackgroundColor, background_color != nullptr ? *background_color : sensor.rays());
-  glProgramUniform1i(quality_.program().name(), kIsBackground, background_color != nullptr);
-  bind_image(0, surface.quality, ImageAccess::kWrite, GL_RG16F);
+  bind_texture(kBackgroundColor, background.color);
+  bind_texture(kReadings, background.readings);
+  glProgramUniform1i(quality_.program().name(), kIsBackground, shows == Shows::kBackground);
+  bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
+  bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
   quality_.run(width_, height_);
 
   mesher_.build(width_, height_, options, surface.mesh);

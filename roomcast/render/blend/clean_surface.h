@@ -15,8 +15,9 @@ namespace roomcast {
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
 
-  GlTexture depth_m;  // R32F, 0: nothing
-  GlTexture quality;  // RG16F: as a surface, as a colour
+  GlTexture depth_m;         // R32F, 0: nothing
+  GlTexture quality;         // R16F: how much it counts beside others
+  GlTexture weighted_color;  // RGBA16F: rgb times quality, quality; 0 without a colour
   SurfaceMesh mesh;
 };
 
@@ -25,9 +26,15 @@ class SurfaceCleaner {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<SurfaceCleaner> create();
 
-  /// Cleans `surface.depth_m` in place and derives the rest. `background_color`: where the colour
-  /// comes from (its alpha above 0: there is one); null: from the sensor's newest picture.
-  void clean(const SensorSurface& sensor, const GlTexture* background_color,
+  /// What is remembered: metres and readings; mean colour and of how many.
+  struct Background {
+    const GlTexture& readings;
+    const GlTexture& color;
+  };
+  enum class Shows { kNewest, kBackground };
+
+  /// Cleans `surface.depth_m`, which is that of what it shows, in place and derives the rest.
+  void clean(const SensorSurface& sensor, const Background& background, Shows shows,
              const SurfaceMeshOptions& options, CleanSurface& surface);
 
  private:

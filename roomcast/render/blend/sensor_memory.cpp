@@ -72,8 +72,10 @@ void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSen
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);
   background_.run(sensor.intrinsics().width, sensor.intrinsics().height);
   for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
-  cleaner_.clean(sensor, &memory.background_color_, options, memory.background_);
-  cleaner_.clean(sensor, nullptr, options, memory.live_);
+  const SurfaceCleaner::Background known{memory.readings_, memory.background_color_};
+  using Shows = SurfaceCleaner::Shows;
+  cleaner_.clean(sensor, known, Shows::kBackground, options, memory.background_);
+  cleaner_.clean(sensor, known, Shows::kNewest, options, memory.live_);
 }
 
 void MemoryKeeper::carve(const SensorSurface& sensor, const OtherSensor& other,

@@ -27,7 +27,6 @@ class SensorMemory {
 
   [[nodiscard]] const CleanSurface& live() const { return live_; }
   [[nodiscard]] const CleanSurface& background() const { return background_; }
-  [[nodiscard]] const GlTexture& background_color() const { return background_color_; }
 
  private:
   friend class MemoryKeeper;

@@ -3,8 +3,8 @@
 
 layout(binding = 0) uniform sampler2D depth_m;  // 0: nothing to draw
 layout(binding = 1) uniform sampler2D rays;
-layout(binding = 2) uniform sampler2D color;    // in the depth grid
-layout(binding = 4) uniform sampler2D quality;  // as a surface, as a colour
+layout(binding = 2) uniform sampler2D weighted_color;  // in the depth grid: rgb times quality, quality
+layout(binding = 4) uniform sampler2D quality;
 
 layout(location = 0) uniform mat4 clip_from_view;
 layout(location = 1) uniform mat4 view_from_depth;

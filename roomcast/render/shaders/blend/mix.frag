@@ -1,9 +1,9 @@
-in vec4 weighted_color;
-in vec2 weighted_depth;
-layout(location = 0) out vec4 color_sum;
-layout(location = 1) out vec2 depth_sum;
+in vec2 at;
+in vec2 depth_weight;
+layout(location = 0) out vec4 color_sum;  // rgb times weight, weight
+layout(location = 1) out vec2 depth_sum;  // metres times weight, weight
 
 void main() {
-  color_sum = weighted_color;
-  depth_sum = weighted_depth;
+  color_sum = texture(weighted_color, at) * depth_weight.y;
+  depth_sum = vec2(depth_weight.x, 1.0) * (texture(quality, at).r * depth_weight.y);
 }

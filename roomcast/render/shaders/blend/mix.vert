@@ -4,8 +4,8 @@
 layout(location = 4) uniform float weight;    // of this surface beside others
 layout(location = 5) uniform float exponent;  // how much directions count
 
-out vec4 weighted_color;  // rgb times weight, weight
-out vec2 weighted_depth;  // metres along the eye's axis times weight, weight
+out vec2 at;            // in the depth grid, 0..1
+out vec2 depth_weight;  // metres along the eye's axis; how much it counts
 
 const float kLeastAgreement = 0.05;
 const float kScale = 256.0;  // half floats are finer there
@@ -15,8 +15,7 @@ void main() {
   vec3 point = point_in_view(pixel);
   vec3 from_sensor = point - view_from_depth[3].xyz;
   float agreement = 0.5 + 0.5 * dot(normalize(point), normalize(from_sensor));
-  vec2 counts = texelFetch(quality, pixel, 0).rg * (kScale * weight * pow(max(agreement, kLeastAgreement), exponent));
-  weighted_color = vec4(texelFetch(color, pixel, 0).rgb, 1.0) * counts.g;
-  weighted_depth = vec2(-point.z, 1.0) * counts.r;
+  at = (vec2(pixel) + 0.5) / vec2(textureSize(depth_m, 0));
+  depth_weight = vec2(-point.z, kScale * weight * pow(max(agreement, kLeastAgreement), exponent));
   gl_Position = clip_from_view * vec4(point, 1.0);
 }
