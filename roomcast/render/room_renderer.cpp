@@ -54,13 +54,17 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
   }
   Sensor& known = sensor->second;
   if (Status uploaded = known.surface.upload(depth_mm, color, seen); !uploaded) return uploaded;
-  if (look_.remember) parts_.memories.remember(known.surface, known.memory);
+  if (look_.remember) {
+    parts_.memories.remember(known.surface, known.memory);
+    colors_.offer(id, known.surface.intrinsics(), depth_mm, color, seen);
+  }
   known.memory_is_fresh = false;
   return {};
 }
 
 void RoomRenderer::remove(SensorId id) {
   sensors_.erase(id);
+  colors_.forget(id);
 }
 
 Status RoomRenderer::set_look(const RoomLook& look) {
@@ -100,6 +104,9 @@ void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& t
 }
 
 void RoomRenderer::refresh_memories() {
+  std::map<SensorId, RigidTransform> poses;
+  for (const auto& [id, sensor] : sensors_) poses.emplace(id, sensor.world_from_depth);
+  colors_.update(poses);
   for (auto& [id, sensor] : sensors_) {
     if (std::exchange(sensor.memory_is_fresh, true)) continue;
     std::vector<OtherSensor> others;
@@ -108,7 +115,7 @@ void RoomRenderer::refresh_memories() {
       others.push_back(
           {&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth});
     }
-    parts_.memories.refresh(sensor.surface, others, look_.mesh, sensor.memory);
+    parts_.memories.refresh(sensor.surface, others, {look_.mesh, colors_.gain(id)}, sensor.memory);
   }
 }
 

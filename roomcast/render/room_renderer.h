@@ -8,6 +8,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/render/blend/blend_renderer.h"
+#include "roomcast/render/blend/color_matching.h"
 #include "roomcast/render/blend/sensor_memory.h"
 #include "roomcast/render/floor_grid.h"
 #include "roomcast/render/mesh_renderer.h"
@@ -83,6 +84,7 @@ class RoomRenderer {
   void refresh_memories();
 
   Parts parts_;
+  ColorMatching colors_;
   RoomLook look_;
   std::map<SensorId, Sensor>
       sensors_;  // in order, so that the same room always gives the same picture

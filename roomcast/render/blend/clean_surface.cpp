@@ -18,7 +18,7 @@ enum TextureUnit : GLuint {
   kBackgroundColor = 5,
   kReadings = 6,
 };
-constexpr GLint kIsBackground = 0;  // uniform of quality.comp
+enum QualityUniform : GLint { kIsBackground = 0, kGain = 1 };
 
 void bind_texture(GLuint unit, const GlTexture& texture) {
   glBindTextureUnit(unit, texture.name());
@@ -65,7 +65,7 @@ void SurfaceCleaner::make_room(int width, int height) {
 }
 
 void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& background, Shows shows,
-                           const SurfaceMeshOptions& options, CleanSurface& surface) {
+                           const Options& options, CleanSurface& surface) {
   make_room(sensor.intrinsics().width, sensor.intrinsics().height);
   const auto filter = [this](const ComputePass& pass, const GlTexture& from, const GlTexture& to) {
     bind_texture(kDepth, from);
@@ -88,11 +88,12 @@ void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& backgr
   bind_texture(kBackgroundColor, background.color);
   bind_texture(kReadings, background.readings);
   glProgramUniform1i(quality_.program().name(), kIsBackground, shows == Shows::kBackground);
+  glProgramUniform3fv(quality_.program().name(), kGain, 1, options.gain.data());
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
   bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
   quality_.run(width_, height_);
 
-  mesher_.build(width_, height_, options, surface.mesh);
+  mesher_.build(width_, height_, options.mesh, surface.mesh);
 }
 
 }  // namespace roomcast

@@ -5,6 +5,8 @@
 // what each does. Needs the GL context it was made with.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "roomcast/core/result.h"
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/sensor_surface.h"
@@ -32,10 +34,14 @@ class SurfaceCleaner {
     const GlTexture& color;
   };
   enum class Shows { kNewest, kBackground };
+  struct Options {
+    SurfaceMeshOptions mesh;
+    Eigen::Vector3f gain = Eigen::Vector3f::Ones();  // of its colours, red first
+  };
 
   /// Cleans `surface.depth_m`, which is that of what it shows, in place and derives the rest.
   void clean(const SensorSurface& sensor, const Background& background, Shows shows,
-             const SurfaceMeshOptions& options, CleanSurface& surface);
+             const Options& options, CleanSurface& surface);
 
  private:
   SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges, ComputePass quality,

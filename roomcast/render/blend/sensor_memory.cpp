@@ -66,7 +66,7 @@ void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) c
 }
 
 void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-                           const SurfaceMeshOptions& options, SensorMemory& memory) {
+                           const SurfaceCleaner::Options& options, SensorMemory& memory) {
   sensor.bind();
   bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);

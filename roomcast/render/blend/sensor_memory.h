@@ -47,7 +47,7 @@ class MemoryKeeper {
 
   /// Makes the surfaces ready to be drawn. Once per picture, when all sensors have theirs.
   void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-               const SurfaceMeshOptions& options, SensorMemory& memory);
+               const SurfaceCleaner::Options& options, SensorMemory& memory);
 
  private:
   MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve,

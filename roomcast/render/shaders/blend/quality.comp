@@ -14,6 +14,7 @@ layout(r16f, binding = 0) writeonly uniform image2D quality;
 layout(rgba16f, binding = 1) writeonly uniform image2D weighted_color;  // rgb times quality, quality; or nothing
 
 layout(location = 0) uniform bool is_background;
+layout(location = 1) uniform vec3 gain;  // makes the sensor's colours agree with the others'
 
 // Mean difference of the colours around a pixel: up to the first it is noise, from the second on something changed.
 const float kNoise = 0.03;
@@ -82,7 +83,7 @@ vec4 plain_color(ivec2 pixel, ivec2 size) {
 
 // Colour was averaged over a depth pixel and will be interpolated between them; both take contrast from fine detail,
 // which this gives back in part.
-const float kSharpen = 0.6;
+const float kSharpen = 0.9;
 
 vec4 color_at(ivec2 pixel, ivec2 size) {
   vec4 here = plain_color(pixel, size);
@@ -113,5 +114,5 @@ void main() {
   }
   imageStore(quality, pixel, vec4(counts));
   vec4 shown = counts > 0.0 ? color_at(pixel, size) : vec4(0.0);
-  imageStore(weighted_color, pixel, vec4(shown.rgb, 1.0) * shown.a * counts);
+  imageStore(weighted_color, pixel, vec4(shown.rgb * gain, 1.0) * shown.a * counts);
 }

@@ -26,7 +26,7 @@ void main() {
   vec4 color = texelFetch(color_sum, pixel, 0);
   vec2 depth = texelFetch(depth_sum, pixel, 0).rg;
   bool is_surface = depth.y > 0.0;
-  float shown = is_surface ? 1.0 : is_hole();
+  float shown = is_surface ? 1.0 : max(is_hole(), 1.0);
   if (shown == 0.0) discard;
   if (color.a <= 0.0) color = texture(surroundings, gl_FragCoord.xy / vec2(2 * textureSize(surroundings, 0)));
   picture = vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0.5), shown);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/color_matching.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace roomcast {
+namespace {
+
+constexpr int kGridStep = 6;                    // every so many pixels a place is compared
+constexpr std::size_t kEnoughPlaces = 60;       // of a pair
+constexpr int kDarkest = 20, kBrightest = 235;  // levels between which a ratio means something
+constexpr double kSamePlace_m = 0.02, kSamePlacePer_m = 0.01;
+constexpr double kPriorPlaces = 10;  // that say: no factor at all
+constexpr double kLargestLog = 0.5;
+constexpr float kFollow = 0.5F;  // share of a change that one update takes over
+
+template <class T>
+void copy(ImageView<const T> from, Image<T>& to) {
+  to.resize(from.width, from.height);
+  for (int y = 0; y < from.height; ++y) {
+    std::copy_n(from.row(y), from.width, to.view().row(y));
+  }
+}
+
+bool is_telling(Rgb8 color) {
+  const auto [least, most] = std::minmax({color.r, color.g, color.b});
+  return least >= kDarkest && most <= kBrightest;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+void ColorMatching::offer(SensorId sensor, const CameraIntrinsics& lens, DepthView depth_mm,
+                          ColorView color, MaskView seen) {
+  if (color.pixel_count() == 0 || seen.pixel_count() == 0) return;
+  Picture& picture = pictures_[sensor];
+  if (++picture.skipped < kEvery && same_size(picture.lens, lens)) return;
+  picture.skipped = 0;
+  picture.lens = lens;
+  copy(depth_mm, picture.depth_mm);
+  copy(color, picture.color);
+  copy(seen, picture.seen);
+  is_news_ = true;
+}
+
+void ColorMatching::forget(SensorId sensor) {
+  pictures_.erase(sensor);
+}
+
+std::optional<ColorMatching::PairRatio> ColorMatching::compare(const Picture& a, const Picture& b,
+                                                               const RigidTransform& b_from_a) {
+  std::array<std::vector<double>, 3> logs;
+  for (int y = 0; y < a.lens.height; y += kGridStep) {
+    for (int x = 0; x < a.lens.width; x += kGridStep) {
+      const double z_m = 0.001 * a.depth_mm.at(x, y);
+      if (z_m <= 0 || a.seen.at(x, y) == 0 || !is_telling(a.color.at(x, y))) continue;
+      const auto point = unproject(a.lens, {x, y}, z_m);
+      if (!point) continue;
+      const Eigen::Vector3d in_b = b_from_a * *point;
+      const auto pixel = project(b.lens, in_b);
+      if (!pixel) continue;
+      const int u = static_cast<int>(std::lround(pixel->x()));
+      const int v = static_cast<int>(std::lround(pixel->y()));
+      if (u < 0 || v < 0 || u >= b.lens.width || v >= b.lens.height) continue;
+      const double apart_m = std::abs(0.001 * b.depth_mm.at(u, v) - in_b.z());
+      if (apart_m > kSamePlace_m + kSamePlacePer_m * in_b.z()) continue;
+      if (b.seen.at(u, v) == 0 || !is_telling(b.color.at(u, v))) continue;
+      const Rgb8 ca = a.color.at(x, y), cb = b.color.at(u, v);
+      logs[0].push_back(std::log(static_cast<double>(cb.r) / ca.r));
+      logs[1].push_back(std::log(static_cast<double>(cb.g) / ca.g));
+      logs[2].push_back(std::log(static_cast<double>(cb.b) / ca.b));
+    }
+  }
+  if (logs[0].size() < kEnoughPlaces) return std::nullopt;
+  PairRatio ratio;
+  ratio.places = static_cast<double>(logs[0].size());
+  ratio.log_b_over_a = {median(logs[0]), median(logs[1]), median(logs[2])};
+  return ratio;
+}
+
+void ColorMatching::update(const std::map<SensorId, RigidTransform>& world_from_depth) {
+  if (!std::exchange(is_news_, false)) return;
+  std::vector<std::pair<SensorId, Picture*>> known;
+  for (auto& [id, picture] : pictures_) {
+    if (world_from_depth.contains(id)) known.emplace_back(id, &picture);
+  }
+  const auto count = static_cast<Eigen::Index>(known.size());
+  Eigen::MatrixXd normal = kPriorPlaces * Eigen::MatrixXd::Identity(count, count);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      if (i == j) continue;
+      const auto& [id_a, a] = known[static_cast<std::size_t>(i)];
+      const auto& [id_b, b] = known[static_cast<std::size_t>(j)];
+      const auto ratio =
+          compare(*a, *b, world_from_depth.at(id_b).inverse() * world_from_depth.at(id_a));
+      if (!ratio) continue;
+      // gain_a * a should be gain_b * b.
+      normal(i, i) += ratio->places;
+      normal(j, j) += ratio->places;
+      normal(i, j) -= ratio->places;
+      normal(j, i) -= ratio->places;
+      right.row(i) += ratio->places * ratio->log_b_over_a.transpose();
+      right.row(j) -= ratio->places * ratio->log_b_over_a.transpose();
+    }
+  }
+  const Eigen::MatrixXd logs =
+      normal.ldlt().solve(right).cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    Eigen::Vector3f& log_gain = known[static_cast<std::size_t>(i)].second->log_gain;
+    log_gain += kFollow * (logs.row(i).transpose().cast<float>() - log_gain);
+  }
+}
+
+Eigen::Vector3f ColorMatching::gain(SensorId sensor) const {
+  const auto picture = pictures_.find(sensor);
+  if (picture == pictures_.end()) return Eigen::Vector3f::Ones();
+  return picture->second.log_gain.array().exp().matrix();
+}
+
+}  // namespace roomcast
