@@ -7,6 +7,7 @@
 
 namespace roomcast::shaders {
 
+extern const std::string_view adaptive_mesh_comp;
 extern const std::string_view background_depth_comp;
 extern const std::string_view blend_surface_glsl;
 extern const std::string_view carve_comp;
@@ -17,6 +18,8 @@ extern const std::string_view floor_grid_frag;
 extern const std::string_view floor_grid_vert;
 extern const std::string_view grow_comp;
 extern const std::string_view mesh_frag;
+extern const std::string_view mesh_gather_comp;
+extern const std::string_view mesh_offsets_comp;
 extern const std::string_view mesh_vert;
 extern const std::string_view mix_frag;
 extern const std::string_view mix_vert;

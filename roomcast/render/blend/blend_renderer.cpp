@@ -137,8 +137,7 @@ void BlendRenderer::mix(std::span<const BlendLayer> layers, const ViewCamera& ca
 
 void BlendRenderer::draw_layer(const GlProgram& program, const BlendLayer& layer,
                                const ViewCamera& camera) {
-  const SurfaceMesh& mesh = layer.surface->mesh;
-  if (mesh.count == 0) return;
+  const AdaptiveMesh& mesh = layer.surface->mesh;
   const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, camera);
   glProgramUniformMatrix4fv(program.name(), kClipFromView, 1, GL_FALSE, view.clip_from_view.data());
   glProgramUniformMatrix4fv(program.name(), kViewFromDepth, 1, GL_FALSE,
@@ -151,7 +150,8 @@ void BlendRenderer::draw_layer(const GlProgram& program, const BlendLayer& layer
   glUseProgram(program.name());
   glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
   glBindVertexArray(vertices_.name());
-  glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.command.name());
+  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
 }
 
 void BlendRenderer::find_surroundings() {

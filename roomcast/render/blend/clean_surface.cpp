@@ -42,14 +42,14 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
   if (!edges) return std::move(edges).error();
   auto quality = ComputePass::create({shaders::depth_noise_glsl, shaders::quality_comp});
   if (!quality) return std::move(quality).error();
-  auto mesher = SurfaceMesher::create(DepthTexture::kMetres);
+  auto mesher = AdaptiveMesher::create();
   if (!mesher) return std::move(mesher).error();
   return SurfaceCleaner(*std::move(fill), *std::move(smooth), *std::move(edges),
                         *std::move(quality), *std::move(mesher));
 }
 
 SurfaceCleaner::SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges,
-                               ComputePass quality, SurfaceMesher mesher)
+                               ComputePass quality, AdaptiveMesher mesher)
     : fill_(std::move(fill)),
       smooth_(std::move(smooth)),
       edges_(std::move(edges)),
@@ -93,7 +93,8 @@ void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& backgr
   bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
   quality_.run(width_, height_);
 
-  mesher_.build(width_, height_, options.mesh, surface.mesh);
+  mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
+                width_, height_, options.mesh, surface.mesh);
 }
 
 }  // namespace roomcast

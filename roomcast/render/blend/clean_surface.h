@@ -8,9 +8,9 @@
 #include <Eigen/Core>
 
 #include "roomcast/core/result.h"
+#include "roomcast/render/blend/adaptive_mesh.h"
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/sensor_surface.h"
-#include "roomcast/render/surface_mesh.h"
 
 namespace roomcast {
 
@@ -20,7 +20,7 @@ struct CleanSurface {
   GlTexture depth_m;         // R32F, 0: nothing
   GlTexture quality;         // R16F: how much it counts beside others
   GlTexture weighted_color;  // RGBA16F: rgb times quality, quality; 0 without a colour
-  SurfaceMesh mesh;
+  AdaptiveMesh mesh;
 };
 
 class SurfaceCleaner {
@@ -37,6 +37,7 @@ class SurfaceCleaner {
   struct Options {
     SurfaceMeshOptions mesh;
     Eigen::Vector3f gain = Eigen::Vector3f::Ones();  // of its colours, red first
+    const CleanSurface* covering = nullptr;          // what lies on it is not drawn
   };
 
   /// Cleans `surface.depth_m`, which is that of what it shows, in place and derives the rest.
@@ -45,11 +46,11 @@ class SurfaceCleaner {
 
  private:
   SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges, ComputePass quality,
-                 SurfaceMesher mesher);
+                 AdaptiveMesher mesher);
   void make_room(int width, int height);
 
   ComputePass fill_, smooth_, edges_, quality_;
-  SurfaceMesher mesher_;
+  AdaptiveMesher mesher_;
   int width_ = 0, height_ = 0;  // of what follows
   GlTexture between_, edge_in_row_;
 };

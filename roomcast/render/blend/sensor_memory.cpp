@@ -74,8 +74,10 @@ void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSen
   for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
   const SurfaceCleaner::Background known{memory.readings_, memory.background_color_};
   using Shows = SurfaceCleaner::Shows;
-  cleaner_.clean(sensor, known, Shows::kBackground, options, memory.background_);
   cleaner_.clean(sensor, known, Shows::kNewest, options, memory.live_);
+  SurfaceCleaner::Options behind = options;
+  behind.covering = &memory.live_;
+  cleaner_.clean(sensor, known, Shows::kBackground, behind, memory.background_);
 }
 
 void MemoryKeeper::carve(const SensorSurface& sensor, const OtherSensor& other,
