@@ -61,7 +61,7 @@ bool lies_in_node(ivec2 p, ivec2 first, int side) {
   if (min(min(z00, z10), min(z01, z11)) == 0.0 || here == 0.0) return false;
   vec2 at = vec2(p - first) / float(side);
   float inverse = mix(mix(1.0 / z00, 1.0 / z10, at.x), mix(1.0 / z01, 1.0 / z11, at.x), at.y);
-  return abs(1.0 / inverse - here) < 1.5 * depth_sigma(here) + 0.0015;
+  return abs(1.0 / inverse - here) < 0.6 * depth_sigma(here) + 0.0006;
 }
 
 void judge(ivec2 p, int level) {
