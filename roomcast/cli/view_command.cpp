@@ -35,7 +35,7 @@ struct ViewOptions {
   std::vector<int> size = {1280, 720};
   double fov_deg = 60;
   double seconds = 0;
-  RenderMode mode = RenderMode::kSplats;
+  RenderMode mode = RenderMode::kBlend;
   bool json = false;
 };
 

@@ -64,10 +64,10 @@ class LensTest : public RoomTest, public ::testing::WithParamInterface<RenderMod
         << expected->transpose();
   }
 };
-INSTANTIATE_TEST_SUITE_P(Modes, LensTest, ::testing::Values(RenderMode::kSplats, RenderMode::kMesh),
-                         [](const auto& mode) {
-                           return mode.param == RenderMode::kSplats ? "splats" : "mesh";
-                         });
+INSTANTIATE_TEST_SUITE_P(Modes, LensTest,
+                         ::testing::Values(RenderMode::kSplats, RenderMode::kMesh,
+                                           RenderMode::kBlend),
+                         [](const auto& mode) { return std::string(name_of(mode.param)); });
 
 TEST_P(LensTest, a_distorted_pixel_lands_where_the_camera_model_says) {
   const CameraIntrinsics lens = distorting_lens(), eye = pinhole(200, 160, 91);

@@ -29,6 +29,7 @@ class RoomTest : public GlTest {
     room_ = std::move(made).value();
     look_.background = kNothing;
     look_.floor_grid = false;
+    look_.unseen = Unseen::kBackground;
     ASSERT_TRUE(room_->set_look(look_).ok());
   }
 

@@ -100,7 +100,7 @@ void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& t
     layer.is_background = true;
     layers.push_back(layer);
   }
-  parts_.blend.draw(layers, camera, target);
+  parts_.blend.draw(layers, camera, look_.unseen, target);
 }
 
 void RoomRenderer::refresh_memories() {

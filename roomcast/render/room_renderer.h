@@ -28,6 +28,7 @@ struct RoomLook {
   SurfaceMeshOptions mesh;
   /// For RenderMode::kBlend: every picture is remembered, whichever mode is drawn.
   bool remember = true;
+  Unseen unseen = Unseen::kSurroundings;  // for the same mode
 
   /// As SurfaceMeshOptions::check.
   [[nodiscard]] Status check() const { return mesh.check(); }

@@ -22,10 +22,9 @@ class EveryMode : public RoomTest, public ::testing::WithParamInterface<RenderMo
   Picture draw_wide() { return draw(eye_of(kWideLens, kPose), GetParam()); }
 };
 INSTANTIATE_TEST_SUITE_P(Modes, EveryMode,
-                         ::testing::Values(RenderMode::kSplats, RenderMode::kMesh),
-                         [](const auto& mode) {
-                           return mode.param == RenderMode::kSplats ? "splats" : "mesh";
-                         });
+                         ::testing::Values(RenderMode::kSplats, RenderMode::kMesh,
+                                           RenderMode::kBlend),
+                         [](const auto& mode) { return std::string(name_of(mode.param)); });
 
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));

@@ -29,7 +29,7 @@ enum SurfaceUniform : GLint {
   kDirections = 5,
 };
 constexpr GLint kFromPicture = 0;  // uniform of shrink.comp
-enum ResolveUniform : GLint { kDepthFromZ = 0, kCoverageSizes = 1 };
+enum ResolveUniform : GLint { kDepthFromZ = 0, kCoverageSizes = 1, kUnseen = 2 };
 
 void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const GlTexture*> colors) {
   std::vector<GLenum> outputs;
@@ -90,7 +90,7 @@ void BlendRenderer::make_room(int width, int height) {
 }
 
 void BlendRenderer::draw(std::span<const BlendLayer> layers, const ViewCamera& camera,
-                         const OffscreenTarget& target) {
+                         Unseen unseen, const OffscreenTarget& target) {
   make_room(camera.width, camera.height);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
@@ -98,7 +98,7 @@ void BlendRenderer::draw(std::span<const BlendLayer> layers, const ViewCamera& c
   mix(layers, camera);
   glDisable(GL_CULL_FACE);
   find_surroundings();
-  resolve(camera, target);
+  resolve(camera, unseen, target);
 }
 
 void BlendRenderer::draw_nearest(std::span<const BlendLayer> layers, const ViewCamera& camera) {
@@ -174,7 +174,8 @@ void BlendRenderer::find_surroundings() {
   }
 }
 
-void BlendRenderer::resolve(const ViewCamera& camera, const OffscreenTarget& target) {
+void BlendRenderer::resolve(const ViewCamera& camera, Unseen unseen,
+                            const OffscreenTarget& target) {
   target.bind();
   const Eigen::Matrix4f clip = clip_from_view(camera);
   glProgramUniform2f(programs_.resolve.name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
@@ -188,6 +189,7 @@ void BlendRenderer::resolve(const ViewCamera& camera, const OffscreenTarget& tar
   const auto px = [](int pixels, std::size_t level) { return static_cast<float>(pixels << level); };
   glProgramUniform4f(programs_.resolve.name(), kCoverageSizes, px(narrow.width, kNarrow),
                      px(narrow.height, kNarrow), px(wide.width, kWide), px(wide.height, kWide));
+  glProgramUniform1i(programs_.resolve.name(), kUnseen, static_cast<GLint>(unseen));
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_ALWAYS);

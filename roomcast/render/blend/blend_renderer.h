@@ -18,6 +18,13 @@
 
 namespace roomcast {
 
+/// What is shown where no sensor sees anything, or a surface without its colour.
+enum class Unseen {
+  kBackground,    // what was there before; a grey surface
+  kHolesFilled,   // in holes among surfaces the colour of what surrounds them
+  kSurroundings,  // everywhere the colour of what surrounds it, the smoother the farther
+};
+
 struct BlendLayer {
   SensorId sensor;
   RigidTransform world_from_depth;
@@ -32,7 +39,7 @@ class BlendRenderer {
   static Result<BlendRenderer> create();
 
   /// Over what `target` holds. Its size must be the camera's.
-  void draw(std::span<const BlendLayer> layers, const ViewCamera& camera,
+  void draw(std::span<const BlendLayer> layers, const ViewCamera& camera, Unseen unseen,
             const OffscreenTarget& target);
 
  private:
@@ -47,7 +54,7 @@ class BlendRenderer {
   void mix(std::span<const BlendLayer> layers, const ViewCamera& camera);
   void draw_layer(const GlProgram& program, const BlendLayer& layer, const ViewCamera& camera);
   void find_surroundings();
-  void resolve(const ViewCamera& camera, const OffscreenTarget& target);
+  void resolve(const ViewCamera& camera, Unseen unseen, const OffscreenTarget& target);
 
   Programs programs_;
   GlVertexArray vertices_;

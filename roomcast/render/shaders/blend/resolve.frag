@@ -11,11 +11,18 @@ layout(binding = 5) uniform sampler2D wide_coverage;
 layout(location = 0) uniform vec2 depth_from_z;    // ndc depth = x + y / z
 layout(location = 1) uniform vec4 coverage_sizes;  // of narrow and wide, in the picture's pixels
 
+layout(location = 2) uniform int unseen;           // Unseen of blend_renderer.h
+
+const int kBackground = 0;
+const int kSurroundings = 2;
+
 layout(location = 0) out vec4 picture;
 layout(location = 1) out int drawn_by;
 
-// 1 in small holes and in large ones that have surfaces all around, 0 where surfaces end.
-float is_hole() {
+// Of what no sensor sees; else 1 in small holes and in large ones with surfaces all around, 0 where surfaces end.
+float is_filled() {
+  if (unseen == kBackground) return 0.0;
+  if (unseen == kSurroundings) return 1.0;
   float narrow = texture(narrow_coverage, gl_FragCoord.xy / coverage_sizes.xy).r;
   float wide = texture(wide_coverage, gl_FragCoord.xy / coverage_sizes.zw).r;
   return max(smoothstep(0.2, 0.35, narrow), smoothstep(0.45, 0.55, wide));
@@ -26,9 +33,10 @@ void main() {
   vec4 color = texelFetch(color_sum, pixel, 0);
   vec2 depth = texelFetch(depth_sum, pixel, 0).rg;
   bool is_surface = depth.y > 0.0;
-  float shown = is_surface ? 1.0 : max(is_hole(), 1.0);
+  float shown = is_surface ? 1.0 : is_filled();
   if (shown == 0.0) discard;
-  if (color.a <= 0.0) color = texture(surroundings, gl_FragCoord.xy / vec2(2 * textureSize(surroundings, 0)));
+  if (color.a <= 0.0 && unseen != kBackground) color = texture(surroundings, gl_FragCoord.xy / vec2(2 * textureSize(surroundings, 0)));
+  if (color.a <= 0.0 && !is_surface) discard;  // there is no colour anywhere
   picture = vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0.5), shown);
   drawn_by = is_surface ? texelFetch(nearest_sensor, pixel, 0).r : -1;
   gl_FragDepth = is_surface ? 0.5 + 0.5 * (depth_from_z.x + depth_from_z.y * depth.y / depth.x) : 1.0;

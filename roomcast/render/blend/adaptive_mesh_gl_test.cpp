@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+#include "roomcast/render/blend/adaptive_mesh.h"
+#include "roomcast/render/gl_fixture.h"
+
+namespace roomcast {
+namespace {
+
+using Triangle = std::array<GLuint, 3>;
+constexpr int kWidth = 65, kHeight = 49;
+
+class AdaptiveMeshTest : public GlTest {
+ protected:
+  static GlTexture texture_of(const Image<float>& depth_m) {
+    GlTexture texture = make_texture(GL_R32F, depth_m.width(), depth_m.height());
+    glTextureSubImage2D(texture.name(), 0, 0, 0, depth_m.width(), depth_m.height(), GL_RED,
+                        GL_FLOAT, depth_m.data());
+    return texture;
+  }
+
+  std::vector<Triangle> triangles_of(const Image<float>& depth_m,
+                                     const Image<float>* covering = nullptr) {
+    Result<AdaptiveMesher> mesher = AdaptiveMesher::create();
+    EXPECT_TRUE(mesher.ok()) << mesher.error().message;
+    const GlTexture depth = texture_of(depth_m);
+    const GlTexture cover = covering ? texture_of(*covering) : GlTexture();
+    AdaptiveMesh mesh;
+    mesher->build(depth, covering ? &cover : nullptr, depth_m.width(), depth_m.height(), {}, mesh);
+    GLuint count = 0;
+    glGetNamedBufferSubData(mesh.command.name(), 0, sizeof count, &count);
+    std::vector<Triangle> triangles(count / 3);
+    if (!triangles.empty()) {
+      glGetNamedBufferSubData(mesh.indices.name(), 0,
+                              static_cast<GLsizeiptr>(count * sizeof(GLuint)), triangles.data());
+    }
+    return triangles;
+  }
+};
+
+/// In cells of the grid, times two; above 0 for triangles that are counter-clockwise as the sensor
+/// sees them.
+int twice_area(const Triangle& t) {
+  const auto x = [](GLuint i) { return static_cast<int>(i % kWidth); };
+  const auto y = [](GLuint i) { return static_cast<int>(i / kWidth); };
+  return (x(t[2]) - x(t[0])) * (y(t[1]) - y(t[0])) - (x(t[1]) - x(t[0])) * (y(t[2]) - y(t[0]));
+}
+
+int cells_covered(const std::vector<Triangle>& triangles) {
+  int twice = 0;
+  for (const Triangle& t : triangles) {
+    EXPECT_GT(twice_area(t), 0);
+    twice += twice_area(t);
+  }
+  return twice / 2;
+}
+
+TEST_F(AdaptiveMeshTest, a_wall_is_a_few_large_triangles_that_cover_it_once) {
+  const auto triangles = triangles_of(Image<float>(kWidth, kHeight, 2.0F));
+  EXPECT_EQ(triangles.size(), 4U * 3U * 2U);
+  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+}
+
+TEST_F(AdaptiveMeshTest, a_slanted_wall_is_flat_too) {
+  Image<float> depth(kWidth, kHeight);
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    depth.data()[i] = 1 / (0.5F - 0.004F * static_cast<float>(i % kWidth));
+  }
+  const auto triangles = triangles_of(depth);
+  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+  EXPECT_EQ(triangles.size(), 4U * 3U * 2U);
+}
+
+TEST_F(AdaptiveMeshTest, what_is_bent_gets_small_triangles_and_still_covers_everything) {
+  Image<float> depth(kWidth, kHeight, 2.0F);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const float from_middle = static_cast<float>(std::abs(x - 40));
+      if (from_middle < 12) depth.at(x, y) = 2.0F - 0.03F * (12 - from_middle);
+    }
+  }
+  const auto triangles = triangles_of(depth);
+  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+  EXPECT_GT(triangles.size(), 24U);
+  EXPECT_LT(triangles.size(), 2U * (kWidth - 1) * (kHeight - 1) / 3);
+}
+
+TEST_F(AdaptiveMeshTest, nothing_spans_a_break_or_a_missing_reading) {
+  Image<float> depth(kWidth, kHeight, 3.0F);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < 20; ++x) depth.at(x, y) = 1.5F;
+  }
+  depth.at(50, 30) = 0;
+  for (const Triangle& t : triangles_of(depth)) {
+    for (const GLuint i : t) {
+      EXPECT_EQ(depth.data()[i], depth.data()[t[0]]);
+      EXPECT_GT(depth.data()[i], 0);
+    }
+  }
+}
+
+TEST_F(AdaptiveMeshTest, what_lies_on_the_covering_surface_is_left_out) {
+  const Image<float> wall(kWidth, kHeight, 3.0F);
+  Image<float> live = wall;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 33; x < 40; ++x) live.at(x, y) = y < 20 ? 1.5F : 0;  // somebody; nothing
+  }
+  const int covered = cells_covered(triangles_of(wall, &live));
+  EXPECT_GE(covered, 6 * (kHeight - 1));
+  EXPECT_LE(covered, 16 * (kHeight - 1)) << "no more than the nodes that he stands before";
+  EXPECT_TRUE(triangles_of(wall, &wall).empty());
+}
+
+TEST_F(AdaptiveMeshTest, the_same_surface_gives_the_same_triangles) {
+  Image<float> depth(kWidth, kHeight);
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    depth.data()[i] = 2 + 0.01F * static_cast<float>(i * 7919 % 13);
+  }
+  EXPECT_EQ(triangles_of(depth), triangles_of(depth));
+}
+
+TEST_F(AdaptiveMeshTest, without_readings_there_is_nothing) {
+  EXPECT_TRUE(triangles_of(Image<float>(kWidth, kHeight, 0.0F)).empty());
+}
+
+}  // namespace
+}  // namespace roomcast

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/blend_renderer.h"
+#include "roomcast/render/room_fixture.h"
+
+namespace roomcast {
+namespace {
+
+using Eigen::Vector3d;
+
+const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const CameraIntrinsics kWideLens = pinhole(192, 144, 60);
+const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
+const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
+
+class BlendTest : public RoomTest {
+ protected:
+  Rgb8 middle_from(const Vector3d& eye) {
+    const RigidTransform pose = world_from_optical_looking_at(eye, kAhead);
+    return draw(eye_of(kLens, pose), RenderMode::kBlend).color.at(32, 24);
+  }
+  void see(Unseen unseen) {
+    look_.unseen = unseen;
+    ASSERT_TRUE(room_->set_look(look_).ok());
+  }
+};
+
+TEST_F(BlendTest, who_sees_a_surface_as_the_eye_does_counts_more) {
+  // The same spot, 2 m away from both.
+  const RigidTransform aside =
+      world_from_optical_looking_at(kAhead + Vector3d(1.6, 0, 1.2), kAhead);
+  SensorPictures green = wall(kLens, 2000, {120, 200, 120});
+  add(kFirst, kLens, kPose, wall(kLens, 2000, {200, 120, 120}));
+  add(kSecond, kLens, aside, green);
+  const Rgb8 from_first = middle_from(kEye);
+  const Rgb8 from_second = middle_from(kAhead + Vector3d(1.6, 0, 1.2));
+  EXPECT_GT(from_first.r, from_first.g);
+  EXPECT_GT(from_second.g, from_second.r);
+}
+
+TEST_F(BlendTest, surfaces_two_centimetres_apart_are_mixed_and_half_a_metre_apart_are_not) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, {200, 100, 100}));
+  add(kSecond, kLens, kPose, wall(kLens, 2500, {100, 100, 200}));
+  EXPECT_EQ(middle_from(kEye), (Rgb8{200, 100, 100}));
+  add(kSecond, kLens, kPose, wall(kLens, 2020, {100, 100, 200}));
+  const Rgb8 mixed = middle_from(kEye);
+  EXPECT_GT(mixed.r, 120);
+  EXPECT_GT(mixed.b, 120);
+}
+
+TEST_F(BlendTest, a_hole_takes_the_colour_around_it_and_the_outside_does_not) {
+  SensorPictures pictures = wall(kLens, 2000, kRed);
+  fill_box<std::uint16_t>(pictures.depth_mm, 26, 18, 38, 30, 0);
+  add(kFirst, kLens, kPose, pictures);
+  const auto wide = [&] { return draw(eye_of(kWideLens, kPose), RenderMode::kBlend); };
+  const int middle_x = 96, middle_y = 72;
+  EXPECT_EQ(wide().color.at(middle_x, middle_y), kNothing);
+  see(Unseen::kHolesFilled);
+  const Picture filled = wide();
+  EXPECT_EQ(filled.color.at(middle_x, middle_y), kRed);
+  EXPECT_EQ(filled.sensors.at(middle_x, middle_y), kDrawnByNoSensor) << "filled is not seen";
+  EXPECT_EQ(filled.color.at(4, 4), kNothing);
+  see(Unseen::kSurroundings);
+  EXPECT_EQ(wide().color.at(4, 4), kRed);
+}
+
+TEST_F(BlendTest, an_empty_room_is_the_background) {
+  see(Unseen::kSurroundings);
+  EXPECT_EQ(middle_from(kEye), kNothing);
+}
+
+TEST_F(BlendTest, depth_is_that_of_the_surface) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  const ViewCamera camera = eye_of(kLens, kPose);
+  const auto target = OffscreenTarget::create(camera.width, camera.height);
+  ASSERT_TRUE(room_->draw(camera, *target, RenderMode::kBlend).ok());
+  EXPECT_NEAR(target->read_depth_m(camera).at(20, 20), 2, 0.002);
+}
+
+TEST_F(BlendTest, the_same_room_gives_the_same_picture) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kSecond, kLens, kPose, wall(kLens, 2010, kBlue));
+  const ViewCamera camera = eye_of(kWideLens, kPose);
+  EXPECT_EQ(draw(camera, RenderMode::kBlend).color, draw(camera, RenderMode::kBlend).color);
+}
+
+}  // namespace
+}  // namespace roomcast

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/clean_surface.h"
+#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/synthetic_sensor.h"
+
+namespace roomcast {
+namespace {
+
+const CameraIntrinsics kLens = pinhole(40, 30, 40);
+
+class CleanSurfaceTest : public GlTest {
+ protected:
+  struct Cleaned {
+    Image<float> depth_m, quality;
+  };
+
+  /// Of metres, all of whose colours were seen.
+  Cleaned clean(const Image<float>& depth_m) {
+    Result<SensorSurface> sensor = SensorSurface::create(kLens);
+    Result<SurfaceCleaner> cleaner = SurfaceCleaner::create();
+    EXPECT_TRUE(cleaner.ok()) << cleaner.error().message;
+    const SensorPictures pictures = wall(kLens, 2000, kRed);
+    EXPECT_TRUE(sensor->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
+    CleanSurface surface(kLens);
+    glTextureSubImage2D(surface.depth_m.name(), 0, 0, 0, kLens.width, kLens.height, GL_RED,
+                        GL_FLOAT, depth_m.data());
+    const GlTexture nothing = make_texture(GL_RGBA32F, kLens.width, kLens.height);
+    glClearTexImage(nothing.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    cleaner->clean(*sensor, {nothing, nothing}, SurfaceCleaner::Shows::kNewest, {}, surface);
+    return {read(surface.depth_m), read(surface.quality)};
+  }
+
+  static Image<float> read(const GlTexture& texture) {
+    Image<float> image(kLens.width, kLens.height);
+    glGetTextureImage(texture.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(image.view().pixel_count() * sizeof(float)),
+                      image.data());
+    return image;
+  }
+};
+
+TEST_F(CleanSurfaceTest, a_missing_reading_is_filled_and_a_large_gap_is_not) {
+  Image<float> depth(kLens.width, kLens.height, 2.0F);
+  depth.at(10, 10) = 0;
+  fill_box(depth, 20, 10, 30, 20, 0.0F);
+  const Cleaned cleaned = clean(depth);
+  EXPECT_NEAR(cleaned.depth_m.at(10, 10), 2, 1e-3);
+  EXPECT_EQ(cleaned.depth_m.at(25, 15), 0);
+}
+
+TEST_F(CleanSurfaceTest, nothing_is_filled_between_foreground_and_background) {
+  Image<float> depth(kLens.width, kLens.height, 3.0F);
+  fill_box(depth, 0, 0, 20, 30, 1.5F);
+  fill_box(depth, 20, 0, 21, 30, 0.0F);
+  EXPECT_EQ(clean(depth).depth_m.at(20, 15), 0);
+}
+
+TEST_F(CleanSurfaceTest, noise_is_smoothed_and_a_step_stays_sharp) {
+  Image<float> depth(kLens.width, kLens.height);
+  for (int y = 0; y < kLens.height; ++y) {
+    for (int x = 0; x < kLens.width; ++x) {
+      depth.at(x, y) = (x < 20 ? 1.5F : 3.0F) + ((x + y) % 2 ? 0.003F : -0.003F);
+    }
+  }
+  const Cleaned cleaned = clean(depth);
+  for (const int x : {5, 19, 20, 35}) {
+    EXPECT_NEAR(cleaned.depth_m.at(x, 15), x < 20 ? 1.5 : 3.0, 0.001) << x;
+  }
+}
+
+TEST_F(CleanSurfaceTest, quality_falls_with_distance_slant_and_towards_edges) {
+  const auto quality_at = [&](const Image<float>& depth, int x) {
+    return clean(depth).quality.at(x, 15);
+  };
+  const Image<float> near(kLens.width, kLens.height, 1.0F), far(kLens.width, kLens.height, 2.0F);
+  EXPECT_NEAR(quality_at(near, 20) / quality_at(far, 20), 4, 0.05);
+  EXPECT_LT(quality_at(far, 2), 0.7F * quality_at(far, 20)) << "beside the picture's border";
+  Image<float> slanted(kLens.width, kLens.height);
+  for (int i = 0; i < kLens.width * kLens.height; ++i) {
+    slanted.data()[i] = 1 / (0.5F + 0.012F * static_cast<float>(i % kLens.width - 20));
+  }
+  EXPECT_LT(quality_at(slanted, 20), 0.8F * quality_at(far, 20));
+}
+
+}  // namespace
+}  // namespace roomcast
