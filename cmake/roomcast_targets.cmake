@@ -13,7 +13,9 @@ target_compile_options(roomcast_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
   # GCC 12 at -O3 sees overlaps and short regions that are not there (its bug 105651 and kin).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict;-Wno-stringop-overread>)
+set(ROOMCAST_TEST_TIMEOUT_S 60)
 if(ROOMCAST_SANITIZE)
+  set(ROOMCAST_TEST_TIMEOUT_S 600)  # tests take ten times as long
   target_compile_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE})
@@ -22,7 +24,7 @@ endif()
 function(roomcast_test target label)
   add_executable(${target} ${ARGN})
   gtest_discover_tests(${target} TEST_PREFIX "${target}." DISCOVERY_TIMEOUT 30
-    PROPERTIES LABELS ${label} TIMEOUT 60)
+    PROPERTIES LABELS ${label} TIMEOUT ${ROOMCAST_TEST_TIMEOUT_S})
 endfunction()
 
 function(roomcast_library name)

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "roomcast/source/simulate_rig.h"
+#include "roomcast/render/synthetic_sensor.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/source/rig_writer.h"
 
 namespace roomcast::bench {
 namespace {
@@ -24,17 +26,59 @@ class RenderBenchTest : public testing::Test {
   }
   ~RenderBenchTest() override { fs::remove_all(folder); }
 
-  void simulate() {
-    SimulateRigOptions options;
-    options.scene = "bare";
-    options.sensor_count = 2;
-    options.seconds = 0.1;
-    options.views = 1;
-    options.view_side_px = 200;
-    const auto made = simulate_rig(folder / "rig", options);
-    ASSERT_TRUE(made.ok()) << made.error().message;
+  /// A striped wall 2 m away, of which a sensor and an eye at the same place see the same. Four
+  /// frames; between the two instants of the views nothing moves.
+  void write_rig() const {
+    RigSensor sensor;
+    sensor.description.name = "s0";
+    sensor.description.calibration.depth = sensor.description.calibration.color = kLens;
+    sensor.description.calibration.color_is_registered = true;
+    sensor.description.world_from_depth = RigidTransform{};
+    auto writer = RigWriter::create(folder / "rig", 30, std::vector{sensor});
+    ASSERT_TRUE(writer.ok()) << writer.error().message;
+    CapturedFrame frame;
+    frame.depth_mm = DepthImage(kLens.width, kLens.height, 2000);
+    frame.color = stripes();
+    for (; frame.index < 4; ++frame.index) {
+      const nanoseconds time(33'333'333 * static_cast<std::int64_t>(frame.index + 1));
+      ASSERT_TRUE(writer->add(0, frame, time).ok());
+    }
+    ASSERT_TRUE(writer->finish().ok());
+    write_truth();
   }
 
+  void write_truth() const {
+    const fs::path truth = folder / "rig" / "truth";
+    fs::create_directories(truth / "s0");
+    const DepthImage depth(kLens.width, kLens.height, 2000);
+    nlohmann::json views = {{"width", kLens.width}, {"height", kLens.height}, {"fy", kLens.fy}};
+    for (const int instant : {0, 1}) {
+      const std::string name = "view_0_t" + std::to_string(instant);
+      ASSERT_TRUE(write_color_png(truth / (name + ".png"), stripes()).ok());
+      ASSERT_TRUE(write_depth_png(truth / (name + "_depth.png"), depth).ok());
+      const MaskImage seen(kLens.width, kLens.height, 1);
+      ASSERT_TRUE(write_mask_png(truth / (name + "_seen.png"), seen).ok());
+      ASSERT_TRUE(
+          write_depth_png(truth / "s0" / (instant ? "000002.png" : "000001.png"), depth).ok());
+      views["views"].push_back(
+          {{"view", 0},
+           {"instant", instant},
+           {"color", name + ".png"},
+           {"depth", name + "_depth.png"},
+           {"seen", name + "_seen.png"},
+           {"world_from_view", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+           {"frame", {{"s0", instant + 1}}}});
+    }
+    std::ofstream(truth / "views.json") << views.dump();
+  }
+
+  [[nodiscard]] ColorImage stripes() const {
+    ColorImage image(kLens.width, kLens.height, kRed);
+    for (int x = 0; x < kLens.width; x += 16) fill_box(image, x, 0, x + 8, kLens.height, kGreen);
+    return image;
+  }
+
+  const CameraIntrinsics kLens = pinhole(96, 72, 80);
   fs::path folder;
 };
 
@@ -53,18 +97,31 @@ TEST_F(RenderBenchTest, damaged_views_are_named) {
   EXPECT_NE(report.error().message.find("json"), std::string::npos) << report.error().message;
 }
 
-TEST_F(RenderBenchTest, judges_every_mode_on_a_simulated_rig) {
-  ASSERT_NO_FATAL_FAILURE(simulate());
+TEST_F(RenderBenchTest, poses_that_are_off_make_pictures_worse) {
+  ASSERT_NO_FATAL_FAILURE(write_rig());
+  RenderBenchOptions options{.rig = folder / "rig", .modes = {RenderMode::kMesh}};
+  const auto right = run_render_bench(options, {});
+  options.pose_error_mm = 200;
+  options.pose_error_deg = 5;
+  const auto wrong = run_render_bench(options, {});
+  ASSERT_TRUE(right.ok() && wrong.ok());
+  EXPECT_LT(wrong->rows[0].score.psnr_visible, right->rows[0].score.psnr_visible - 3);
+}
+
+TEST_F(RenderBenchTest, judges_every_mode) {
+  ASSERT_NO_FATAL_FAILURE(write_rig());
   RenderBenchOptions options{.rig = folder / "rig"};
   options.pictures = folder / "drawn";
   const auto report = run_render_bench(options, {});
   ASSERT_TRUE(report.ok()) << report.error().message;
   ASSERT_EQ(report->rows.size(), kRenderModes.size());
   EXPECT_EQ(report->views, 2);
-  const RenderRow &points = report->rows[0], &mesh = report->rows[2];
-  EXPECT_EQ(points.draw_per_points, 1);
-  EXPECT_GT(mesh.score.psnr_visible, points.score.psnr_visible) << "a mesh has fewer holes";
-  EXPECT_LT(mesh.score.holes, points.score.holes);
+  EXPECT_EQ(report->rows[0].draw_per_points, 1);
+  for (const RenderRow& row : report->rows) {
+    EXPECT_GT(row.score.psnr_visible, 15) << row.mode << ": the border is black";
+    EXPECT_LT(row.score.holes, 0.06) << row.mode << ": half a cell is missing at the border";
+    EXPECT_EQ(row.score.wrong_depth, 0) << row.mode;
+  }
   EXPECT_TRUE(fs::exists(folder / "drawn" / "view0_t0_mesh.png"));
   std::ostringstream json, table;
   print_json(*report, json);

@@ -99,7 +99,7 @@ TEST(Performance, soles_stay_on_or_above_the_floor_and_one_foot_is_always_down) 
     for (const Side side : kSides) {
       const auto foot = performance.footsteps().foot_at(performance.round_time(time_s), side);
       down = down || foot.planted;
-      const Isometry3f& ankle = performance.at(time_s).pose.of(on_side(Bone::kLeftFoot, side));
+      const Isometry3f ankle = performance.at(time_s).pose.of(on_side(Bone::kLeftFoot, side));
       const float drop = performance.measures().ankle;
       for (const float z : {-0.055F, 0.125F})
         EXPECT_GT((ankle * Vector3f(0, -drop, z)).y(), -0.005F) << time_s;
