@@ -56,14 +56,16 @@ void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
 }
 
 void print_table(const FreshSuite& suite, std::ostream& out) {
+  const ErrorRatios &distances = suite.distance_ratios(), &angles = suite.angle_ratios();
   print_table(suite.rows(), out);
   out << fmt::format(
       "\n{} pairs in {} rooms, overlap \"none\": sensors of different rooms (right: refused)\n"
       "of {} pairs that share more than {:.0f} %, {} were answered\n"
-      "of {} placed sensors, {:.0f} % err by at most twice what was expected; error over expected "
-      "error: median {:.2f}\n",
+      "calibration of {} placed sensors: {:.0f} % err by at most twice the millimetres expected "
+      "(median {:.2f} of them), {:.0f} % by at most twice the degrees (median {:.2f})\n",
       suite.pairs(), suite.rooms(), suite.sharing(), 100 * kSharesEnough, suite.sharing_answered(),
-      suite.placed(), 100 * suite.within_twice(), suite.median_ratio());
+      distances.ratios.size(), 100 * distances.within_twice(), median(distances.ratios),
+      100 * angles.within_twice(), median(angles.ratios));
 }
 
 void print_json(const FreshSuite& suite, std::ostream& out) {
@@ -72,9 +74,11 @@ void print_json(const FreshSuite& suite, std::ostream& out) {
   json["pairs"] = suite.pairs();
   json["sharing"] = suite.sharing();
   json["sharing_answered"] = suite.sharing_answered();
-  json["placed"] = suite.placed();
-  json["within_twice_expected"] = suite.within_twice();
-  json["median_error_over_expected"] = suite.median_ratio();
+  json["placed"] = suite.distance_ratios().ratios.size();
+  json["within_twice_expected_mm"] = suite.distance_ratios().within_twice();
+  json["median_error_over_expected_mm"] = median(suite.distance_ratios().ratios);
+  json["within_twice_expected_deg"] = suite.angle_ratios().within_twice();
+  json["median_error_over_expected_deg"] = median(suite.angle_ratios().ratios);
   out << json.dump(1) << "\n";
 }
 

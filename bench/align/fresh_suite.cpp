@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 #include <deque>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -92,9 +93,7 @@ void FreshSuite::add_room(const std::vector<SimulatedView>& room,
       continue;
     }
     const AlignAnswer found = answer(report.sensors[origin_index], report.sensors[i]);
-    const double error_mm =
-        1000 * align::difference(*found, case_of(*origin, entries[i]).a_from_b).distance_m;
-    error_ratios_.push_back(error_mm / std::max(0.01, report.sensors[i].expected_error_mm));
+    judge_expected(report.sensors[i], *found, case_of(*origin, entries[i]).a_from_b);
   }
 }
 
@@ -102,15 +101,19 @@ std::vector<AlignRow> FreshSuite::rows() const {
   return tally_.rows("fresh rooms", "roomcast, whole rig", cpu_s_ / std::max(1, pairs_));
 }
 
-double FreshSuite::within_twice() const {
-  const auto within = std::count_if(error_ratios_.begin(), error_ratios_.end(),
-                                    [](double ratio) { return ratio <= 2; });
-  return static_cast<double>(within) /
-         static_cast<double>(std::max<std::size_t>(1, error_ratios_.size()));
+void FreshSuite::judge_expected(const align::SensorReport& sensor, const RigidTransform& found,
+                                const RigidTransform& truth) {
+  const align::PoseDifference error = align::difference(found, truth);
+  const double error_mm = 1000 * error.distance_m;
+  const double error_deg = error.angle_rad * 180 / std::numbers::pi;
+  distance_ratios_.ratios.push_back(error_mm / std::max(0.01, sensor.expected_error_mm));
+  angle_ratios_.ratios.push_back(error_deg / std::max(1e-4, sensor.expected_error_deg));
 }
 
-double FreshSuite::median_ratio() const {
-  return median(error_ratios_);
+double ErrorRatios::within_twice() const {
+  const auto within =
+      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= 2; });
+  return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, ratios.size()));
 }
 
 Result<FreshSuite> run_fresh_suite(const FreshSuiteOptions& options,

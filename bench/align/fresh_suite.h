@@ -13,6 +13,7 @@
 #include "bench/align/align_bench.h"
 #include "bench/align/align_tally.h"
 #include "bench/align/simulated_views.h"
+#include "roomcast/align/rig/alignment_report.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::bench {
@@ -28,6 +29,14 @@ struct FreshSuiteOptions {
 /// Of pairs whose views share more, in the smaller of both directions, most should be answered.
 inline constexpr double kSharesEnough = 0.08;
 
+/// Errors over what was expected of them.
+struct ErrorRatios {
+  std::vector<double> ratios;
+
+  /// The share that is at most twice what was expected.
+  [[nodiscard]] double within_twice() const;
+};
+
 class FreshSuite {
  public:
   /// The sensors of one room, and some of others, all aligned together.
@@ -41,16 +50,17 @@ class FreshSuite {
   /// Of the pairs that share enough: how many there are, and were answered.
   [[nodiscard]] int sharing() const { return sharing_; }
   [[nodiscard]] int sharing_answered() const { return sharing_answered_; }
-  /// Of the placed sensors: the share whose error is at most twice what was expected, and the
-  /// median of error over expected error.
-  [[nodiscard]] double within_twice() const;
-  [[nodiscard]] double median_ratio() const;
-  [[nodiscard]] std::size_t placed() const { return error_ratios_.size(); }
+  /// Of the placed sensors: errors 2.5 m ahead, and of the direction, over what was expected.
+  [[nodiscard]] const ErrorRatios& distance_ratios() const { return distance_ratios_; }
+  [[nodiscard]] const ErrorRatios& angle_ratios() const { return angle_ratios_; }
 
  private:
+  void judge_expected(const align::SensorReport& sensor, const RigidTransform& found,
+                      const RigidTransform& truth);
+
   AlignTally tally_;
   int pairs_ = 0, rooms_ = 0, sharing_ = 0, sharing_answered_ = 0;
-  std::vector<double> error_ratios_;
+  ErrorRatios distance_ratios_, angle_ratios_;
   double cpu_s_ = 0;
 };
 

@@ -48,9 +48,16 @@ TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
 
 TEST(FreshSuite, judges_expected_errors) {
   const FreshSuite& suite = two_and_a_stranger();
-  EXPECT_EQ(suite.placed(), 1u);
-  EXPECT_EQ(suite.within_twice(), 1) << "without noise nothing is worse than expected";
-  EXPECT_LE(suite.median_ratio(), 2);
+  for (const ErrorRatios* ratios : {&suite.distance_ratios(), &suite.angle_ratios()}) {
+    ASSERT_EQ(ratios->ratios.size(), 1u);
+    EXPECT_GT(ratios->ratios[0], 0);
+    EXPECT_EQ(ratios->within_twice(), 1) << "without noise nothing is worse than expected";
+  }
+}
+
+TEST(ErrorRatios, count_those_within_twice) {
+  EXPECT_EQ((ErrorRatios{{0.5, 2, 2.1, 9}}).within_twice(), 0.5);
+  EXPECT_EQ(ErrorRatios{}.within_twice(), 0);
 }
 
 TEST(FreshSuite, reports_as_json_and_as_a_table) {

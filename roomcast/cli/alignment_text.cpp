@@ -17,6 +17,7 @@ nlohmann::json json_of(const align::SensorReport& sensor) {
           {"placed", sensor.placed},
           {"world_from_depth", json_of(sensor.world_from_depth)},
           {"expected_error_mm", sensor.expected_error_mm},
+          {"expected_error_deg", sensor.expected_error_deg},
           {"color_shift_px",
            {sensor.correction.color_shift_px.x(), sensor.correction.color_shift_px.y()}},
           {"reason", sensor.reason}};
@@ -39,8 +40,8 @@ nlohmann::json json_of(const align::PairReport& pair) {
 std::string place_text(const align::SensorReport& sensor) {
   if (!sensor.placed) return "apart";
   const Eigen::Vector3d& at = sensor.world_from_depth->translation_m;
-  return fmt::format("at ({:6.2f}, {:5.2f}, {:6.2f}) m, +-{:.0f} mm", at.x(), at.y(), at.z(),
-                     sensor.expected_error_mm);
+  return fmt::format("at ({:6.2f}, {:5.2f}, {:6.2f}) m, +-{:.0f} mm, {:.2f} deg", at.x(), at.y(),
+                     at.z(), sensor.expected_error_mm, sensor.expected_error_deg);
 }
 
 }  // namespace

@@ -8,7 +8,8 @@
 
 namespace roomcast::cli {
 
-/// {"sensors": [{"id", "placed", "world_from_depth", "expected_error_mm", "reason"}],
+/// {"sensors": [{"id", "placed", "world_from_depth", "expected_error_mm", "expected_error_deg",
+/// "reason"}],
 ///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm", "conflict",
 ///  "correlation", "margin", "reason"}]}; transforms row-major or null.
 [[nodiscard]] std::string alignment_json(const align::AlignmentReport& report);

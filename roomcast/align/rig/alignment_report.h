@@ -29,9 +29,10 @@ struct SensorReport {
   std::string id;
   bool placed = false;
   std::optional<RigidTransform> world_from_depth;  // of placed sensors only
-  double expected_error_mm =
-      0;                        // of surfaces 2.5 m ahead, one standard deviation; 0 for the origin
-  SensorCorrection correction;  // what its calibration seems to be off by
+  // One standard deviation; 0 for the origin.
+  double expected_error_mm = 0;   // of surfaces 2.5 m ahead
+  double expected_error_deg = 0;  // of the direction
+  SensorCorrection correction;    // what its calibration seems to be off by
   std::string reason;
 };
 

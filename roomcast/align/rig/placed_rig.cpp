@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
@@ -20,6 +21,8 @@ constexpr double kHoldingSupport = 6, kHoldingScore = 6;
 constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
 constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
 constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
+// A lens whose centre is off by half a pixel looks aside by so much, and no view tells.
+constexpr double kPointingSigma_rad = 0.001;
 constexpr SurfaceReach kReported{0.05F, 20'000};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
@@ -180,14 +183,20 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
   return report;
 }
 
-double expected_error_mm(const RefinedSensor& sensor) {
+/// Both are 0 for the origin, by definition, and nothing is known of a sensor that no pair holds.
+void describe_error(const RefinedSensor& sensor, SensorReport& report) {
+  if (sensor.covariance.isZero()) return;
   const Eigen::Vector3d at = sensor.origin_from_sensor * kInView_m;
   Eigen::Matrix<double, 3, 6> by_motion;
   by_motion << 0, at.z(), -at.y(), 1, 0, 0,  //
       -at.z(), 0, at.x(), 0, 1, 0,           //
       at.y(), -at.x(), 0, 0, 0, 1;
-  const Eigen::Matrix3d spread = by_motion * sensor.covariance * by_motion.transpose();
-  return 1000 * std::sqrt(std::max(0.0, spread.trace()));
+  const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
+  const double at_view_m2 = (by_motion * sensor.covariance * by_motion.transpose()).trace() +
+                            2 * pointing * kInView_m.squaredNorm();
+  const double turn_rad2 = sensor.covariance.topLeftCorner<3, 3>().trace() + 3 * pointing;
+  report.expected_error_mm = 1000 * std::sqrt(std::max(0.0, at_view_m2));
+  report.expected_error_deg = std::sqrt(std::max(0.0, turn_rad2)) * 180 / std::numbers::pi;
 }
 
 /// The most telling refusal among the pairs of a sensor: of the one it shares most with.
@@ -253,7 +262,7 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
   }
   const RefinedSensor& refined = answer.refined[index];
   report.world_from_depth = world.world_from_origin * refined.origin_from_sensor;
-  report.expected_error_mm = expected_error_mm(refined);
+  describe_error(refined, report);
   report.correction = refined.correction;
   report.reason = index == answer.selection.origin ? "stands at the origin" : "placed";
   return report;

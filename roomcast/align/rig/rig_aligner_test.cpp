@@ -119,6 +119,39 @@ TEST(RigAligner, is_not_fooled_by_a_room_that_looks_the_same_turned_by_half) {
   EXPECT_LT(error.distance_m, kMost_m);
 }
 
+/// Readings that are off by a smooth wave over the picture, another one for every unit.
+std::shared_ptr<const SensorView> view_of_flawed_unit(const MadeUpView& exact, double phase) {
+  constexpr double kWave_mm = 5;
+  CalibrationBundle bundle = made_up_bundle({}, exact.view->name, exact.world_from_depth);
+  for (int y = 0; y < bundle.depth_mm.height(); ++y) {
+    for (int x = 0; x < bundle.depth_mm.width(); ++x) {
+      const double wave = std::sin(0.04 * x + phase) * std::cos(0.05 * y + 2 * phase);
+      bundle.depth_mm.at(x, y) += static_cast<std::uint16_t>(std::lround(kWave_mm * (1 + wave)));
+    }
+  }
+  auto view = make_sensor_view(bundle);
+  ROOMCAST_ASSERT(view.ok());
+  return std::make_shared<const SensorView>(std::move(*view));
+}
+
+TEST(RigAligner, expects_about_the_errors_that_flawed_depth_makes) {
+  RigAligner aligner;
+  double phase = 0;
+  for (const MadeUpView* view : corner_views()) aligner.add(view_of_flawed_unit(*view, phase += 1));
+  const AlignmentReport report = aligner.solve();
+  EXPECT_EQ(report.sensors[0].expected_error_mm, 0) << "stands at the origin";
+  for (std::size_t i = 1; i < 3; ++i) {
+    const SensorReport& sensor = report.sensors[i];
+    ASSERT_TRUE(sensor.placed);
+    const PoseDifference error =
+        difference(report.sensors[0].world_from_depth->inverse() * *sensor.world_from_depth,
+                   true_pose(*corner_views()[0], *corner_views()[i]));
+    EXPECT_LT(1000 * error.distance_m, 2 * sensor.expected_error_mm);
+    EXPECT_LT(error.angle_rad * 180 / M_PI, 2 * sensor.expected_error_deg);
+    EXPECT_LT(sensor.expected_error_mm, 40) << "nor is it a worthless bound";
+  }
+}
+
 TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
   RigAligner aligner;
   aligner.add(first_corner().view);
