@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ struct News {
     pb::CalibrationBundle message;
   };
   std::map<std::string, Bundle> bundles;
+  std::set<std::string> moved;  // and have not sent another bundle yet
   KnownPoses given, found_before;
   bool somebody_is_lost = false;  // a sensor that is here does not know where it stands
 };
@@ -68,6 +70,12 @@ class RoomAligner::Worker {
     }
     changed_.notify_all();
   }
+  /// What came before no longer holds.
+  void forget(const std::string& sensor) {
+    const std::lock_guard lock(mutex_);
+    news_.bundles.erase(sensor);
+    news_.moved.insert(sensor);
+  }
   void set_known(KnownPoses given, KnownPoses found_before, bool somebody_is_lost) {
     {
       const std::lock_guard lock(mutex_);
@@ -83,8 +91,11 @@ class RoomAligner::Worker {
     // Linux: of this thread alone. Frames go before thoughts.
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
     while (auto news = wait_for_news(stop)) {
+      for (const auto& sensor : news->moved) placing_.forget(sensor);
       for (const auto& [sensor, bundle] : news->bundles) take(sensor, bundle);
       auto placements = placing_.solve(news->given, news->found_before);
+      for (auto& placement : placements)
+        placement.bundle_number = bundle_numbers_[placement.sensor];
       if (!stop.stop_requested()) tell_(std::move(placements));
     }
   }
@@ -99,17 +110,20 @@ class RoomAligner::Worker {
     if (stop.stop_requested()) return std::nullopt;
     News news = news_;
     news_.bundles.clear();
+    news_.moved.clear();
     return news;
   }
 
   void take(const std::string& sensor, const News::Bundle& news) {
+    bundle_numbers_[sensor] = news.message.number();
     const auto bundle = bundle_from_message(news.message, sensor, news.calibration);
     if (!bundle) return placing_.refuse(sensor, bundle.error().message);
     placing_.add(*bundle);
   }
 
   const Tell tell_;
-  RoomPlacing placing_;  // the thread's own
+  RoomPlacing placing_;  // the thread's own, as is what follows
+  std::map<std::string, std::uint32_t> bundle_numbers_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   News news_;
@@ -145,19 +159,26 @@ class RoomAligner::Link final : public HubLinkEvents {
   struct Sensor {
     std::string name;
     SensorCalibration calibration;
+    bool moved = false;
   };
 
   void take_roster(const pb::Roster& roster) {
     KnownPoses given, found_before;
     bool somebody_is_lost = false;
-    sensors_.clear();
+    const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
       auto calibration = calibration_from_message(entry.calibration());
       const auto pose = read_transform(entry.world_from_depth());
       if (!calibration || !pose) continue;
-      sensors_[entry.id()] = {entry.name(), *std::move(calibration)};
+      sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
+      somebody_is_lost |=
+          entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
+      if (entry.moved()) {
+        const auto then = before.find(entry.id());
+        if (then != before.end() && !then->second.moved) worker_.forget(entry.name());
+        continue;
+      }
       if (entry.placement() == pb::PLACEMENT_GIVEN) given[entry.name()] = *pose;
-      somebody_is_lost |= entry.online() && entry.placement() != pb::PLACEMENT_GIVEN;
       if (entry.placement() == pb::PLACEMENT_ALIGNED) found_before[entry.name()] = *pose;
     }
     worker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
@@ -184,6 +205,7 @@ class RoomAligner::Link final : public HubLinkEvents {
         auto& found = *message.mutable_placements()->add_sensors();
         found.set_sensor_id(id);
         found.set_expected_error_mm(static_cast<float>(placement.expected_error_mm));
+        found.set_bundle_number(placement.bundle_number);
         found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
         if (placement.world_from_depth) {
           write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());

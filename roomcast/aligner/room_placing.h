@@ -5,6 +5,7 @@
 // Deterministic. Single-threaded.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,14 +20,16 @@ struct Placement {
   std::string sensor;
   std::optional<RigidTransform> world_from_depth;
   double expected_error_mm = 0;
-  std::string note;  // why it is not placed
+  std::string note;                 // why it is not placed
+  std::uint32_t bundle_number = 0;  // of its bundle that this was found from
 };
 
 /// Poses by the sensor's name.
 using KnownPoses = std::map<std::string, RigidTransform>;
 
-/// What the report says, moved as a whole so that the first of its sensors that has a known pose
-/// keeps it; `given` goes before `found_before`.
+/// What the report says, moved as a whole so that one of its sensors that has a known pose keeps
+/// it: the one with whom most others keep theirs, too, so that the room stays where it is when a
+/// sensor was moved unnoticed; `given` goes before `found_before`.
 [[nodiscard]] std::vector<Placement> placements_in_place(const align::AlignmentReport& report,
                                                          const KnownPoses& given,
                                                          const KnownPoses& found_before);
@@ -37,6 +40,8 @@ class RoomPlacing {
   /// is reported with its reason, and what was known of the sensor is forgotten.
   void add(const align::CalibrationBundle& bundle);
   void refuse(const std::string& sensor, const std::string& reason);
+  /// What was known of it no longer holds.
+  void forget(const std::string& sensor);
 
   /// All sensors that have been added. `given`: poses that hold whatever is found; `found_before`:
   /// where the room shows the others now.

@@ -52,6 +52,15 @@ TEST(RoomPlacing, a_given_pose_goes_before_one_that_was_found) {
   EXPECT_EQ(x_of(placements[1]), 20);
 }
 
+TEST(RoomPlacing, one_that_was_moved_unnoticed_does_not_take_the_room_along) {
+  const KnownPoses before = {{"a", at(1)}, {"b", at(3)}, {"c", at(5)}};
+  const auto placements = placements_in_place(
+      report_of({placed("a", 0), placed("b", 2.5), placed("c", 4.5)}), {}, before);
+  EXPECT_DOUBLE_EQ(x_of(placements[0]), 0.5);
+  EXPECT_DOUBLE_EQ(x_of(placements[1]), 3);
+  EXPECT_DOUBLE_EQ(x_of(placements[2]), 5);
+}
+
 TEST(RoomPlacing, who_cannot_be_placed_is_told_why) {
   align::SensorReport lost;
   lost.id = "c";

@@ -4,8 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "roomcast/align/bundle/bundle_capture.h"
-#include "roomcast/aligner/bundle_message.h"
+#include "roomcast/aligner/watched_bundle.h"
 #include "roomcast/cli/frame_log.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
@@ -49,7 +48,7 @@ class SensorFeed::Worker {
          std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
         log_(options.log),
-        bundle_(std::in_place, source_->description().name, source_->description().calibration),
+        bundle_(source_->description().name, source_->description().calibration),
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
         full_color_kbit_per_s_(options.codec.color_kbit_per_s),
@@ -66,7 +65,7 @@ class SensorFeed::Worker {
       } else if (!*more) {
         break;
       } else {
-        add_to_bundle();
+        report_place();
         status = send_captured();
       }
       if (auto failure = publisher_->failure()) status = *failure;
@@ -85,25 +84,22 @@ class SensorFeed::Worker {
   }
 
  private:
-  /// The first frames, together, are what the sensor can be placed by.
-  void add_to_bundle() {
-    if (!bundle_ || captured_.color.empty()) return;
-    const auto enough = bundle_->add(captured_.depth_mm, captured_.color);
-    if (enough && !*enough) return;
-    if (auto status = enough ? send_bundle() : Status(enough.error()); !status && log_) {
-      log_(LogLevel::kWarning,
-           "this sensor cannot be placed by what it sees: " + status.error().message);
+  /// What the sensor can be placed by, and that it was moved.
+  void report_place() {
+    auto news = bundle_.add(captured_);
+    if (!news) return complain(news.error().message);
+    if (news->moved) {
+      publisher_->say_moved();
+      if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
-    bundle_.reset();
+    if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));
   }
 
-  Status send_bundle() {
-    const auto bundle = bundle_->finish();
-    if (!bundle) return bundle.error();
-    auto message = aligner::message_from_bundle(*bundle);
-    if (!message) return message.error();
-    publisher_->send_bundle(*std::move(message));
-    return {};
+  /// Once, until there is another reason.
+  void complain(const std::string& reason) {
+    if (reason == complaint_) return;
+    complaint_ = reason;
+    if (log_) log_(LogLevel::kWarning, "this sensor cannot be placed by what it sees: " + reason);
   }
 
   Status send_captured() {
@@ -138,7 +134,8 @@ class SensorFeed::Worker {
 
   std::unique_ptr<FrameSource> source_;
   const LogSink log_;
-  std::optional<align::BundleCapture> bundle_;  // until it has been sent
+  aligner::WatchedBundle bundle_;
+  std::string complaint_;  // the last
   Registration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const int full_color_kbit_per_s_;

@@ -34,6 +34,12 @@ wire::pb::Join join_message(const PublisherOptions& options) {
   return join;
 }
 
+wire::pb::Control moved_message() {
+  wire::pb::Control message;
+  message.mutable_sensor_moved();
+  return message;
+}
+
 std::uint32_t clock_error_us(nanoseconds error) {
   const auto us = (error.count() + 999) / 1000;
   return us < wire::kClockErrorUnknown ? static_cast<std::uint32_t>(us) : wire::kClockErrorUnknown;
@@ -81,6 +87,13 @@ class Publisher::Link final : public HubLinkEvents {
       bundle_.emplace();
       *bundle_->mutable_calibration_bundle() = std::move(bundle);
       link_.send(*bundle_);
+    });
+  }
+  void say_moved() {
+    boost::asio::post(network_.io(), [this] {
+      bundle_.reset();
+      moved_ = true;
+      link_.send(moved_message());
     });
   }
 
@@ -136,11 +149,14 @@ class Publisher::Link final : public HubLinkEvents {
   NetworkThread network_;
   std::deque<net::SealedMessagePtr> unsent_;
   std::optional<wire::pb::Control> bundle_;
+  bool moved_ = false;  // ever
   HubLink link_;
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   unsent_.clear();
+  // It has just told its pose once more, or the hub recalled one; both may be from before.
+  if (moved_ && (!bundle_ || options_.world_from_depth)) link_.send(moved_message());
   if (bundle_) link_.send(*bundle_);
   {
     std::lock_guard lock(mutex_);
@@ -277,6 +293,10 @@ std::optional<Publisher::Published> Publisher::publish(const Turn& turn,
 
 void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
   link_->send_bundle(std::move(bundle));
+}
+
+void Publisher::say_moved() {
+  link_->say_moved();
 }
 
 std::optional<Error> Publisher::failure() const {

@@ -2,7 +2,7 @@
 // Publisher: one sensor's way to the hub (the paper's Algorithm 1, "send"). It asks the sensor's
 // loop to leave frames out before they are encoded when the network does not keep up, so that
 // nothing encoded is ever lost in between. Threading: one thread calls next_turn(), begin_frame(),
-// publish() and send_bundle(); the network has a thread of its own.
+// publish(), send_bundle() and say_moved(); the network has a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -70,6 +70,9 @@ class Publisher {
   /// What the sensor sees while nothing moves, so that it can be placed. Sent now, and again after
   /// every reconnection.
   void send_bundle(wire::pb::CalibrationBundle bundle);
+
+  /// The sensor was moved: what was known of its place no longer holds. A new bundle should follow.
+  void say_moved();
 
   /// Why it is over for good, once it is.
   [[nodiscard]] std::optional<Error> failure() const;

@@ -145,8 +145,15 @@ void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, 
   pb::Control message;
   *message.mutable_calibration_bundle() = bundle;
   message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
+  message.mutable_calibration_bundle()->set_number(++sensor.bundles);
   sensor.bundle = std::move(message);
   if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
+}
+
+void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
+  sensor.bundle.reset();
+  sensor.place.lose(sensor.bundles + 1);
+  announce(now, out);
 }
 
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
@@ -168,6 +175,10 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kCalibrationBundle:
       if (sensor == nullptr) break;
       keep_bundle(*sensor, message.calibration_bundle(), out);
+      return out;
+    case pb::Control::kSensorMoved:
+      if (sensor == nullptr) break;
+      lose_place(*sensor, now, out);
       return out;
     case pb::Control::kPlacements:
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;

@@ -70,6 +70,7 @@ class Room {
   void join_viewer(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void join_aligner(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
+  void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);

@@ -66,6 +66,64 @@ TEST_F(RoomTest, a_sensor_that_cannot_be_placed_stays_where_it_was_and_says_why)
   EXPECT_EQ(roster.sensors(0).placement_note(), "it shares nothing with the others");
 }
 
+pb::Control moved_message() {
+  pb::Control control;
+  control.mutable_sensor_moved();
+  return control;
+}
+
+pb::Control placement_from_bundle(std::uint32_t number, double x) {
+  pb::Control control = placement_of(0, x);
+  control.mutable_placements()->mutable_sensors(0)->set_bundle_number(number);
+  return control;
+}
+
+TEST_F(RoomTest, a_sensor_that_was_moved_is_marked_until_it_is_placed_from_what_it_sees_now) {
+  const auto sensor = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(sensor, bundle_message(), at(1s));
+  (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
+  auto roster = newest_roster(room.control(sensor, moved_message(), at(10s)));
+  EXPECT_TRUE(roster.sensors(0).moved());
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7) << "nothing better is known yet";
+
+  roster = newest_roster(room.control(aligner, placement_from_bundle(1, 7.1), at(11s)));
+  EXPECT_TRUE(roster.sensors(0).moved()) << "a thought that began before";
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+
+  const auto bundle =
+      messages(room.control(sensor, bundle_message(), at(12s)), pb::Control::kCalibrationBundle);
+  ASSERT_EQ(bundle.at(0).message.calibration_bundle().number(), 2U);
+  roster = newest_roster(room.control(aligner, placement_from_bundle(2, 9), at(13s)));
+  EXPECT_FALSE(roster.sensors(0).moved());
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 9);
+}
+
+TEST_F(RoomTest, what_a_sensor_saw_before_it_was_moved_no_aligner_is_given) {
+  const auto sensor = enter(sensor_join("left", std::nullopt));
+  (void)room.control(sensor, bundle_message(), at(1s));
+  (void)room.control(sensor, moved_message(), at(2s));
+  enter(aligner_join());
+  EXPECT_THAT(messages(actions, pb::Control::kCalibrationBundle), IsEmpty());
+  EXPECT_TRUE(newest_roster(actions).sensors(0).moved());
+}
+
+TEST_F(RoomTest, a_given_pose_holds_until_the_sensor_is_moved) {
+  const auto sensor = enter(sensor_join("left", pose_at(1)));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(sensor, moved_message(), at(1s));
+  (void)room.control(sensor, bundle_message(), at(2s));
+  const auto roster = newest_roster(room.control(aligner, placement_from_bundle(1, 7), at(3s)));
+  EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_ALIGNED);
+  EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
+}
+
+TEST_F(RoomTest, only_a_sensor_can_say_that_it_was_moved) {
+  const auto viewer = enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(room.control(viewer, moved_message(), at(1s))).at(0).code,
+            pb::ERROR_UNEXPECTED);
+}
+
 TEST_F(RoomTest, a_pose_that_was_given_is_not_aligned_away) {
   enter(sensor_join("left", pose_at(1)));
   const auto aligner = enter(aligner_join());

@@ -27,6 +27,7 @@ struct RoomSensor {
   wire::pb::SensorRole description = {};        // as last joined
   SensorPlace place = {};
   std::optional<wire::pb::Control> bundle = {};  // the newest since it joined
+  std::uint32_t bundles = 0;                     // that it has sent, ever
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // what changes with its frames
 };

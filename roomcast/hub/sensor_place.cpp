@@ -22,16 +22,24 @@ void SensorPlace::give(const pb::SensorRole& role) {
   placement = pb::PLACEMENT_GIVEN;
   expected_error_mm = 0;
   note.clear();
+  moved = false;
 }
 
 bool SensorPlace::find(const pb::SensorPlacement& found) {
-  if (placement == pb::PLACEMENT_GIVEN) return false;
+  if (found.bundle_number() < valid_from_bundle) return false;
+  if (placement == pb::PLACEMENT_GIVEN && !moved) return false;
   note = found.note();
   if (found.world_from_depth().empty()) return false;
   std::ranges::copy(found.world_from_depth(), world_from_depth.begin());
   placement = pb::PLACEMENT_ALIGNED;
   expected_error_mm = found.expected_error_mm();
+  moved = false;
   return true;
+}
+
+void SensorPlace::lose(std::uint32_t next_bundle) {
+  moved = true;
+  valid_from_bundle = next_bundle;
 }
 
 void SensorPlace::recall(const KnownPose& pose) {
@@ -50,6 +58,7 @@ void SensorPlace::write_to(pb::SensorEntry& entry) const {
   entry.set_placement(placement);
   entry.set_expected_error_mm(expected_error_mm);
   entry.set_placement_note(note);
+  entry.set_moved(moved);
 }
 
 }  // namespace roomcast::hub

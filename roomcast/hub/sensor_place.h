@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorPlace: where a sensor stands and who says so. What somebody gave holds; what alignment
 // found gives way to what it finds later; before either there is a guess, so that there is
-// something to see. Plain data and its rules. docs/spec/wire.md §3, "Where sensors stand".
+// something to see. Once the sensor was moved none of it holds, until a pose is found from what it
+// sees since. Plain data and its rules. docs/spec/wire.md §3, "Where sensors stand".
 #pragma once
 
 #include <optional>
@@ -17,8 +18,10 @@ namespace roomcast::hub {
 struct SensorPlace {
   wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
   Matrix4 world_from_depth{};
-  float expected_error_mm = 0;  // 0: unknown
-  std::string note;             // why alignment could not place it
+  float expected_error_mm = 0;          // 0: unknown
+  std::string note;                     // why alignment could not place it
+  bool moved = false;                   // since this pose was known
+  std::uint32_t valid_from_bundle = 0;  // what was found from earlier bundles came too late
 
   /// Standing beside the others.
   [[nodiscard]] static SensorPlace guessed(SensorId id);
@@ -27,6 +30,8 @@ struct SensorPlace {
   void give(const wire::pb::SensorRole& role);
   /// What the aligner says. True: a new pose holds.
   bool find(const wire::pb::SensorPlacement& found);
+  /// The sensor says that it was moved; its next bundle will have this number.
+  void lose(std::uint32_t next_bundle);
   /// What was found before the hub was started.
   void recall(const KnownPose& pose);
   /// The pose that alignment found, if one holds.

@@ -232,6 +232,7 @@ Status check_control(const pb::Control& control) {
       return check_bundle(control.calibration_bundle());
     case pb::Control::kPlacements:
       return check_placements(control.placements());
+    case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:
     case pb::Control::kClockPong:
     case pb::Control::kError:

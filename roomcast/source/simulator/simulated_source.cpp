@@ -5,6 +5,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 
 #include "roomcast/source/simulator/simulated_room.h"
 #include "roomcast/source/simulator/simulated_sensor.h"
@@ -31,18 +32,21 @@ bool sleep_until(HostTime instant, const std::stop_token& stop) {
 class SimulatedSource final : public FrameSource {
  public:
   SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index, const SourceOptions& options)
-      : sensor_(std::move(sensor)),
-        moment_(sensor_->make_moment()),
-        exposure_(sensor_->auto_exposure()),
+      : stand_(std::move(sensor)),
         pace_(options.pace),
         period_s_(1.0 / options.sim_fps),
         phase_(pace_ == Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
         device_offset_(kDeviceOffset * (index + 1)) {
     description_.name = "s" + std::to_string(index);
-    description_.calibration = sensor_->calibration();
-    description_.world_from_depth = sensor_->world_from_depth();
+    description_.calibration = stand_.sensor->calibration();
+    description_.world_from_depth = stand_.sensor->world_from_depth();
     description_.fps = options.sim_fps;
     if (pace_ == Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
+  }
+
+  /// From then on it stands where `moved` does.
+  void bump_at(nanoseconds after_opening, std::unique_ptr<SimulatedSensor> moved) {
+    bump_ = Bump{time_of(next_instant_) + after_opening, Stand(std::move(moved))};
   }
 
   const SensorDescription& description() const override { return description_; }
@@ -57,14 +61,34 @@ class SimulatedSource final : public FrameSource {
     frame.index = frame_count_++;
     frame.capture_time = HostTime(scene_time);
     frame.device_time = scene_time + device_offset_;
-    sensor_->look(scene_time, moment_);
-    sensor_->read_depth(frame.index, moment_, frame.depth_mm);
-    const float exposure = sensor_->next_exposure(scene_time, moment_, exposure_);
-    sensor_->read_color(frame.index, exposure, moment_, frame.color);
+    capture(bump_ && scene_time >= bump_->at ? bump_->stand : stand_, scene_time, frame);
     return true;
   }
 
  private:
+  /// The sensor at a place, and what one thread remembers of it.
+  struct Stand {
+    explicit Stand(std::unique_ptr<SimulatedSensor> standing)
+        : sensor(std::move(standing)),
+          moment(sensor->make_moment()),
+          exposure(sensor->auto_exposure()) {}
+    std::unique_ptr<SimulatedSensor> sensor;
+    SimulatedSensor::Moment moment;
+    sim::AutoExposure exposure;
+  };
+  struct Bump {
+    nanoseconds at;  // scene time
+    Stand stand;
+  };
+
+  static void capture(Stand& stand, nanoseconds scene_time, CapturedFrame& frame) {
+    const SimulatedSensor& sensor = *stand.sensor;
+    sensor.look(scene_time, stand.moment);
+    sensor.read_depth(frame.index, stand.moment, frame.depth_mm);
+    const float exposure = sensor.next_exposure(scene_time, stand.moment, stand.exposure);
+    sensor.read_color(frame.index, exposure, stand.moment, frame.color);
+  }
+
   [[nodiscard]] nanoseconds time_of(std::int64_t instant) const {
     return phase_ + nanoseconds(std::llround(static_cast<double>(instant) * period_s_ * 1e9));
   }
@@ -78,9 +102,8 @@ class SimulatedSource final : public FrameSource {
     next_instant_ = std::max(next_instant_, first_instant_after(SteadyClock().now()) - 1);
   }
 
-  std::unique_ptr<SimulatedSensor> sensor_;
-  SimulatedSensor::Moment moment_;
-  sim::AutoExposure exposure_;
+  Stand stand_;
+  std::optional<Bump> bump_;
   Pace pace_;
   double period_s_;
   nanoseconds phase_;
@@ -109,10 +132,16 @@ Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& te
   sensing.seed = options.sim_seed;
   sensing.speed = spec->speed;
   sensing.sensing = spec->sensing;
-  auto sensor = SimulatedSensor::open(*std::move(room), sensing);
+  auto sensor = SimulatedSensor::open(*room, sensing);
   if (!sensor) return std::move(sensor).error();
-  return std::unique_ptr<FrameSource>(
-      std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options));
+  auto source = std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options);
+  if (spec->bump_at_s) {
+    sensing.stand_from_depth = spec->bump.stand_from_depth();
+    auto moved = SimulatedSensor::open(*room, sensing);
+    if (!moved) return std::move(moved).error();
+    source->bump_at(nanoseconds(std::llround(1e9 * *spec->bump_at_s)), *std::move(moved));
+  }
+  return std::unique_ptr<FrameSource>(std::move(source));
 }
 
 }  // namespace roomcast

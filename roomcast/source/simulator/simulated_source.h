@@ -5,6 +5,7 @@
 //  not synchronised);
 //    instants that the caller was too slow for are skipped.
 //  - Pace::kAsFastAsPossible: frame i is the instant i / fps, from scene time 0.
+// With bump_at=S it stands elsewhere, by bump_cm and bump_deg, from S seconds after opening on.
 // `device_time` is the scene time on the sensor's own clock, which is off by a fixed amount. No
 // frames are lost, and the frame rate is exact.
 #pragma once

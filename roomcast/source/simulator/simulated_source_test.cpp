@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/simulated_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -63,6 +65,22 @@ TEST(SimulatedSource, frame_is_what_the_sensor_reports_of_its_instant) {
     sensor->read_color(frame.index, exposure, moment, color);
     EXPECT_EQ(frame.depth_mm, depth_mm);
     EXPECT_EQ(frame.color, color);
+  }
+}
+
+TEST(SimulatedSource, a_bump_moves_the_sensor_once) {
+  SourceOptions options = as_fast_as_possible();
+  options.sim_fps = 2;
+  const auto still = open_simulated_source("bare,speed=0,clean", 0, options).value();
+  const auto bumped =
+      open_simulated_source("bare,speed=0,clean,bump_at=1,bump_cm=5", 0, options).value();
+  CapturedFrame one, other;
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(still->next(one, {}).value() && bumped->next(other, {}).value());
+    const bool same =
+        std::ranges::equal(std::span(one.depth_mm.data(), one.depth_mm.view().pixel_count()),
+                           std::span(other.depth_mm.data(), other.depth_mm.view().pixel_count()));
+    EXPECT_EQ(same, i < 2) << "frame " << i;
   }
 }
 

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/simulated_spec.h"
 
+#include <algorithm>
 #include <charconv>
+#include <functional>
+#include <numbers>
 #include <optional>
 #include <system_error>
+
+#include <Eigen/Geometry>
 
 namespace roomcast {
 namespace {
 
 constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
-    "[,interference=BURSTS_PER_MINUTE][,clean]]";
+    "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,clean]"
+    "]";
 
 Error refused(std::string_view option) {
   return {ErrorCode::kInvalidArgument,
@@ -25,6 +31,24 @@ std::optional<double> number_up_to(std::string_view text, double largest) {
   return value;
 }
 
+struct NumberOption {
+  std::function<void(double)> set;
+  double largest = 0;
+};
+
+std::optional<NumberOption> number_named(std::string_view name, SimulatedSpec& spec) {
+  const auto into = [](auto& place, double largest) {
+    return NumberOption{[&place](double value) { place = value; }, largest};
+  };
+  if (name == "speed") return into(spec.speed, kMaxSimulatedSpeed);
+  if (name == "interference")
+    return into(spec.sensing.interference_per_minute, kMaxInterferencePerMinute);
+  if (name == "bump_at") return into(spec.bump_at_s, kMaxBumpAt_s);
+  if (name == "bump_cm") return into(spec.bump.shift_cm, kMaxBump_cm);
+  if (name == "bump_deg") return into(spec.bump.angle_deg, kMaxBump_deg);
+  return std::nullopt;
+}
+
 /// Whether the option is one, with a legal value; `spec` has it then.
 bool apply(std::string_view option, SimulatedSpec& spec) {
   const std::size_t equals = std::min(option.find('='), option.size());
@@ -35,10 +59,9 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
     if (model) spec.sensing.camera = *model;
     return model.has_value();
   }
-  if (name == "speed" || name == "interference") {
-    const bool speed = name == "speed";
-    const auto number = number_up_to(value, speed ? kMaxSimulatedSpeed : kMaxInterferencePerMinute);
-    if (number) (speed ? spec.speed : spec.sensing.interference_per_minute) = *number;
+  if (const auto place = number_named(name, spec)) {
+    const auto number = number_up_to(value, place->largest);
+    if (number) place->set(*number);
     return number.has_value();
   }
   if (name == "color") {
@@ -53,6 +76,14 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
 }
 
 }  // namespace
+
+RigidTransform SimulatedBump::stand_from_depth() const {
+  RigidTransform bump;
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.4, 1, 0.2).normalized();
+  bump.rotation = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
+  bump.translation_m = 0.01 * shift_cm * Eigen::Vector3d(1, 0.3, -0.8).normalized();
+  return bump;
+}
 
 Result<SimulatedSpec> parse_simulated_spec(std::string_view text) {
   SimulatedSpec spec;

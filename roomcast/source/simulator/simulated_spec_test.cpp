@@ -30,10 +30,20 @@ TEST(SimulatedSpec, options_follow_in_any_order) {
                clean.sensing.auto_exposure);
 }
 
+TEST(SimulatedSpec, a_bump_has_its_time_and_size) {
+  EXPECT_FALSE(parse_simulated_spec("lab")->bump_at_s);
+  const auto spec = parse_simulated_spec("lab,bump_at=20.5,bump_cm=2,bump_deg=0").value();
+  EXPECT_EQ(spec.bump_at_s, 20.5);
+  const RigidTransform bump = spec.bump.stand_from_depth();
+  EXPECT_NEAR(bump.translation_m.norm(), 0.02, 1e-12);
+  EXPECT_TRUE(bump.rotation.isIdentity());
+}
+
 TEST(SimulatedSpec, what_is_no_option_is_named) {
   for (const char* text :
        {"lab,", "lab,fast", "lab,camera=leica", "lab,speed=", "lab,speed=-1", "lab,speed=11",
-        "lab,speed=1x", "lab,color=grey", "lab,clean=yes", "lab,interference=nan"}) {
+        "lab,speed=1x", "lab,color=grey", "lab,clean=yes", "lab,interference=nan", "lab,bump_at=-1",
+        "lab,bump_cm=101", "lab,bump_deg=x"}) {
     const auto spec = parse_simulated_spec(text);
     ASSERT_FALSE(spec) << text;
     EXPECT_EQ(spec.error().code, ErrorCode::kInvalidArgument);

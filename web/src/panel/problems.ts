@@ -64,7 +64,10 @@ function sensorProblems(
     if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
       found.push(error(`Sensor ${sensor.name} has been silent for ${Math.round(silence_ms / 1000)} s.`));
     if (counts?.problem) found.push(error(`Sensor ${sensor.name}: ${counts.problem}`));
-    if (sensor.placement === Placement.UNPLACED) {
+    if (sensor.moved) {
+      const why = sensor.placementNote ? ` ${sensor.placementNote.replace(/\.?$/, '.')}` : '';
+      found.push(notice(`Sensor ${sensor.name} was moved: it is shown where it was until it is aligned again.${why}`));
+    } else if (sensor.placement === Placement.UNPLACED) {
       const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
       found.push(
         notice(`Nobody knows yet where sensor ${sensor.name} stands: ${why} is shown at a place that was made up.`),

@@ -59,6 +59,10 @@ export class SensorList {
 
 /** How well the aligner knows where the sensor stands; nothing for poses that were given. */
 function placementTag(entry: SensorEntry): HTMLElement | undefined {
+  if (entry.moved) {
+    const title = entry.placementNote || 'It was moved and is being aligned again.';
+    return element('span', { class: 'tag', title }, 'moved');
+  }
   if (entry.placement === Placement.UNPLACED) {
     return element('span', { class: 'tag', title: entry.placementNote || 'being aligned' }, 'not placed');
   }
