@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/aligner/room_aligner.h"
 
-#include <chrono>
-#include <condition_variable>
-#include <functional>
 #include <map>
-#include <mutex>
-#include <set>
-#include <thread>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <boost/asio/post.hpp>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include "roomcast/aligner/bundle_message.h"
-#include "roomcast/aligner/room_placing.h"
+#include "roomcast/aligner/thinker.h"
 #include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
@@ -26,12 +18,7 @@ namespace roomcast::aligner {
 
 namespace {
 
-using namespace std::chrono_literals;
 namespace pb = wire::pb;
-
-/// Sensors often come together; one thought for all is cheaper than one for each.
-constexpr auto kWaitForMore = 500ms;
-constexpr int kNiceness = 10;
 
 pb::Join join_message(const RoomAlignerOptions& options) {
   pb::Join join;
@@ -41,101 +28,14 @@ pb::Join join_message(const RoomAlignerOptions& options) {
   return join;
 }
 
-/// What has come in since the last thought: of each sensor the newest.
-struct News {
-  struct Bundle {
-    SensorCalibration calibration;
-    pb::CalibrationBundle message;
-  };
-  std::map<std::string, Bundle> bundles;
-  std::set<std::string> moved;  // and have not sent another bundle yet
-  KnownPoses given, found_before;
-  bool somebody_is_lost = false;  // a sensor that is here does not know where it stands
-};
-
 }  // namespace
-
-/// Thinks, on a thread of its own.
-class RoomAligner::Worker {
- public:
-  using Tell = std::function<void(std::vector<Placement>)>;
-
-  explicit Worker(Tell tell)
-      : tell_(std::move(tell)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
-
-  void add(const std::string& sensor, News::Bundle bundle) {
-    {
-      const std::lock_guard lock(mutex_);
-      news_.bundles[sensor] = std::move(bundle);
-    }
-    changed_.notify_all();
-  }
-  /// What came before no longer holds.
-  void forget(const std::string& sensor) {
-    const std::lock_guard lock(mutex_);
-    news_.bundles.erase(sensor);
-    news_.moved.insert(sensor);
-  }
-  void set_known(KnownPoses given, KnownPoses found_before, bool somebody_is_lost) {
-    {
-      const std::lock_guard lock(mutex_);
-      news_.given = std::move(given);
-      news_.found_before = std::move(found_before);
-      news_.somebody_is_lost = somebody_is_lost;
-    }
-    changed_.notify_all();
-  }
-
- private:
-  void run(const std::stop_token& stop) {
-    // Linux: of this thread alone. Frames go before thoughts.
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
-    while (auto news = wait_for_news(stop)) {
-      for (const auto& sensor : news->moved) placing_.forget(sensor);
-      for (const auto& [sensor, bundle] : news->bundles) take(sensor, bundle);
-      auto placements = placing_.solve(news->given, news->found_before);
-      for (auto& placement : placements)
-        placement.bundle_number = bundle_numbers_[placement.sensor];
-      if (!stop.stop_requested()) tell_(std::move(placements));
-    }
-  }
-
-  std::optional<News> wait_for_news(const std::stop_token& stop) {
-    std::unique_lock lock(mutex_);
-    const auto worth_a_thought = [this] {
-      return !news_.bundles.empty() && news_.somebody_is_lost;
-    };
-    if (!changed_.wait(lock, stop, worth_a_thought)) return std::nullopt;
-    changed_.wait_for(lock, stop, kWaitForMore, [] { return false; });
-    if (stop.stop_requested()) return std::nullopt;
-    News news = news_;
-    news_.bundles.clear();
-    news_.moved.clear();
-    return news;
-  }
-
-  void take(const std::string& sensor, const News::Bundle& news) {
-    bundle_numbers_[sensor] = news.message.number();
-    const auto bundle = bundle_from_message(news.message, sensor, news.calibration);
-    if (!bundle) return placing_.refuse(sensor, bundle.error().message);
-    placing_.add(*bundle);
-  }
-
-  const Tell tell_;
-  RoomPlacing placing_;  // the thread's own, as is what follows
-  std::map<std::string, std::uint32_t> bundle_numbers_;
-  std::mutex mutex_;
-  std::condition_variable_any changed_;
-  News news_;
-  std::jthread thread_;
-};
 
 class RoomAligner::Link final : public HubLinkEvents {
  public:
   Link(net::HubUrl hub, RoomAlignerOptions options)
       : options_(std::move(options)),
         link_(network_.io(), std::move(hub), join_message(options_), *this),
-        worker_([this](auto placements) { tell(std::move(placements)); }) {
+        thinker_([this](Thought thought) { tell(std::move(thought)); }) {
     link_.start();
     network_.start();
   }
@@ -143,10 +43,12 @@ class RoomAligner::Link final : public HubLinkEvents {
     network_.finish([this] { link_.stop(); });
   }
 
-  void on_welcome(const pb::Welcome&) override {}
+  void on_welcome(const pb::Welcome&) override { asked_for_sightings_ = false; }
   void on_control(const pb::Control& message) override {
     if (message.has_roster()) take_roster(message.roster());
     if (message.has_calibration_bundle()) take_bundle(message.calibration_bundle());
+    if (message.has_sightings()) take_sightings(message.sightings());
+    if (message.has_nudge()) take_nudge(message.nudge());
   }
   void on_frame(net::MessageBuffer) override {}  // a hub sends an aligner none
   net::SealedMessagePtr next_frame() override { return nullptr; }
@@ -175,25 +77,47 @@ class RoomAligner::Link final : public HubLinkEvents {
           entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
       if (entry.moved()) {
         const auto then = before.find(entry.id());
-        if (then != before.end() && !then->second.moved) worker_.forget(entry.name());
+        if (then != before.end() && !then->second.moved) thinker_.forget(entry.name());
         continue;
       }
       if (entry.placement() == pb::PLACEMENT_GIVEN) given[entry.name()] = *pose;
       if (entry.placement() == pb::PLACEMENT_ALIGNED) found_before[entry.name()] = *pose;
     }
-    worker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
+    thinker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
   }
 
   void take_bundle(const pb::CalibrationBundle& message) {
     const auto sensor = sensors_.find(message.sensor_id());
     if (sensor == sensors_.end()) return;
-    worker_.add(sensor->second.name, {sensor->second.calibration, message});
+    thinker_.add(sensor->second.name, sensor->second.calibration, message);
   }
 
-  /// From the worker's thread.
-  void tell(std::vector<Placement> placements) {
-    boost::asio::post(network_.io(),
-                      [this, placements = std::move(placements)] { send(placements); });
+  void take_sightings(const pb::Sightings& sightings) {
+    const auto sensor = sensors_.find(sightings.sensor_id());
+    if (sensor != sensors_.end()) thinker_.see(sensor->second.name, sightings);
+  }
+
+  void take_nudge(const pb::Nudge& nudge) {
+    const auto sensor = sensors_.find(nudge.sensor_id());
+    const auto pose = read_transform(nudge.world_from_depth());
+    if (sensor != sensors_.end() && pose) thinker_.nudge(sensor->second.name, *pose);
+  }
+
+  /// From the thinker's thread.
+  void tell(Thought thought) {
+    boost::asio::post(network_.io(), [this, thought = std::move(thought)] {
+      send(thought.placements);
+      ask_for_sightings(thought.wants_sightings);
+    });
+  }
+
+  void ask_for_sightings(bool wanted) {
+    if (wanted == asked_for_sightings_) return;
+    asked_for_sightings_ = wanted;
+    pb::Control message;
+    message.mutable_sighting_request()->set_heads(wanted);
+    message.mutable_sighting_request()->set_tags(wanted);
+    link_.send(message);
   }
 
   void send(const std::vector<Placement>& placements) {
@@ -215,19 +139,25 @@ class RoomAligner::Link final : public HubLinkEvents {
     link_.send(message);
   }
 
-  void log(const Placement& placement) const {
-    if (!options_.log) return;
-    options_.log(LogLevel::kInfo,
-                 placement.world_from_depth
-                     ? "sensor \"" + placement.sensor + "\" is placed"
-                     : "sensor \"" + placement.sensor + "\" cannot be placed: " + placement.note);
+  /// What is new.
+  void log(const Placement& placement) {
+    const std::string sentence =
+        placement.world_from_depth
+            ? "sensor \"" + placement.sensor + "\" is placed"
+            : "sensor \"" + placement.sensor + "\" cannot be placed: " + placement.note;
+    std::string& last = logged_[placement.sensor];
+    if (last == sentence) return;
+    last = sentence;
+    if (options_.log) options_.log(LogLevel::kInfo, sentence);
   }
 
   const RoomAlignerOptions options_;
-  std::map<std::uint32_t, Sensor> sensors_;  // by id; the network thread's own
+  std::map<std::uint32_t, Sensor> sensors_;  // by id; the network thread's own, as is what follows
+  std::map<std::string, std::string> logged_;  // of each sensor the last sentence
+  bool asked_for_sightings_ = false;
   NetworkThread network_;
   HubLink link_;
-  Worker worker_;  // last: ends first, and tells nobody after that
+  Thinker thinker_;  // last: ends first, and tells nobody after that
 };
 
 RoomAligner::RoomAligner(std::unique_ptr<Link> link) : link_(std::move(link)) {}

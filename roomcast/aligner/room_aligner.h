@@ -28,7 +28,6 @@ class RoomAligner {
   ~RoomAligner();
 
  private:
-  class Worker;
   class Link;
   explicit RoomAligner(std::unique_ptr<Link> link);
   std::unique_ptr<Link> link_;

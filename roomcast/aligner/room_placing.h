@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomPlacing: where the sensors of a running room stand, from the bundles that have come so far.
-// The world stays where it is: when something new is known, a sensor whose pose is known already
-// keeps it, and the others are placed beside it, so that the rest of the room does not jump.
-// Deterministic. Single-threaded.
+// RoomPlacing: where the sensors of a running room stand, from all that has come so far: what they
+// see (bundles), and for those that share no surface, who walked through their views, a board that
+// was held into them, and people's guesses. The world stays where it is: when something new is
+// known, a sensor whose pose is known already keeps it, and the others are placed beside it, so
+// that the rest of the room does not jump. Deterministic. Single-threaded.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "roomcast/align/rig/rig_aligner.h"
+#include "roomcast/aligner/board_placing.h"
+#include "roomcast/aligner/placement.h"
+#include "roomcast/aligner/walk_placing.h"
 #include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::aligner {
-
-struct Placement {
-  std::string sensor;
-  std::optional<RigidTransform> world_from_depth;
-  double expected_error_mm = 0;
-  std::string note;                 // why it is not placed
-  std::uint32_t bundle_number = 0;  // of its bundle that this was found from
-};
-
-/// Poses by the sensor's name.
-using KnownPoses = std::map<std::string, RigidTransform>;
 
 /// What the report says, moved as a whole so that one of its sensors that has a known pose keeps
 /// it: the one with whom most others keep theirs, too, so that the room stays where it is when a
@@ -43,14 +38,32 @@ class RoomPlacing {
   /// What was known of it no longer holds.
   void forget(const std::string& sensor);
 
+  /// What passed through a sensor's view.
+  void see(const std::string& sensor, const wire::pb::Sightings& sightings);
+  /// A person's guess, answered by the next solve().
+  void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
+
   /// All sensors that have been added. `given`: poses that hold whatever is found; `found_before`:
   /// where the room shows the others now.
   [[nodiscard]] std::vector<Placement> solve(const KnownPoses& given,
                                              const KnownPoses& found_before);
 
+  /// After the last solve(): some sensors can be placed by what passes through their views only.
+  [[nodiscard]] bool wants_sightings() const { return !lost_.empty(); }
+
  private:
+  void place_by_hand(std::vector<Placement>& placements, const KnownPoses& known);
+  void place_the_lost(std::vector<Placement>& placements, const KnownPoses& known);
+
   align::RigAligner aligner_;
+  std::optional<align::AlignmentReport> report_;  // while nothing new was added
+  std::map<std::string, std::shared_ptr<const align::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
+  std::set<std::string> lost_;
+  WalkPlacing walks_;
+  BoardPlacing boards_;
+  KnownPoses guesses_;                        // not answered yet
+  std::map<std::string, Placement> by_hand_;  // guesses that were accepted
 };
 
 }  // namespace roomcast::aligner

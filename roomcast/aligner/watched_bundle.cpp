@@ -35,6 +35,7 @@ Result<BundleNews> WatchedBundle::add(const CapturedFrame& frame) {
     return BundleNews{};
   }
   watch_.reset();
+  bundle_.reset();
   was_moved_ = true;
   return BundleNews{.moved = true, .bundle = {}};
 }
@@ -49,12 +50,13 @@ Result<BundleNews> WatchedBundle::capture(const CapturedFrame& frame) {
 }
 
 Result<BundleNews> WatchedBundle::finish() {
-  const auto bundle = capture_.finish();
+  auto bundle = capture_.finish();
   if (!bundle) return bundle.error();
   if (was_moved_ && !stands_still(*bundle)) return BundleNews{};
   auto message = message_from_bundle(*bundle);
   if (!message) return message.error();
   watch_.emplace(*bundle);
+  bundle_ = *std::move(bundle);
   return BundleNews{.moved = false, .bundle = *std::move(message)};
 }
 

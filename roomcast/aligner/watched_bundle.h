@@ -29,6 +29,9 @@ class WatchedBundle {
   /// sees; it tries again with the next frames.
   [[nodiscard]] Result<BundleNews> add(const CapturedFrame& frame);
 
+  /// The one that holds, if any.
+  [[nodiscard]] const std::optional<align::CalibrationBundle>& bundle() const { return bundle_; }
+
  private:
   [[nodiscard]] Result<BundleNews> capture(const CapturedFrame& frame);
   [[nodiscard]] Result<BundleNews> finish();
@@ -36,6 +39,7 @@ class WatchedBundle {
   std::string name_;
   SensorCalibration calibration_;
   align::BundleCapture capture_;
+  std::optional<align::CalibrationBundle> bundle_;
   std::optional<align::StandWatch> watch_;  // while there is a bundle
   bool was_moved_ = false;
 };

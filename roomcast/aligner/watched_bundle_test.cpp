@@ -27,8 +27,9 @@ class Sensor {
   BundleNews news() {
     frame_.capture_time += 100ms;
     auto news = bundle_.add(frame_);
-    if (!news) complaint = news.error().message;
-    return news.value_or({});
+    if (news) return *std::move(news);
+    complaint = news.error().message;
+    return {};
   }
   /// What `frames` frames bring together.
   BundleNews news_of(int frames) {

@@ -8,6 +8,9 @@
 
 #include "bench/align/align_bench.h"
 #include "bench/align/fresh_suite.h"
+#include "bench/live_align/board_suite.h"
+#include "bench/live_align/moved_suite.h"
+#include "bench/live_align/walker_suite.h"
 #include "roomcast/align/pair/free_space.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
@@ -97,17 +100,42 @@ Status run_fresh(const bench::FreshSuiteOptions& options, bool json) {
   return {};
 }
 
+/// What a suite found, as a table or for scripts.
+template <class Rows>
+Status print(const Result<Rows>& rows, bool json) {
+  if (!rows) return rows.error();
+  json ? bench::print_json(*rows, std::cout) : bench::print_table(*rows, std::cout);
+  return {};
+}
+
 struct AlignBenchCommand {
   std::vector<std::string> folders;
-  bool json = false, fresh = false;
+  std::string suite_name;
+  bool json = false;
+  int rooms = 16;  // of walkers and boards
   bench::FreshSuiteOptions suite;
+  bench::MovedSuiteOptions moved;
+  bench::WalkerSuiteOptions walker;
+  bench::BoardSuiteOptions board;
 };
 
-Status run(const AlignBenchCommand& command) {
-  if (command.fresh) return run_fresh(command.suite, command.json);
+Status run(AlignBenchCommand command) {
+  command.moved.seed = command.walker.seed = command.board.seed = command.suite.seed;
+  command.board.rooms = command.walker.rooms = command.rooms;
+  StatusLine line;
+  const auto show = [&](std::string_view what) { line.show(what); };
+  if (command.suite_name == "moved")
+    return print(bench::run_moved_suite(command.moved, show), command.json);
+  if (command.suite_name == "board")
+    return print(bench::run_board_suite(command.board, show), command.json);
+  if (command.suite_name == "walker")
+    return print(bench::run_walker_suite(command.walker, show), command.json);
+  if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
-  return Error{ErrorCode::kInvalidArgument,
-               "give recordings with known poses, or --suite fresh for simulated rooms"};
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "give recordings with known poses, or --suite fresh, moved, walker or board for simulated "
+      "rooms"};
 }
 
 }  // namespace
@@ -119,16 +147,24 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command->add_option("recordings", values->folders,
                       "Rigs with poses, or TUM recordings with alignment_pairs.json");
   command
-      ->add_option_function<std::string>(
-          "--suite", [values](const std::string&) { values->fresh = true; },
-          "fresh: simulated rooms of every scene, half of the pairs without an answer")
-      ->check(CLI::IsMember({"fresh"}));
+      ->add_option("--suite", values->suite_name,
+                   "fresh: simulated rooms of every scene, half of the pairs without an answer; "
+                   "moved: sensors that are pushed, or not, with people about; walker: opposite "
+                   "sensors placed by somebody who walks; board: by a printed board")
+      ->check(CLI::IsMember({"fresh", "moved", "walker", "board"}));
   command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   command
       ->add_option("--seed", values->suite.seed,
                    "Of the suite's first room; run it in pieces with other seeds")
+      ->capture_default_str();
+  command->add_option("--minutes", values->moved.minutes, "moved: watched in each scene")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  command->add_option("--scene", values->moved.scenes, "moved: these only");
+  command->add_option("--rooms", values->rooms, "walker, board: how many")
+      ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", values->json, "For scripts");
   command->footer(

@@ -33,6 +33,8 @@ void add_simulate_command(CLI::App& app, Command& chosen);
 void add_contact_sheet_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_align_command(CLI::App& app, Command& chosen);
+void add_board_command(CLI::App& app, Command& chosen);
+void add_nudge_command(CLI::App& app, Command& chosen);
 void add_bench_command(CLI::App& app, Command& chosen);
 
 }  // namespace roomcast::cli

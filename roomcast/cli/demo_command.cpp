@@ -37,6 +37,7 @@ struct DemoOptions {
   bool headless = false;
   double seconds = 0;
   bool true_poses = false;
+  std::string key;
   bool verbose = false;
 };
 
@@ -157,7 +158,7 @@ Status run_demo(const DemoOptions& options) {
   hub_options.room = options.rig.empty() ? "demo" : "recording";
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
-  hub_options.aligner_key = make_aligner_key();
+  hub_options.aligner_key = options.key.empty() ? make_aligner_key() : options.key;
   HubAlignerOptions aligner_options{
       .certificate = {}, .key = hub_options.aligner_key, .log = hub_options.log};
   auto hub = hub::HubServer::open(std::move(hub_options));
@@ -206,6 +207,8 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--true-poses", options->true_poses,
                     "Take the poses of simulated sensors from the simulator instead of aligning");
+  command->add_option("--key", options->key,
+                      "Who knows it may put sensors in their place: see roomcast hub --help");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
   command->callback(

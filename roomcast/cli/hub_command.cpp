@@ -28,6 +28,7 @@ struct HubCommandOptions {
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   bool insecure = false;
   bool align = true;
+  std::string key;
   bool verbose = false;
 };
 
@@ -91,7 +92,7 @@ Status run_hub(const HubCommandOptions& options) {
   }
   hub.log = stderr_log("hub", options.verbose);
   if (options.align) {
-    hub.aligner_key = make_aligner_key();
+    hub.aligner_key = options.key.empty() ? make_aligner_key() : options.key;
   }
   hub.state_file = find_state_file(options.certificate.data_folder);
   HubAlignerOptions aligner_options{
@@ -136,6 +137,13 @@ void add_hub_command(CLI::App& app, Command& chosen) {
                     "Listen beyond this machine although nothing is encrypted");
   command->add_flag("!--no-align", options->align,
                     "Leave sensors where they say they are; work out nothing");
+  command
+      ->add_option("--key", options->key,
+                   "Who knows it may put sensors in their place: `roomcast nudge`, and the page "
+                   "when it is opened with #key=KEY (default: nobody)")
+      ->check(CLI::Validator(
+          [](std::string& key) { return key.size() <= 64 ? "" : "a key has at most 64 bytes"; },
+          ""));
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer(
       "Examples:\n"

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "roomcast/aligner/lookout.h"
 #include "roomcast/aligner/watched_bundle.h"
 #include "roomcast/cli/frame_log.h"
 #include "roomcast/client/publisher.h"
@@ -93,6 +94,16 @@ class SensorFeed::Worker {
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
     if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));
+    if (news->moved || news->bundle) lookout_.stand(bundle_.bundle());
+    report_sightings();
+  }
+
+  void report_sightings() {
+    lookout_.want(publisher_->wanted_sightings());
+    const auto taken = publisher_->room_time(captured_.capture_time);
+    if (!taken) return;
+    if (auto sightings = lookout_.add(captured_, *taken))
+      publisher_->send_sightings(*std::move(sightings));
   }
 
   /// Once, until there is another reason.
@@ -135,6 +146,7 @@ class SensorFeed::Worker {
   std::unique_ptr<FrameSource> source_;
   const LogSink log_;
   aligner::WatchedBundle bundle_;
+  aligner::Lookout lookout_;
   std::string complaint_;  // the last
   Registration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;

@@ -97,6 +97,23 @@ class Publisher::Link final : public HubLinkEvents {
     });
   }
 
+  void send_sightings(wire::pb::Sightings sightings) {
+    boost::asio::post(network_.io(), [this, sightings = std::move(sightings)]() mutable {
+      wire::pb::Control message;
+      *message.mutable_sightings() = std::move(sightings);
+      link_.send(message);
+    });
+  }
+  wire::pb::SightingRequest wanted_sightings() const {
+    std::lock_guard lock(mutex_);
+    return shared_.connected ? shared_.wanted_sightings : wire::pb::SightingRequest();
+  }
+  std::optional<RoomTime> room_time(HostTime time) const {
+    std::lock_guard lock(mutex_);
+    if (!shared_.clock) return std::nullopt;
+    return shared_.clock->room_time(time);
+  }
+
   std::optional<Error> failure() const {
     std::lock_guard lock(mutex_);
     return shared_.failure;
@@ -119,6 +136,7 @@ class Publisher::Link final : public HubLinkEvents {
     SensorId sensor{};
     bool connected = false;
     bool want_key = false;
+    wire::pb::SightingRequest wanted_sightings;
     std::optional<ClockEstimate> clock;
     std::size_t unsent = 0;
     std::optional<Error> down;     // why there is no connection at the moment
@@ -164,6 +182,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
     shared_.sensor = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
     shared_.connected = true;
     shared_.want_key = true;
+    shared_.wanted_sightings.Clear();
     shared_.clock.reset();
     shared_.unsent = 0;
     shared_.down.reset();
@@ -175,9 +194,9 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
 }
 
 void Publisher::Link::on_control(const wire::pb::Control& message) {
-  if (!message.has_key_request()) return;
   std::lock_guard lock(mutex_);
-  shared_.want_key = true;
+  if (message.has_key_request()) shared_.want_key = true;
+  if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
 }
 
 net::SealedMessagePtr Publisher::Link::next_frame() {
@@ -297,6 +316,16 @@ void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
 
 void Publisher::say_moved() {
   link_->say_moved();
+}
+
+wire::pb::SightingRequest Publisher::wanted_sightings() const {
+  return link_->wanted_sightings();
+}
+void Publisher::send_sightings(wire::pb::Sightings sightings) {
+  link_->send_sightings(std::move(sightings));
+}
+std::optional<RoomTime> Publisher::room_time(HostTime time) const {
+  return link_->room_time(time);
 }
 
 std::optional<Error> Publisher::failure() const {

@@ -2,7 +2,7 @@
 // Publisher: one sensor's way to the hub (the paper's Algorithm 1, "send"). It asks the sensor's
 // loop to leave frames out before they are encoded when the network does not keep up, so that
 // nothing encoded is ever lost in between. Threading: one thread calls next_turn(), begin_frame(),
-// publish(), send_bundle() and say_moved(); the network has a thread of its own.
+// publish() and what else is sent or asked; the network has a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -73,6 +73,13 @@ class Publisher {
 
   /// The sensor was moved: what was known of its place no longer holds. A new bundle should follow.
   void say_moved();
+
+  /// What the room's aligner wants sensors to look out for; nothing while it does not, or while
+  /// there is no connection.
+  [[nodiscard]] wire::pb::SightingRequest wanted_sightings() const;
+  void send_sightings(wire::pb::Sightings sightings);
+  /// Nothing while room time is not known.
+  [[nodiscard]] std::optional<RoomTime> room_time(HostTime time) const;
 
   /// Why it is over for good, once it is.
   [[nodiscard]] std::optional<Error> failure() const;

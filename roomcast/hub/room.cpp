@@ -81,11 +81,22 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.emplace_back(RestartSensor{sensor->id});
+  if (wanted_sightings_.heads() || wanted_sightings_.tags()) {
+    pb::Control request;
+    *request.mutable_sighting_request() = wanted_sightings_;
+    out.push_back(SendControl{{from}, std::move(request)});
+  }
   announce(now, out);
   send_closed_sets(now, out);
 }
 
 void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
+  const std::string& key = join.viewer().key();
+  if (!key.empty() && key != aligner_key_) {
+    out = refuse(from, pb::ERROR_UNEXPECTED,
+                 "this is not the hub's key; without one you may look, but not move sensors", now);
+    return;
+  }
   if (viewers_.size() >= wire::kMaxViewers) {
     out = refuse(from, pb::ERROR_ROOM_FULL,
                  "this room holds " + std::to_string(wire::kMaxViewers) + " viewers and is full",
@@ -100,7 +111,8 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   poses_.tell_all_again();
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),
-                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()]};
+                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
+                    .may_nudge = !key.empty()};
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
@@ -150,6 +162,22 @@ void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, 
   if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
 }
 
+/// Sensors that come later are asked when they come.
+void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& out) {
+  wanted_sightings_ = request;
+  pb::Control message;
+  *message.mutable_sighting_request() = request;
+  std::vector<ConnectionId> online;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) online.push_back(*sensor.connection);
+  }
+  if (!online.empty()) out.push_back(SendControl{std::move(online), std::move(message)});
+}
+
+void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
+  if (!aligners_.empty()) out.push_back(SendControl{aligners_, std::move(message)});
+}
+
 void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
   sensor.bundle.reset();
   sensor.place.lose(sensor.bundles + 1);
@@ -179,6 +207,21 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kSensorMoved:
       if (sensor == nullptr) break;
       lose_place(*sensor, now, out);
+      return out;
+    case pb::Control::kSightings: {
+      if (sensor == nullptr) break;
+      pb::Control passed = message;
+      passed.mutable_sightings()->set_sensor_id(sensor->id.value);
+      pass_to_aligners(std::move(passed), out);
+      return out;
+    }
+    case pb::Control::kSightingRequest:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      ask_for_sightings(message.sighting_request(), out);
+      return out;
+    case pb::Control::kNudge:
+      if (viewer == viewers_.end() || !viewer->second.may_nudge) break;
+      pass_to_aligners(message, out);
       return out;
     case pb::Control::kPlacements:
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;
@@ -248,6 +291,8 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     announce_in_time(now, out);
   } else {
     std::erase(aligners_, from);
+    if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
+      ask_for_sightings({}, out);
   }
   return out;
 }

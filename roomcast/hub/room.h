@@ -64,6 +64,7 @@ class Room {
     ViewerId id;
     std::string name;
     std::uint32_t color_rgb = 0;
+    bool may_nudge = false;  // it knows the key
   };
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
@@ -71,6 +72,8 @@ class Room {
   void join_aligner(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
   void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
+  void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
+  void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
@@ -91,6 +94,7 @@ class Room {
   SensorList sensors_;
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
+  wire::pb::SightingRequest wanted_sightings_;
   PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets

@@ -118,6 +118,74 @@ TEST_F(RoomTest, a_given_pose_holds_until_the_sensor_is_moved) {
   EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
 }
 
+pb::Control request_for_heads(bool heads) {
+  pb::Control control;
+  control.mutable_sighting_request()->set_heads(heads);
+  return control;
+}
+
+TEST_F(RoomTest, sensors_are_asked_to_look_out_also_those_that_come_later) {
+  const auto left = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  const auto asked = messages(room.control(aligner, request_for_heads(true), at(1s)),
+                              pb::Control::kSightingRequest);
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_THAT(asked[0].to, ElementsAre(left));
+  const auto right = enter(sensor_join("right", std::nullopt), 2s);
+  const auto asked_too = messages(actions, pb::Control::kSightingRequest);
+  ASSERT_EQ(asked_too.size(), 1U);
+  EXPECT_THAT(asked_too[0].to, ElementsAre(right));
+  EXPECT_TRUE(asked_too[0].message.sighting_request().heads());
+
+  const auto over = messages(room.leave(aligner, at(3s)), pb::Control::kSightingRequest);
+  ASSERT_EQ(over.size(), 1U) << "nobody listens any more";
+  EXPECT_FALSE(over[0].message.sighting_request().heads());
+  enter(sensor_join("third", std::nullopt), 4s);
+  EXPECT_THAT(messages(actions, pb::Control::kSightingRequest), IsEmpty());
+}
+
+TEST_F(RoomTest, what_sensors_catch_sight_of_aligners_are_told_under_their_own_id) {
+  enter(sensor_join("left", std::nullopt));
+  const auto right = enter(sensor_join("right", std::nullopt));
+  pb::Control seen;
+  seen.mutable_sightings()->set_sensor_id(0);  // a lie
+  seen.mutable_sightings()->add_heads()->set_z(2);
+  EXPECT_THAT(room.control(right, seen, at(1s)), IsEmpty()) << "nobody listens";
+  const auto aligner = enter(aligner_join());
+  const auto passed = messages(room.control(right, seen, at(2s)), pb::Control::kSightings);
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_THAT(passed[0].to, ElementsAre(aligner));
+  EXPECT_EQ(passed[0].message.sightings().sensor_id(), 1U);
+}
+
+pb::Control nudge_message() {
+  pb::Control control;
+  const Matrix4 pose = pose_at(5);
+  control.mutable_nudge()->mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  return control;
+}
+
+TEST_F(RoomTest, a_viewer_with_the_key_may_nudge_and_the_aligner_decides) {
+  enter(sensor_join("left", std::nullopt));
+  pb::Join keeper = viewer_join("keeper");
+  keeper.mutable_viewer()->set_key("open sesame");
+  const auto viewer = enter(keeper);
+  const auto aligner = enter(aligner_join());
+  const auto passed = messages(room.control(viewer, nudge_message(), at(1s)), pb::Control::kNudge);
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_THAT(passed[0].to, ElementsAre(aligner));
+}
+
+TEST_F(RoomTest, without_the_key_nobody_nudges) {
+  const auto viewer = enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(room.control(viewer, nudge_message(), at(1s))).at(0).code,
+            pb::ERROR_UNEXPECTED);
+  pb::Join guesser = viewer_join();
+  guesser.mutable_viewer()->set_key("guessed");
+  enter(guesser);
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_UNEXPECTED);
+}
+
 TEST_F(RoomTest, only_a_sensor_can_say_that_it_was_moved) {
   const auto viewer = enter(viewer_join());
   EXPECT_EQ(all<Disconnect>(room.control(viewer, moved_message(), at(1s))).at(0).code,

@@ -61,7 +61,7 @@ Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
   for (int i = 0; i < count; ++i) {
     report(watcher, "looking at the empty room", i, count);
     auto sensor = SimulatedSensor::open(room, {i, options.sensor_count, options.seed, options.speed,
-                                               options.threads, options.sensing, {}});
+                                               options.threads, options.sensing});
     if (!sensor) return std::move(sensor).error();
     const sim::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
     actors.push_back({*std::move(sensor), clock, {}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/wire/control_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -94,7 +95,7 @@ Status check_join(const pb::Join& join) {
       if (join.name().empty()) return malformed("a sensor needs a name");
       return check_sensor_role(join.sensor());
     case pb::Join::kViewer:
-      return {};
+      return check_name(join.viewer().key(), "key");
     case pb::Join::kAligner:
       return check_name(join.aligner().key(), "key");
     case pb::Join::ROLE_NOT_SET:
@@ -153,6 +154,29 @@ Status check_bundle(const pb::CalibrationBundle& bundle) {
       bundle.up(0) * bundle.up(0) + bundle.up(1) * bundle.up(1) + bundle.up(2) * bundle.up(2);
   if (!(std::abs(norm2 - 1) < 0.01)) return malformed("up has unit length");
   return {};
+}
+
+Status check_sightings(const pb::Sightings& sightings) {
+  if (auto s = check_sensor_id(sightings.sensor_id()); !s) return s;
+  if (sightings.heads_size() > kMaxSightings || sightings.tags_size() > kMaxSightings) {
+    return Error{ErrorCode::kTooLarge,
+                 "a message has at most " + std::to_string(kMaxSightings) + " sightings of a kind"};
+  }
+  const auto in_range = [](float metres) { return std::abs(metres) <= kMaxPosition_m; };
+  for (const auto& head : sightings.heads()) {
+    if (!in_range(head.x()) || !in_range(head.y()) || !in_range(head.z()))
+      return malformed("a head is out of range");
+  }
+  for (const auto& tag : sightings.tags()) {
+    if (tag.corners_size() != 12) return malformed("a tag has four corners of three numbers");
+    if (!std::ranges::all_of(tag.corners(), in_range)) return malformed("a tag is out of range");
+  }
+  return {};
+}
+
+Status check_nudge(const pb::Nudge& nudge) {
+  if (auto s = check_sensor_id(nudge.sensor_id()); !s) return s;
+  return check_rigid(nudge.world_from_depth(), "world_from_depth");
 }
 
 Status check_placements(const pb::Placements& placements) {
@@ -232,6 +256,11 @@ Status check_control(const pb::Control& control) {
       return check_bundle(control.calibration_bundle());
     case pb::Control::kPlacements:
       return check_placements(control.placements());
+    case pb::Control::kSightings:
+      return check_sightings(control.sightings());
+    case pb::Control::kNudge:
+      return check_nudge(control.nudge());
+    case pb::Control::kSightingRequest:
     case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:
     case pb::Control::kClockPong:

@@ -164,6 +164,33 @@ TEST(ControlCheck, a_bundle_has_depth_and_a_direction_that_is_one) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
+TEST(ControlCheck, sightings_are_bounded_in_number_and_place) {
+  pb::Control control;
+  auto& head = *control.mutable_sightings()->add_heads();
+  head.set_z(2);
+  auto& tag = *control.mutable_sightings()->add_tags();
+  for (int i = 0; i < 12; ++i) tag.add_corners(1.5F);
+  EXPECT_TRUE(check_control(control));
+  tag.set_corners(4, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(check_control(control));
+  tag.mutable_corners()->RemoveLast();
+  EXPECT_FALSE(check_control(control));
+  control.mutable_sightings()->clear_tags();
+  for (int i = 0; i < kMaxSightings; ++i) control.mutable_sightings()->add_heads();
+  EXPECT_EQ(check_control(control).error().code, ErrorCode::kTooLarge);
+  control.mutable_sightings()->clear_heads();
+  control.mutable_sightings()->add_heads()->set_x(1e30F);
+  EXPECT_FALSE(check_control(control));
+}
+
+TEST(ControlCheck, a_nudge_has_a_rigid_pose) {
+  pb::Control control;
+  control.mutable_nudge()->set_sensor_id(3);
+  EXPECT_FALSE(check_control(control));
+  for (int i = 0; i < 16; ++i) control.mutable_nudge()->add_world_from_depth(i % 5 == 0);
+  EXPECT_TRUE(check_control(control));
+}
+
 TEST(ControlCheck, placements_are_rigid_and_bounded_and_may_be_none) {
   pb::Control control;
   auto& placement = *control.mutable_placements()->add_sensors();

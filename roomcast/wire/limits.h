@@ -25,6 +25,7 @@ inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 // What they may say.
 inline constexpr std::size_t kMaxNameBytes = 64;
 inline constexpr std::size_t kMaxNoteBytes = 300;
+inline constexpr int kMaxSightings = 64;  // of a kind, in a message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;
 inline constexpr unsigned kMaxDepthSide = 4096;

@@ -15,6 +15,7 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxControlFromHubBytes, 262'144u);
   EXPECT_EQ(kMaxBundleBytes, 2'097'152u);
   EXPECT_EQ(kMaxNoteBytes, 300u);
+  EXPECT_EQ(kMaxSightings, 64);
   EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 64u);

@@ -13,7 +13,7 @@ import { env } from '../state_folder.mjs';
 const sourceDir = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const binary = process.env.ROOMCAST_BIN ?? join(sourceDir, 'build/dev/bin/roomcast');
 
-/** No command of these tests may take longer; it is killed, and the test fails. */
+/** No command of these tests may take longer, unless it says so; it is killed, and the test fails. */
 const timeLimitMs = 30_000;
 
 /** A running roomcast; `stdout` and `stderr` grow while it runs, `ended` resolves to its exit code (or signal). */
@@ -22,14 +22,14 @@ export class Program {
   stderr = '';
 
   /** `through` is a command that runs the program, if any: ["nice"], say. */
-  constructor(args, { through = [] } = {}) {
+  constructor(args, { through = [], limitMs = timeLimitMs } = {}) {
     this.args = args;
     const [command, ...rest] = [...through, binary, ...args];
     this.child = spawn(command, rest, { env, stdio: ['ignore', 'pipe', 'pipe'] });
     this.child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));
     this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
     this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);
-    const limit = setTimeout(() => this.child.kill('SIGKILL'), timeLimitMs);
+    const limit = setTimeout(() => this.child.kill('SIGKILL'), limitMs);
     this.ended.then(() => clearTimeout(limit));
   }
 

@@ -150,12 +150,14 @@ function readRoster(bytes) {
 }
 
 function readSensorEntry(bytes) {
-  const entry = { id: 0, name: '', online: false, worldFromDepth: [] };
+  const entry = { id: 0, name: '', online: false, worldFromDepth: [], placement: 0, moved: false };
   readFields(bytes, (number, reader) => {
     if (number === 1) entry.id = reader.uint32();
     if (number === 2) entry.name = reader.string();
     if (number === 3) entry.online = reader.bool();
     if (number === 5) entry.worldFromDepth = readDoubles(Buffer.from(reader.bytes()));
+    if (number === 6) entry.placement = reader.uint32();
+    if (number === 10) entry.moved = reader.bool();
   });
   return entry;
 }

@@ -2,6 +2,8 @@
 // Wires the page together: worker -> state -> stage and panel; navigation -> stage and hub.
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import { OwnPose } from './own_pose';
+import type { Roster } from './gen/control_pb';
+import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { RoomState } from './room_state';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
@@ -11,6 +13,7 @@ import { Navigation } from './view/navigation';
 import type { DrawMode } from './view/sensor_surface';
 import { Stage } from './view/stage';
 import { fallbackView, startView } from './view/start_view';
+import { alongView, pushed } from './view/nudge';
 import { viewFromMatrix, type ViewState } from './view/view_state';
 
 const panelInterval_ms = 250;
@@ -25,6 +28,7 @@ class Page {
   private readonly link: RoomLink;
   private readonly stage: Stage;
   private readonly navigation: Navigation;
+  private readonly guesses = new Map<number, number[]>(); // of a person, by sensor: world_from_depth
   private atHand: ViewFrame[] = []; // given to the stage, not yet drawn
   private setAtHand = 0n;
   private hubKnewSensors = false; // when this viewer joined: the hub's start pose means something
@@ -37,6 +41,7 @@ class Page {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       reset: () => this.goToStart(),
+      nudge: options.key === '' ? undefined : this.nudgeEvents(),
     });
     this.stage = this.openStage();
     this.ownPose = new OwnPose((head) => this.link.pose(head));
@@ -45,10 +50,41 @@ class Page {
       reset: () => this.goToStart(),
     });
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name: options.name, record: options.record },
+      { socketUrl: url, room: options.room, name: options.name, record: options.record, key: options.key },
       (message) => this.receive(message),
     );
     this.begin();
+  }
+
+  private nudgeEvents(): NudgeEvents {
+    return {
+      push: (sensor, right, up, forward, turn) => {
+        const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
+        if (!entry) return;
+        const push = alongView(right, up, forward, turn, this.navigation.current.yaw);
+        this.guesses.set(sensor, pushed(this.guesses.get(sensor) ?? entry.worldFromDepth, push));
+        this.showRoster();
+      },
+      tryIt: (sensor) => {
+        const guess = this.guesses.get(sensor);
+        if (guess) this.link.nudge(sensor, guess);
+      },
+      putBack: (sensor) => {
+        this.guesses.delete(sensor);
+        this.showRoster();
+      },
+    };
+  }
+
+  /** As the hub says, but for sensors that are being moved by hand. */
+  private showRoster(): void {
+    const { roster } = this.state;
+    if (!roster) return;
+    const sensors = roster.sensors.map((entry) => {
+      const guess = this.guesses.get(entry.id);
+      return guess ? { ...entry, worldFromDepth: guess } : entry;
+    });
+    this.stage.follow({ ...roster, sensors }, this.state.welcome?.viewerId ?? -1);
   }
 
   private openStage(): Stage {
@@ -102,14 +138,24 @@ class Page {
     }
   }
 
-  private followRoster(roster: NonNullable<RoomState['roster']>): void {
+  private followRoster(roster: Roster): void {
     const peopleBefore = this.state.roster?.viewers.length ?? 0;
     if (!this.state.roster) this.hubKnewSensors = roster.sensors.length > 0;
+    this.forgetAnswered(roster);
     this.state.roster = roster;
-    this.stage.follow(roster, this.state.welcome?.viewerId ?? -1);
+    this.showRoster();
     if (roster.viewers.length > peopleBefore) this.ownPose.moved(this.navigation.current);
     if (!this.placedView && roster.sensors.length > 0) this.goToStart();
     this.panel.rebuild();
+  }
+
+  /** The aligner has moved a sensor, or says why it does not: the guess is over. */
+  private forgetAnswered(roster: Roster): void {
+    for (const before of this.state.roster?.sensors ?? []) {
+      const now = roster.sensors.find(({ id }) => id === before.id);
+      const same = now?.worldFromDepth.every((number, i) => number === before.worldFromDepth[i]);
+      if (!same || now?.placementNote !== before.placementNote) this.guesses.delete(before.id);
+    }
   }
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
@@ -166,4 +212,4 @@ class Page {
   }
 }
 
-new Page(parseOptions(location.search));
+new Page(parseOptions(location.search, location.hash));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's own URL: what it asks for. ?mode=points|mesh &at=x,y,z &look=x,y,z &panel=0 &name=... &room=... &record=1
+// and #key=..., the hub's, which is not sent when the page is fetched: whoever has it may put sensors in their place.
 import { Vector3 } from 'three';
 import type { DrawMode } from './view/sensor_surface';
 import { lookFrom, type ViewState } from './view/view_state';
@@ -12,6 +13,7 @@ export interface PageOptions {
   name: string;
   room: string;
   record: boolean; // keep a record of decoded frames, for tests
+  key: string; // the hub's, or empty
 }
 
 /** "1,2.5,-3" in metres; undefined for anything else. */
@@ -21,7 +23,7 @@ export function parsePoint(text: string | null): Vector3 | undefined {
   return new Vector3(...(numbers as [number, number, number]));
 }
 
-export function parseOptions(search: string): PageOptions {
+export function parseOptions(search: string, hash = ''): PageOptions {
   const given = new URLSearchParams(search);
   const at = parsePoint(given.get('at'));
   const look = parsePoint(given.get('look')) ?? new Vector3(0, 1, 0);
@@ -32,6 +34,7 @@ export function parseOptions(search: string): PageOptions {
     name: asName(given.get('name') ?? ''),
     room: asName(given.get('room') ?? ''),
     record: given.get('record') === '1',
+    key: asName(new URLSearchParams(hash.replace(/^#/, '')).get('key') ?? ''),
   };
 }
 

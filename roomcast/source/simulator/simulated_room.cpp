@@ -4,13 +4,18 @@
 #include <utility>
 
 #include "roomcast/source/simulator/people/moving_things.h"
+#include "roomcast/source/simulator/scene/board_bearer.h"
 
 namespace roomcast {
 
 Result<std::shared_ptr<const SimulatedRoom>> SimulatedRoom::build(std::string_view scene,
-                                                                  std::uint64_t seed) {
+                                                                  std::uint64_t seed, bool board) {
   auto room = sim::build_room(scene, seed);
   if (!room) return std::move(room).error();
+  if (board && !sim::add_board_bearer(*room)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "in the scene \"" + room->name + "\" nobody walks about who could carry a board"};
+  }
   std::shared_ptr<SimulatedRoom> built(new SimulatedRoom(*std::move(room)));
   auto rays = sim::RayScene::build(built->room_.mesh);
   if (!rays) return std::move(rays).error();

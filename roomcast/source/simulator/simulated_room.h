@@ -16,9 +16,9 @@ namespace roomcast {
 class SimulatedRoom {
  public:
   /// kNotFound for an unknown scene (the message lists them); kUnavailable when the ray tracer does
-  /// not start.
+  /// not start; kInvalidArgument for a `board` where nobody walks about to carry it.
   static Result<std::shared_ptr<const SimulatedRoom>> build(std::string_view scene,
-                                                            std::uint64_t seed);
+                                                            std::uint64_t seed, bool board = false);
 
   [[nodiscard]] const sim::Room& room() const { return room_; }
   [[nodiscard]] const sim::RayScene& rays() const { return *rays_; }

@@ -29,7 +29,7 @@ class SimulatedSensor {
     double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
     int threads = 0;         // for tracing the empty room; 0: all cores
     sim::SensingOptions sensing;
-    RigidTransform stand_from_depth;  // how it was pushed out of its place
+    RigidTransform stand_from_depth = {};  // how it was pushed out of its place
   };
 
   /// An instant as the sensor sees it, and the memory of one thread for it.

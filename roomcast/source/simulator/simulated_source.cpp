@@ -124,7 +124,7 @@ Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& te
   }
   const auto spec = parse_simulated_spec(text);
   if (!spec) return spec.error();
-  auto room = SimulatedRoom::build(spec->scene, options.sim_seed);
+  auto room = SimulatedRoom::build(spec->scene, options.sim_seed, spec->board);
   if (!room) return std::move(room).error();
   SimulatedSensor::Options sensing;
   sensing.index = sensor_index;

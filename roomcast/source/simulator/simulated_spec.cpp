@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
-    "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,clean]"
+    "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,board]["
+    ",clean]"
     "]";
 
 Error refused(std::string_view option) {
@@ -67,6 +68,10 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
   if (name == "color") {
     spec.sensing.half_color = value == "half";
     return value == "half" || value == "full";
+  }
+  if (option == "board") {
+    spec.board = true;
+    return true;
   }
   if (option == "clean") {
     spec.sensing = spec.sensing.clean();

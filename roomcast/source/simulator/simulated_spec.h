@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows "sim:" on the command line: a scene and options, separated by commas.
-//   lab,camera=d435,speed=0.05,color=full,interference=2,bump_at=20,bump_cm=2,bump_deg=1,clean
+//   lab,camera=d435,speed=0.05,color=full,interference=2,bump_at=20,bump_cm=2,bump_deg=1,board,clean
 #pragma once
 
 #include <optional>
@@ -32,6 +32,7 @@ struct SimulatedSpec {
   sim::SensingOptions sensing;
   std::optional<double> bump_at_s;  // after opening
   SimulatedBump bump;
+  bool board = false;  // somebody carries one about
 };
 
 /// Half-size colour unless color=full. kInvalidArgument, naming the option, for what is not as

@@ -32,6 +32,8 @@ TEST(SimulatedSpec, options_follow_in_any_order) {
 
 TEST(SimulatedSpec, a_bump_has_its_time_and_size) {
   EXPECT_FALSE(parse_simulated_spec("lab")->bump_at_s);
+  EXPECT_FALSE(parse_simulated_spec("lab")->board);
+  EXPECT_TRUE(parse_simulated_spec("lab,board")->board);
   const auto spec = parse_simulated_spec("lab,bump_at=20.5,bump_cm=2,bump_deg=0").value();
   EXPECT_EQ(spec.bump_at_s, 20.5);
   const RigidTransform bump = spec.bump.stand_from_depth();

@@ -4,6 +4,7 @@
 import type { RoomState } from '../room_state';
 import type { DrawMode } from '../view/sensor_surface';
 import { element, setText } from './element';
+import type { NudgeEvents } from './nudge_controls';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import './panel.css';
 import { problems, type Problem } from './problems';
@@ -13,6 +14,7 @@ export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
   sensorSwitched(sensor: number, visible: boolean): void;
   reset(): void;
+  nudge: NudgeEvents | undefined; // undefined: this person may only look
 }
 
 interface Figure {
@@ -56,7 +58,7 @@ export class Panel {
     private readonly hubAddress: string,
     private readonly events: PanelEvents,
   ) {
-    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
+    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible), events.nudge);
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
     const header = element(
       'header',

@@ -69,6 +69,15 @@ describe('what is wrong', () => {
     expect(sentences(known({}, [told]))[0]).toMatch(/stands: turn it towards s1\. It is shown/);
   });
 
+  test('is a sensor that was moved, with what keeps it from being aligned again', () => {
+    const moved = { ...s0, placement: Placement.ALIGNED, moved: true };
+    expect(sentences(known({}, [moved]))).toEqual([
+      'Sensor s0 was moved: it is shown where it was until it is aligned again.',
+    ]);
+    const told = { ...moved, placementNote: 'Turn it towards s1' };
+    expect(sentences(known({}, [told]))[0]).toMatch(/again\. Turn it towards s1\.$/);
+  });
+
   test('is a decoder that gave up, or colour that cannot be decoded', () => {
     expect(sentences(known({}, [s0], [{ ...traffic, problem: 'it gave up.' }]))).toEqual(['Sensor s0: it gave up.']);
     const facts = known({});

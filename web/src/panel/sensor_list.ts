@@ -5,6 +5,7 @@ import type { RoomState } from '../room_state';
 import { sensorColor } from '../view/sensor_color';
 import { element, setText } from './element';
 import { megabytes, milliseconds, perSecond } from './format';
+import { NudgeControls, type NudgeEvents } from './nudge_controls';
 
 interface Row {
   entry: SensorEntry;
@@ -15,11 +16,15 @@ export class SensorList {
   readonly root = element('ul', { class: 'sensors' });
   private readonly switchedOff = new Set<number>();
   private rows: Row[] = [];
+  private readonly controls: NudgeControls | undefined;
 
   constructor(
     private readonly state: RoomState,
     private readonly switched: (sensor: number, visible: boolean) => void,
-  ) {}
+    nudge?: NudgeEvents,
+  ) {
+    this.controls = nudge && new NudgeControls(nudge);
+  }
 
   rebuild(): void {
     const entries = [...(this.state.roster?.sensors ?? [])].sort((a, b) =>
@@ -53,7 +58,22 @@ export class SensorList {
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
     const name = element('span', { class: 'name' }, entry.name, placementTag(entry));
-    return element('li', { class: entry.online ? '' : 'gone' }, element('label', {}, box, swatch, name), figures);
+    const line = element('div', { class: 'line' }, element('label', {}, box, swatch, name), this.moveButton(entry));
+    const controls = this.controls?.moving === entry.id ? this.controls.root : undefined;
+    return element('li', { class: entry.online ? '' : 'gone' }, line, figures, controls);
+  }
+
+  private moveButton(entry: SensorEntry): HTMLElement | undefined {
+    const { controls } = this;
+    if (!controls) return undefined;
+    const moving = controls.moving === entry.id;
+    const button = element('button', { type: 'button', class: 'move', 'aria-pressed': String(moving) }, 'move');
+    button.title = 'Put this sensor in its place by hand';
+    button.addEventListener('click', () => {
+      controls.choose(moving ? undefined : entry.id);
+      this.rebuild();
+    });
+    return button;
   }
 }
 

@@ -52,7 +52,7 @@ let seen: string[];
 
 function start(): HubConnection {
   const connection = new HubConnection(
-    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada' },
+    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', key: 'sesame' },
     {
       connection: (state) => states.push(state),
       welcome: (welcome) => seen.push(`welcome ${welcome.viewerId}`),
@@ -88,7 +88,7 @@ describe('a hub connection', () => {
     expect(socket().protocol).toBe('roomcast.v1');
     expect(socket().sent[0]!.message).toMatchObject({
       case: 'join',
-      value: { room: 'lab', name: 'Ada', role: { case: 'viewer' } },
+      value: { room: 'lab', name: 'Ada', role: { case: 'viewer', value: { key: 'sesame' } } },
     });
     socket().say({ case: 'welcome', value: { viewerId: 9 } });
     expect(seen).toEqual(['welcome 9']);

@@ -40,7 +40,7 @@ export class HubConnection {
   private ending: Ending = noEnding();
 
   constructor(
-    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name'>,
+    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'key'>,
     private readonly events: HubEvents,
   ) {}
 
@@ -66,7 +66,8 @@ export class HubConnection {
     this.ending.opened = true;
     this.lastHeard_ms = performance.now();
     const name = asName(this.options.name);
-    this.send({ case: 'join', value: { room: this.options.room, name, role: { case: 'viewer', value: {} } } });
+    const { room, key } = this.options;
+    this.send({ case: 'join', value: { room, name, role: { case: 'viewer', value: { key } } } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 

@@ -68,12 +68,14 @@ export interface StartOptions {
   room: string;
   name: string;
   record: boolean; // fill Status.decoded
+  key: string; // the hub's, or empty
 }
 
 export type ToWorker =
   | { kind: 'start'; options: StartOptions }
   | { kind: 'shown'; buffers: ArrayBuffer[] } // the frames of the last `frames` message have been drawn
   | { kind: 'pose'; head: PlainPose }
+  | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 
 /** A Pose without what Protobuf adds. */

@@ -24,6 +24,11 @@ export class RoomLink {
     this.tell({ kind: 'pose', head });
   }
 
+  /** A guess where a sensor stands, for the aligner. */
+  nudge(sensor: number, worldFromDepth: number[]): void {
+    this.tell({ kind: 'nudge', sensor, worldFromDepth });
+  }
+
   stats(lastSetId: bigint, shownFps: number, latency_ms: number): void {
     this.tell({ kind: 'stats', lastSetId, shownFps, latency_ms });
   }

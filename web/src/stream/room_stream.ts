@@ -59,6 +59,10 @@ export class RoomStream {
         return this.mailbox.pageIsFree();
       case 'pose':
         return this.hub?.send({ case: 'viewerPose', value: { head: message.head } });
+      case 'nudge': {
+        const { sensor, worldFromDepth } = message;
+        return this.hub?.send({ case: 'nudge', value: { sensorId: sensor, worldFromDepth } });
+      }
       case 'stats': {
         const { lastSetId, shownFps, latency_ms } = message;
         return this.hub?.send({ case: 'viewerStats', value: { lastSetId, shownFps, latencyMs: latency_ms } });

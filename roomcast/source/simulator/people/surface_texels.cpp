@@ -18,6 +18,7 @@ struct Grain {
 Grain grain_of(Pattern pattern) {
   switch (pattern) {
     case Pattern::kFace:
+    case Pattern::kTag:
       return {256, 0.0025F};
     case Pattern::kPlain:
       return {64, 0.008F};

@@ -48,6 +48,7 @@ Eigen::Vector3f poster(const Surface& s, const Eigen::Vector2f& at_m, float foot
 
 // Equipment.
 Eigen::Vector3f rack_face(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
+Eigen::Vector3f tag(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f keys(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
 }  // namespace roomcast::sim

@@ -2,6 +2,7 @@
 // Floors and faces of places where people work: tiles, concrete, racks, keyboards; and paint with
 // next to nothing to see in it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "roomcast/source/simulator/scene/patterns.h"
@@ -106,6 +107,26 @@ Vector3f rack_face(const Surface& s, const Vector2f& at_m, float footprint_m) {
     return hash % 5U == 0U ? mix(port, light, 0.9F * hole) : port;
   }
   return s.base * (1.0F + 0.1F * fractal_noise(at_m, 0.05F, 2, footprint_m, s.seed));
+}
+
+/// Rows from the top, a bit for each cell, the left one highest; 1: white.
+constexpr std::array<unsigned, 10> kTagRows = {0x3ff, 0x201, 0x2d5, 0x275, 0x261,
+                                               0x2a1, 0x259, 0x211, 0x201, 0x3ff};
+
+Vector3f tag(const Surface& s, const Vector2f& at_m, float footprint_m) {
+  constexpr int kCells = static_cast<int>(kTagRows.size()), kSamples = 3;
+  int white = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const Vector2f off(static_cast<float>(i % kSamples - 1), static_cast<float>(i / kSamples - 1));
+    const Vector2f cell =
+        (at_m + off * footprint_m / kSamples).cwiseQuotient(s.size_m) * static_cast<float>(kCells);
+    const int column = static_cast<int>(std::floor(cell.x()));
+    const int row = kCells - 1 - static_cast<int>(std::floor(cell.y()));
+    const bool outside = column < 0 || row < 0 || column >= kCells || row >= kCells;
+    white +=
+        outside || ((kTagRows[static_cast<std::size_t>(row)] >> (kCells - 1 - column)) & 1U) != 0U;
+  }
+  return mix(s.accent, s.base, static_cast<float>(white) / (kSamples * kSamples));
 }
 
 Vector3f keys(const Surface& s, const Vector2f& at_m, float footprint_m) {

@@ -124,6 +124,8 @@ Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m, f
       return rack_face(surface, at_m, footprint_m);
     case Pattern::kKeys:
       return keys(surface, at_m, footprint_m);
+    case Pattern::kTag:
+      return tag(surface, at_m, footprint_m);
   }
   return surface.base;
 }

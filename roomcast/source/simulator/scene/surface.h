@@ -37,6 +37,7 @@ enum class Pattern {
   kPoster,
   kRackFace,
   kKeys,
+  kTag,  // AprilTag 36h11 number 0 with its white rim, size_m wide
 };
 
 struct Surface {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/live_align/board_suite.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/codec/cpu_stopwatch.h"
+#include "roomcast/align/board/board_match.h"
+#include "roomcast/align/board/tag_finder.h"
+
+namespace roomcast::bench {
+namespace {
+
+/// From further apart a flat board cannot be seen by both.
+constexpr double kApart_deg = 90;
+constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
+/// Where there is somebody who walks.
+constexpr std::array<const char*, 4> kScenes = {"livingroom", "office", "lab", "studio"};
+
+std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
+                                            nanoseconds phase, double& look_ms) {
+  align::TagFinder tags(sensor.calibration());
+  std::vector<align::TagSighting> sightings;
+  const int frames = static_cast<int>(options.seconds * options.fps);
+  for (int i = 0; i < frames; ++i) {
+    const auto time = phase + nanoseconds(std::llround(1e9 * static_cast<double>(i) / options.fps));
+    const DepthImage& depth_mm = sensor.depth_mm(time);
+    const ColorImage& color = sensor.color();
+    const CpuStopwatch watch;
+    const auto found = tags.find(depth_mm.view(), color.view());
+    look_ms += watch.ms() / frames;
+    for (const auto& tag : found)
+      sightings.push_back({1e-9 * static_cast<double>(time.count()), tag.id, tag.corners_m});
+  }
+  return sightings;
+}
+
+Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuiteOptions& options) {
+  const auto room = SimulatedRoom::build(scene, seed, true);
+  if (!room) return room.error();
+  auto sensors = sensors_apart(*room, seed, kApart_deg);
+  if (!sensors) return sensors.error();
+  PairCase result = case_of(scene, seed, *sensors);
+  double a_ms = 0, b_ms = 0;
+  const auto seen_by_a = watch_board(sensors->first, options, {}, a_ms);
+  const auto seen_by_b = watch_board(sensors->second, options, kPhase, b_ms);
+  result.look_ms = (a_ms + b_ms) / 2;
+  const auto match = align::match_boards(seen_by_a, seen_by_b);
+  if (match) {
+    place(*sensors, match->a_from_b, match->expected_error_mm, result);
+  } else {
+    result.reason = match.error().message;
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<PairCase>> run_board_suite(
+    const BoardSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
+  std::vector<PairCase> cases;
+  for (int i = 0; i < options.rooms; ++i) {
+    const char* scene = kScenes[static_cast<std::size_t>(i) % kScenes.size()];
+    progress(fmt::format("room {} of {}: {}", i + 1, options.rooms, scene));
+    auto one = run_case(scene, options.seed + static_cast<std::uint64_t>(i), options);
+    if (!one) return one.error();
+    cases.push_back(*std::move(one));
+  }
+  return cases;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/live_align/board_suite.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::bench {
+namespace {
+
+TEST(BoardSuite, a_case_is_answered_about_as_well_as_expected_or_refused_with_a_reason) {
+  BoardSuiteOptions options;
+  options.rooms = 1;
+  options.seconds = 30;
+  const auto cases = run_board_suite(options, [](std::string_view) {});
+  ASSERT_TRUE(cases.ok()) << cases.error().message;
+  ASSERT_EQ(cases->size(), 1U);
+  const PairCase& one = cases->front();
+  if (one.placed) {
+    EXPECT_LT(one.error_mm, 4 * one.expected_error_mm);
+  } else {
+    EXPECT_FALSE(one.reason.empty());
+  }
+}
+
+}  // namespace
+}  // namespace roomcast::bench

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/live_align/filmed_sensor.h"
+
+#include <utility>
+
+#include "roomcast/align/bundle/bundle_capture.h"
+
+namespace roomcast::bench {
+
+/// Between the frames of a bundle: long enough for whoever walks by to be gone in most of them.
+constexpr nanoseconds kFrameGap = std::chrono::milliseconds(800);
+
+FilmedSensor::FilmedSensor(std::unique_ptr<SimulatedSensor> sensor, std::string name)
+    : sensor_(std::move(sensor)),
+      moment_(sensor_->make_moment()),
+      exposure_(sensor_->auto_exposure()),
+      name_(std::move(name)) {}
+
+Result<FilmedSensor> FilmedSensor::open(std::shared_ptr<const SimulatedRoom> room,
+                                        const SimulatedSensor::Options& options) {
+  auto sensor = SimulatedSensor::open(std::move(room), options);
+  if (!sensor) return sensor.error();
+  return FilmedSensor(*std::move(sensor), "s" + std::to_string(options.index));
+}
+
+Result<align::CalibrationBundle> FilmedSensor::bundle(int frames) {
+  align::BundleCapture capture(name_, sensor_->calibration());
+  for (int i = 0; i < frames; ++i) {
+    const DepthImage& depth = depth_mm(i * kFrameGap);
+    if (const auto added = capture.add(depth, color()); !added) return added.error();
+  }
+  return capture.finish();
+}
+
+const DepthImage& FilmedSensor::depth_mm(nanoseconds scene_time) {
+  sensor_->look(scene_time, moment_);
+  sensor_->read_depth(frame_++, moment_, depth_mm_);
+  return depth_mm_;
+}
+
+const ColorImage& FilmedSensor::color() {
+  const float gain = sensor_->next_exposure(moment_.scene_time(), moment_, exposure_);
+  sensor_->read_color(frame_, gain, moment_, color_);
+  return color_;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// FilmedSensor: a simulated sensor at work: its bundle, then its depth at any instant. What the
+// suites of live alignment look at. Single-threaded.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "roomcast/align/bundle/calibration_bundle.h"
+#include "roomcast/core/result.h"
+#include "roomcast/source/simulator/simulated_room.h"
+#include "roomcast/source/simulator/simulated_sensor.h"
+
+namespace roomcast::bench {
+
+class FilmedSensor {
+ public:
+  static Result<FilmedSensor> open(std::shared_ptr<const SimulatedRoom> room,
+                                   const SimulatedSensor::Options& options);
+
+  /// Of `frames` frames of the first seconds of scene time.
+  [[nodiscard]] Result<align::CalibrationBundle> bundle(int frames);
+  [[nodiscard]] const DepthImage& depth_mm(nanoseconds scene_time);
+  /// At the instant that depth_mm() was asked for last.
+  [[nodiscard]] const ColorImage& color();
+  [[nodiscard]] const SensorCalibration& calibration() const { return sensor_->calibration(); }
+  [[nodiscard]] const RigidTransform& world_from_depth() const {
+    return sensor_->world_from_depth();
+  }
+
+ private:
+  FilmedSensor(std::unique_ptr<SimulatedSensor> sensor, std::string name);
+
+  std::unique_ptr<SimulatedSensor> sensor_;
+  SimulatedSensor::Moment moment_;
+  sim::AutoExposure exposure_;
+  std::string name_;
+  std::uint64_t frame_ = 0;
+  DepthImage depth_mm_;
+  ColorImage color_;
+};
+
+}  // namespace roomcast::bench

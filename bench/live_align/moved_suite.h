@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// How soon a sensor that is moved is noticed, and how often one that is not is suspected: simulated
+// rooms of every scene with people walking about in them. Single-threaded.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::bench {
+
+struct MovedSuiteOptions {
+  std::uint64_t seed = 1;
+  double minutes = 10;              // that an unmoved sensor of each scene is watched
+  int pushes = 6;                   // of each kind, for each scene
+  std::vector<std::string> scenes;  // none: all
+};
+
+/// The pushes of one size in one scene.
+struct PushTally {
+  int pushes = 0, noticed = 0;
+  double longest_s = 0;  // until one was noticed
+};
+
+struct MovedRow {
+  std::string scene;
+  int looks = 0, alarms = 0;       // of the sensor that nobody moves
+  PushTally two_cm, half_degree;   // have to be noticed
+  PushTally one_cm, fifth_degree;  // should be borne
+  double look_ms = 0;              // CPU of one look
+};
+
+[[nodiscard]] Result<std::vector<MovedRow>> run_moved_suite(
+    const MovedSuiteOptions& options, const std::function<void(std::string_view)>& progress);
+
+void print_table(const std::vector<MovedRow>& rows, std::ostream& out);
+void print_json(const std::vector<MovedRow>& rows, std::ostream& out);
+
+}  // namespace roomcast::bench

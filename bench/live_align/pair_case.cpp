@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/live_align/pair_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <tuple>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::bench {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kSensors = 4;
+const Eigen::Vector3d kMiddle_m(0, 1, 0);  // of the room
+
+double angle_between(const FilmedSensor& one, const FilmedSensor& other) {
+  const Eigen::Vector3d a = one.world_from_depth().rotation.col(2);
+  const Eigen::Vector3d b = other.world_from_depth().rotation.col(2);
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0)) * kDegrees;
+}
+
+struct Summary {
+  int placed = 0;
+  double median_mm = 0, worst_mm = 0;
+};
+
+Summary summary_of(const std::vector<PairCase>& cases) {
+  std::vector<double> errors;
+  for (const PairCase& one : cases) {
+    if (one.placed) errors.push_back(one.error_mm);
+  }
+  if (errors.empty()) return {};
+  std::ranges::sort(errors);
+  return {static_cast<int>(errors.size()), errors[errors.size() / 2], errors.back()};
+}
+
+}  // namespace
+
+Result<SensorPair> sensors_apart(const std::shared_ptr<const SimulatedRoom>& room,
+                                 std::uint64_t seed, double apart_deg) {
+  std::vector<FilmedSensor> sensors;
+  for (int i = 0; i < kSensors; ++i) {
+    SimulatedSensor::Options sensing;
+    sensing.index = i;
+    sensing.count = kSensors;
+    sensing.seed = seed;
+    sensing.sensing.half_color = true;
+    auto sensor = FilmedSensor::open(room, sensing);
+    if (!sensor) return sensor.error();
+    sensors.push_back(*std::move(sensor));
+  }
+  std::size_t a = 0, b = 1;
+  const auto off = [&](std::size_t i, std::size_t j) {
+    return std::abs(angle_between(sensors[i], sensors[j]) - apart_deg);
+  };
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    for (std::size_t j = i + 1; j < sensors.size(); ++j) {
+      if (off(i, j) < off(a, b)) std::tie(a, b) = std::pair(i, j);
+    }
+  }
+  return SensorPair(std::move(sensors[a]), std::move(sensors[b]));
+}
+
+PairCase case_of(const std::string& scene, std::uint64_t seed, const SensorPair& sensors) {
+  PairCase result;
+  result.scene = scene;
+  result.seed = seed;
+  result.apart_deg = angle_between(sensors.first, sensors.second);
+  return result;
+}
+
+void place(const SensorPair& sensors, const RigidTransform& a_from_b, double expected_error_mm,
+           PairCase& result) {
+  const auto& [a, b] = sensors;
+  const RigidTransform truth = a.world_from_depth().inverse() * b.world_from_depth();
+  const Eigen::Vector3d middle = b.world_from_depth().inverse() * kMiddle_m;
+  result.placed = true;
+  result.expected_error_mm = expected_error_mm;
+  result.error_mm = 1000 * (a_from_b * middle - truth * middle).norm();
+  result.turn_error_deg =
+      kDegrees * Eigen::AngleAxisd(a_from_b.rotation.transpose() * truth.rotation).angle();
+}
+
+void print_table(const std::vector<PairCase>& cases, std::ostream& out) {
+  out << "scene       seed  apart   error   expected   turn\n";
+  for (const PairCase& one : cases) {
+    const std::string figures =
+        one.placed ? fmt::format("{:5.1f} mm  {:5.1f} mm  {:5.2f} deg", one.error_mm,
+                                 one.expected_error_mm, one.turn_error_deg)
+                   : "refused: " + one.reason;
+    out << fmt::format("{:<10} {:5}  {:3.0f} deg  {}\n", one.scene, one.seed, one.apart_deg,
+                       figures);
+  }
+  const Summary summary = summary_of(cases);
+  out << fmt::format(
+      "{} of {} placed, error at the middle of the room: median {:.1f} mm, worst {:.1f} mm\n",
+      summary.placed, cases.size(), summary.median_mm, summary.worst_mm);
+}
+
+void print_json(const std::vector<PairCase>& cases, std::ostream& out) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const PairCase& one : cases) {
+    rows.push_back({{"scene", one.scene},
+                    {"seed", one.seed},
+                    {"apart_deg", one.apart_deg},
+                    {"placed", one.placed},
+                    {"reason", one.reason},
+                    {"error_mm", one.error_mm},
+                    {"turn_error_deg", one.turn_error_deg},
+                    {"expected_error_mm", one.expected_error_mm},
+                    {"look_cpu_ms", one.look_ms}});
+  }
+  const Summary summary = summary_of(cases);
+  out << nlohmann::json{{"rows", rows},
+                        {"placed", summary.placed},
+                        {"median_error_mm", summary.median_mm},
+                        {"worst_error_mm", summary.worst_mm}}
+             .dump(2)
+      << '\n';
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two simulated sensors that are placed by what passes through their views and by nothing else, and
+// how well that went: what the suites of walkers and boards have in common. Single-threaded.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/live_align/filmed_sensor.h"
+
+namespace roomcast::bench {
+
+struct PairCase {
+  std::string scene;
+  std::uint64_t seed = 0;
+  double apart_deg = 0;  // between the sensors' views
+  bool placed = false;
+  std::string reason;   // why not
+  double error_mm = 0;  // at the middle of the room, 1 m high
+  double turn_error_deg = 0;
+  double expected_error_mm = 0;
+  double look_ms = 0;  // CPU of looking at one picture
+};
+
+using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
+
+/// Of the sensors around the room the two whose views are most nearly so far apart.
+[[nodiscard]] Result<SensorPair> sensors_apart(const std::shared_ptr<const SimulatedRoom>& room,
+                                               std::uint64_t seed, double apart_deg);
+
+[[nodiscard]] PairCase case_of(const std::string& scene, std::uint64_t seed,
+                               const SensorPair& sensors);
+
+/// The second sensor was placed; the poses are of their depth frames.
+void place(const SensorPair& sensors, const RigidTransform& a_from_b, double expected_error_mm,
+           PairCase& result);
+
+void print_table(const std::vector<PairCase>& cases, std::ostream& out);
+void print_json(const std::vector<PairCase>& cases, std::ostream& out);
+
+}  // namespace roomcast::bench

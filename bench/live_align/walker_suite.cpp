@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/live_align/walker_suite.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/codec/cpu_stopwatch.h"
+#include "roomcast/align/walker/head_finder.h"
+#include "roomcast/align/walker/walk_match.h"
+
+namespace roomcast::bench {
+namespace {
+
+constexpr int kBundleFrames = 7;
+constexpr nanoseconds kWalkBegins = std::chrono::seconds(6);
+constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
+/// Where there is somebody who walks.
+constexpr std::array<const char*, 4> kScenes = {"livingroom", "office", "lab", "studio"};
+
+struct Walk {
+  RigidTransform level_from_depth;
+  std::vector<align::HeadSighting> sightings;
+  double look_ms = 0;
+};
+
+Result<Walk> watch_walk(FilmedSensor& sensor, const WalkerSuiteOptions& options,
+                        nanoseconds phase) {
+  const auto bundle = sensor.bundle(kBundleFrames);
+  if (!bundle) return bundle.error();
+  const auto floor = align::floor_of(*bundle);
+  if (!floor) return Error{ErrorCode::kUnavailable, "no floor is seen"};
+  align::HeadFinder heads(*bundle, *floor);
+  Walk walk{align::level_from_depth(*floor), {}, 0};
+  const int frames = static_cast<int>(options.seconds * options.fps);
+  for (int i = 0; i < frames; ++i) {
+    const auto time =
+        kWalkBegins + phase + nanoseconds(std::llround(1e9 * static_cast<double>(i) / options.fps));
+    const DepthImage& depth_mm = sensor.depth_mm(time);
+    const CpuStopwatch watch;
+    const auto found = heads.find(depth_mm.view());
+    walk.look_ms += watch.ms() / frames;
+    for (const auto& head : found) {
+      walk.sightings.push_back(align::head_sighting(
+          walk.level_from_depth, 1e-9 * double(time.count()), head.cast<double>()));
+    }
+  }
+  return walk;
+}
+
+Result<PairCase> run_case(const char* scene, std::uint64_t seed,
+                          const WalkerSuiteOptions& options) {
+  const auto room = SimulatedRoom::build(scene, seed);
+  if (!room) return room.error();
+  auto sensors = sensors_apart(*room, seed, 180);
+  if (!sensors) return sensors.error();
+  PairCase result = case_of(scene, seed, *sensors);
+  const auto seen_by_a = watch_walk(sensors->first, options, {});
+  const auto seen_by_b = watch_walk(sensors->second, options, kPhase);
+  if (!seen_by_a || !seen_by_b) {
+    result.reason = (seen_by_a ? seen_by_b : seen_by_a).error().message;
+    return result;
+  }
+  result.look_ms = (seen_by_a->look_ms + seen_by_b->look_ms) / 2;
+  const auto match = align::match_walks(seen_by_a->sightings, seen_by_b->sightings);
+  if (match) {
+    place(*sensors,
+          seen_by_a->level_from_depth.inverse() * match->a_from_b * seen_by_b->level_from_depth,
+          match->expected_error_mm, result);
+  } else {
+    result.reason = match.error().message;
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<PairCase>> run_walker_suite(
+    const WalkerSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
+  std::vector<PairCase> cases;
+  for (int i = 0; i < options.rooms; ++i) {
+    const char* scene = kScenes[static_cast<std::size_t>(i) % kScenes.size()];
+    progress(fmt::format("room {} of {}: {}", i + 1, options.rooms, scene));
+    auto one = run_case(scene, options.seed + static_cast<std::uint64_t>(i), options);
+    if (!one) return one.error();
+    cases.push_back(*std::move(one));
+  }
+  return cases;
+}
+
+}  // namespace roomcast::bench

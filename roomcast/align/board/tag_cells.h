@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an AprilTag of family 36h11 looks like: 10 x 10 cells, the outermost white. Thread-safe (no
+// state).
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace roomcast::align {
+
+inline constexpr int kTagCells = 10;       // across, with the white rim
+inline constexpr int kTagSquareCells = 8;  // of the black square
+
+/// White cells are true; rows from the top.
+using TagCells = std::array<std::array<bool, kTagCells>, kTagCells>;
+
+/// How many tags the family has.
+[[nodiscard]] int tag_count();
+
+/// Nothing for a number that the family does not have.
+[[nodiscard]] std::optional<TagCells> tag_cells(int tag);
+
+}  // namespace roomcast::align

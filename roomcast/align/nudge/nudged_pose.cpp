@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/nudge/nudged_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "roomcast/align/pair/pair_candidates.h"
+#include "roomcast/align/pair/pose_difference.h"
+#include "roomcast/align/pair/settling.h"
+#include "roomcast/align/pair/surface_residuals.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr std::size_t kTestedPoints = 1500;
+constexpr double kLeastOverlap = 0.05, kMostConflict = 0.08;
+constexpr double kLeastCorrelation = 0.35, kTextured = 0.004;
+constexpr double kFurthest_m = 0.6, kFurthest_rad = 0.35;  // of the answer from the guess
+constexpr double kPerhapsOverlap = 0.02;                   // at the guess: worth a look
+constexpr double kLeastLead = 4;                           // in score, before a rival
+constexpr double kSettledReach_m = 0.05;
+constexpr double kBeside_m = 0.15, kBeside_rad = 0.07;
+
+/// The guess, and beside it along the floor and turned about the vertical: what people misjudge.
+std::vector<RigidTransform> starts_about(const RigidTransform& guess) {
+  std::vector<RigidTransform> starts = {guess};
+  for (const double side : {-1.0, 1.0}) {
+    RigidTransform turned = guess, across = guess, along = guess;
+    turned.rotation =
+        Eigen::AngleAxisd(side * kBeside_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() *
+        guess.rotation;
+    across.translation_m.x() += side * kBeside_m;
+    along.translation_m.z() += side * kBeside_m;
+    starts.insert(starts.end(), {turned, across, along});
+  }
+  return starts;
+}
+
+/// The placed sensor that shares most with the view if the guess is about right.
+std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransform& guess,
+                                       std::span<const PlacedView> others) {
+  std::optional<PlacedView> best;
+  double most = kPerhapsOverlap;
+  for (const PlacedView& other : others) {
+    const RigidTransform other_from_view = other.world_from_depth.inverse() * guess;
+    const auto space =
+        check_free_space(other.view->surface, view.surface, other_from_view, kTestedPoints);
+    const double seen = space.consistent + space.violating;  // a guess is off by decimetres
+    if (seen <= most) continue;
+    most = seen;
+    best = other;
+  }
+  return best;
+}
+
+PairCandidates candidates_of(const SensorView& a, const SensorView& b) {
+  return PairCandidates(
+      a, b, weighed_matches(a, own_look_alikes(a), b, own_look_alikes(b), compare_views(a, b)));
+}
+
+bool is_near(const RigidTransform& pose, const RigidTransform& guess) {
+  const PoseDifference apart = difference(pose, guess, Eigen::Vector3d::Zero());
+  return apart.distance_m < kFurthest_m && apart.angle_rad < kFurthest_rad;
+}
+
+/// Where the starts end up, and what alignment itself proposes near the guess (the first start);
+/// best first, none twice.
+std::vector<PoseEvidence> settled_from(const PairCandidates& pair,
+                                       std::span<const RigidTransform> starts_a_from_b) {
+  std::vector<PoseEvidence> ends;
+  for (const PoseEvidence& proposed : pair.ranked()) {
+    if (is_near(proposed.a_from_b, starts_a_from_b.front())) ends.push_back(proposed);
+  }
+  for (const RigidTransform& start : starts_a_from_b)
+    ends.push_back(pair.examine(settled_pose(pair.a(), pair.b(), pair.matches(), start)));
+  std::ranges::stable_sort(ends, std::greater(), &PoseEvidence::score);
+  std::vector<PoseEvidence> distinct;
+  for (const PoseEvidence& end : ends) {
+    const bool is_new = std::ranges::all_of(
+        distinct, [&](const auto& better) { return are_rivals(end.a_from_b, better.a_from_b); });
+    if (is_new) distinct.push_back(end);
+  }
+  return distinct;
+}
+
+/// Standard deviation 2.5 m ahead of b, from the surfaces that both share.
+double expected_error_m(const SensorView& a, const SensorView& b, const RigidTransform& a_from_b) {
+  const auto partners = surface_partners(a.surface, b.surface, a_from_b, {kSettledReach_m, 6000});
+  Matrix6 information = surface_equations(partners, a_from_b, surface_noise(partners))
+                            .information.topLeftCorner<6, 6>();
+  information += Matrix6::Identity();  // a metre and a radian: what nothing tells at all
+  Eigen::Matrix<double, 3, 6> by;
+  const Eigen::Vector3d ahead = a_from_b * Eigen::Vector3d(0, 0, 2.5);
+  for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(ahead);
+  by.rightCols<3>().setIdentity();
+  return std::sqrt((by * information.inverse() * by.transpose()).trace());
+}
+
+Error refused(std::string sentence) {
+  return {ErrorCode::kUnavailable, std::move(sentence)};
+}
+
+}  // namespace
+
+Result<NudgedPose> refined_guess(const SensorView& view, const RigidTransform& guess,
+                                 std::span<const PlacedView> others) {
+  const auto partner = best_partner(view, guess, others);
+  if (!partner)
+    return refused(
+        "there it would see nothing that a placed sensor sees; nothing tells whether it is right");
+  const PairCandidates pair = candidates_of(*partner->view, view);
+  std::vector<RigidTransform> starts;
+  for (const RigidTransform& start : starts_about(guess))
+    starts.push_back(partner->world_from_depth.inverse() * start);
+  const auto ends = settled_from(pair, starts);
+  const PoseEvidence& best = ends.front();
+  if (best.space.conflict() > kMostConflict || best.space.consistent_least < kLeastOverlap) {
+    return refused("what it sees does not fit what " + partner->view->name +
+                   " sees there; bring it within 20 cm and 5 degrees");
+  }
+  if (best.photo.textured > kTextured && best.photo.correlation < kLeastCorrelation)
+    return refused("the shapes fit there, but not the colours");
+  if (ends.size() > 1 && best.score - ends[1].score < kLeastLead)
+    return refused("two places near the guess fit equally well; bring it nearer to the right one");
+  const RigidTransform world_from_depth = partner->world_from_depth * best.a_from_b;
+  if (!is_near(world_from_depth, guess))
+    return refused("what fits lies far from the guess; bring it nearer");
+  return NudgedPose{world_from_depth, 1000 * expected_error_m(*partner->view, view, best.a_from_b)};
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a person's guess where a sensor stands. From the guess and from a little beside
+// it the pose settles on the surfaces that the sensor shares with others (pair/settling.h); what it
+// ends up as is judged by free space, colours and features like any other hypothesis
+// (PairCandidates::examine). The guess stands for what alignment lacks by itself, so less support
+// is asked for, but nothing may contradict the pose, and no other place near the guess may fit as
+// well. Metres. Thread-safe (no state).
+#pragma once
+
+#include <span>
+
+#include "roomcast/align/sensor_view.h"
+#include "roomcast/core/result.h"
+
+namespace roomcast::align {
+
+/// Another sensor, whose pose is known.
+struct PlacedView {
+  const SensorView* view = nullptr;
+  RigidTransform world_from_depth;
+};
+
+struct NudgedPose {
+  RigidTransform world_from_depth;
+  double expected_error_mm = 0;
+};
+
+/// kUnavailable: why the guess is not taken, and what would help.
+[[nodiscard]] Result<NudgedPose> refined_guess(const SensorView& view,
+                                               const RigidTransform& guessed_world_from_depth,
+                                               std::span<const PlacedView> others);
+
+}  // namespace roomcast::align

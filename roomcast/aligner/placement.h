@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a sensor stands, or why nobody can tell. Metres, millimetres where a name says so. Plain
+// data.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::aligner {
+
+struct Placement {
+  std::string sensor;
+  std::optional<RigidTransform> world_from_depth;
+  double expected_error_mm = 0;
+  std::string note;                 // why it is not placed
+  std::uint32_t bundle_number = 0;  // of its bundle that this was found from
+};
+
+/// Poses by the sensor's name.
+using KnownPoses = std::map<std::string, RigidTransform>;
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/aligner/walk_placing.h"
+
+#include <algorithm>
+
+#include "roomcast/align/walker/head_finder.h"
+
+namespace roomcast::aligner {
+namespace {
+
+constexpr std::size_t kMostHeadsKept = 2000;
+
+RoomTime room_time(std::uint64_t ns) {
+  return RoomTime(nanoseconds(static_cast<std::int64_t>(ns)));
+}
+
+}  // namespace
+
+void WalkPlacing::stand(const std::string& sensor, const std::optional<align::Plane>& floor) {
+  forget(sensor);
+  if (floor) sensors_[sensor].level_from_depth = align::level_from_depth(*floor);
+}
+
+void WalkPlacing::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
+  const auto found = sensors_.find(sensor);
+  if (found == sensors_.end()) return;
+  auto& heads = found->second.heads;
+  for (const auto& head : sightings.heads()) {
+    const RoomTime time = room_time(head.room_ns());
+    if (!heads.empty() && time < heads.back().time) continue;
+    heads.push_back({time, Eigen::Vector3d(head.x(), head.y(), head.z())});
+  }
+  while (!heads.empty() && (heads.back().time - heads.front().time > kWalkRemembered ||
+                            heads.size() > kMostHeadsKept)) {
+    heads.pop_front();
+  }
+}
+
+const WalkPlacing::Watcher* WalkPlacing::watcher_of(const std::string& sensor) const {
+  const auto found = sensors_.find(sensor);
+  return found != sensors_.end() && !found->second.heads.empty() ? &found->second : nullptr;
+}
+
+std::vector<align::HeadSighting> WalkPlacing::sightings_of(const Watcher& watcher,
+                                                           const RigidTransform& pose) {
+  std::vector<align::HeadSighting> sightings;
+  sightings.reserve(watcher.heads.size());
+  for (const Head& head : watcher.heads) {
+    const double time_s = std::chrono::duration<double>(head.time.time_since_epoch()).count();
+    sightings.push_back(align::head_sighting(pose, time_s, head.seen_m));
+  }
+  return sightings;
+}
+
+std::vector<align::HeadSighting> WalkPlacing::seen_in_world(const KnownPoses& placed) const {
+  std::vector<align::HeadSighting> all;
+  for (const auto& [sensor, world_from_depth] : placed) {
+    const Watcher* watcher = watcher_of(sensor);
+    if (watcher == nullptr) continue;
+    const auto seen = sightings_of(*watcher, world_from_depth);
+    all.insert(all.end(), seen.begin(), seen.end());
+  }
+  std::ranges::stable_sort(all, {}, &align::HeadSighting::time_s);
+  return all;
+}
+
+std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
+                                          const std::set<std::string>& lost) const {
+  KnownPoses known = placed;
+  std::vector<Placement> placements;
+  for (const std::string& sensor : lost) {
+    const Watcher* watcher = watcher_of(sensor);
+    if (watcher == nullptr) continue;
+    Placement& placement = placements.emplace_back();
+    placement.sensor = sensor;
+    if (known.empty()) {  // the world is as it sees it
+      known[sensor] = watcher->level_from_depth;
+      placement.world_from_depth = watcher->level_from_depth;
+      continue;
+    }
+    const auto match =
+        align::match_walks(seen_in_world(known), sightings_of(*watcher, watcher->level_from_depth));
+    if (!match) {
+      placement.note = match.error().message;
+      continue;
+    }
+    placement.world_from_depth = match->a_from_b * watcher->level_from_depth;
+    placement.expected_error_mm = match->expected_error_mm;
+    known[sensor] = *placement.world_from_depth;
+  }
+  // Alone it stands nowhere.
+  if (placed.empty() && known.size() == 1) {
+    for (Placement& placement : placements) placement.world_from_depth.reset();
+  }
+  return placements;
+}
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast board: a board to print, for sensors that share nothing to be aligned by.
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "roomcast/align/board/board_pdf.h"
+#include "roomcast/cli/command.h"
+
+namespace roomcast::cli {
+namespace {
+
+struct BoardOptions {
+  std::string file;
+  std::string paper = "a4";
+  int tag = 0;
+};
+
+Status write_board(const BoardOptions& options) {
+  align::BoardPage page = options.paper == "a3" ? align::kA3 : align::kA4;
+  page.tag = options.tag;
+  const auto pdf = align::board_pdf(page);
+  if (!pdf) return pdf.error();
+  std::ofstream file(options.file, std::ios::binary);
+  file << *pdf << std::flush;
+  if (!file) return Error{ErrorCode::kUnavailable, "cannot write " + options.file};
+  fmt::print("wrote {}: print it at 100 %; the black square has to be {:.1f} mm wide\n",
+             options.file, align::tag_side_mm(page));
+  return {};
+}
+
+}  // namespace
+
+void add_board_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<BoardOptions>();
+  CLI::App* command = app.add_subcommand(
+      "board", "A board to print: held where two sensors see it, it tells how they stand");
+  command->add_option("out", options->file, "PDF file to write")->required();
+  command->add_option("--paper", options->paper, "a4, or a3: seen from further away")
+      ->check(CLI::IsMember({"a4", "a3"}))
+      ->capture_default_str();
+  command->add_option("--tag", options->tag, "Number of the AprilTag (family 36h11)")
+      ->check(CLI::Range(0, 586))
+      ->capture_default_str();
+  command->footer(
+      "Example:\n  roomcast board board.pdf --paper a3\n"
+      "Hold it still for two seconds at six places that both sensors see, well apart.");
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("board", write_board(*options)); };
+  });
+}
+
+}  // namespace roomcast::cli

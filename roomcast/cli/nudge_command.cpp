@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast nudge: puts a sensor about where it stands; the hub's aligner refines it or says why
+// not.
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/client/nudge.h"
+
+namespace roomcast::cli {
+namespace {
+
+struct NudgeCommand {
+  NudgeOptions options;
+  std::vector<double> move_m = {0, 0, 0};
+  double turn_deg = 0;
+  bool json = false;
+};
+
+Status run_nudge(NudgeCommand command) {
+  command.options.shift_m = Eigen::Vector3d::Map(command.move_m.data());
+  command.options.turn_rad = command.turn_deg * std::numbers::pi / 180;
+  StatusLine line;
+  line.show("the aligner looks whether it fits");
+  const auto answer = nudge_sensor(command.options);
+  if (!answer) return answer.error();
+  if (command.json) {
+    fmt::print("{}\n", nlohmann::json{{"sensor", command.options.sensor},
+                                      {"world_from_depth",
+                                       row_major_from_transform(answer->world_from_depth)},
+                                      {"expected_error_mm", answer->expected_error_mm}}
+                           .dump());
+    return {};
+  }
+  const Eigen::Vector3d& at = answer->world_from_depth.translation_m;
+  fmt::print("{} stands at {:.3f}, {:.3f}, {:.3f} m; expected error {:.0f} mm\n",
+             command.options.sensor, at.x(), at.y(), at.z(), answer->expected_error_mm);
+  return {};
+}
+
+}  // namespace
+
+void add_nudge_command(CLI::App& app, Command& chosen) {
+  auto values = std::make_shared<NudgeCommand>();
+  CLI::App* command =
+      app.add_subcommand("nudge", "Put a sensor about where it stands; the aligner does the rest");
+  command->add_option("sensor", values->options.sensor, "Its name in the room")->required();
+  command->add_option("--hub", values->options.hub_url, "ws://HOST:PORT")->required();
+  command->add_option("--key", values->options.key, "That the hub was started with")->required();
+  command->add_option("--room", values->options.room, "The room (default: the hub's only one)");
+  command->add_option("--move", values->move_m, "Metres along the room's axes: X Y Z, y up")
+      ->expected(3);
+  command->add_option("--turn", values->turn_deg,
+                      "Degrees about the vertical, counter-clockwise seen from above");
+  command->add_flag("--json", values->json, "For scripts");
+  command->footer(
+      "Example:\n  roomcast nudge s2 --hub ws://127.0.0.1:7600 --key SECRET --move 0.4 0 -0.2 "
+      "--turn 15");
+  command->callback(
+      [values, &chosen] { chosen = [values] { return finish("nudge", run_nudge(*values)); }; });
+}
+
+}  // namespace roomcast::cli

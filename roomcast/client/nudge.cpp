@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/nudge.h"
+
+#include <algorithm>
+#include <future>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "roomcast/client/calibration_message.h"
+#include "roomcast/client/hub_link.h"
+#include "roomcast/client/network_thread.h"
+
+namespace roomcast {
+namespace {
+
+namespace pb = wire::pb;
+using Answer = Result<NudgedSensor>;
+
+pb::Join join_message(const NudgeOptions& options) {
+  pb::Join join;
+  join.set_room(options.room);
+  join.mutable_viewer()->set_key(options.key);
+  return join;
+}
+
+/// One guess and its answer: the sensor's entry in the roster changes.
+class Asking final : public HubLinkEvents {
+ public:
+  Asking(net::HubUrl hub, const NudgeOptions& options)
+      : options_(options), link_(network_.io(), std::move(hub), join_message(options), *this) {
+    link_.start();
+    network_.start();
+  }
+  ~Asking() override {
+    network_.finish([this] { link_.stop(); });
+  }
+
+  Answer wait() {
+    auto answer = answer_.get_future();
+    if (answer.wait_for(options_.patience) == std::future_status::ready) return answer.get();
+    return Error{ErrorCode::kUnavailable, "the hub's aligner has not answered; does it have one?"};
+  }
+
+  void on_welcome(const pb::Welcome&) override { before_.reset(); }
+  void on_control(const pb::Control& message) override {
+    if (message.has_roster()) take(message.roster());
+  }
+  void on_frame(net::MessageBuffer) override {}
+  net::SealedMessagePtr next_frame() override { return nullptr; }
+  void on_clock(const ClockEstimate&) override {}
+  void on_down(const Error& reason, bool) override { answer(reason); }
+
+ private:
+  void take(const pb::Roster& roster) {
+    const auto entry = std::ranges::find(roster.sensors(), options_.sensor, &pb::SensorEntry::name);
+    if (entry == roster.sensors().end()) {
+      return answer(
+          Error{ErrorCode::kNotFound, "the room has no sensor \"" + options_.sensor + "\""});
+    }
+    const auto pose = read_transform(entry->world_from_depth());
+    if (!pose) return answer(pose.error());
+    if (!before_) return ask(*entry, *pose);
+    const bool moved = !std::ranges::equal(entry->world_from_depth(), before_->world_from_depth());
+    if (moved) return answer(NudgedSensor{*pose, double(entry->expected_error_mm())});
+    if (entry->placement_note() != before_->placement_note())
+      answer(Error{ErrorCode::kUnavailable, entry->placement_note()});
+  }
+
+  void ask(const pb::SensorEntry& entry, const RigidTransform& pose) {
+    before_ = entry;
+    pb::Control message;
+    message.mutable_nudge()->set_sensor_id(entry.id());
+    write_transform(nudged(pose, options_.shift_m, options_.turn_rad),
+                    *message.mutable_nudge()->mutable_world_from_depth());
+    link_.send(message);
+  }
+
+  /// The first one counts.
+  void answer(Answer found) {
+    if (!std::exchange(answered_, true)) answer_.set_value(std::move(found));
+  }
+
+  const NudgeOptions& options_;
+  std::promise<Answer> answer_;
+  NetworkThread network_;
+  std::optional<pb::SensorEntry> before_;  // the network thread's own, as is what follows
+  bool answered_ = false;
+  HubLink link_;
+};
+
+}  // namespace
+
+RigidTransform nudged(const RigidTransform& world_from_depth, const Eigen::Vector3d& shift_m,
+                      double turn_rad) {
+  RigidTransform pose = world_from_depth;
+  pose.rotation =
+      Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() * pose.rotation;
+  pose.translation_m += shift_m;
+  return pose;
+}
+
+Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {
+  auto hub = net::parse_hub_url(options.hub_url);
+  if (!hub) return hub.error();
+  return Asking(*std::move(hub), options).wait();
+}
+
+}  // namespace roomcast

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells a hub's aligner a person's guess where a sensor stands, and waits for what it makes of it.
+// Metres, radians. Threading: thread-safe (no state); blocks.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast {
+
+struct NudgeOptions {
+  std::string hub_url;
+  std::string room;  // empty: the hub's only one
+  std::string key;   // that the hub was started with
+  std::string sensor;
+  Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // along the world's axes, y up
+  double turn_rad = 0;  // about the vertical, counter-clockwise from above, where it stands
+  std::chrono::milliseconds patience = std::chrono::seconds(20);
+};
+
+struct NudgedSensor {
+  RigidTransform world_from_depth;
+  double expected_error_mm = 0;
+};
+
+/// Where the sensor stands from now on. kUnavailable: why the aligner did not take the guess, or
+/// that nobody answered. kNotFound: there is no such sensor. Else why there is no connection.
+[[nodiscard]] Result<NudgedSensor> nudge_sensor(const NudgeOptions& options);
+
+/// It turns where it stands, then it is shifted.
+[[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,
+                                    const Eigen::Vector3d& shift_m, double turn_rad);
+
+}  // namespace roomcast

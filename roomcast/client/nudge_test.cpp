@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/nudge.h"
+
+#include <future>
+#include <numbers>
+#include <optional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/client/calibration_message.h"
+#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/network_thread.h"
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+wire::pb::Control roster(const RigidTransform& pose, const std::string& note = "") {
+  wire::pb::Control control;
+  SensorCalibration calibration;
+  calibration.depth = {.width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+  calibration.color = calibration.depth;
+  auto& entry = *control.mutable_roster()->add_sensors();
+  entry.set_id(3);
+  entry.set_name("left");
+  entry.set_fps(30);
+  *entry.mutable_calibration() = message_from_calibration(calibration);
+  write_transform(pose, *entry.mutable_world_from_depth());
+  entry.set_expected_error_mm(4);
+  entry.set_placement_note(note);
+  return control;
+}
+
+RigidTransform at(double x) {
+  RigidTransform pose;
+  pose.translation_m = {x, 1, 0};
+  return pose;
+}
+
+/// A hub that shows a sensor at x = 1 and gives this answer to a nudge.
+class NudgeTest : public testing::Test {
+ protected:
+  NudgeTest() {
+    network.start();
+    options.hub_url = hub->url();
+    options.sensor = "left";
+    options.key = "sesame";
+    options.shift_m = {0.5, 0, 0};
+  }
+  ~NudgeTest() override {
+    network.finish([this] { hub.reset(); });
+  }
+  void show_roster() {
+    run([](FakeHub& own) { own.on_join = [&own] { own.say(roster(at(1))); }; });
+  }
+  /// Once it has heard a nudge.
+  std::jthread answering(wire::pb::Control answer) {
+    return std::jthread([this, answer](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        bool heard = false;
+        run([&](FakeHub& own) {
+          for (const auto& message : own.heard) heard |= message.has_nudge();
+          if (heard) own.say(answer);
+        });
+        if (heard) return;
+        std::this_thread::yield();
+      }
+    });
+  }
+  template <class Action>
+  void run(Action action) {
+    std::promise<void> done;
+    boost::asio::post(network.io(), [&] {
+      action(*hub);
+      done.set_value();
+    });
+    done.get_future().get();
+  }
+
+  NetworkThread network;
+  std::optional<FakeHub> hub{std::in_place, network.io()};
+  NudgeOptions options;
+};
+
+TEST_F(NudgeTest, a_guess_that_is_taken_gives_the_refined_pose) {
+  show_roster();
+  const auto aligner = answering(roster(at(1.47)));
+  const auto answer = nudge_sensor(options);
+  ASSERT_TRUE(answer.ok()) << answer.error().message;
+  EXPECT_DOUBLE_EQ(answer->world_from_depth.translation_m.x(), 1.47);
+  EXPECT_EQ(answer->expected_error_mm, 4);
+  run([](FakeHub& own) {
+    for (const auto& message : own.heard) {
+      if (message.has_nudge()) {
+        EXPECT_DOUBLE_EQ(message.nudge().world_from_depth(3), 1.5);
+      }
+    }
+  });
+}
+
+TEST_F(NudgeTest, a_guess_that_is_refused_gives_the_reason) {
+  show_roster();
+  const auto aligner = answering(roster(at(1), "Not where it was put: nothing fits"));
+  const auto answer = nudge_sensor(options);
+  ASSERT_FALSE(answer.ok());
+  EXPECT_EQ(answer.error().message, "Not where it was put: nothing fits");
+}
+
+TEST_F(NudgeTest, an_unknown_sensor_is_named) {
+  show_roster();
+  options.sensor = "right";
+  EXPECT_EQ(nudge_sensor(options).error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(NudgeTest, without_an_aligner_the_wait_ends) {
+  show_roster();
+  options.patience = 100ms;
+  EXPECT_EQ(nudge_sensor(options).error().code, ErrorCode::kUnavailable);
+}
+
+TEST(Nudged, a_sensor_turns_where_it_stands_and_is_then_shifted) {
+  const auto pose = nudged(at(1), {0, 0, 2}, std::numbers::pi / 2);
+  EXPECT_TRUE(pose.translation_m.isApprox(Eigen::Vector3d(1, 1, 2)));
+  EXPECT_TRUE((pose.rotation * Eigen::Vector3d(0, 0, -1)).isApprox(Eigen::Vector3d(-1, 0, 0)));
+}
+
+}  // namespace
+}  // namespace roomcast

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Putting a sensor in its place by hand, for whoever opened the page with the hub's key: buttons, and keys while a sensor
+// is being moved. What it is pushed to is shown here only; `try` asks the aligner, which refines the guess or refuses it.
+import { element } from './element';
+
+export interface NudgeEvents {
+  /** Metres and radians as the person sees them. */
+  push(sensor: number, right: number, up: number, forward: number, turn: number): void;
+  tryIt(sensor: number): void;
+  putBack(sensor: number): void;
+}
+
+const step_m = 0.05;
+const step_rad = (2 * Math.PI) / 180;
+const fineFactor = 0.2; // with Shift
+
+interface Step {
+  key: string;
+  label: string;
+  title: string;
+  push: readonly [right: number, up: number, forward: number, turn: number];
+}
+
+const steps: readonly Step[] = [
+  { key: 'KeyU', label: '↺', title: 'Turn left (U)', push: [0, 0, 0, 1] },
+  { key: 'KeyI', label: '↑', title: 'Away from you (I)', push: [0, 0, 1, 0] },
+  { key: 'KeyO', label: '↻', title: 'Turn right (O)', push: [0, 0, 0, -1] },
+  { key: 'KeyP', label: '⤒', title: 'Up (P)', push: [0, 1, 0, 0] },
+  { key: 'KeyJ', label: '←', title: 'To the left (J)', push: [-1, 0, 0, 0] },
+  { key: 'KeyK', label: '↓', title: 'Towards you (K)', push: [0, 0, -1, 0] },
+  { key: 'KeyL', label: '→', title: 'To the right (L)', push: [1, 0, 0, 0] },
+  { key: 'Semicolon', label: '⤓', title: 'Down (;)', push: [0, -1, 0, 0] },
+];
+
+export class NudgeControls {
+  readonly root = element('div', { class: 'nudge', hidden: '' });
+  private sensor: number | undefined;
+
+  constructor(private readonly events: NudgeEvents) {
+    const pad = element('div', { class: 'pad' }, ...steps.map((step) => this.button(step)));
+    const tryIt = element('button', { type: 'button', class: 'plain' }, 'Try (Enter)');
+    tryIt.addEventListener('click', () => this.tryIt());
+    const back = element('button', { type: 'button', class: 'plain' }, 'Put back (Esc)');
+    back.addEventListener('click', () => this.putBack());
+    const hint = element('p', {}, '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the rest is found by itself.');
+    this.root.append(pad, hint, element('div', { class: 'row' }, tryIt, back));
+    window.addEventListener('keydown', (event) => this.keyDown(event));
+  }
+
+  /** The sensor that is being moved, if any. */
+  get moving(): number | undefined {
+    return this.sensor;
+  }
+
+  choose(sensor: number | undefined): void {
+    this.sensor = sensor;
+    this.root.hidden = sensor === undefined;
+  }
+
+  private button(step: Step): HTMLElement {
+    const button = element('button', { type: 'button', title: step.title, 'aria-label': step.title }, step.label);
+    button.addEventListener('click', (event) => this.push(step, event.shiftKey));
+    return button;
+  }
+
+  private push({ push: [right, up, forward, turn] }: Step, fine: boolean): void {
+    if (this.sensor === undefined) return;
+    const by = fine ? fineFactor : 1;
+    const metres = by * step_m;
+    this.events.push(this.sensor, right * metres, up * metres, forward * metres, turn * by * step_rad);
+  }
+
+  private tryIt(): void {
+    if (this.sensor !== undefined) this.events.tryIt(this.sensor);
+  }
+
+  private putBack(): void {
+    if (this.sensor !== undefined) this.events.putBack(this.sensor);
+  }
+
+  private keyDown(event: KeyboardEvent): void {
+    if (this.sensor === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+    const step = steps.find(({ key }) => key === event.code);
+    if (step) this.push(step, event.shiftKey);
+    else if (event.code === 'Enter' && !(event.target instanceof HTMLButtonElement)) this.tryIt();
+    else if (event.code === 'Escape') this.putBack();
+    else return;
+    event.preventDefault();
+  }
+}
