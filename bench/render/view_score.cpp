@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -93,12 +94,19 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
       wrong += std::abs(z_m - true_m) > tolerance;
     }
   }
+  const double psnr_moving =
+      moving.pixels > 0 ? moving.psnr_db() : std::numeric_limits<double>::quiet_NaN();
   const auto share = [](double of, double whole) { return whole > 0 ? of / whole : 0; };
-  return {covered.psnr_db(),         covered.mean_ssim(),
-          visible.psnr_db(),         visible.mean_ssim(),
-          colored.psnr_db(),         colored.mean_ssim(),
-          moving.psnr_db(),          share(holes, visible.pixels),
-          share(floaters, judged),   share(wrong, judged),
+  return {covered.psnr_db(),
+          covered.mean_ssim(),
+          visible.psnr_db(),
+          visible.mean_ssim(),
+          colored.psnr_db(),
+          colored.mean_ssim(),
+          psnr_moving,
+          share(holes, visible.pixels),
+          share(floaters, judged),
+          share(wrong, judged),
           share(covered.pixels, all)};
 }
 
@@ -109,8 +117,13 @@ ViewScore mean(const std::vector<ViewScore>& scores) {
         &ViewScore::ssim_visible, &ViewScore::psnr_colored, &ViewScore::ssim_colored,
         &ViewScore::psnr_moving, &ViewScore::holes, &ViewScore::floaters, &ViewScore::wrong_depth,
         &ViewScore::covered}) {
-    for (const ViewScore& one : scores) sum.*field += one.*field;
-    sum.*field /= static_cast<double>(std::max<std::size_t>(scores.size(), 1));
+    double count = 0;
+    for (const ViewScore& one : scores) {
+      if (std::isnan(one.*field)) continue;
+      sum.*field += one.*field;
+      count += 1;
+    }
+    sum.*field /= std::max(count, 1.0);
   }
   return sum;
 }

@@ -18,9 +18,9 @@ struct DrawnView {
 
 struct ViewScore {
   double psnr_covered = 0, ssim_covered = 0;
-  double psnr_visible = 0, ssim_visible = 0;        // what a sensor sees now, holes as they look
-  double psnr_colored = 0, ssim_colored = 0;        // the same where a colour camera sees it
-  double psnr_moving = 0;                           // of what a sensor sees now
+  double psnr_visible = 0, ssim_visible = 0;  // what a sensor sees now, holes as they look
+  double psnr_colored = 0, ssim_colored = 0;  // the same where a colour camera sees it
+  double psnr_moving = 0;  // of what a sensor sees now; not a number where nothing moves
   double holes = 0, floaters = 0, wrong_depth = 0;  // shares of the visible
   double covered = 0;                               // share of the picture
 };
@@ -28,7 +28,7 @@ struct ViewScore {
 [[nodiscard]] ViewScore score(const DrawnView& drawn, const TruthView& truth,
                               const ViewClasses& classes);
 
-/// Mean over views.
+/// Mean over views, each field over those in which it is a number.
 [[nodiscard]] ViewScore mean(const std::vector<ViewScore>& scores);
 
 /// Mean absolute difference, in grey levels, of what is drawn in both pictures, seen and still.

@@ -84,6 +84,14 @@ TEST(ViewScore, flicker_is_of_still_surfaces_that_both_pictures_show) {
   EXPECT_NEAR(flicker(scene.drawn, next, scene.truth, scene.classes), expected, 1e-9);
 }
 
+TEST(ViewScore, where_nothing_moves_its_picture_is_not_judged) {
+  Scene scene;
+  EXPECT_TRUE(std::isnan(score(scene.drawn, scene.truth, scene.classes).psnr_moving));
+  ViewScore still, moving{.psnr_moving = 20};
+  still.psnr_moving = std::nan("");
+  EXPECT_DOUBLE_EQ(mean({still, moving}).psnr_moving, 20);
+}
+
 TEST(ViewScore, the_mean_is_field_by_field) {
   const ViewScore both = mean(
       {ViewScore{.psnr_visible = 20, .holes = 0.1}, ViewScore{.psnr_visible = 30, .holes = 0.3}});

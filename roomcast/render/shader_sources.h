@@ -13,6 +13,7 @@ extern const std::string_view blend_surface_glsl;
 extern const std::string_view carve_comp;
 extern const std::string_view depth_noise_glsl;
 extern const std::string_view edge_distance_comp;
+extern const std::string_view extend_edges_comp;
 extern const std::string_view fill_small_comp;
 extern const std::string_view floor_grid_frag;
 extern const std::string_view floor_grid_vert;

@@ -49,29 +49,21 @@ Status SurfaceMeshOptions::check() const {
 }
 static_assert(kMaxGridStep == 16, "the sentence above says so");
 
-Result<SurfaceMesher> SurfaceMesher::create(DepthTexture depth) {
-  const auto surface =
-      depth == DepthTexture::kMetres ? shaders::blend_surface_glsl : shaders::sensor_surface_glsl;
-  Result<GlProgram> program =
-      make_program({{GL_COMPUTE_SHADER, {surface, shaders::surface_mesh_comp}}});
+Result<SurfaceMesher> SurfaceMesher::create() {
+  Result<GlProgram> program = make_program(
+      {{GL_COMPUTE_SHADER, {shaders::sensor_surface_glsl, shaders::surface_mesh_comp}}});
   if (!program) return std::move(program).error();
   return SurfaceMesher(std::move(program).value());
 }
 
 void SurfaceMesher::update(const SensorSurface& surface, const SurfaceMeshOptions& options,
                            SurfaceMesh& mesh) const {
-  if (up_to_date(mesh, surface, options)) return;
-  surface.bind();
-  build(surface.intrinsics().width, surface.intrinsics().height, options, mesh);
-  mesh.revision = surface.revision();
-}
-
-void SurfaceMesher::build(int width, int height, const SurfaceMeshOptions& options,
-                          SurfaceMesh& mesh) const {
   ROOMCAST_ASSERT(options.check().ok());
-  const int cells_x = (width - 1) / options.grid_step;
-  const int cells_y = (height - 1) / options.grid_step;
+  if (up_to_date(mesh, surface, options)) return;
+  const int cells_x = (surface.intrinsics().width - 1) / options.grid_step;
+  const int cells_y = (surface.intrinsics().height - 1) / options.grid_step;
   reserve(mesh, cells_x * cells_y * kIndicesPerCell);
+  mesh.revision = surface.revision();
   mesh.options = options;
   if (mesh.count == 0) return;
 
@@ -79,6 +71,7 @@ void SurfaceMesher::build(int width, int height, const SurfaceMeshOptions& optio
   glProgramUniform2i(program_.name(), kCells, cells_x, cells_y);
   glProgramUniform2f(program_.name(), kMaxGap, static_cast<float>(options.max_gap_m),
                      static_cast<float>(options.max_gap_per_m));
+  surface.bind();
   glUseProgram(program_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kIndicesBinding, mesh.indices.name());
   glDispatchCompute(groups(cells_x, kGroupWidth), groups(cells_y, kGroupHeight), 1);

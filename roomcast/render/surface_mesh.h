@@ -35,20 +35,14 @@ struct SurfaceMesh {
   SurfaceMeshOptions options;
 };
 
-/// What the depth texture at unit 0 holds: a sensor's own readings, or cleaned ones.
-enum class DepthTexture { kMillimetres, kMetres };
-
 class SurfaceMesher {
  public:
   /// kUnsupported with the driver's log when it does not take the shader.
-  static Result<SurfaceMesher> create(DepthTexture depth = DepthTexture::kMillimetres);
+  static Result<SurfaceMesher> create();
 
   /// Brings `mesh` up to date with `surface`; nothing to do when it is. `options` must be legal.
   void update(const SensorSurface& surface, const SurfaceMeshOptions& options,
               SurfaceMesh& mesh) const;
-
-  /// From the depth texture that is bound; always.
-  void build(int width, int height, const SurfaceMeshOptions& options, SurfaceMesh& mesh) const;
 
  private:
   explicit SurfaceMesher(GlProgram program) : program_(std::move(program)) {}

@@ -18,6 +18,7 @@ enum TextureUnit : GLuint {
   kBackgroundColor = 5,
   kReadings = 6,
 };
+constexpr int kLostAtRims_px = 2;
 enum QualityUniform : GLint { kIsBackground = 0, kGain = 1 };
 
 void bind_texture(GLuint unit, const GlTexture& texture) {
@@ -27,7 +28,9 @@ void bind_texture(GLuint unit, const GlTexture& texture) {
 }  // namespace
 
 CleanSurface::CleanSurface(const CameraIntrinsics& lens)
-    : depth_m(make_texture(GL_R32F, lens.width, lens.height)),
+    : width(lens.width),
+      height(lens.height),
+      depth_m(make_texture(GL_R32F, lens.width, lens.height)),
       quality(make_smooth_texture(GL_R16F, lens.width, lens.height)),
       weighted_color(make_smooth_texture(GL_RGBA16F, lens.width, lens.height)) {
   glClearTexImage(depth_m.name(), 0, GL_RED, GL_FLOAT, nullptr);
@@ -36,6 +39,8 @@ CleanSurface::CleanSurface(const CameraIntrinsics& lens)
 Result<SurfaceCleaner> SurfaceCleaner::create() {
   auto fill = ComputePass::create({shaders::fill_small_comp});
   if (!fill) return std::move(fill).error();
+  auto extend = ComputePass::create({shaders::extend_edges_comp});
+  if (!extend) return std::move(extend).error();
   auto smooth = ComputePass::create({shaders::depth_noise_glsl, shaders::smooth_comp});
   if (!smooth) return std::move(smooth).error();
   auto edges = ComputePass::create({shaders::edge_distance_comp});
@@ -44,17 +49,13 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
   if (!quality) return std::move(quality).error();
   auto mesher = AdaptiveMesher::create();
   if (!mesher) return std::move(mesher).error();
-  return SurfaceCleaner(*std::move(fill), *std::move(smooth), *std::move(edges),
-                        *std::move(quality), *std::move(mesher));
+  return SurfaceCleaner({*std::move(fill), *std::move(extend), *std::move(smooth),
+                         *std::move(edges), *std::move(quality)},
+                        *std::move(mesher));
 }
 
-SurfaceCleaner::SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges,
-                               ComputePass quality, AdaptiveMesher mesher)
-    : fill_(std::move(fill)),
-      smooth_(std::move(smooth)),
-      edges_(std::move(edges)),
-      quality_(std::move(quality)),
-      mesher_(std::move(mesher)) {}
+SurfaceCleaner::SurfaceCleaner(Passes passes, AdaptiveMesher mesher)
+    : passes_(std::move(passes)), mesher_(std::move(mesher)) {}
 
 void SurfaceCleaner::make_room(int width, int height) {
   if (width == width_ && height == height_) return;
@@ -64,22 +65,28 @@ void SurfaceCleaner::make_room(int width, int height) {
   height_ = height;
 }
 
-void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& background, Shows shows,
-                           const Options& options, CleanSurface& surface) {
-  make_room(sensor.intrinsics().width, sensor.intrinsics().height);
-  const auto filter = [this](const ComputePass& pass, const GlTexture& from, const GlTexture& to) {
-    bind_texture(kDepth, from);
-    bind_image(0, to, ImageAccess::kWrite, GL_R32F);
-    pass.run(width_, height_);
-  };
-  filter(fill_, surface.depth_m, between_);
+void SurfaceCleaner::filter(const ComputePass& pass, CleanSurface& surface) {
+  bind_texture(kDepth, surface.depth_m);
+  bind_image(0, between_, ImageAccess::kWrite, GL_R32F);
+  pass.run(width_, height_);
   std::swap(between_, surface.depth_m);
-  filter(fill_, surface.depth_m, between_);
-  filter(smooth_, between_, surface.depth_m);
+}
+
+void SurfaceCleaner::repair(Shows shows, CleanSurface& surface) {
+  make_room(surface.width, surface.height);
+  filter(passes_.fill, surface);
+  if (shows == Shows::kBackground) return filter(passes_.fill, surface);
+  for (int px = 0; px < kLostAtRims_px; ++px) filter(passes_.extend, surface);
+}
+
+void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& background, Shows shows,
+                            const Options& options, CleanSurface& surface) {
+  make_room(surface.width, surface.height);
+  filter(passes_.smooth, surface);
 
   bind_texture(kDepth, surface.depth_m);
   bind_image(0, edge_in_row_, ImageAccess::kWrite, GL_R8UI);
-  edges_.run(width_, height_);
+  passes_.edges.run(width_, height_);
 
   bind_texture(kRays, sensor.rays());
   bind_texture(kColor, sensor.color());
@@ -87,11 +94,11 @@ void SurfaceCleaner::clean(const SensorSurface& sensor, const Background& backgr
   bind_texture(kEdges, edge_in_row_);
   bind_texture(kBackgroundColor, background.color);
   bind_texture(kReadings, background.readings);
-  glProgramUniform1i(quality_.program().name(), kIsBackground, shows == Shows::kBackground);
-  glProgramUniform3fv(quality_.program().name(), kGain, 1, options.gain.data());
+  glProgramUniform1i(passes_.quality.program().name(), kIsBackground, shows == Shows::kBackground);
+  glProgramUniform3fv(passes_.quality.program().name(), kGain, 1, options.gain.data());
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
   bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
-  quality_.run(width_, height_);
+  passes_.quality.run(width_, height_);
 
   mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
                 width_, height_, options.mesh, surface.mesh);

@@ -17,6 +17,7 @@ namespace roomcast {
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
 
+  int width, height;
   GlTexture depth_m;         // R32F, 0: nothing
   GlTexture quality;         // R16F: how much it counts beside others
   GlTexture weighted_color;  // RGBA16F: rgb times quality, quality; 0 without a colour
@@ -40,16 +41,23 @@ class SurfaceCleaner {
     const CleanSurface* covering = nullptr;          // what lies on it is not drawn
   };
 
-  /// Cleans `surface.depth_m`, which is that of what it shows, in place and derives the rest.
-  void clean(const SensorSurface& sensor, const Background& background, Shows shows,
-             const Options& options, CleanSurface& surface);
+  /// Fills small holes of `surface.depth_m`, which is that of what it shows, in place; the rims of
+  /// things that are live, too.
+  void repair(Shows shows, CleanSurface& surface);
+
+  /// Smooths it and derives the rest.
+  void finish(const SensorSurface& sensor, const Background& background, Shows shows,
+              const Options& options, CleanSurface& surface);
 
  private:
-  SurfaceCleaner(ComputePass fill, ComputePass smooth, ComputePass edges, ComputePass quality,
-                 AdaptiveMesher mesher);
+  struct Passes {
+    ComputePass fill, extend, smooth, edges, quality;
+  };
+  SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
   void make_room(int width, int height);
+  void filter(const ComputePass& pass, CleanSurface& surface);
 
-  ComputePass fill_, smooth_, edges_, quality_;
+  Passes passes_;
   AdaptiveMesher mesher_;
   int width_ = 0, height_ = 0;  // of what follows
   GlTexture between_, edge_in_row_;

@@ -26,7 +26,8 @@ class CleanSurfaceTest : public GlTest {
                         GL_FLOAT, depth_m.data());
     const GlTexture nothing = make_texture(GL_RGBA32F, kLens.width, kLens.height);
     glClearTexImage(nothing.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
-    cleaner->clean(*sensor, {nothing, nothing}, SurfaceCleaner::Shows::kNewest, {}, surface);
+    cleaner->repair(SurfaceCleaner::Shows::kNewest, surface);
+    cleaner->finish(*sensor, {nothing, nothing}, SurfaceCleaner::Shows::kNewest, {}, surface);
     return {read(surface.depth_m), read(surface.quality)};
   }
 
@@ -53,6 +54,14 @@ TEST_F(CleanSurfaceTest, nothing_is_filled_between_foreground_and_background) {
   fill_box(depth, 0, 0, 20, 30, 1.5F);
   fill_box(depth, 20, 0, 21, 30, 0.0F);
   EXPECT_EQ(clean(depth).depth_m.at(20, 15), 0);
+}
+
+TEST_F(CleanSurfaceTest, what_a_sensor_loses_at_the_rim_of_a_thing_is_put_back) {
+  Image<float> depth(kLens.width, kLens.height, 0.0F);
+  fill_box(depth, 10, 0, 20, 30, 1.5F);
+  const Cleaned cleaned = clean(depth);
+  EXPECT_NEAR(cleaned.depth_m.at(21, 15), 1.5, 1e-3);
+  EXPECT_EQ(cleaned.depth_m.at(22, 15), 0);
 }
 
 TEST_F(CleanSurfaceTest, noise_is_smoothed_and_a_step_stays_sharp) {

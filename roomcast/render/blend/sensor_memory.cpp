@@ -71,13 +71,16 @@ void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSen
   bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);
   background_.run(sensor.intrinsics().width, sensor.intrinsics().height);
-  for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
-  const SurfaceCleaner::Background known{memory.readings_, memory.background_color_};
   using Shows = SurfaceCleaner::Shows;
-  cleaner_.clean(sensor, known, Shows::kNewest, options, memory.live_);
+  cleaner_.repair(Shows::kNewest, memory.live_);
+  for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
+  cleaner_.repair(Shows::kBackground, memory.background_);
+
+  const SurfaceCleaner::Background known{memory.readings_, memory.background_color_};
+  cleaner_.finish(sensor, known, Shows::kNewest, options, memory.live_);
   SurfaceCleaner::Options behind = options;
   behind.covering = &memory.live_;
-  cleaner_.clean(sensor, known, Shows::kBackground, behind, memory.background_);
+  cleaner_.finish(sensor, known, Shows::kBackground, behind, memory.background_);
 }
 
 void MemoryKeeper::carve(const SensorSurface& sensor, const OtherSensor& other,

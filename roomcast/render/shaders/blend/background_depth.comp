@@ -5,7 +5,7 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba32f, binding = 0) readonly uniform image2D background;
 layout(r32f, binding = 2) writeonly uniform image2D depth_out;
 
-const float kEnoughReadings = 3.0;
+const float kEnoughReadings = 8.0;
 const float kBeyond_m = 0.1;
 
 void main() {
