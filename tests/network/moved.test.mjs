@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor of an aligned room gets a push: it is marked within seconds, placed anew, and the rest of the room stays.
+// A sensor that brought its pose gets a push: it is marked within seconds, placed anew beside the others, and they stay.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -10,11 +10,11 @@ import { RoomClient } from './room_client.mjs';
 const aligned = 2; // PLACEMENT_ALIGNED
 const sensorCount = 3;
 const pushed = 's2';
-const pushAfter_s = 60; // long enough to be placed first, on a busy machine too
+const pushAfter_s = 25; // its first 30 frames are what it compares with
 const push_m = 0.08;
-const markedWithin_ms = 4000; // 2 s, and as much for a machine that has other things to do
+const markedWithin_ms = 20_000; // 2 s, and what a busy machine takes to start a sensor; StandWatch's tests count exactly
 const alignWithin_ms = 90_000;
-const restStays_m = 0.03;
+const exact_m = 0.03;
 const limitMs = 230_000; // of hub and sensors
 
 async function startHub(t) {
@@ -41,24 +41,19 @@ test('a_pushed_sensor_is_marked_and_placed_anew_and_the_rest_stays', { timeout: 
   for (let n = 0; n < sensorCount; n++) startSensor(t, url, n);
   const viewer = await RoomClient.join(t, url, { name: 'witness' });
   const sensors = () => viewer.rosters.at(-1)?.sensors ?? [];
-  const allAligned = () =>
-    sensors().length === sensorCount && sensors().every(({ placement, moved }) => placement === aligned && !moved);
-  await viewer.until('all aligned', allAligned, alignWithin_ms);
-  assert.ok(performance.now() - started_ms < 1000 * pushAfter_s, 'aligned before the push');
+  await viewer.until('all sensors', () => sensors().length === sensorCount);
   const before = new Map(sensors().map((entry) => [entry.name, entry]));
 
   await viewer.until('marked as moved', () => viewer.sensor(pushed).moved, alignWithin_ms);
   const marked_ms = performance.now() - started_ms - 1000 * pushAfter_s;
-  t.diagnostic(`marked about ${Math.round(marked_ms)} ms after the push, at the latest`);
-  assert.ok(marked_ms < markedWithin_ms + 2000, 'sensors need up to 2 s to start');
+  t.diagnostic(`marked ${Math.round(marked_ms)} ms after the push, starting up included`);
+  assert.ok(marked_ms < markedWithin_ms, `${marked_ms} ms`);
 
-  await viewer.until('all aligned again', allAligned, alignWithin_ms);
+  const placedAnew = () => viewer.sensor(pushed).placement === aligned && !viewer.sensor(pushed).moved;
+  await viewer.until('placed anew', placedAnew, alignWithin_ms);
   const moved_m = distance(viewer.sensor(pushed), before.get(pushed));
-  assert.ok(Math.abs(moved_m - push_m) < restStays_m, `${pushed} was pushed by ${push_m} m, placed ${moved_m} m away`);
+  assert.ok(Math.abs(moved_m - push_m) < exact_m, `${pushed} was pushed by ${push_m} m, placed ${moved_m} m away`);
   for (const entry of sensors()) {
-    if (entry.name === pushed) continue;
-    const off = distance(entry, before.get(entry.name));
-    assert.ok(off < restStays_m, `${entry.name} stays: ${off} m`);
-    t.diagnostic(`${entry.name} went by ${(1000 * off).toFixed(1)} mm`);
+    if (entry.name !== pushed) assert.deepEqual(placeOf(entry), placeOf(before.get(entry.name)), `${entry.name} stays`);
   }
 });
