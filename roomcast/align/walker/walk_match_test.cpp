@@ -14,7 +14,10 @@ namespace {
 
 using Path = std::function<Eigen::Vector3d(double time_s)>;  // of a head
 
-constexpr double kHeadRadius_m = 0.06;  // what is seen lies this much nearer than its middle
+// What is seen lies this much nearer than a head's middle: a centimetre less than is expected of
+// heads.
+constexpr double kHeadRadius_m = 0.06;
+constexpr double kMostError_m = 0.03;  // where the walk was, from opposite sides
 
 RigidTransform level_pose(double turn_rad, double x, double z) {
   RigidTransform pose;
@@ -62,7 +65,7 @@ double error_m(const WalkMatch& found) {
 TEST(WalkMatch, opposite_sensors_are_placed_by_a_stroll) {
   const auto found = match(stroll);
   ASSERT_TRUE(found.ok()) << found.error().message;
-  EXPECT_LT(error_m(*found), 0.02);
+  EXPECT_LT(error_m(*found), kMostError_m);
   EXPECT_LT(error_m(*found), 0.003 * found->expected_error_mm);
   EXPECT_GT(found->seconds, 15);
   EXPECT_NEAR(found->a_from_b.translation_m.y(), 0, 1e-12) << "floors coincide";
@@ -75,7 +78,7 @@ TEST(WalkMatch, somebody_else_who_sits_in_one_view_does_no_harm) {
   std::ranges::stable_sort(a, {}, &HeadSighting::time_s);
   const auto found = match_walks(a, watched(stroll, kAcross, 0.05, 20, 2));
   ASSERT_TRUE(found.ok()) << found.error().message;
-  EXPECT_LT(error_m(*found), 0.02);
+  EXPECT_LT(error_m(*found), kMostError_m);
 }
 
 TEST(WalkMatch, two_walks_of_different_people_are_refused) {
