@@ -159,7 +159,7 @@ TEST_F(WebSocketConnectionEnd, what_the_peer_said_before_it_vanished_is_still_he
 }
 
 TEST_F(WebSocketConnectionEnd, silence_is_asked_about_and_then_ended) {
-  open_server({.ping_after = 20ms, .give_up_after = 60ms});
+  open_server({.ping_after = 20ms, .give_up_after = 600ms});
   EXPECT_THAT(peer_receives(1), ElementsAre("ping "));
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));
   EXPECT_EQ(server_.handler->closed->code, close_code::kAbnormal);

@@ -9,6 +9,7 @@
 
 #include "roomcast/align/feature/descriptor_products.h"
 #include "roomcast/align/feature/repeats.h"
+#include "roomcast/core/vector_loop.h"
 
 namespace roomcast::align {
 namespace {
@@ -51,11 +52,9 @@ struct Row {
   std::int32_t largest = 0, nearest_repeat = 0;
 };
 
-#if defined(__x86_64__) && !defined(__clang__)
-[[gnu::target_clones("avx2", "default")]]  // integers: every clone gives the same
-#endif
-Row look_over(std::span<const std::int32_t> products, const std::int32_t* repeats_b,
-              std::int32_t repeats_a, std::int32_t* repeat_of_b) {
+ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products,
+                                     const std::int32_t* repeats_b, std::int32_t repeats_a,
+                                     std::int32_t* repeat_of_b) {
   Row row;
   for (std::size_t k = 0; k < products.size(); ++k) {
     row.largest = std::max(row.largest, products[k]);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomcast/codec/live/vector_loop.h"
+#include "roomcast/core/vector_loop.h"
 
 namespace roomcast::codec {
 namespace {

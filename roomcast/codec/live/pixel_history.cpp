@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "roomcast/codec/live/vector_loop.h"
+#include "roomcast/core/vector_loop.h"
 
 namespace roomcast::codec {
 namespace {
