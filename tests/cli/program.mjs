@@ -57,9 +57,10 @@ export async function run(...args) {
   return { code, stdout: program.stdout, stderr: program.stderr };
 }
 
-/** A hub on a free port of this machine; it is stopped when the test `t` ends. */
+/** A hub on a free port of this machine that remembers nothing of others' tests; it is stopped when the test `t` ends. */
 export async function startHub(t, ...options) {
-  const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...options]);
+  const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
+  const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options]);
   t.after(() => hub.stop('SIGKILL'));
   const [, port] = await hub.prints(/127\.0\.0\.1:(\d+)/);
   return { program: hub, port: Number(port), url: `ws://127.0.0.1:${port}` };
