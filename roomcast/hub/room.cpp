@@ -18,11 +18,6 @@ namespace pb = wire::pb;
 constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                         0x0072B2, 0xD55E00, 0xCC79A7};
 
-/// What a message calls a sensor; an id that none can have for one that is too large.
-SensorId wire_id(std::uint32_t id) {
-  return SensorId{static_cast<std::uint16_t>(std::min<std::uint32_t>(id, wire::kMaxSensors))};
-}
-
 pb::Control welcome_message(const std::string& room, const std::string& hub_version) {
   pb::Control control;
   control.mutable_welcome()->set_room(room);
@@ -151,48 +146,6 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
     out.push_back(KeepSensors{{{name, added->id, pose}}});
   }
   return added;
-}
-
-void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
-  pb::Control message;
-  *message.mutable_calibration_bundle() = bundle;
-  message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
-  message.mutable_calibration_bundle()->set_number(++sensor.bundles);
-  sensor.bundle = std::move(message);
-  if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
-}
-
-/// Sensors that come later are asked when they come.
-void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& out) {
-  wanted_sightings_ = request;
-  pb::Control message;
-  *message.mutable_sighting_request() = request;
-  std::vector<ConnectionId> online;
-  for (const RoomSensor& sensor : sensors_.all()) {
-    if (sensor.connection) online.push_back(*sensor.connection);
-  }
-  if (!online.empty()) out.push_back(SendControl{std::move(online), std::move(message)});
-}
-
-void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
-  if (!aligners_.empty()) out.push_back(SendControl{aligners_, std::move(message)});
-}
-
-void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
-  sensor.bundle.reset();
-  sensor.place.lose(sensor.bundles + 1);
-  announce(now, out);
-}
-
-void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
-  std::vector<KnownSensor> placed;
-  for (const pb::SensorPlacement& found : placements.sensors()) {
-    RoomSensor* sensor = sensors_.find(wire_id(found.sensor_id()));
-    if (sensor == nullptr || !sensor->place.find(found)) continue;
-    placed.push_back({sensor->name, sensor->id, sensor->place.found()});
-  }
-  if (!placed.empty()) out.push_back(KeepSensors{std::move(placed)});
-  announce(now, out);
 }
 
 RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {

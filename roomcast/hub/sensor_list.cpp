@@ -8,6 +8,10 @@
 
 namespace roomcast::hub {
 
+SensorId wire_id(std::uint32_t id) {
+  return SensorId{static_cast<std::uint16_t>(std::min<std::uint32_t>(id, wire::kMaxSensors))};
+}
+
 const KnownSensor* SensorList::remembered(const std::string& name) const {
   const auto found = std::ranges::find(remembered_, name, &KnownSensor::name);
   return found == remembered_.end() ? nullptr : &*found;

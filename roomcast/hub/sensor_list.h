@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -19,6 +20,9 @@
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
+
+/// What a message calls a sensor; an id that none can have for one that is too large.
+[[nodiscard]] SensorId wire_id(std::uint32_t id);
 
 struct RoomSensor {
   SensorId id;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a Room does with what sensors and aligners say of where sensors stand.
+#include <utility>
+#include <vector>
+
+#include "roomcast/hub/room.h"
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
+  pb::Control message;
+  *message.mutable_calibration_bundle() = bundle;
+  message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
+  message.mutable_calibration_bundle()->set_number(++sensor.bundles);
+  sensor.bundle = std::move(message);
+  if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
+}
+
+/// Sensors that come later are asked when they come.
+void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& out) {
+  wanted_sightings_ = request;
+  pb::Control message;
+  *message.mutable_sighting_request() = request;
+  std::vector<ConnectionId> online;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) online.push_back(*sensor.connection);
+  }
+  if (!online.empty()) out.push_back(SendControl{std::move(online), std::move(message)});
+}
+
+void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
+  if (!aligners_.empty()) out.push_back(SendControl{aligners_, std::move(message)});
+}
+
+void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
+  sensor.bundle.reset();
+  sensor.place.lose(sensor.bundles + 1);
+  announce(now, out);
+}
+
+void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
+  std::vector<KnownSensor> placed;
+  for (const pb::SensorPlacement& found : placements.sensors()) {
+    RoomSensor* sensor = sensors_.find(wire_id(found.sensor_id()));
+    if (sensor == nullptr || !sensor->place.find(found)) continue;
+    placed.push_back({sensor->name, sensor->id, sensor->place.found()});
+  }
+  if (!placed.empty()) out.push_back(KeepSensors{std::move(placed)});
+  announce(now, out);
+}
+
+}  // namespace roomcast::hub
