@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/live_align/board_suite.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "roomcast/align/board/board_match.h"
@@ -17,8 +14,6 @@ namespace {
 /// From further apart a flat board cannot be seen by both.
 constexpr double kApart_deg = 90;
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
-/// Where there is somebody who walks.
-constexpr std::array<const char*, 4> kScenes = {"livingroom", "office", "lab", "studio"};
 
 std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
                                             nanoseconds phase, double& look_ms) {
@@ -61,15 +56,10 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuit
 
 Result<std::vector<PairCase>> run_board_suite(
     const BoardSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
-  std::vector<PairCase> cases;
-  for (int i = 0; i < options.rooms; ++i) {
-    const char* scene = kScenes[static_cast<std::size_t>(i) % kScenes.size()];
-    progress(fmt::format("room {} of {}: {}", i + 1, options.rooms, scene));
-    auto one = run_case(scene, options.seed + static_cast<std::uint64_t>(i), options);
-    if (!one) return one.error();
-    cases.push_back(*std::move(one));
-  }
-  return cases;
+  const auto run = [&options](const char* scene, std::uint64_t seed) {
+    return run_case(scene, seed, options);
+  };
+  return run_rooms(options.rooms, options.seed, run, progress);
 }
 
 }  // namespace roomcast::bench

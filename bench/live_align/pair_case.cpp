@@ -2,6 +2,7 @@
 #include "bench/live_align/pair_case.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <ostream>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kSensors = 4;
+constexpr std::array<const char*, 4> kScenes = {"livingroom", "office", "lab", "studio"};
 const Eigen::Vector3d kMiddle_m(0, 1, 0);  // of the room
 
 double angle_between(const FilmedSensor& one, const FilmedSensor& other) {
@@ -84,6 +86,21 @@ void place(const SensorPair& sensors, const RigidTransform& a_from_b, double exp
   result.error_mm = 1000 * (a_from_b * middle - truth * middle).norm();
   result.turn_error_deg =
       kDegrees * Eigen::AngleAxisd(a_from_b.rotation.transpose() * truth.rotation).angle();
+}
+
+Result<std::vector<PairCase>> run_rooms(
+    int rooms, std::uint64_t first_seed,
+    const std::function<Result<PairCase>(const char* scene, std::uint64_t seed)>& run_case,
+    const std::function<void(std::string_view)>& progress) {
+  std::vector<PairCase> cases;
+  for (int i = 0; i < rooms; ++i) {
+    const char* scene = kScenes[static_cast<std::size_t>(i) % kScenes.size()];
+    progress(fmt::format("room {} of {}: {}", i + 1, rooms, scene));
+    auto one = run_case(scene, first_seed + static_cast<std::uint64_t>(i));
+    if (!one) return one.error();
+    cases.push_back(*std::move(one));
+  }
+  return cases;
 }
 
 void print_table(const std::vector<PairCase>& cases, std::ostream& out) {

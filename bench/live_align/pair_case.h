@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,13 @@ using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
 /// The second sensor was placed; the poses are of their depth frames.
 void place(const SensorPair& sensors, const RigidTransform& a_from_b, double expected_error_mm,
            PairCase& result);
+
+/// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
+/// somebody walks.
+[[nodiscard]] Result<std::vector<PairCase>> run_rooms(
+    int rooms, std::uint64_t first_seed,
+    const std::function<Result<PairCase>(const char* scene, std::uint64_t seed)>& run_case,
+    const std::function<void(std::string_view)>& progress);
 
 void print_table(const std::vector<PairCase>& cases, std::ostream& out);
 void print_json(const std::vector<PairCase>& cases, std::ostream& out);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/live_align/walker_suite.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "roomcast/align/walker/head_finder.h"
@@ -17,8 +14,6 @@ namespace {
 constexpr int kBundleFrames = 7;
 constexpr nanoseconds kWalkBegins = std::chrono::seconds(6);
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
-/// Where there is somebody who walks.
-constexpr std::array<const char*, 4> kScenes = {"livingroom", "office", "lab", "studio"};
 
 struct Walk {
   RigidTransform level_from_depth;
@@ -79,15 +74,10 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
 
 Result<std::vector<PairCase>> run_walker_suite(
     const WalkerSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
-  std::vector<PairCase> cases;
-  for (int i = 0; i < options.rooms; ++i) {
-    const char* scene = kScenes[static_cast<std::size_t>(i) % kScenes.size()];
-    progress(fmt::format("room {} of {}: {}", i + 1, options.rooms, scene));
-    auto one = run_case(scene, options.seed + static_cast<std::uint64_t>(i), options);
-    if (!one) return one.error();
-    cases.push_back(*std::move(one));
-  }
-  return cases;
+  const auto run = [&options](const char* scene, std::uint64_t seed) {
+    return run_case(scene, seed, options);
+  };
+  return run_rooms(options.rooms, options.seed, run, progress);
 }
 
 }  // namespace roomcast::bench
