@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/room_renderer.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,12 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   }
   const auto known = sensors_.find(id);
   if (known != sensors_.end() && known->second.surface.intrinsics() == depth) {
-    known->second.world_from_depth = world_from_depth;
+    RigidTransform& pose = known->second.world_from_depth;
+    if (pose.rotation == world_from_depth.rotation &&
+        pose.translation_m == world_from_depth.translation_m) {
+      return {};
+    }
+    pose = world_from_depth;
     for (auto& [other, sensor] : sensors_) sensor.memory_is_fresh = false;
     return {};
   }
@@ -104,6 +110,8 @@ void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& t
 }
 
 void RoomRenderer::refresh_memories() {
+  const auto is_fresh = [](const auto& sensor) { return sensor.second.memory_is_fresh; };
+  if (std::ranges::all_of(sensors_, is_fresh)) return;
   std::map<SensorId, RigidTransform> poses;
   for (const auto& [id, sensor] : sensors_) poses.emplace(id, sensor.world_from_depth);
   colors_.update(poses);

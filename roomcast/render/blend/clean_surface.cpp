@@ -32,7 +32,9 @@ CleanSurface::CleanSurface(const CameraIntrinsics& lens)
       height(lens.height),
       depth_m(make_texture(GL_R32F, lens.width, lens.height)),
       quality(make_smooth_texture(GL_R16F, lens.width, lens.height)),
-      weighted_color(make_smooth_texture(GL_RGBA16F, lens.width, lens.height)) {
+      weighted_color(make_smooth_texture(GL_RGBA16F, lens.width, lens.height)),
+      between(make_texture(GL_R32F, lens.width, lens.height)),
+      edge_in_row(make_texture(GL_R8UI, lens.width, lens.height)) {
   glClearTexImage(depth_m.name(), 0, GL_RED, GL_FLOAT, nullptr);
 }
 
@@ -57,23 +59,14 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
 SurfaceCleaner::SurfaceCleaner(Passes passes, AdaptiveMesher mesher)
     : passes_(std::move(passes)), mesher_(std::move(mesher)) {}
 
-void SurfaceCleaner::make_room(int width, int height) {
-  if (width == width_ && height == height_) return;
-  between_ = make_texture(GL_R32F, width, height);
-  edge_in_row_ = make_texture(GL_R8UI, width, height);
-  width_ = width;
-  height_ = height;
-}
-
 void SurfaceCleaner::filter(const ComputePass& pass, CleanSurface& surface) {
   bind_texture(kDepth, surface.depth_m);
-  bind_image(0, between_, ImageAccess::kWrite, GL_R32F);
-  pass.run(width_, height_);
-  std::swap(between_, surface.depth_m);
+  bind_image(0, surface.between, ImageAccess::kWrite, GL_R32F);
+  pass.run(surface.width, surface.height);
+  std::swap(surface.between, surface.depth_m);
 }
 
 void SurfaceCleaner::repair(Shows shows, CleanSurface& surface) {
-  make_room(surface.width, surface.height);
   filter(passes_.fill, surface);
   if (shows == Shows::kBackground) return filter(passes_.fill, surface);
   for (int px = 0; px < kLostAtRims_px; ++px) filter(passes_.extend, surface);
@@ -81,27 +74,26 @@ void SurfaceCleaner::repair(Shows shows, CleanSurface& surface) {
 
 void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& background, Shows shows,
                             const Options& options, CleanSurface& surface) {
-  make_room(surface.width, surface.height);
   filter(passes_.smooth, surface);
 
   bind_texture(kDepth, surface.depth_m);
-  bind_image(0, edge_in_row_, ImageAccess::kWrite, GL_R8UI);
-  passes_.edges.run(width_, height_);
+  bind_image(0, surface.edge_in_row, ImageAccess::kWrite, GL_R8UI);
+  passes_.edges.run(surface.width, surface.height);
 
   bind_texture(kRays, sensor.rays());
   bind_texture(kColor, sensor.color());
   bind_texture(kSeen, sensor.seen());
-  bind_texture(kEdges, edge_in_row_);
+  bind_texture(kEdges, surface.edge_in_row);
   bind_texture(kBackgroundColor, background.color);
   bind_texture(kReadings, background.readings);
   glProgramUniform1i(passes_.quality.program().name(), kIsBackground, shows == Shows::kBackground);
   glProgramUniform3fv(passes_.quality.program().name(), kGain, 1, options.gain.data());
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
   bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
-  passes_.quality.run(width_, height_);
+  passes_.quality.run(surface.width, surface.height);
 
   mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
-                width_, height_, options.mesh, surface.mesh);
+                surface.width, surface.height, options.mesh, surface.mesh);
 }
 
 }  // namespace roomcast

@@ -22,6 +22,7 @@ struct CleanSurface {
   GlTexture quality;         // R16F: how much it counts beside others
   GlTexture weighted_color;  // RGBA16F: rgb times quality, quality; 0 without a colour
   AdaptiveMesh mesh;
+  GlTexture between, edge_in_row;  // of the steps on the way
 };
 
 class SurfaceCleaner {
@@ -54,13 +55,10 @@ class SurfaceCleaner {
     ComputePass fill, extend, smooth, edges, quality;
   };
   SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
-  void make_room(int width, int height);
-  void filter(const ComputePass& pass, CleanSurface& surface);
+  static void filter(const ComputePass& pass, CleanSurface& surface);
 
   Passes passes_;
   AdaptiveMesher mesher_;
-  int width_ = 0, height_ = 0;  // of what follows
-  GlTexture between_, edge_in_row_;
 };
 
 }  // namespace roomcast

@@ -27,10 +27,12 @@ void clear(const GlTexture& texture) {
 }  // namespace
 
 SensorMemory::SensorMemory(const CameraIntrinsics& lens)
-    : readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
+    : newest_m_(make_texture(GL_R32F, lens.width, lens.height)),
+      readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
       background_color_(make_texture(GL_RGBA16F, lens.width, lens.height)),
       live_(lens),
       background_(lens) {
+  clear(newest_m_);
   clear(readings_);
   clear(background_color_);
 }
@@ -61,7 +63,7 @@ void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) c
   sensor.bind();
   bind_image(kReadings, memory.readings_, ImageAccess::kBoth, GL_RGBA32F);
   bind_image(kColor, memory.background_color_, ImageAccess::kBoth, GL_RGBA16F);
-  bind_image(kDepthOut, memory.live_.depth_m, ImageAccess::kWrite, GL_R32F);
+  bind_image(kDepthOut, memory.newest_m_, ImageAccess::kWrite, GL_R32F);
   remember_.run(sensor.intrinsics().width, sensor.intrinsics().height);
 }
 
@@ -71,6 +73,10 @@ void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSen
   bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);
   background_.run(sensor.intrinsics().width, sensor.intrinsics().height);
+  const CameraIntrinsics& lens = sensor.intrinsics();
+  glCopyImageSubData(memory.newest_m_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     memory.live_.depth_m.name(), GL_TEXTURE_2D, 0, 0, 0, 0, lens.width,
+                     lens.height, 1);
   using Shows = SurfaceCleaner::Shows;
   cleaner_.repair(Shows::kNewest, memory.live_);
   for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);

@@ -31,6 +31,7 @@ class SensorMemory {
  private:
   friend class MemoryKeeper;
 
+  GlTexture newest_m_;          // R32F: what was read last, 0 without a reading
   GlTexture readings_;          // RGBA32F: remember_background.comp
   GlTexture background_color_;  // RGBA16F: rgb, readings
   CleanSurface live_, background_;
@@ -45,7 +46,8 @@ class MemoryKeeper {
   /// The sensor has a new picture. Every one counts, whether it is drawn or not.
   void remember(const SensorSurface& sensor, SensorMemory& memory) const;
 
-  /// Makes the surfaces ready to be drawn. Once per picture, when all sensors have theirs.
+  /// Makes the surfaces ready to be drawn: when all sensors have their newest pictures, and when
+  /// one was moved.
   void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
                const SurfaceCleaner::Options& options, SensorMemory& memory);
 

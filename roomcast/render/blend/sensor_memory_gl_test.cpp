@@ -97,6 +97,16 @@ TEST_F(SensorMemoryTest, noise_of_what_stands_still_is_averaged_out) {
   EXPECT_NEAR(shown_depth(2992), 3.0F, 0.001F);
 }
 
+TEST_F(SensorMemoryTest, a_sensor_that_sends_nothing_new_looks_the_same_however_often_it_is_drawn) {
+  show(with_a_gap());
+  const ColorImage before = draw(eye_of(kLens, kPose), RenderMode::kBlend).color;
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(room_->set_sensor(kFirst, kLens, RigidTransform{}).ok());
+    ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
+    EXPECT_EQ(draw(eye_of(kLens, kPose), RenderMode::kBlend).color, before) << i;
+  }
+}
+
 TEST_F(SensorMemoryTest, a_light_that_is_switched_on_is_seen_at_once) {
   show(wall(kLens, 3000, {80, 80, 80}), 20);
   show(wall(kLens, 3000, {160, 160, 160}));
