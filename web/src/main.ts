@@ -10,7 +10,7 @@ import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol'
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
 import { Navigation } from './view/navigation';
-import type { DrawMode } from './view/sensor_surface';
+import type { DrawMode } from './view/draw_mode';
 import { Stage } from './view/stage';
 import { fallbackView, startView } from './view/start_view';
 import { alongView, pushed } from './view/nudge';
@@ -107,6 +107,7 @@ class Page {
     const { stage, state, navigation } = this;
     this.placedView = this.options.view !== undefined;
     stage.look(navigation.current);
+    if (this.options.best) stage.ladder.pinToBest();
     this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
     this.setMode(this.options.mode);
     setInterval(() => this.panel.refresh(), panelInterval_ms);
@@ -127,7 +128,7 @@ class Page {
       case 'roster':
         return this.followRoster(message.roster);
       case 'poses':
-        if (this.stage.avatars.move(message.poses)) this.stage.touch();
+        if (this.stage.room.avatars.move(message.poses)) this.stage.touch();
         return;
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);
@@ -197,7 +198,7 @@ class Page {
 
   private setMode(mode: DrawMode): void {
     this.stage.setMode(mode);
-    this.panel.setMode(mode);
+    this.panel.setMode(this.stage.room.drawMode);
   }
 
   private reportStats(): void {

@@ -6,11 +6,12 @@ import { parseOptions, parsePoint, socketUrl } from './page_options';
 describe("the page's URL", () => {
   test('may say nothing', () => {
     expect(parseOptions('')).toEqual({
-      mode: 'mesh',
+      mode: 'blend',
       view: undefined,
       panelOpen: undefined,
       name: '',
       room: '',
+      best: false,
       record: false,
       key: '',
     });
@@ -20,14 +21,15 @@ describe("the page's URL", () => {
     expect(parseOptions('?key=x').key).toBe('');
   });
   test('says mode, place, panel, name and room', () => {
-    const options = parseOptions('?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&record=1');
-    expect(options).toMatchObject({ mode: 'points', panelOpen: false, name: 'Ada', room: 'lab', record: true });
+    const options = parseOptions('?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&quality=best&record=1');
+    expect(options).toMatchObject({ mode: 'points', panelOpen: false, name: 'Ada', room: 'lab' });
+    expect(options).toMatchObject({ best: true, record: true });
     expect(options.view!.position).toEqual(new Vector3(1, 1.6, -2));
     expect(options.view!.distance).toBeCloseTo(3);
   });
   test('with nonsense counts as without', () => {
     for (const at of ['', '1,2', '1,2,x', '1,,3', '1,2,Infinity', '1,2,3,4']) expect(parsePoint(at)).toBeUndefined();
-    expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('mesh');
+    expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('blend');
     expect(parseOptions('?name=%00a').name).toBe('a');
     expect(parseOptions('?panel=1').panelOpen).toBe(true);
   });

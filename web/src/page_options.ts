@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's own URL: what it asks for. ?mode=points|mesh &at=x,y,z &look=x,y,z &panel=0 &name=... &room=... &record=1
-// and #key=..., the hub's, which is not sent when the page is fetched: whoever has it may put sensors in their place.
+// The page's own URL: what it asks for. ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
+// &quality=best &record=1 and #key=..., the hub's, which is not sent when the page is fetched: whoever has it may put sensors in their place.
 import { Vector3 } from 'three';
-import type { DrawMode } from './view/sensor_surface';
+import { drawModes, type DrawMode } from './view/draw_mode';
 import { lookFrom, type ViewState } from './view/view_state';
 import { asName } from './wire/name_check';
 
@@ -12,6 +12,7 @@ export interface PageOptions {
   panelOpen: boolean | undefined; // undefined: as there is room for it
   name: string;
   room: string;
+  best: boolean; // draw as finely as possible, however slow: for pictures
   record: boolean; // keep a record of decoded frames, for tests
   key: string; // the hub's, or empty
 }
@@ -28,11 +29,12 @@ export function parseOptions(search: string, hash = ''): PageOptions {
   const at = parsePoint(given.get('at'));
   const look = parsePoint(given.get('look')) ?? new Vector3(0, 1, 0);
   return {
-    mode: given.get('mode') === 'points' ? 'points' : 'mesh',
+    mode: drawModes.find((mode) => mode === given.get('mode')) ?? 'blend',
     view: at && lookFrom(at, look),
     panelOpen: given.has('panel') ? given.get('panel') !== '0' : undefined,
     name: asName(given.get('name') ?? ''),
     room: asName(given.get('room') ?? ''),
+    best: given.get('quality') === 'best',
     record: given.get('record') === '1',
     key: asName(new URLSearchParams(hash.replace(/^#/, '')).get('key') ?? ''),
   };

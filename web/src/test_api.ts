@@ -7,7 +7,7 @@ import { crc32 } from './stream/crc32';
 import { IdPass, nothing } from './view/id_pass';
 import type { Navigation } from './view/navigation';
 import { takePicture } from './view/picture';
-import type { DrawMode } from './view/sensor_surface';
+import type { DrawMode } from './view/draw_mode';
 import type { Stage } from './view/stage';
 import { lookFrom } from './view/view_state';
 
@@ -40,7 +40,7 @@ export class TestApi {
       room: state.welcome?.room ?? null,
       viewerId: state.welcome?.viewerId ?? null,
       viewers: (state.roster?.viewers ?? []).map(({ id, name }) => ({ id, name })),
-      avatars: stage.avatars.shown,
+      avatars: stage.room.avatars.shown,
       shownSets: state.shownSets,
       lastShownSet: state.lastShownSet.toString(),
       pictures: stage.pictures,
@@ -128,7 +128,7 @@ export class TestApi {
   coverage() {
     const pass = new IdPass(this.parts.stage);
     const all = pass.draw();
-    const sensors = [...this.parts.stage.placed.keys()];
+    const sensors = [...this.parts.stage.room.placed.keys()];
     const alone = new Map(sensors.map((id) => [id, pass.draw(id).ids]));
     return sensors.map((id) => {
       const others = sensors.filter((other) => other !== id).map((other) => alone.get(other)!);

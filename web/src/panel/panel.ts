@@ -2,7 +2,7 @@
 // The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw. Rebuilt by parts when the
 // roster changes; figures are refreshed a few times a second.
 import type { RoomState } from '../room_state';
-import type { DrawMode } from '../view/sensor_surface';
+import type { DrawMode } from '../view/draw_mode';
 import { element, setText } from './element';
 import type { NudgeEvents } from './nudge_controls';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
@@ -149,6 +149,7 @@ export class Panel {
   private modeSwitch(): HTMLElement {
     const group = element('div', { class: 'modes', role: 'radiogroup', 'aria-label': 'Drawn as' });
     for (const [mode, label] of [
+      ['blend', 'Blended'],
       ['mesh', 'Surfaces'],
       ['points', 'Points'],
     ] as const) {

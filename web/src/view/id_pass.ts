@@ -13,17 +13,19 @@ export class IdPass {
   draw(only?: number): { ids: Int32Array; width: number; height: number } {
     const { stage } = this;
     const { clientWidth: width, clientHeight: height } = stage.canvas;
-    const sensors = [...stage.placed].filter(([id]) => only === undefined || id === only);
+    const { placed, isMixing, scene: room } = stage.room;
+    const sensors = [...placed].filter(([id]) => only === undefined || id === only);
     const scene = new THREE.Scene();
-    const parents = sensors.map(([, { surface }]) => surface.root.parent!);
-    sensors.forEach(([, { surface }], i) => {
-      surface.setId(i + 1);
-      scene.add(surface.root);
+    sensors.forEach(([, sensor], i) => {
+      sensor.surface.setId(i + 1);
+      sensor.updateVisible(false);
+      scene.add(sensor.surface.root);
     });
     const numbers = this.readBack(scene, width, height);
-    sensors.forEach(([, { surface }], i) => {
-      surface.setId(0);
-      parents[i]!.add(surface.root);
+    sensors.forEach(([, sensor]) => {
+      sensor.surface.setId(0);
+      sensor.updateVisible(isMixing);
+      room.add(sensor.surface.root);
     });
     const ids = new Int32Array(width * height);
     for (let y = 0; y < height; y++) {

@@ -9,11 +9,11 @@ export interface Picture {
   height: number;
 }
 
-export function takePicture({ renderer, scene, camera, canvas }: Stage): Picture {
+export function takePicture({ renderer, room, camera, canvas }: Stage): Picture {
   const { clientWidth: width, clientHeight: height } = canvas;
   const target = new THREE.WebGLRenderTarget(width, height, { depthBuffer: true });
   renderer.setRenderTarget(target);
-  renderer.render(scene, camera);
+  room.render(camera, width, height);
   const upsideDown = new Uint8Array(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, upsideDown);
   renderer.setRenderTarget(null);

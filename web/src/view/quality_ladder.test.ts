@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, test } from 'vitest';
-import { qualities, QualityLadder } from './quality_ladder';
+import { headsetPace, qualities, QualityLadder } from './quality_ladder';
 
 /** Draws for `seconds` on a machine where a picture costs `cost` ms; returns the quality after each draw. */
 function draw(ladder: QualityLadder, seconds: number, cost: (step: number, ratio: number) => number, from = 0) {
@@ -30,6 +30,22 @@ describe('the quality ladder', () => {
     draw(ladder, 10, software);
     const { step, pixelRatio } = ladder.quality;
     expect(software(step, pixelRatio)).toBeLessThan(60);
+  });
+
+  test('stays at the finest when told to, however slow', () => {
+    const ladder = new QualityLadder();
+    ladder.pinToBest();
+    draw(ladder, 10, () => 500);
+    expect(ladder.quality).toEqual(qualities[0]);
+  });
+
+  test('a headset is given less time for a picture than a screen', () => {
+    const ladder = new QualityLadder();
+    draw(ladder, 10, () => 30);
+    expect(ladder.quality).toEqual(qualities[0]);
+    ladder.setPace(headsetPace);
+    draw(ladder, 1, () => 30, 10_000);
+    expect(ladder.quality).not.toEqual(qualities[0]);
   });
 
   test('does not go below the last rung', () => {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// One surface of a sensor among those that are mixed: the live one, or the background that it remembers.
+import * as THREE from 'three';
+import { edge_m, edgeSlope } from '../sensor_surface';
+import { mixFragmentShader, mixVertexShader, nearestFragmentShader, nearestVertexShader } from './blend_shader';
+import type { SensorMemory } from './sensor_memory';
+
+const backgroundSetback_m = 0.03;
+const exponent = 4; // how much directions count: higher is sharper, lower hides seams
+
+export type LayerKind = 'live' | 'background';
+
+function drawn(material: THREE.RawShaderMaterial): THREE.Mesh {
+  const mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  return mesh;
+}
+
+export class BlendLayer {
+  readonly nearest: THREE.Mesh;
+  readonly mixed: THREE.Mesh;
+  private readonly uniforms: Record<string, THREE.IUniform>;
+
+  constructor(
+    private readonly memory: SensorMemory,
+    private readonly kind: LayerKind,
+  ) {
+    const { lens, rays } = memory.sensor;
+    this.uniforms = {
+      uDepth_m: { value: null },
+      uQuality: { value: null },
+      uRays: { value: rays },
+      uStep: { value: 1 },
+      uEdge_m: { value: edge_m },
+      uEdgeSlope: { value: edgeSlope },
+      uSetback_m: { value: kind === 'live' ? 0 : backgroundSetback_m },
+      uIsBackground: { value: kind === 'background' },
+      uExponent: { value: exponent },
+      uColor: { value: null },
+      uSize: { value: new THREE.Vector2(lens.width, lens.height) },
+      uLive: { value: 1 },
+    };
+    const glsl = { glslVersion: THREE.GLSL3, uniforms: this.uniforms, side: THREE.FrontSide } as const;
+    this.nearest = drawn(
+      new THREE.RawShaderMaterial({
+        ...glsl,
+        vertexShader: nearestVertexShader,
+        fragmentShader: nearestFragmentShader,
+        colorWrite: false,
+      }),
+    );
+    this.mixed = drawn(
+      new THREE.RawShaderMaterial({
+        ...glsl,
+        vertexShader: mixVertexShader,
+        fragmentShader: mixFragmentShader,
+        depthWrite: false,
+        depthFunc: THREE.LessEqualDepth,
+        blending: THREE.CustomBlending,
+        blendEquation: THREE.AddEquation,
+        blendSrc: THREE.OneFactor,
+        blendDst: THREE.OneFactor,
+      }),
+    );
+  }
+
+  setVisible(visible: boolean): void {
+    this.nearest.visible = this.mixed.visible = visible;
+  }
+
+  place(worldFromDepth: THREE.Matrix4, live: number): void {
+    this.uniforms.uLive!.value = live;
+    for (const mesh of [this.nearest, this.mixed]) {
+      mesh.matrix.copy(worldFromDepth);
+      mesh.matrixWorldNeedsUpdate = true;
+    }
+  }
+
+  /** What the memory holds now. */
+  refresh(): void {
+    const { grids, remembered, sensor } = this.memory;
+    const { uniforms } = this;
+    const live = this.kind === 'live';
+    uniforms.uDepth_m!.value = (live ? grids.live : grids.background).texture;
+    uniforms.uQuality!.value = grids.quality.texture;
+    uniforms.uColor!.value = live ? sensor.color : remembered.meanColor;
+    uniforms.uStep!.value = grids.step;
+    const squares = (grids.live.width - 1) * (grids.live.height - 1);
+    for (const mesh of [this.nearest, this.mixed]) mesh.geometry.setDrawRange(0, 6 * squares);
+  }
+
+  dispose(): void {
+    for (const mesh of [this.nearest, this.mixed]) {
+      mesh.geometry.dispose();
+      (mesh.material as THREE.Material).dispose();
+    }
+  }
+}

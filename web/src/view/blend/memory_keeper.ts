@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps sensors' memories: `remember` takes every picture in, `refresh` makes what is drawn of it, `carve` lets the other
+// sensors look through what one remembers. All on the graphics processor.
+import * as THREE from 'three';
+import type { SensorPictures } from '../sensor_pictures';
+import { edgeShader, qualityShader, repairShader, smoothShader } from './clean_shader';
+import { FullScreenPass, withoutHeadset } from './full_screen_pass';
+import { backgroundShader, carveShader, rememberShader } from './memory_shader';
+import type { SensorMemory } from './sensor_memory';
+
+/** Of another sensor, to look through what this one remembers. */
+export interface OtherSensor {
+  pictures: SensorPictures;
+  otherFromDepth: THREE.Matrix4;
+}
+
+function uniforms<Name extends string>(...names: Name[]): Record<Name, THREE.IUniform> {
+  return Object.fromEntries(names.map((name) => [name, { value: null }])) as Record<Name, THREE.IUniform>;
+}
+
+export class MemoryKeeper {
+  private readonly rememberIn = uniforms('uDepth', 'uColor', 'uReadings', 'uMeanColor');
+  private readonly repairIn = uniforms('uDepth_m', 'uStep');
+  private readonly smoothIn = uniforms('uDepth_m');
+  private readonly edgeIn = uniforms('uDepth_m', 'uStep');
+  private readonly qualityIn = uniforms('uDepth_m', 'uInRow', 'uRays', 'uStep');
+  private readonly backgroundIn = uniforms('uDepth', 'uReadings', 'uLive_m', 'uCarved', 'uStep');
+  private readonly carveIn = {
+    ...uniforms('uReadings', 'uRays', 'uOtherDepth', 'uOtherFromDepth', 'uStep'),
+    uOtherFocalCenter: { value: new THREE.Vector4() },
+    uOtherRadial: { value: new THREE.Vector3() },
+    uOtherTangential: { value: new THREE.Vector2() },
+  };
+  private readonly passes = {
+    remember: new FullScreenPass(rememberShader, this.rememberIn),
+    repair: new FullScreenPass(repairShader, this.repairIn),
+    smooth: new FullScreenPass(smoothShader, this.smoothIn),
+    edges: new FullScreenPass(edgeShader, this.edgeIn),
+    quality: new FullScreenPass(qualityShader, this.qualityIn),
+    background: new FullScreenPass(backgroundShader, this.backgroundIn),
+    carve: new FullScreenPass(carveShader, this.carveIn, {
+      blending: THREE.CustomBlending,
+      blendEquation: THREE.MaxEquation,
+      blendSrc: THREE.OneFactor,
+      blendDst: THREE.OneFactor,
+    }),
+  };
+
+  constructor(private readonly renderer: THREE.WebGLRenderer) {}
+
+  /** The sensor has a new picture. Every one counts, whether it is drawn or not. */
+  remember(memory: SensorMemory): void {
+    const { renderer, rememberIn } = this;
+    withoutHeadset(renderer, () => {
+      if (memory.isBlank) this.clear(memory.remembered.target);
+      memory.isBlank = false;
+      rememberIn.uDepth.value = memory.sensor.depth;
+      rememberIn.uColor.value = memory.sensor.color;
+      rememberIn.uReadings.value = memory.remembered.readings;
+      rememberIn.uMeanColor.value = memory.remembered.meanColor;
+      this.passes.remember.run(renderer, memory.spare.target);
+    });
+    memory.swap();
+    memory.pictures++;
+  }
+
+  /** Makes the surfaces ready to be drawn. */
+  refresh(memory: SensorMemory): void {
+    const { renderer, passes } = this;
+    const { grids, remembered, sensor } = memory;
+    for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
+    this.repairIn.uDepth_m.value = remembered.newest;
+    this.smoothIn.uDepth_m.value = grids.repaired.texture;
+    this.edgeIn.uDepth_m.value = this.qualityIn.uDepth_m.value = grids.live.texture;
+    this.qualityIn.uInRow.value = grids.inRow.texture;
+    this.qualityIn.uRays.value = sensor.rays;
+    this.backgroundIn.uDepth.value = sensor.depth;
+    this.backgroundIn.uReadings.value = remembered.readings;
+    this.backgroundIn.uLive_m.value = grids.live.texture;
+    this.backgroundIn.uCarved.value = grids.carved.texture;
+    withoutHeadset(renderer, () => {
+      if (!grids.isCarved) this.clear(grids.carved);
+      grids.isCarved = true;
+      passes.repair.run(renderer, grids.repaired);
+      passes.smooth.run(renderer, grids.live);
+      passes.edges.run(renderer, grids.inRow);
+      passes.quality.run(renderer, grids.quality);
+      passes.background.run(renderer, grids.background);
+    });
+  }
+
+  /** Takes away what others look through; holds until it is called again. */
+  carve(memory: SensorMemory, others: readonly OtherSensor[]): void {
+    const { renderer, carveIn } = this;
+    const { grids, remembered, sensor } = memory;
+    carveIn.uReadings.value = remembered.readings;
+    carveIn.uRays.value = sensor.rays;
+    carveIn.uStep.value = grids.step;
+    withoutHeadset(renderer, () => {
+      this.clear(grids.carved);
+      for (const { pictures, otherFromDepth } of others) {
+        const { fx, fy, cx, cy, k1, k2, k3, p1, p2 } = pictures.lens;
+        carveIn.uOtherDepth.value = pictures.depth;
+        carveIn.uOtherFromDepth.value = otherFromDepth;
+        carveIn.uOtherFocalCenter.value.set(fx, fy, cx, cy);
+        carveIn.uOtherRadial.value.set(k1, k2, k3);
+        carveIn.uOtherTangential.value.set(p1, p2);
+        this.passes.carve.run(renderer, grids.carved);
+      }
+    });
+    grids.isCarved = true;
+  }
+
+  private clear(target: THREE.WebGLRenderTarget): void {
+    const { renderer } = this;
+    const color = renderer.getClearColor(new THREE.Color());
+    const alpha = renderer.getClearAlpha();
+    renderer.setRenderTarget(target);
+    renderer.setClearColor(0x000000, 0);
+    renderer.clear(true, false, false);
+    renderer.setClearColor(color, alpha);
+  }
+}

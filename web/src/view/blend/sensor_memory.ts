@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one sensor shows now and what it has seen behind that before, ready to be drawn: textures in a grid of every `step`-th
+// pixel. Kept up by MemoryKeeper.
+import * as THREE from 'three';
+import type { SensorPictures } from '../sensor_pictures';
+
+interface Layout {
+  format: THREE.PixelFormat;
+  type: THREE.TextureDataType;
+  linear?: boolean;
+}
+
+const metres: Layout = { format: THREE.RedFormat, type: THREE.FloatType };
+const share: Layout = { format: THREE.RedFormat, type: THREE.UnsignedByteType };
+const weight: Layout = { format: THREE.RedFormat, type: THREE.HalfFloatType };
+const readings: Layout = { format: THREE.RGBAFormat, type: THREE.FloatType };
+const meanColor: Layout = { format: THREE.RGBAFormat, type: THREE.HalfFloatType, linear: true };
+
+function target(width: number, height: number, ...layouts: Layout[]): THREE.WebGLRenderTarget {
+  const made = new THREE.WebGLRenderTarget(width, height, { count: layouts.length, depthBuffer: false });
+  made.textures.forEach((texture, i) => {
+    const { format, type, linear } = layouts[i]!;
+    texture.format = format;
+    texture.type = type;
+    texture.minFilter = texture.magFilter = linear ? THREE.LinearFilter : THREE.NearestFilter;
+    texture.generateMipmaps = false;
+  });
+  return made;
+}
+
+/** Of the whole picture. */
+export class Remembered {
+  readonly target: THREE.WebGLRenderTarget;
+
+  constructor(width: number, height: number) {
+    this.target = target(width, height, readings, meanColor, metres);
+  }
+
+  get readings(): THREE.Texture {
+    return this.target.textures[0]!;
+  }
+
+  get meanColor(): THREE.Texture {
+    return this.target.textures[1]!;
+  }
+
+  /** The newest depth, metres. */
+  get newest(): THREE.Texture {
+    return this.target.textures[2]!;
+  }
+}
+
+/** In the grid. */
+export class Grids {
+  readonly repaired: THREE.WebGLRenderTarget;
+  readonly live: THREE.WebGLRenderTarget;
+  readonly inRow: THREE.WebGLRenderTarget;
+  readonly quality: THREE.WebGLRenderTarget;
+  readonly background: THREE.WebGLRenderTarget;
+  readonly carved: THREE.WebGLRenderTarget;
+  isCarved = false; // holds something
+
+  constructor(
+    readonly step: number,
+    width: number,
+    height: number,
+  ) {
+    const columns = Math.floor((width - 1) / step) + 1;
+    const rows = Math.floor((height - 1) / step) + 1;
+    [this.repaired, this.live, this.background] = [0, 1, 2].map(() => target(columns, rows, metres)) as [
+      THREE.WebGLRenderTarget,
+      THREE.WebGLRenderTarget,
+      THREE.WebGLRenderTarget,
+    ];
+    [this.inRow, this.carved] = [0, 1].map(() => target(columns, rows, share)) as [
+      THREE.WebGLRenderTarget,
+      THREE.WebGLRenderTarget,
+    ];
+    this.quality = target(columns, rows, weight);
+  }
+
+  dispose(): void {
+    for (const each of [this.repaired, this.live, this.inRow, this.quality, this.background, this.carved]) {
+      each.dispose();
+    }
+  }
+}
+
+export class SensorMemory {
+  remembered: Remembered;
+  spare: Remembered; // written next
+  grids: Grids;
+  isBlank = true; // remembers nothing
+  pictures = 0;
+
+  constructor(readonly sensor: SensorPictures) {
+    const { width, height } = sensor.lens;
+    this.remembered = new Remembered(width, height);
+    this.spare = new Remembered(width, height);
+    this.grids = new Grids(4, width, height);
+  }
+
+  /** True when the grid is another one now: it holds nothing until the next refresh. */
+  setStep(step: number): boolean {
+    if (step === this.grids.step) return false;
+    this.grids.dispose();
+    this.grids = new Grids(step, this.sensor.lens.width, this.sensor.lens.height);
+    return true;
+  }
+
+  /** The sensor was moved: what it saw from elsewhere is worth nothing. */
+  forget(): void {
+    this.isBlank = true;
+  }
+
+  swap(): void {
+    [this.remembered, this.spare] = [this.spare, this.remembered];
+  }
+
+  dispose(): void {
+    this.remembered.target.dispose();
+    this.spare.target.dispose();
+    this.grids.dispose();
+  }
+}

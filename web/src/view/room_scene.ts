@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// What there is to draw: the sensors' surfaces, mixed or one by one, the floor's grid, the other viewers. Follows the roster and
+// takes pictures in; `render` draws it as a camera sees it.
+import * as THREE from 'three';
+import type { Roster, SensorEntry } from '../gen/control_pb';
+import type { ViewFrame } from '../stream/protocol';
+import { Avatars } from './avatars';
+import { bestSensors } from './best_sensors';
+import { MemoryKeeper } from './blend/memory_keeper';
+import { canBlend, RoomBlend } from './blend/room_blend';
+import type { DrawMode } from './draw_mode';
+import { PlacedSensor } from './placed_sensor';
+import type { Quality } from './quality_ladder';
+import { floorGrid } from './room_marks';
+
+const carveEvery = 8; // pictures of a sensor
+export const darkBackground = new THREE.Color('#181a1e'); // as in room_renderer.h
+export const lightBackground = new THREE.Color('#e9edf2');
+
+export class RoomScene {
+  readonly scene = new THREE.Scene();
+  readonly avatars = new Avatars();
+  readonly placed = new Map<number, PlacedSensor>();
+  readonly mixes: boolean; // whether this browser can mix surfaces
+  private readonly keeper: MemoryKeeper | undefined;
+  private readonly blend: RoomBlend | undefined;
+  private background = darkBackground;
+  private grid = floorGrid(darkBackground);
+  private mode: DrawMode = 'mesh';
+  private mayMix = true; // the machine is quick enough
+  private connected = true;
+  private passthrough = false;
+
+  constructor(private readonly renderer: THREE.WebGLRenderer) {
+    this.mixes = canBlend(renderer);
+    this.keeper = this.mixes ? new MemoryKeeper(renderer) : undefined;
+    this.blend = this.mixes ? new RoomBlend(renderer) : undefined;
+    this.scene.background = darkBackground;
+    this.scene.add(this.grid, this.avatars.root);
+    if (this.blend) this.scene.add(this.blend.picture);
+  }
+
+  get drawMode(): DrawMode {
+    return this.mode;
+  }
+
+  /** `blend` becomes `mesh` where this browser cannot mix. */
+  setMode(mode: DrawMode): void {
+    this.mode = mode === 'blend' && !this.mixes ? 'mesh' : mode;
+    this.applyModeToAll();
+  }
+
+  /** Surfaces are mixed now. */
+  get isMixing(): boolean {
+    return this.mode === 'blend' && this.mayMix;
+  }
+
+  private applyModeToAll(): void {
+    this.placed.forEach((placed) => this.applyMode(placed));
+    if (this.blend) this.blend.picture.visible = this.isMixing;
+  }
+
+  setBackground(background: THREE.Color): void {
+    this.scene.remove(this.grid);
+    this.grid.geometry.dispose();
+    (this.grid.material as THREE.Material).dispose();
+    this.grid = floorGrid(background);
+    this.background = background;
+    this.scene.background = this.passthrough ? null : background;
+    this.scene.add(this.grid);
+  }
+
+  /** Nothing is drawn where no sensor sees anything: the viewer's own room shows there. */
+  setPassthrough(passthrough: boolean): void {
+    this.passthrough = passthrough;
+    this.scene.background = passthrough ? null : this.background;
+    this.blend?.setFill(!passthrough);
+  }
+
+  /** Without a connection every picture is an old one. */
+  setConnected(connected: boolean): void {
+    this.connected = connected;
+    this.placed.forEach((placed) => placed.follow(placed.entry, connected));
+  }
+
+  setVisible(sensor: number, visible: boolean): void {
+    const placed = this.placed.get(sensor);
+    if (!placed) return;
+    placed.wanted = visible;
+    this.applyMode(placed);
+  }
+
+  follow(roster: Roster, self: number): void {
+    const listed = new Map(roster.sensors.map((entry) => [entry.id, entry]));
+    for (const [id, placed] of this.placed) {
+      const entry = listed.get(id);
+      if (entry && sameSensor(entry, placed.entry)) placed.follow(entry, this.connected);
+      else this.remove(id, placed);
+    }
+    for (const entry of roster.sensors) {
+      if (!this.placed.has(entry.id)) this.add(entry);
+    }
+    this.avatars.follow(roster.viewers.filter((viewer) => viewer.id !== self));
+  }
+
+  /** The pixels are read until the next picture has been drawn. */
+  show(frames: readonly ViewFrame[]): void {
+    for (const frame of frames) {
+      const placed = this.placed.get(frame.sensor);
+      const lens = placed?.pictures.lens;
+      if (!placed || lens?.width !== frame.width || lens.height !== frame.height) continue;
+      placed.pictures.show(frame, this.renderer);
+      if (placed.memory && this.isMixing) this.keeper!.remember(placed.memory);
+      placed.isStale = true;
+      this.applyMode(placed);
+    }
+  }
+
+  /** How finely, and which sensors: those that are most useful from `eye`. */
+  setQuality({ step, sensors, mixes }: Quality, eye: THREE.Vector3, pixelsPerUnit: number): void {
+    if (mixes !== this.mayMix) {
+      this.mayMix = mixes;
+      this.applyModeToAll();
+    }
+    const poses = new Map([...this.placed].map(([id, { worldFromDepth }]) => [id, worldFromDepth]));
+    const best = bestSensors(poses, eye, sensors);
+    for (const [id, placed] of this.placed) {
+      placed.setStep(step);
+      placed.surface.setPixelsPerUnit(pixelsPerUnit);
+      if (placed.chosen === best.has(id)) continue;
+      placed.chosen = best.has(id);
+      this.applyMode(placed);
+    }
+  }
+
+  /** Into the renderer's target, `width` x `height` device pixels. */
+  render(camera: THREE.PerspectiveCamera, width: number, height: number): void {
+    const filled = this.isMixing && [...this.placed.values()].some(({ pictures }) => pictures.hasPicture);
+    this.grid.visible = !this.passthrough && !filled;
+    if (this.isMixing) {
+      this.refreshMemories();
+      this.blend!.mix(camera, width, height);
+    }
+    this.renderer.render(this.scene, camera);
+  }
+
+  private refreshMemories(): void {
+    for (const placed of this.placed.values()) {
+      const { memory, layers } = placed;
+      if (!memory || !placed.isStale || memory.pictures === 0) continue;
+      placed.isStale = false;
+      if (memory.pictures % carveEvery === 0) this.carve(placed);
+      this.keeper!.refresh(memory);
+      layers.forEach((layer) => layer.refresh());
+    }
+  }
+
+  private carve(placed: PlacedSensor): void {
+    const others = [...this.placed.values()].filter((other) => other !== placed && other.pictures.hasPicture);
+    const views = others.map(({ pictures, worldFromDepth }) => ({
+      pictures,
+      otherFromDepth: worldFromDepth.clone().invert().multiply(placed.worldFromDepth),
+    }));
+    this.keeper!.carve(placed.memory!, views);
+  }
+
+  private add(entry: SensorEntry): void {
+    const placed = new PlacedSensor(entry, this.mixes);
+    this.scene.add(placed.surface.root, placed.mark);
+    placed.layers.forEach((layer) => this.blend!.add(layer));
+    this.placed.set(entry.id, placed);
+    placed.follow(entry, this.connected);
+    this.applyMode(placed);
+  }
+
+  private remove(id: number, placed: PlacedSensor): void {
+    this.placed.delete(id);
+    this.scene.remove(placed.surface.root, placed.mark);
+    placed.layers.forEach((layer) => this.blend!.remove(layer));
+    placed.dispose();
+  }
+
+  private applyMode(placed: PlacedSensor): void {
+    placed.surface.setKind(this.mode === 'points' ? 'points' : 'mesh');
+    placed.updateVisible(this.isMixing);
+  }
+}
+
+/** A hub that was started again may give ids to sensors in another order; a sensor may come back with another camera. */
+function sameSensor(a: SensorEntry, b: SensorEntry): boolean {
+  const [p, q] = [a.calibration!.depth!, b.calibration!.depth!];
+  const fields = ['width', 'height', 'fx', 'fy', 'cx', 'cy', 'k1', 'k2', 'k3', 'p1', 'p2'] as const;
+  return a.name === b.name && fields.every((field) => p[field] === q[field]);
+}
