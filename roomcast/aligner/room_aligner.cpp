@@ -9,9 +9,9 @@
 #include <boost/asio/post.hpp>
 
 #include "roomcast/aligner/thinker.h"
-#include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/room/calibration_message.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::aligner {

@@ -8,9 +8,9 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/room/calibration_message.h"
 
 namespace roomcast {
 namespace {

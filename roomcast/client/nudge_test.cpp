@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/calibration_message.h"
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/room/calibration_message.h"
 
 namespace roomcast {
 namespace {

@@ -8,11 +8,11 @@
 
 #include <boost/asio/post.hpp>
 
-#include "roomcast/client/calibration_message.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/send_rate.h"
 #include "roomcast/net/sealed_message.h"
+#include "roomcast/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 

@@ -7,7 +7,7 @@
 
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/client/room_state.h"
+#include "roomcast/room/room_state.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast {

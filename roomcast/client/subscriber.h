@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "roomcast/client/room_snapshot.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/room/room_snapshot.h"
 
 namespace roomcast {
 

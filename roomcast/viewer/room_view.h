@@ -6,11 +6,11 @@
 #include <memory>
 #include <unordered_map>
 
-#include "roomcast/client/room_snapshot.h"
 #include "roomcast/core/result.h"
 #include "roomcast/render/offscreen_target.h"
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/view_camera.h"
+#include "roomcast/room/room_snapshot.h"
 
 namespace roomcast {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/client/frame_chain.h"
+#include "roomcast/room/frame_chain.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "roomcast/client/frame_chain.h"
-#include "roomcast/client/room_snapshot.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/result.h"
+#include "roomcast/room/frame_chain.h"
+#include "roomcast/room/room_snapshot.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast {

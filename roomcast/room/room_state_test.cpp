@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/client/room_state.h"
+#include "roomcast/room/room_state.h"
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/calibration_message.h"
+#include "roomcast/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast {

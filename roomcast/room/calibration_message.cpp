@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/client/calibration_message.h"
+#include "roomcast/room/calibration_message.h"
 
 #include <span>
 
