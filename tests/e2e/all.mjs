@@ -2,5 +2,6 @@
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
 import './codec.test.mjs';
 import './room.test.mjs';
+import './headset.test.mjs';
 import './trouble.test.mjs';
 import './reverse_proxy.test.mjs';

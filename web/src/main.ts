@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires the page together: worker -> state -> stage and panel; navigation -> stage and hub.
-import { parseOptions, socketUrl, type PageOptions } from './page_options';
-import { OwnPose } from './own_pose';
+// Wires the page together: worker -> state -> stage and panel; navigation and headset -> stage and hub.
 import type { Roster } from './gen/control_pb';
+import { bodyOf, OwnPose } from './own_pose';
+import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { RoomState } from './room_state';
+import { SensorGuesses } from './sensor_guesses';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
-import { Navigation } from './view/navigation';
 import type { DrawMode } from './view/draw_mode';
+import { Navigation } from './view/navigation';
+import { alongView } from './view/nudge';
+import { headsetPace, screenPace } from './view/quality_ladder';
 import { Stage } from './view/stage';
 import { fallbackView, startView } from './view/start_view';
-import { alongView, pushed } from './view/nudge';
-import { viewFromMatrix, type ViewState } from './view/view_state';
+import { viewFromBody, viewFromMatrix, type ViewState } from './view/view_state';
+import { Headset } from './xr/headset';
+import { headsetOffer, type HeadsetMode } from './xr/offer';
 
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
@@ -28,7 +32,8 @@ class Page {
   private readonly link: RoomLink;
   private readonly stage: Stage;
   private readonly navigation: Navigation;
-  private readonly guesses = new Map<number, number[]>(); // of a person, by sensor: world_from_depth
+  private readonly headset: Headset;
+  private readonly guesses = new SensorGuesses();
   private atHand: ViewFrame[] = []; // given to the stage, not yet drawn
   private setAtHand = 0n;
   private hubKnewSensors = false; // when this viewer joined: the hub's start pose means something
@@ -41,10 +46,15 @@ class Page {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       reset: () => this.goToStart(),
+      headset: {
+        enter: (mode) => this.enter(mode),
+        leave: () => void this.headset.leave(),
+      },
       nudge: options.key === '' ? undefined : this.nudgeEvents(),
     });
     this.stage = this.openStage();
-    this.ownPose = new OwnPose((head) => this.link.pose(head));
+    this.headset = this.makeHeadset();
+    this.ownPose = new OwnPose((body) => this.link.pose(body));
     this.navigation = new Navigation(this.stage.canvas, options.view ?? fallbackView, {
       changed: (view) => this.viewChanged(view),
       reset: () => this.goToStart(),
@@ -60,31 +70,23 @@ class Page {
     return {
       push: (sensor, right, up, forward, turn) => {
         const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
-        if (!entry) return;
-        const push = alongView(right, up, forward, turn, this.navigation.current.yaw);
-        this.guesses.set(sensor, pushed(this.guesses.get(sensor) ?? entry.worldFromDepth, push));
+        if (entry) this.guesses.push(entry, alongView(right, up, forward, turn, this.navigation.current.yaw));
         this.showRoster();
       },
       tryIt: (sensor) => {
-        const guess = this.guesses.get(sensor);
+        const guess = this.guesses.of(sensor);
         if (guess) this.link.nudge(sensor, guess);
       },
       putBack: (sensor) => {
-        this.guesses.delete(sensor);
+        this.guesses.forget(sensor);
         this.showRoster();
       },
     };
   }
 
-  /** As the hub says, but for sensors that are being moved by hand. */
   private showRoster(): void {
-    const { roster } = this.state;
-    if (!roster) return;
-    const sensors = roster.sensors.map((entry) => {
-      const guess = this.guesses.get(entry.id);
-      return guess ? { ...entry, worldFromDepth: guess } : entry;
-    });
-    this.stage.follow({ ...roster, sensors }, this.state.welcome?.viewerId ?? -1);
+    const { roster, welcome } = this.state;
+    if (roster) this.stage.follow(this.guesses.applyTo(roster), welcome?.viewerId ?? -1);
   }
 
   private openStage(): Stage {
@@ -94,7 +96,7 @@ class Page {
     );
     try {
       return new Stage(canvas, {
-        refresh: (now_ms) => this.refresh(now_ms),
+        refresh: (now_ms, frame) => this.refresh(now_ms, frame),
         drawn: (withFrames) => this.drawn(withFrames),
       });
     } catch (error) {
@@ -103,8 +105,43 @@ class Page {
     }
   }
 
+  private makeHeadset(): Headset {
+    const { stage, panel } = this;
+    const headset = new Headset(stage.renderer.xr, {
+      began: (mode) => {
+        stage.ladder.setPace(headsetPace);
+        stage.room.setPassthrough(mode === 'immersive-ar');
+        panel.headset.setOn(true);
+      },
+      moved: (body) => {
+        this.state.body = body;
+        this.ownPose.moved(body);
+      },
+      ended: () => this.headsetEnded(),
+    });
+    stage.room.scene.add(headset.root);
+    return headset;
+  }
+
+  private enter(mode: HeadsetMode): Promise<void> {
+    this.stage.renderer.xr.enabled = true;
+    const { position, yaw } = this.navigation.current;
+    return this.headset.enter(mode, position, yaw);
+  }
+
+  /** One stands on the screen where one was in the headset. */
+  private headsetEnded(): void {
+    const { stage, state, panel } = this;
+    stage.renderer.xr.enabled = false;
+    stage.ladder.setPace(screenPace);
+    stage.room.setPassthrough(false);
+    panel.headset.setOn(false);
+    if (state.body) this.navigation.set(viewFromBody(state.body.head, startDistance_m));
+    state.body = undefined;
+  }
+
   private begin(): void {
-    const { stage, state, navigation } = this;
+    const { stage, state, navigation, headset } = this;
     this.placedView = this.options.view !== undefined;
     stage.look(navigation.current);
     if (this.options.best) stage.ladder.pinToBest();
@@ -112,7 +149,8 @@ class Page {
     this.setMode(this.options.mode);
     setInterval(() => this.panel.refresh(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
-    window.roomcast = new TestApi({ stage, state, navigation, setMode: (mode) => this.setMode(mode) });
+    void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
+    window.roomcast = new TestApi({ stage, state, navigation, headset, setMode: (mode) => this.setMode(mode) });
   }
 
   private receive(message: FromWorker): void {
@@ -124,10 +162,11 @@ class Page {
       case 'welcome':
         this.state.welcome = message.welcome;
         document.title = `${message.welcome.room || 'room'} · roomcast`;
-        return this.ownPose.moved(this.navigation.current);
+        return this.tellOwnPose();
       case 'roster':
         return this.followRoster(message.roster);
       case 'poses':
+        message.poses.forEach((pose) => this.state.poses.set(pose.viewerId, pose));
         if (this.stage.room.avatars.move(message.poses)) this.stage.touch();
         return;
       case 'frames':
@@ -140,23 +179,18 @@ class Page {
   }
 
   private followRoster(roster: Roster): void {
-    const peopleBefore = this.state.roster?.viewers.length ?? 0;
-    if (!this.state.roster) this.hubKnewSensors = roster.sensors.length > 0;
-    this.forgetAnswered(roster);
-    this.state.roster = roster;
+    const before = this.state.roster;
+    if (!before) this.hubKnewSensors = roster.sensors.length > 0;
+    this.guesses.forgetAnswered(before, roster);
+    this.state.follow(roster);
     this.showRoster();
-    if (roster.viewers.length > peopleBefore) this.ownPose.moved(this.navigation.current);
+    if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellOwnPose();
     if (!this.placedView && roster.sensors.length > 0) this.goToStart();
     this.panel.rebuild();
   }
 
-  /** The aligner has moved a sensor, or says why it does not: the guess is over. */
-  private forgetAnswered(roster: Roster): void {
-    for (const before of this.state.roster?.sensors ?? []) {
-      const now = roster.sensors.find(({ id }) => id === before.id);
-      const same = now?.worldFromDepth.every((number, i) => number === before.worldFromDepth[i]);
-      if (!same || now?.placementNote !== before.placementNote) this.guesses.delete(before.id);
-    }
+  private tellOwnPose(): void {
+    this.ownPose.moved(this.state.body ?? bodyOf(this.navigation.current));
   }
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
@@ -174,15 +208,16 @@ class Page {
     this.link.shown(frames);
   }
 
-  private refresh(now_ms: number): void {
-    this.navigation?.update(now_ms);
+  private refresh(now_ms: number, frame: XRFrame | undefined): void {
+    if (frame) this.headset.update(now_ms, frame);
+    else this.navigation?.update(now_ms);
     this.ownPose?.update(now_ms);
   }
 
   private viewChanged(view: ViewState): void {
     this.placedView = true;
     this.stage.look(view);
-    this.ownPose.moved(view);
+    if (!this.headset.isOn) this.ownPose.moved(bodyOf(view));
   }
 
   private start(): ViewState | undefined {
@@ -211,6 +246,11 @@ class Page {
     this.state.broken = sentence;
     this.panel.refresh();
   }
+}
+
+/** Absent where the browser has no WebXR, whatever the types say. */
+function navigator_xr(): XRSystem | undefined {
+  return (navigator as { xr?: XRSystem }).xr;
 }
 
 new Page(parseOptions(location.search, location.hash));

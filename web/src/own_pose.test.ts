@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { OwnPose } from './own_pose';
-import type { PlainPose } from './stream/protocol';
+import { bodyOf, OwnPose } from './own_pose';
+import type { Body } from './stream/protocol';
 import { lookFrom } from './view/view_state';
 
-const at = (x: number) => lookFrom(new Vector3(x, 1.6, 0), new Vector3(x, 1.6, -1));
+const at = (x: number) => bodyOf(lookFrom(new Vector3(x, 1.6, 0), new Vector3(x, 1.6, -1)));
 
 test('a pose is sent when it changed, at most 20 times a second, and the last one always', () => {
-  const sent: PlainPose[] = [];
-  const pose = new OwnPose((head) => sent.push(head));
+  const sent: Body[] = [];
+  const pose = new OwnPose((body) => sent.push(body));
   pose.update(0);
   expect(sent).toEqual([]);
   for (let ms = 0; ms <= 1000; ms += 10) {
@@ -23,5 +23,6 @@ test('a pose is sent when it changed, at most 20 times a second, and the last on
   pose.update(1050);
   pose.update(2000);
   expect(sent.length).toBe(22);
-  expect(sent.at(-1)).toMatchObject({ x: 5, qw: 1 });
+  expect(sent.at(-1)!.head).toMatchObject({ x: 5, qw: 1 });
+  expect(sent.at(-1)!.leftHand).toBeUndefined();
 });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page knows about the room, gathered from the worker's messages and from drawing. Times are page time
 // (stream/protocol.ts) in milliseconds unless they say room time.
-import type { Roster, SensorEntry, Welcome } from './gen/control_pb';
+import type { Roster, SensorEntry, ViewerPose, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
-import { pageTime_ms, type ConnectionState, type DecodedRecord, type Status, type ViewFrame } from './stream/protocol';
+import { pageTime_ms, type Body, type ConnectionState, type DecodedRecord, type Status, type ViewFrame } from './stream/protocol';
 
 const keptRecords = 100; // per sensor
 const latencyWindow_ms = 1000;
@@ -24,6 +24,8 @@ export class RoomState {
   welcome: Welcome | undefined;
   roster: Roster | undefined;
   status: Status | undefined;
+  body: Body | undefined; // in a headset, where it is now
+  readonly poses = new Map<number, ViewerPose>(); // of the others, as they came in
   broken = ''; // why nothing can go on
   shownSets = 0;
   lastShownSet = 0n;
@@ -67,6 +69,12 @@ export class RoomState {
 
   get onlineSensors(): SensorEntry[] {
     return this.roster?.sensors.filter((sensor) => sensor.online) ?? [];
+  }
+
+  follow(roster: Roster): void {
+    this.roster = roster;
+    const present = new Set(roster.viewers.map(({ id }) => id));
+    for (const id of this.poses.keys()) if (!present.has(id)) this.poses.delete(id);
   }
 
   setConnection(state: ConnectionState): void {

@@ -2,6 +2,7 @@
 // window.roomcast: what tests ask the page. Described in web/README.md. Everything it returns is plain JSON: 64-bit
 // numbers are strings. Pixels are CSS pixels of the canvas, from the top left.
 import { Vector3 } from 'three';
+import type { Pose } from './gen/control_pb';
 import type { RoomState } from './room_state';
 import { crc32 } from './stream/crc32';
 import { IdPass, nothing } from './view/id_pass';
@@ -10,11 +11,13 @@ import { takePicture } from './view/picture';
 import type { DrawMode } from './view/draw_mode';
 import type { Stage } from './view/stage';
 import { lookFrom } from './view/view_state';
+import type { Headset } from './xr/headset';
 
 export interface TestApiParts {
   stage: Stage;
   state: RoomState;
   navigation: Navigation;
+  headset: Headset;
   setMode(mode: DrawMode): void;
 }
 
@@ -91,6 +94,29 @@ export class TestApi {
     }));
   }
 
+  /** A headset that is on: the eyes' places in the last picture, where it looks, hands that are tracked, selects so far. */
+  headset() {
+    const { headset, state, stage } = this.parts;
+    const { head, leftHand, rightHand } = state.body ?? {};
+    return {
+      on: headset.isOn,
+      presenting: stage.renderer.xr.isPresenting,
+      views: headset.views,
+      head: head ?? null,
+      hands: [leftHand ?? null, rightHand ?? null],
+      selects: headset.selects,
+    };
+  }
+
+  /** Of the other viewers: head and hands as they were last told. */
+  otherPoses() {
+    return [...this.parts.state.poses.values()].map(({ viewerId, head, leftHand, rightHand }) => ({
+      viewerId,
+      head: plain(head),
+      hands: [plain(leftHand), plain(rightHand)],
+    }));
+  }
+
   setView(at: Triple, look: Triple): void {
     this.parts.navigation.set(lookFrom(new Vector3(...at), new Vector3(...look)));
   }
@@ -144,6 +170,12 @@ export class TestApi {
       };
     });
   }
+}
+
+function plain(pose: Pose | undefined) {
+  if (!pose) return null;
+  const { x, y, z, qx, qy, qz, qw } = pose;
+  return { x, y, z, qx, qy, qz, qw };
 }
 
 function count(values: ArrayLike<number>, wanted: number): number {

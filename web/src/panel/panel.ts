@@ -6,14 +6,17 @@ import type { DrawMode } from '../view/draw_mode';
 import { element, setText } from './element';
 import type { NudgeEvents } from './nudge_controls';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
+import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import './panel.css';
 import { problems, type Problem } from './problems';
 import { SensorList } from './sensor_list';
+import { headsetTexts } from '../texts';
 
 export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
   sensorSwitched(sensor: number, visible: boolean): void;
   reset(): void;
+  headset: HeadsetControlEvents;
   nudge: NudgeEvents | undefined; // undefined: this person may only look
 }
 
@@ -42,6 +45,7 @@ export class Panel {
     'aria-live': 'polite',
     'aria-label': 'What is wrong',
   });
+  readonly headset: HeadsetControls;
   private readonly sensors: SensorList;
   private readonly people = element('ul', { class: 'people' });
   private readonly received = figure('MB/s', 'Received in all, 10⁶ bytes per second');
@@ -59,6 +63,7 @@ export class Panel {
     private readonly events: PanelEvents,
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible), events.nudge);
+    this.headset = new HeadsetControls(events.headset);
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
     const header = element(
       'header',
@@ -73,6 +78,7 @@ export class Panel {
       section('Sensors', this.sensors.root),
       section('People', this.people),
       section('Drawn as', this.modeSwitch()),
+      section(headsetTexts.title, this.headset.root),
       this.help(),
     );
     root.append(header, this.troubles, this.body);

@@ -74,12 +74,19 @@ export interface StartOptions {
 export type ToWorker =
   | { kind: 'start'; options: StartOptions }
   | { kind: 'shown'; buffers: ArrayBuffer[] } // the frames of the last `frames` message have been drawn
-  | { kind: 'pose'; head: PlainPose }
+  | { kind: 'pose'; body: Body }
   | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 
 /** A Pose without what Protobuf adds. */
 export type PlainPose = Pick<Pose, 'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw'>;
+
+/** Where this viewer is. Hands are undefined while they are not tracked. */
+export interface Body {
+  head: PlainPose;
+  leftHand: PlainPose | undefined;
+  rightHand: PlainPose | undefined;
+}
 
 export function pageTime_ms(): number {
   return performance.timeOrigin + performance.now();

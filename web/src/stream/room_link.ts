@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's end of its worker.
-import type { FromWorker, PlainPose, StartOptions, ToWorker, ViewFrame } from './protocol';
+import type { Body, FromWorker, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
@@ -20,8 +20,8 @@ export class RoomLink {
     this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
   }
 
-  pose(head: PlainPose): void {
-    this.tell({ kind: 'pose', head });
+  pose(body: Body): void {
+    this.tell({ kind: 'pose', body });
   }
 
   /** A guess where a sensor stands, for the aligner. */

@@ -10,6 +10,7 @@ import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
 import {
   pageTime_ms,
+  type Body,
   type DecodedRecord,
   type FromWorker,
   type StartOptions,
@@ -58,7 +59,7 @@ export class RoomStream {
         message.buffers.forEach((buffer) => this.buffers.giveBack(buffer));
         return this.mailbox.pageIsFree();
       case 'pose':
-        return this.hub?.send({ case: 'viewerPose', value: { head: message.head } });
+        return this.hub?.send({ case: 'viewerPose', value: poseMessage(message.body) });
       case 'nudge': {
         const { sensor, worldFromDepth } = message;
         return this.hub?.send({ case: 'nudge', value: { sensorId: sensor, worldFromDepth } });
@@ -169,4 +170,9 @@ export class RoomStream {
     const { received_bytes } = this.hub!;
     this.post({ kind: 'status', status: { clock, received_bytes, sensors, decoded, colorProblem } });
   }
+}
+
+/** Protobuf leaves a hand out that is not there. */
+function poseMessage({ head, leftHand, rightHand }: Body) {
+  return { head, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }) };
 }

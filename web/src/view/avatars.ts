@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The other viewers: a head with a visor, their name above it, their hands where they are tracked. Part frames are x right,
+// The other viewers: a head with a visor, their name above it, their hands where they are tracked and where these point. Part frames are x right,
 // y up, -z forward. Poses come 20 times a second and are eased in between.
 import * as THREE from 'three';
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
+import { pointerRay } from './pointer_ray';
 
 const easing_perS = 14;
 const arrived_m = 1e-4;
 const arrived_rad = 1e-3;
+const pointer_m = 1.5;
 
 interface Part {
   object: THREE.Object3D;
@@ -89,13 +91,21 @@ function headOf(color: number): THREE.Group {
   return head;
 }
 
+/** With a ray that shows where it points. */
+function handOf(color: number): THREE.Group {
+  const hand = new THREE.Group();
+  const fist = new THREE.Mesh(new THREE.SphereGeometry(0.045, 16, 12), new THREE.MeshLambertMaterial({ color }));
+  hand.add(fist, pointerRay(pointer_m, color));
+  return hand;
+}
+
 function disposeTree(root: THREE.Object3D): void {
   root.traverse((object) => {
-    if (!(object instanceof THREE.Mesh || object instanceof THREE.Sprite)) return;
+    if (!(object instanceof THREE.Mesh || object instanceof THREE.Sprite || object instanceof THREE.Line)) return;
     const material = object.material as THREE.MeshLambertMaterial;
     material.map?.dispose();
     material.dispose();
-    if (object instanceof THREE.Mesh) object.geometry.dispose();
+    if (!(object instanceof THREE.Sprite)) object.geometry.dispose();
   });
 }
 
@@ -155,9 +165,7 @@ export class Avatars {
   private add({ id, name, colorRgb: color }: ViewerEntry): void {
     const head = headOf(color);
     head.add(labelOf(name || `viewer ${id}`));
-    const hand = () =>
-      new THREE.Mesh(new THREE.SphereGeometry(0.045, 16, 12), new THREE.MeshLambertMaterial({ color }));
-    const hands: [Part, Part] = [partOf(hand()), partOf(hand())];
+    const hands: [Part, Part] = [partOf(handOf(color)), partOf(handOf(color))];
     const avatar = { root: new THREE.Group(), name, color, head: partOf(head), hands };
     avatar.root.add(head, hands[0].object, hands[1].object);
     this.byViewer.set(id, avatar);

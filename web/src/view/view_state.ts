@@ -10,6 +10,8 @@ export interface ViewState {
   readonly distance: number;
 }
 
+type Part = Record<'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw', number>;
+
 export const maxPitch = 1.55; // a little less than straight up
 const minDistance_m = 0.3;
 const maxDistance_m = 60;
@@ -48,6 +50,13 @@ export function viewFromMatrix(worldFromViewer: readonly number[], distance: num
   const matrix = new Matrix4().set(...(worldFromViewer as Parameters<Matrix4['set']>));
   const position = new Vector3().setFromMatrixPosition(matrix);
   const gaze = new Vector3(0, 0, -1).transformDirection(matrix);
+  return lookFrom(position, gaze.multiplyScalar(distance).add(position));
+}
+
+/** Where somebody stood in a headset; roll is dropped. */
+export function viewFromBody({ x, y, z, qx, qy, qz, qw }: Part, distance: number): ViewState {
+  const position = new Vector3(x, y, z);
+  const gaze = new Vector3(0, 0, -1).applyQuaternion(new Quaternion(qx, qy, qz, qw));
   return lookFrom(position, gaze.multiplyScalar(distance).add(position));
 }
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room in a headset, which iwer plays: real Chromium, hub and sensor, and a WebXR device made of code. A second page is
+// another person, who sees what the wearer does.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { panelText, stateOf, until, untilAllShown } from './waiting.mjs';
+
+const iwer = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('iwer/build/iwer.min.js');
+const slow = { timeout: 90_000 };
+const eyesApart_m = 0.063; // iwer's default
+const floorView = 'panel=1&at=0.5,1.6,1.5&look=0.5,1.6,0';
+
+/**
+ * Before the page's own scripts: a headset with two controllers. (iwer 2.5 wants a matrix where WebXR says a transform;
+ * without that it would ignore where the wearer stands.)
+ */
+const plugIn = `
+  window.device = new IWER.XRDevice(IWER.metaQuest3);
+  window.device.installRuntime({ forceInstall: true });
+  const offset = XRReferenceSpace.prototype.getOffsetReferenceSpace;
+  XRReferenceSpace.prototype.getOffsetReferenceSpace = function (transform) {
+    return offset.call(this, transform.matrix);
+  };
+  window.device.stereoEnabled = true;
+  window.device.position.set(0, 1.7, 0);
+  window.device.quaternion.set(0, 0, 0, 1);
+`;
+
+const headsetOf = (page) => page.evaluate(() => window.roomcast.headset());
+
+describe('the room in a headset', () => {
+  let hub, sensor, browser, page, other;
+
+  before(async () => {
+    requireBuilt();
+    hub = await startHub();
+    sensor = startSensor(hub, 0, { fps: 2 });
+    browser = await startBrowser({ width: 480, height: 240 });
+    other = await openPage(browser.context, `${hub.page}?panel=0&mode=points&name=other`);
+    await browser.context.addInitScript({ path: iwer });
+    await browser.context.addInitScript({ content: plugIn });
+    page = await openPage(browser.context, `${hub.page}?${floorView}&name=wearer`);
+    await untilAllShown(page, 1);
+  }, slow);
+
+  after(async () => {
+    await browser?.end();
+    await sensor?.end();
+    await hub?.end();
+  }, slow);
+
+  const untilHeadset = (what, enough) => until(what, () => headsetOf(page), enough);
+  const seenByOther = async () => {
+    const { viewerId } = await stateOf(page);
+    return (await other.evaluate(() => window.roomcast.otherPoses())).find((pose) => pose.viewerId === viewerId);
+  };
+
+  test('it is entered by a button, and both eyes look from where the person stood', slow, async () => {
+    await page.getByRole('button', { name: 'Enter VR' }).click();
+    const { views } = await untilHeadset('two views', ({ on, views }) => on && views.length === 2);
+    const [left, right] = [views.find(({ eye }) => eye === 'left'), views.find(({ eye }) => eye === 'right')];
+    assert.ok(Math.abs(distance(left.position, right.position) - eyesApart_m) < 1e-3, JSON.stringify(views));
+    const middle = left.position.map((value, i) => (value + right.position[i]) / 2);
+    assert.ok(Math.abs(middle[0] - 0.5) < 0.02 && Math.abs(middle[2] - 1.5) < 0.02, `at ${middle}`);
+    assert.ok(Math.abs(middle[1] - 1.7) < 0.02, 'the floor is the room’s floor');
+    assert.ok(right.position[0] > left.position[0], 'one looks along -z');
+  });
+
+  test('pictures keep coming, with new frames', slow, async () => {
+    const before = await stateOf(page);
+    await until('they do', () => stateOf(page), (now) => now.pictures > before.pictures + 2 && now.shownSets > before.shownSets);
+  });
+
+  test('the view follows the head, and so do the eyes of the avatar that others see', slow, async () => {
+    await page.evaluate(() => {
+      window.device.position.set(0.4, 1.5, -0.3);
+      window.device.quaternion.set(0, Math.sin(0.3), 0, Math.cos(0.3));
+    });
+    const near = (head) => head && distance([head.x, head.y, head.z], [0.9, 1.5, 1.2]) < 0.05;
+    await untilHeadset('the head has moved', ({ head }) => near(head) && Math.abs(head.qy - Math.sin(0.3)) < 0.01);
+    const seen = await until('the other sees it', seenByOther, (pose) => near(pose?.head));
+    assert.ok(seen.hands.every((hand) => hand !== null), 'with both hands');
+  });
+
+  test('a stick turns the wearer about the head, and the trigger goes where it points', slow, async () => {
+    const { head: start } = await headsetOf(page);
+    await page.evaluate(() => window.device.controllers.right.updateAxes('thumbstick', 1, 0));
+    const turned = await untilHeadset('a turn', ({ head }) => Math.abs(head.qy - start.qy) > 0.1);
+    assert.ok(distance(place(turned.head), place(start)) < 0.02, 'the head stays where it is');
+    await page.evaluate(() => window.device.controllers.right.updateAxes('thumbstick', 0, 0));
+
+    await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 1));
+    const { pictures } = await stateOf(page);
+    await until('two pictures of aiming', () => stateOf(page), (now) => now.pictures > pictures + 2);
+    await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 0));
+    await untilHeadset('a select', ({ selects }) => selects === 1);
+    const moved = await untilHeadset('a new place', ({ head }) => distance(place(head), place(turned.head)) > 0.3);
+    assert.ok(Math.abs(moved.head.y - turned.head.y) < 0.02, 'on the same floor');
+  });
+
+  test('the session ends cleanly, and the screen shows what the headset showed', slow, async () => {
+    const { head } = await headsetOf(page);
+    await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click'); // iwer's picture covers it
+    await untilHeadset('it is off', ({ on, presenting }) => !on && !presenting);
+    const { position } = await page.evaluate(() => window.roomcast.view());
+    assert.ok(distance(position, place(head)) < 0.05);
+    const before = await stateOf(page);
+    await until('the screen goes on', () => stateOf(page), (now) => now.pictures > before.pictures + 1);
+    await until('hands are gone', seenByOther, (pose) => pose?.hands.every((hand) => hand === null));
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('a browser without a headset says what to do', slow, async () => {
+    await until('the panel says so', () => panelText(other), () => true);
+    await other.evaluate(() => document.querySelector('.toggle').click());
+    assert.match(await panelText(other), /No headset is connected|does not know WebXR/);
+  });
+});
+
+function place({ x, y, z }) {
+  return [x, y, z];
+}
+
+function distance(a, b) {
+  return Math.hypot(...a.map((value, i) => value - b[i]));
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a person thinks that sensors stand while they are moved by hand: shown here only, until the aligner has answered.
+import type { Roster, SensorEntry } from './gen/control_pb';
+import { pushed, type Push } from './view/nudge';
+
+export class SensorGuesses {
+  private readonly bySensor = new Map<number, number[]>(); // world_from_depth
+
+  push(entry: SensorEntry, push: Push): void {
+    this.bySensor.set(entry.id, pushed(this.bySensor.get(entry.id) ?? entry.worldFromDepth, push));
+  }
+
+  of(sensor: number): number[] | undefined {
+    return this.bySensor.get(sensor);
+  }
+
+  forget(sensor: number): void {
+    this.bySensor.delete(sensor);
+  }
+
+  /** The aligner has moved a sensor, or says why it does not: the guess is over. */
+  forgetAnswered(before: Roster | undefined, now: Roster): void {
+    for (const entry of before?.sensors ?? []) {
+      const found = now.sensors.find(({ id }) => id === entry.id);
+      const same = found?.worldFromDepth.every((number, i) => number === entry.worldFromDepth[i]);
+      if (!same || found?.placementNote !== entry.placementNote) this.bySensor.delete(entry.id);
+    }
+  }
+
+  /** The roster as the hub says, but for sensors that are being moved. */
+  applyTo(roster: Roster): Roster {
+    const sensors = roster.sensors.map((entry) => {
+      const guess = this.bySensor.get(entry.id);
+      return guess ? { ...entry, worldFromDepth: guess } : entry;
+    });
+    return { ...roster, sensors };
+  }
+}

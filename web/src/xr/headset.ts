@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// A headset that is on: enters and leaves, moves the wearer through the room, and tells where head and hands are. All poses are
+// in world coordinates: the session's reference space is offset by where the wearer stands.
+import * as THREE from 'three';
+import type { Body, PlainPose } from '../stream/protocol';
+import { throwArc } from './arc';
+import { ArcView } from './arc_view';
+import { HandView } from './hand_view';
+import type { HeadsetMode } from './offer';
+import { movedTo, originOffset, turned, walked, yawOf, type StandingPlace } from './standing_place';
+import { Sticks, type Stick } from './sticks';
+
+const walkSpeed_mPerS = 1.4;
+const longestFrame_s = 0.1;
+
+export interface HeadsetEvents {
+  began(mode: HeadsetMode): void;
+  moved(body: Body): void;
+  ended(): void;
+}
+
+function plain({ position: p, orientation: o }: XRRigidTransform): PlainPose {
+  return { x: p.x, y: p.y, z: p.z, qx: o.x, qy: o.y, qz: o.z, qw: o.w };
+}
+
+function stickOf({ gamepad }: XRInputSource): Stick | undefined {
+  const axes = gamepad?.axes ?? [];
+  return axes.length >= 4 ? { x: axes[2]!, y: axes[3]! } : undefined; // "xr-standard" has the stick there
+}
+
+function jointsOf(frame: XRFrame, hand: XRHand, space: XRReferenceSpace): XRJointPose[] {
+  const poses = [...hand.values()].map((joint) => frame.getJointPose?.(joint, space));
+  return poses.filter((pose): pose is XRJointPose => pose !== undefined && pose !== null);
+}
+
+export class Headset {
+  readonly root = new THREE.Group(); // to be put into the scene
+  views: { eye: XREye; position: [number, number, number] }[] = []; // of the last picture
+  selects = 0; // triggers pulled and pinches made, in this session
+  private readonly hands = [new HandView(), new HandView()] as const;
+  private readonly arc = new ArcView();
+  private sticks = new Sticks();
+  private session: XRSession | undefined;
+  private floor: XRReferenceSpace | undefined; // the wearer's own
+  private place: StandingPlace = { x: 0, y: 0, z: 0, yaw: 0 };
+  private selecting: XRInputSource | undefined;
+  private target: THREE.Vector3 | undefined; // on the floor, while aiming
+  private teleports: THREE.Vector3 | undefined; // with the next picture, when the head is known
+  private lastFrame_ms = 0;
+
+  constructor(
+    private readonly xr: THREE.WebXRManager,
+    private readonly events: HeadsetEvents,
+  ) {
+    this.root.add(this.arc.root, ...this.hands.map((hand) => hand.root));
+    this.root.visible = false;
+  }
+
+  get isOn(): boolean {
+    return this.session !== undefined;
+  }
+
+  /** The wearer enters at `at`, looking as `yaw` says. Rejects with the browser's reason. */
+  async enter(mode: HeadsetMode, at: THREE.Vector3, yaw: number): Promise<void> {
+    const session = await navigator.xr!.requestSession(mode, {
+      requiredFeatures: ['local-floor'],
+      optionalFeatures: ['bounded-floor', 'hand-tracking'],
+    });
+    session.addEventListener('end', () => this.end());
+    session.addEventListener('selectstart', ({ inputSource }) => (this.selecting = inputSource));
+    session.addEventListener('selectend', () => this.letGo());
+    session.addEventListener('select', () => this.selects++);
+    await this.xr.setSession(session);
+    this.session = session;
+    this.selects = 0;
+    this.sticks = new Sticks();
+    this.floor = this.xr.getReferenceSpace()!;
+    this.standAt({ x: at.x, y: 0, z: at.z, yaw });
+    this.root.visible = true;
+    this.events.began(mode);
+  }
+
+  async leave(): Promise<void> {
+    await this.session?.end();
+  }
+
+  /** Once per picture of the headset. */
+  update(now_ms: number, frame: XRFrame): void {
+    const space = this.xr.getReferenceSpace();
+    const viewer = space && frame.getViewerPose(space);
+    if (!space || !viewer || !this.session) return;
+    this.views = viewer.views.map(({ eye, transform: { position: p } }) => ({ eye, position: [p.x, p.y, p.z] }));
+    const seconds = Math.min(longestFrame_s, Math.max(0, (now_ms - this.lastFrame_ms) / 1000));
+    this.lastFrame_ms = now_ms;
+    const tracked = this.showHands(frame, space);
+    this.move(viewer.transform, tracked, seconds);
+    const [left, right] = tracked.map((pose) => pose && plain(pose));
+    this.events.moved({ head: plain(viewer.transform), leftHand: left, rightHand: right });
+  }
+
+  private showHands(frame: XRFrame, space: XRReferenceSpace): (XRRigidTransform | undefined)[] {
+    const found: (XRRigidTransform | undefined)[] = [undefined, undefined];
+    this.hands.forEach((hand) => hand.hide());
+    for (const source of this.session!.inputSources) {
+      const side = source.handedness === 'left' ? 0 : 1;
+      const pose = frame.getPose(source.targetRaySpace, space)?.transform;
+      if (!pose) continue;
+      found[side] = pose;
+      const joints = source.hand ? jointsOf(frame, source.hand, space) : [];
+      if (joints.length > 0) this.hands[side].showJoints(joints);
+      else this.hands[side].showController(pose);
+    }
+    return found;
+  }
+
+  private move(head: XRRigidTransform, hands: (XRRigidTransform | undefined)[], seconds: number): void {
+    const sticks = [...this.session!.inputSources].map((source) => ({ side: source.handedness, stick: stickOf(source) }));
+    const stick = (side: XRHandedness) => sticks.find((entry) => entry.side === side)?.stick;
+    const wishes = this.sticks.read(stick('left'), stick('right'));
+    const at = new THREE.Vector3(head.position.x, head.position.y, head.position.z);
+    const { x, y, z, w } = head.orientation;
+    const step_m = walkSpeed_mPerS * seconds;
+    if (wishes.turn_rad !== 0) this.standAt(turned(this.place, at, wishes.turn_rad));
+    if (wishes.right !== 0 || wishes.forward !== 0) {
+      const yaw = yawOf(new THREE.Quaternion(x, y, z, w));
+      this.standAt(walked(this.place, yaw, wishes.right * step_m, wishes.forward * step_m));
+    }
+    const aiming = wishes.aims ? hands[1] : this.selecting && hands[this.selecting.handedness === 'left' ? 0 : 1];
+    if (aiming) this.aim(aiming);
+    if (wishes.letsGo) this.letGo();
+    if (this.teleports) this.standAt(movedTo(this.place, at, this.teleports));
+    this.teleports = undefined;
+  }
+
+  private aim({ position: p, orientation: o }: XRRigidTransform): void {
+    const ahead = new THREE.Vector3(0, 0, -1).applyQuaternion(new THREE.Quaternion(o.x, o.y, o.z, o.w));
+    const arc = throwArc(new THREE.Vector3(p.x, p.y, p.z), ahead);
+    this.target = arc.at(-1);
+    this.arc.show(arc);
+  }
+
+  private letGo(): void {
+    this.selecting = undefined;
+    this.teleports = this.target;
+    this.target = undefined;
+    this.arc.hide();
+  }
+
+  private standAt(place: StandingPlace): void {
+    this.place = place;
+    const { position: p, orientation: o } = originOffset(place);
+    const offset = new XRRigidTransform({ x: p.x, y: p.y, z: p.z }, { x: o.x, y: o.y, z: o.z, w: o.w });
+    this.xr.setReferenceSpace(this.floor!.getOffsetReferenceSpace(offset));
+  }
+
+  private end(): void {
+    this.session = this.floor = this.selecting = this.target = this.teleports = undefined;
+    this.views = [];
+    this.root.visible = false;
+    this.arc.hide();
+    this.events.ended();
+  }
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Quaternion, Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import { inWorld, movedTo, originOffset, turned, walked, yawOf } from './standing_place';
+
+const place = { x: 1, y: 0, z: -2, yaw: 0.7 };
+const headOnFloor = new Vector3(0.3, 1.65, 0.2); // in the wearer's own floor
+const near = (a: Vector3, b: Vector3) => expect(a.distanceTo(b)).toBeLessThan(1e-9);
+
+describe('the place where a wearer stands', () => {
+  test('and the offset of its reference space undo each other', () => {
+    const { position, orientation } = originOffset(place);
+    near(inWorld(place, headOnFloor).applyQuaternion(orientation).add(position), headOnFloor);
+  });
+
+  test('turns about the head', () => {
+    const head = inWorld(place, headOnFloor);
+    const after = turned(place, head, Math.PI / 6);
+    near(inWorld(after, headOnFloor), head);
+    expect(after.yaw - place.yaw).toBeCloseTo(Math.PI / 6);
+  });
+
+  test('brings the head over the target', () => {
+    const head = inWorld(place, headOnFloor);
+    const after = movedTo(place, head, new Vector3(-1, 0, 4));
+    near(inWorld(after, headOnFloor), new Vector3(-1, 1.65, 4));
+  });
+
+  test('walks where the head looks', () => {
+    expect(walked(place, 0, 0, 1)).toMatchObject({ x: 1, z: -3 });
+    expect(walked(place, Math.PI / 2, 0, 1).x).toBeCloseTo(0); // looking along -x
+    expect(walked(place, 0, 1, 0)).toMatchObject({ x: 2, z: -2 });
+  });
+
+  test('knows which way a head looks', () => {
+    expect(yawOf(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.4))).toBeCloseTo(0.4);
+  });
+});
