@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
 import './codec.test.mjs';
+import './picture.test.mjs';
 import './room.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';

@@ -70,6 +70,13 @@ class Program {
   }
 }
 
+/** A program that ends by itself; throws when it fails. */
+export async function run(...args) {
+  const program = new Program(args[0], args);
+  const [code] = await program.ended;
+  if (code !== 0) throw new Error(`${args[0]} has failed:\n${program.lines.join('\n')}`);
+}
+
 /** A hub on a free port, or on `port`. */
 export async function startHub(port = 0) {
   const hub = new Program('hub', ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose']);
@@ -79,12 +86,12 @@ export async function startHub(port = 0) {
   return hub;
 }
 
-/** Simulated sensor number `n`; `log` is a file for one JSON line per frame sent. */
-export function startSensor(hub, n, { fps = 5, log } = {}) {
+/** Sensor number `n` of a simulated room, or of the recording `rig`; `log` is a file for one JSON line per frame sent. */
+export function startSensor(hub, n, { fps = 5, log, rig } = {}) {
   const args = [
     'sensor',
     '--source',
-    `sim#${n}`,
+    rig ? `rig:${rig}#s${n}` : `sim#${n}`,
     '--hub',
     `ws://127.0.0.1:${hub.port}`,
     '--fps',

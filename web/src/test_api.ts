@@ -142,6 +142,11 @@ export class TestApi {
     return { rgba: [...rgba.subarray(4 * at, 4 * at + 4)], sensor: id === nothing ? null : id };
   }
 
+  /** The room as it is drawn now; not JSON. */
+  picture() {
+    return takePicture(this.parts.stage);
+  }
+
   /** CRC-32 of the room's pixels as it is drawn now. */
   pictureCrc32(): number {
     return crc32(takePicture(this.parts.stage).rgba);
