@@ -77,9 +77,10 @@ export async function run(...args) {
   if (code !== 0) throw new Error(`${args[0]} has failed:\n${program.lines.join('\n')}`);
 }
 
-/** A hub on a free port, or on `port`. */
-export async function startHub(port = 0) {
-  const hub = new Program('hub', ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose']);
+/** A hub on a free port, or on `port`; `key` as for `roomcast hub`. */
+export async function startHub(port = 0, { key } = {}) {
+  const args = ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose'];
+  const hub = new Program('hub', key ? [...args, '--key', key] : args);
   const [, found] = await hub.says(/open http:\/\/127\.0\.0\.1:(\d+)\//);
   hub.port = Number(found);
   hub.page = `http://127.0.0.1:${found}/`;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires the page together: worker -> state -> stage and panel; navigation and headset -> stage and hub.
-import type { Roster } from './gen/control_pb';
+import './theme.css';
+import { readAccess, rememberAccess, type Access } from './access';
+import { Console } from './console/console';
+import { HubApi } from './console/hub_api';
+import type { Roster, Welcome } from './gen/control_pb';
+import { Look } from './look';
 import { bodyOf, OwnPose } from './own_pose';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
@@ -10,10 +15,12 @@ import { SensorGuesses } from './sensor_guesses';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
+import { problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
 import { Navigation } from './view/navigation';
 import { alongView } from './view/nudge';
 import { headsetPace, screenPace } from './view/quality_ladder';
+import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { fallbackView, startView } from './view/start_view';
 import { viewFromBody, viewFromMatrix, type ViewState } from './view/view_state';
@@ -28,6 +35,8 @@ const roomForPanel_px = 560; // as in panel.css
 class Page {
   private readonly state = new RoomState();
   private readonly panel: Panel;
+  private readonly console: Console;
+  private readonly look: Look;
   private readonly ownPose: OwnPose;
   private readonly link: RoomLink;
   private readonly stage: Stage;
@@ -39,28 +48,39 @@ class Page {
   private hubKnewSensors = false; // when this viewer joined: the hub's start pose means something
   private placedView = false; // the view is where it should be at first, or where the person went
 
-  constructor(private readonly options: PageOptions) {
+  constructor(
+    private readonly options: PageOptions,
+    private readonly access: Access,
+  ) {
     const url = socketUrl(location);
-    const root = document.getElementById('panel')!;
-    this.panel = new Panel(root, this.state, url.replace(/\/ws$/, ''), {
+    const hubAddress = url.replace(/\/ws$/, '');
+    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
+      themeChosen: (theme) => this.look.choose(theme),
       reset: () => this.goToStart(),
+      consoleWanted: () => this.console.setOpen(!this.console.open),
+      tokenGiven: (token) => this.comeBackWith(token),
       headset: {
         enter: (mode) => this.enter(mode),
         leave: () => void this.headset.leave(),
       },
-      nudge: options.key === '' ? undefined : this.nudgeEvents(),
+    });
+    const api = new HubApi(() => this.access.token);
+    this.console = new Console(document.getElementById('console')!, this.state, api, hubAddress, {
+      closed: () => this.panel.focusConsole(),
+      nudge: this.nudgeEvents(),
     });
     this.stage = this.openStage();
     this.headset = this.makeHeadset();
+    this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
     this.ownPose = new OwnPose((body) => this.link.pose(body));
     this.navigation = new Navigation(this.stage.canvas, options.view ?? fallbackView, {
       changed: (view) => this.viewChanged(view),
       reset: () => this.goToStart(),
     });
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name: options.name, record: options.record, key: options.key },
+      { socketUrl: url, room: options.room, name: options.name, record: options.record, access },
       (message) => this.receive(message),
     );
     this.begin();
@@ -92,7 +112,7 @@ class Page {
   private openStage(): Stage {
     const canvas = document.getElementById('room') as HTMLCanvasElement;
     canvas.addEventListener('webglcontextlost', () =>
-      this.breakDown('The graphics card has stopped. Load the page again.'),
+      this.breakDown(problemTexts.contextLost),
     );
     try {
       return new Stage(canvas, {
@@ -100,7 +120,7 @@ class Page {
         drawn: (withFrames) => this.drawn(withFrames),
       });
     } catch (error) {
-      this.breakDown('This browser cannot draw in 3D (WebGL 2 is missing or switched off).');
+      this.breakDown(problemTexts.noWebGl);
       throw error;
     }
   }
@@ -147,6 +167,8 @@ class Page {
     if (this.options.best) stage.ladder.pinToBest();
     this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
     this.setMode(this.options.mode);
+    this.look.apply();
+    this.panel.setTheme(this.look.theme);
     setInterval(() => this.panel.refresh(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
     void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
@@ -160,9 +182,7 @@ class Page {
         this.stage.setConnected(message.state.phase === 'joined');
         return this.panel.refresh();
       case 'welcome':
-        this.state.welcome = message.welcome;
-        document.title = `${message.welcome.room || 'room'} · roomcast`;
-        return this.tellOwnPose();
+        return this.welcomed(message.welcome);
       case 'roster':
         return this.followRoster(message.roster);
       case 'poses':
@@ -176,6 +196,28 @@ class Page {
       case 'broken':
         return this.breakDown(message.sentence);
     }
+  }
+
+  private welcomed(welcome: Welcome): void {
+    this.state.welcome = welcome;
+    document.title = `${welcome.room || 'room'} · roomcast`;
+    if (welcome.token) this.access.token = welcome.token;
+    rememberAccess(this.access, sessionStorage);
+    void this.offerConsole(this.access.key !== '' || welcome.mayPlace);
+    this.tellOwnPose();
+  }
+
+  /** To those who may place sensors, and to admins. */
+  private async offerConsole(mayPlace: boolean): Promise<void> {
+    this.console.setMayNudge(mayPlace);
+    this.panel.offerConsole(mayPlace);
+    const isAdmin = this.access.token !== '' && (await this.console.askRole());
+    this.panel.offerConsole(mayPlace || isAdmin);
+  }
+
+  private comeBackWith(token: string): void {
+    rememberAccess({ room: this.state.welcome?.room ?? this.options.room, key: '', code: '', token }, sessionStorage);
+    location.reload();
   }
 
   private followRoster(roster: Roster): void {
@@ -195,6 +237,7 @@ class Page {
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
     this.state.framesDecoded(frames, decodedAt_ms);
+    this.console.offer(frames, performance.now());
     this.atHand.push(...frames);
     this.setAtHand = setId;
     this.stage.show(frames);
@@ -253,4 +296,6 @@ function navigator_xr(): XRSystem | undefined {
   return (navigator as { xr?: XRSystem }).xr;
 }
 
-new Page(parseOptions(location.search, location.hash));
+const access = readAccess(location.hash, sessionStorage);
+if (location.hash !== '') history.replaceState(null, '', location.pathname + location.search);
+new Page(parseOptions(location.search), access);

@@ -13,12 +13,7 @@ describe("the page's URL", () => {
       room: '',
       best: false,
       record: false,
-      key: '',
     });
-  });
-  test("holds the hub's key where servers do not see it", () => {
-    expect(parseOptions('', '#key=open%20sesame').key).toBe('open sesame');
-    expect(parseOptions('?key=x').key).toBe('');
   });
   test('says mode, place, panel, name and room', () => {
     const options = parseOptions('?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&quality=best&record=1');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's own URL: what it asks for. ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &record=1 and #key=..., the hub's, which is not sent when the page is fetched: whoever has it may put sensors in their place.
+// &quality=best &record=1. What gives the right to come in stands after the #: access.ts.
 import { Vector3 } from 'three';
 import { drawModes, type DrawMode } from './view/draw_mode';
 import { lookFrom, type ViewState } from './view/view_state';
@@ -14,7 +14,6 @@ export interface PageOptions {
   room: string;
   best: boolean; // draw as finely as possible, however slow: for pictures
   record: boolean; // keep a record of decoded frames, for tests
-  key: string; // the hub's, or empty
 }
 
 /** "1,2.5,-3" in metres; undefined for anything else. */
@@ -24,7 +23,7 @@ export function parsePoint(text: string | null): Vector3 | undefined {
   return new Vector3(...(numbers as [number, number, number]));
 }
 
-export function parseOptions(search: string, hash = ''): PageOptions {
+export function parseOptions(search: string): PageOptions {
   const given = new URLSearchParams(search);
   const at = parsePoint(given.get('at'));
   const look = parsePoint(given.get('look')) ?? new Vector3(0, 1, 0);
@@ -36,7 +35,6 @@ export function parseOptions(search: string, hash = ''): PageOptions {
     room: asName(given.get('room') ?? ''),
     best: given.get('quality') === 'best',
     record: given.get('record') === '1',
-    key: asName(new URLSearchParams(hash.replace(/^#/, '')).get('key') ?? ''),
   };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Putting a sensor in its place by hand, for whoever opened the page with the hub's key: buttons, and keys while a sensor
 // is being moved. What it is pushed to is shown here only; `try` asks the aligner, which refines the guess or refuses it.
+import { nudgeTexts as texts } from '../texts';
 import { element } from './element';
 
 export interface NudgeEvents {
@@ -22,14 +23,14 @@ interface Step {
 }
 
 const steps: readonly Step[] = [
-  { key: 'KeyU', label: '↺', title: 'Turn left (U)', push: [0, 0, 0, 1] },
-  { key: 'KeyI', label: '↑', title: 'Away from you (I)', push: [0, 0, 1, 0] },
-  { key: 'KeyO', label: '↻', title: 'Turn right (O)', push: [0, 0, 0, -1] },
-  { key: 'KeyP', label: '⤒', title: 'Up (P)', push: [0, 1, 0, 0] },
-  { key: 'KeyJ', label: '←', title: 'To the left (J)', push: [-1, 0, 0, 0] },
-  { key: 'KeyK', label: '↓', title: 'Towards you (K)', push: [0, 0, -1, 0] },
-  { key: 'KeyL', label: '→', title: 'To the right (L)', push: [1, 0, 0, 0] },
-  { key: 'Semicolon', label: '⤓', title: 'Down (;)', push: [0, -1, 0, 0] },
+  { key: 'KeyU', label: '↺', title: texts.steps.left, push: [0, 0, 0, 1] },
+  { key: 'KeyI', label: '↑', title: texts.steps.away, push: [0, 0, 1, 0] },
+  { key: 'KeyO', label: '↻', title: texts.steps.right, push: [0, 0, 0, -1] },
+  { key: 'KeyP', label: '⤒', title: texts.steps.up, push: [0, 1, 0, 0] },
+  { key: 'KeyJ', label: '←', title: texts.steps.toLeft, push: [-1, 0, 0, 0] },
+  { key: 'KeyK', label: '↓', title: texts.steps.towards, push: [0, 0, -1, 0] },
+  { key: 'KeyL', label: '→', title: texts.steps.toRight, push: [1, 0, 0, 0] },
+  { key: 'Semicolon', label: '⤓', title: texts.steps.down, push: [0, -1, 0, 0] },
 ];
 
 export class NudgeControls {
@@ -38,11 +39,11 @@ export class NudgeControls {
 
   constructor(private readonly events: NudgeEvents) {
     const pad = element('div', { class: 'pad' }, ...steps.map((step) => this.button(step)));
-    const tryIt = element('button', { type: 'button', class: 'plain' }, 'Try (Enter)');
+    const tryIt = element('button', { type: 'button', class: 'plain' }, texts.tryIt);
     tryIt.addEventListener('click', () => this.tryIt());
-    const back = element('button', { type: 'button', class: 'plain' }, 'Put back (Esc)');
+    const back = element('button', { type: 'button', class: 'plain' }, texts.putBack);
     back.addEventListener('click', () => this.putBack());
-    const hint = element('p', {}, '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the rest is found by itself.');
+    const hint = element('p', {}, texts.hint);
     this.root.append(pad, hint, element('div', { class: 'row' }, tryIt, back));
     window.addEventListener('keydown', (event) => this.keyDown(event));
   }

@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw. Rebuilt by parts when the
-// roster changes; figures are refreshed a few times a second.
+// The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw, the way into a headset. Rebuilt by
+// parts when the roster changes; figures are refreshed a few times a second.
+import { labelled, submit, textField } from '../console/form';
+import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
-import type { DrawMode } from '../view/draw_mode';
+import { consoleTexts, headsetTexts, panelTexts as texts } from '../texts';
+import { drawModes, type DrawMode } from '../view/draw_mode';
 import { element, setText } from './element';
-import type { NudgeEvents } from './nudge_controls';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
-import './panel.css';
 import { problems, type Problem } from './problems';
+import { RadioGroup } from './radio_group';
 import { SensorList } from './sensor_list';
-import { headsetTexts } from '../texts';
+import './panel.css';
+
+const longestToken = 4096;
 
 export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
+  themeChosen(theme: Theme): void;
   sensorSwitched(sensor: number, visible: boolean): void;
   reset(): void;
+  consoleWanted(): void;
+  tokenGiven(token: string): void;
   headset: HeadsetControlEvents;
-  nudge: NudgeEvents | undefined; // undefined: this person may only look
 }
 
 interface Figure {
@@ -25,7 +31,7 @@ interface Figure {
   value: HTMLElement;
 }
 
-function figure(label: string, title: string): Figure {
+function figure({ label, title }: { label: string; title: string }): Figure {
   const value = element('dd', {}, '–');
   return { root: element('div', { class: 'figure', title }, element('dt', {}, label), value), value };
 }
@@ -35,26 +41,21 @@ function section(title: string, ...content: Node[]): HTMLElement {
 }
 
 export class Panel {
+  readonly headset: HeadsetControls;
   private readonly dot = element('span', { class: 'dot', 'aria-hidden': 'true' });
   private readonly title = element('h1', {}, 'roomcast');
   private readonly phase = element('p', { class: 'phase', role: 'status' });
+  private readonly console = element('button', { type: 'button', class: 'console', hidden: '' }, consoleTexts.open);
   private readonly toggle = element('button', { type: 'button', class: 'toggle', 'aria-controls': 'panel-body' });
   private readonly body = element('div', { id: 'panel-body', class: 'body' });
-  private readonly troubles = element('ul', {
-    class: 'troubles',
-    'aria-live': 'polite',
-    'aria-label': 'What is wrong',
-  });
-  readonly headset: HeadsetControls;
+  private readonly troubles = element('ul', { class: 'troubles', 'aria-live': 'polite', 'aria-label': texts.wrong });
   private readonly sensors: SensorList;
   private readonly people = element('ul', { class: 'people' });
-  private readonly received = figure('MB/s', 'Received in all, 10⁶ bytes per second');
-  private readonly shown = figure('fps', 'Frame sets shown per second');
-  private readonly latency = figure(
-    'latency',
-    'From capture to screen, median of the last second, ± error of the clock',
-  );
-  private readonly modes = new Map<DrawMode, HTMLInputElement>();
+  private readonly received = figure(texts.received);
+  private readonly shown = figure(texts.shown);
+  private readonly latency = figure(texts.latency);
+  private readonly modes: RadioGroup<DrawMode>;
+  private readonly themes: RadioGroup<Theme>;
 
   constructor(
     private readonly root: HTMLElement,
@@ -62,26 +63,15 @@ export class Panel {
     private readonly hubAddress: string,
     private readonly events: PanelEvents,
   ) {
-    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible), events.nudge);
+    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
     this.headset = new HeadsetControls(events.headset);
+    const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
+    this.modes = new RadioGroup('mode', texts.drawnAs, modes, (mode) => events.modeChosen(mode));
+    const looks = themes.map((value) => ({ value, label: texts.themes[value] }));
+    this.themes = new RadioGroup('theme', texts.theme, looks, (theme) => events.themeChosen(theme));
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
-    const header = element(
-      'header',
-      {},
-      this.dot,
-      element('div', { class: 'names' }, this.title, this.phase),
-      this.toggle,
-    );
-    const figures = element('dl', { class: 'figures' }, this.received.root, this.shown.root, this.latency.root);
-    this.body.append(
-      figures,
-      section('Sensors', this.sensors.root),
-      section('People', this.people),
-      section('Drawn as', this.modeSwitch()),
-      section(headsetTexts.title, this.headset.root),
-      this.help(),
-    );
-    root.append(header, this.troubles, this.body);
+    this.console.addEventListener('click', () => events.consoleWanted());
+    this.fill();
     this.setOpen(true);
     this.refresh();
   }
@@ -94,11 +84,24 @@ export class Panel {
     this.root.classList.toggle('closed', !open);
     this.body.hidden = !open;
     this.toggle.setAttribute('aria-expanded', String(open));
-    this.toggle.setAttribute('aria-label', open ? 'Close the panel' : 'Open the panel');
+    this.toggle.setAttribute('aria-label', open ? texts.closePanel : texts.openPanel);
   }
 
   setMode(mode: DrawMode): void {
-    this.modes.get(mode)!.checked = true;
+    this.modes.show(mode);
+  }
+
+  setTheme(theme: Theme): void {
+    this.themes.show(theme);
+  }
+
+  /** Whether this person may open the console. */
+  offerConsole(offered: boolean): void {
+    this.console.hidden = !offered;
+  }
+
+  focusConsole(): void {
+    this.console.focus();
   }
 
   /** The roster has changed. */
@@ -107,10 +110,10 @@ export class Panel {
     const self = this.state.welcome?.viewerId;
     const people = (this.state.roster?.viewers ?? []).map((viewer) => {
       const color = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
-      const name = viewer.name || `viewer ${viewer.id}`;
+      const name = viewer.name || texts.person(viewer.id);
       const swatch = element('span', { class: 'swatch round', 'aria-hidden': 'true' });
       swatch.style.background = color;
-      return element('li', {}, swatch, viewer.id === self ? `${name} (you)` : name);
+      return element('li', {}, swatch, viewer.id === self ? texts.you(name) : name);
     });
     this.people.replaceChildren(...people);
     this.refresh();
@@ -119,23 +122,33 @@ export class Panel {
   refresh(): void {
     const { state } = this;
     const { connection, status } = state;
-    const live = connection.phase === 'joined' && !state.broken;
+    const phase = state.broken ? 'broken' : connection.phase;
+    const live = phase === 'joined';
     setText(this.title, state.welcome?.room || 'roomcast');
-    this.root.dataset.phase = state.broken ? 'broken' : connection.phase;
-    setText(
-      this.phase,
-      state.broken
-        ? 'stopped'
-        : { joined: 'live', connecting: 'connecting', waiting: 'not connected' }[connection.phase],
-    );
+    this.root.dataset.phase = phase;
+    setText(this.phase, texts.phases[phase]);
     setText(this.received.value, live ? megabytes(state.bytesPerSecond) : '–');
     setText(this.shown.value, live ? perSecond(state.shownFps) : '–');
-    setText(
-      this.latency.value,
-      live ? `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim() : '–',
-    );
+    const latency = `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim();
+    setText(this.latency.value, live ? latency : '–');
     this.sensors.refresh();
     this.showProblems(problems({ ...this.known(), hubAddress: this.hubAddress }, state.roomTime_ms(), Date.now()));
+  }
+
+  private fill(): void {
+    const names = element('div', { class: 'names' }, this.title, this.phase);
+    const figures = element('dl', { class: 'figures' }, this.received.root, this.shown.root, this.latency.root);
+    this.body.append(
+      figures,
+      section(texts.sensors, this.sensors.root),
+      section(texts.people, this.people),
+      section(texts.drawnAs, this.modes.root),
+      section(headsetTexts.title, this.headset.root),
+      section(texts.theme, this.themes.root),
+      this.help(),
+      this.signIn(),
+    );
+    this.root.append(element('header', {}, this.dot, names, this.console, this.toggle), this.troubles, this.body);
   }
 
   private known() {
@@ -147,42 +160,30 @@ export class Panel {
     const key = JSON.stringify(found);
     if (this.troubles.dataset.key === key) return;
     this.troubles.dataset.key = key;
+    this.troubles.hidden = found.length === 0;
     this.troubles.replaceChildren(
       ...found.map(({ severity, sentence }) => element('li', { class: severity }, sentence)),
     );
   }
 
-  private modeSwitch(): HTMLElement {
-    const group = element('div', { class: 'modes', role: 'radiogroup', 'aria-label': 'Drawn as' });
-    for (const [mode, label] of [
-      ['blend', 'Blended'],
-      ['mesh', 'Surfaces'],
-      ['points', 'Points'],
-    ] as const) {
-      const input = element('input', { type: 'radio', name: 'mode', value: mode });
-      input.addEventListener('change', () => this.events.modeChosen(mode));
-      this.modes.set(mode, input);
-      group.append(element('label', {}, input, element('span', {}, label)));
-    }
-    return group;
+  private help(): HTMLElement {
+    const rows = texts.keys.map(([keys, what]) =>
+      element('div', {}, element('dt', {}, keys), element('dd', {}, what)),
+    );
+    const reset = element('button', { type: 'button', class: 'plain' }, texts.reset);
+    reset.addEventListener('click', () => this.events.reset());
+    const keys = element('dl', { class: 'keys' }, ...rows);
+    return element('details', { class: 'help' }, element('summary', {}, texts.moving), keys, reset);
   }
 
-  private help(): HTMLElement {
-    const row = (keys: string, what: string) => element('div', {}, element('dt', {}, keys), element('dd', {}, what));
-    const keys = element(
-      'dl',
-      { class: 'keys' },
-      row('drag', 'turn around the middle'),
-      row('right drag', 'shift'),
-      row('wheel', 'nearer, farther'),
-      row('W A S D, arrows', 'walk (Shift: faster)'),
-      row('Q E', 'down, up'),
-      row('R', 'back to the start'),
-      row('1 finger', 'look around'),
-      row('2 fingers', 'shift and zoom'),
-    );
-    const reset = element('button', { type: 'button', class: 'plain' }, 'Back to the start');
-    reset.addEventListener('click', () => this.events.reset());
-    return element('details', { class: 'help' }, element('summary', {}, 'Moving around'), keys, reset);
+  private signIn(): HTMLElement {
+    const { signIn, signInHelp, enter } = consoleTexts.access;
+    const token = textField(longestToken);
+    const form = element('form', {}, labelled(signIn, token), element('p', {}, signInHelp), submit(enter));
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      if (token.value.trim() !== '') this.events.tokenGiven(token.value.trim());
+    });
+    return element('details', { class: 'help' }, element('summary', {}, texts.running), form);
   }
 }

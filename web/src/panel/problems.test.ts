@@ -12,6 +12,7 @@ const traffic: SensorTraffic = {
   frames: 9,
   bytes: 9,
   skipped: 0,
+  missed: 0,
   lastSeq: 8,
   lastSetId: 8n,
   lastCapture_ms: 10_000,

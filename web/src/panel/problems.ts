@@ -2,6 +2,7 @@
 // What is wrong, in plain words, worst first. Pure: what the page knows and the time go in, sentences come out.
 import type { Roster } from '../gen/control_pb';
 import { Placement } from '../gen/control_pb';
+import { problemTexts as texts } from '../texts';
 import type { ConnectionState, SensorTraffic, Status } from '../stream/protocol';
 
 export interface Known {
@@ -25,7 +26,7 @@ export function problems(known: Known, room_ms: number | undefined, date_ms: num
   if (known.broken) return [error(known.broken)];
   const { connection } = known;
   if (connection.phase === 'waiting') return [error(`${connection.sentence} ${whatNext(connection, date_ms)}`.trim())];
-  if (connection.phase === 'connecting' || !known.roster) return [notice(`Connecting to ${known.hubAddress} …`)];
+  if (connection.phase === 'connecting' || !known.roster) return [notice(texts.connecting(known.hubAddress))];
   const found = sensorProblems(known.roster, known.status?.sensors ?? [], room_ms, known.hubAddress);
   if (known.status?.colorProblem) found.push(notice(known.status.colorProblem));
   return found;
@@ -42,7 +43,7 @@ function notice(sentence: string): Problem {
 function whatNext({ retryAt_ms, reload }: ConnectionState, date_ms: number): string {
   if (reload || retryAt_ms === undefined) return '';
   const seconds = Math.ceil((retryAt_ms - date_ms) / 1000);
-  return seconds > 1 ? `Trying again in ${seconds} s.` : 'Trying again.';
+  return seconds > 1 ? texts.tryingIn(seconds) : texts.trying;
 }
 
 function sensorProblems(
@@ -52,26 +53,24 @@ function sensorProblems(
   hubAddress: string,
 ): Problem[] {
   if (roster.sensors.length === 0) {
-    return [notice(`No sensor is in the room yet. To add one: roomcast sensor --source sim --hub ${hubAddress}`)];
+    return [notice(texts.noSensors(hubAddress))];
   }
   if (!roster.sensors.some((sensor) => sensor.online))
-    return [error('All sensors are gone; the last pictures are shown in grey.')];
+    return [error(texts.allGone)];
   return roster.sensors.flatMap((sensor) => {
-    if (!sensor.online) return [notice(`Sensor ${sensor.name} is gone; its last picture is shown in grey.`)];
+    if (!sensor.online) return [notice(texts.gone(sensor.name))];
     const counts = traffic.find((entry) => entry.sensor === sensor.id);
     const found: Problem[] = [];
     const silence_ms = silenceOf(counts, room_ms);
     if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
-      found.push(error(`Sensor ${sensor.name} has been silent for ${Math.round(silence_ms / 1000)} s.`));
-    if (counts?.problem) found.push(error(`Sensor ${sensor.name}: ${counts.problem}`));
+      found.push(error(texts.silent(sensor.name, Math.round(silence_ms / 1000))));
+    if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
     if (sensor.moved) {
       const why = sensor.placementNote ? ` ${sensor.placementNote.replace(/\.?$/, '.')}` : '';
-      found.push(notice(`Sensor ${sensor.name} was moved: it is shown where it was until it is aligned again.${why}`));
+      found.push(notice(texts.moved(sensor.name, why)));
     } else if (sensor.placement === Placement.UNPLACED) {
       const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
-      found.push(
-        notice(`Nobody knows yet where sensor ${sensor.name} stands: ${why} is shown at a place that was made up.`),
-      );
+      found.push(notice(texts.unplaced(sensor.name, why)));
     }
     return found;
   });

@@ -2,6 +2,7 @@
 // Why a connection ended, in words for the person in front of the page, and how long to wait before the next try.
 // Close codes: docs/spec/wire.md §5.
 import { ErrorCode } from '../gen/control_pb';
+import { connectionTexts as texts } from '../texts';
 
 export interface Ending {
   opened: boolean; // the socket had been open
@@ -16,33 +17,44 @@ export interface Explanation {
   reload: boolean; // trying again will not help, loading the page again may
 }
 
-const differentVersion = 'The hub speaks another version of roomcast than this page. Load the page again.';
 
 export function explain(ending: Ending, host: string): Explanation {
   const { error, ownFault } = ending;
   if (ownFault?.unsupported || error?.code === ErrorCode.ERROR_UNSUPPORTED) {
-    return { sentence: differentVersion, reload: true };
+    return { sentence: texts.differentVersion, reload: true };
   }
   if (ownFault) return { sentence: ownFault.sentence, reload: false };
   if (error) return { sentence: explainError(error), reload: false };
-  if (!ending.opened) return { sentence: `The hub at ${host} does not answer.`, reload: false };
-  if (ending.closeCode === 1001) return { sentence: 'The hub has stopped.', reload: false };
-  const reason = ending.closeReason ? ` It said: ${ending.closeReason}` : '';
-  return { sentence: `The connection to the hub at ${host} is gone.${reason}`, reload: false };
+  if (!ending.opened) return { sentence: texts.noAnswer(host), reload: false };
+  if (ending.closeCode === 1001) return { sentence: texts.stopped, reload: false };
+  return { sentence: texts.gone(host, ending.closeReason), reload: false };
 }
 
 function explainError({ code, sentence }: NonNullable<Ending['error']>): string {
   switch (code) {
     case ErrorCode.ERROR_SHUTTING_DOWN:
-      return 'The hub has stopped.';
+      return texts.stopped;
     case ErrorCode.ERROR_TOO_SLOW:
-      return 'This computer or its connection was too slow, and the hub hung up.';
+      return texts.tooSlow;
     case ErrorCode.ERROR_ROOM_FULL:
-      return 'The room is full.';
+      return texts.roomFull;
     case ErrorCode.ERROR_NO_SUCH_ROOM:
-      return 'The hub has no room of that name.';
+      return texts.noSuchRoom;
+    case ErrorCode.ERROR_UNAUTHENTICATED:
+      return texts.needsToken;
+    case ErrorCode.ERROR_TOKEN_EXPIRED:
+      return texts.tokenExpired;
+    case ErrorCode.ERROR_WRONG_ROOM:
+      return texts.wrongRoom;
+    case ErrorCode.ERROR_CODE_USED:
+      return texts.codeUsed;
+    case ErrorCode.ERROR_TOKEN_INVALID:
+    case ErrorCode.ERROR_WRONG_ROLE:
+      return texts.tokenInvalid;
+    case ErrorCode.ERROR_TOKEN_REVOKED:
+      return texts.tokenRevoked;
     default:
-      return `The hub hung up: ${sentence || 'it gave no reason.'}`;
+      return texts.hungUp(sentence);
   }
 }
 

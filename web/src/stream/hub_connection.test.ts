@@ -52,7 +52,7 @@ let seen: string[];
 
 function start(): HubConnection {
   const connection = new HubConnection(
-    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', key: 'sesame' },
+    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', access },
     {
       connection: (state) => states.push(state),
       welcome: (welcome) => seen.push(`welcome ${welcome.viewerId}`),
@@ -81,6 +81,8 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
+const access = { room: '', key: 'sesame', code: 'once', token: '' };
+
 describe('a hub connection', () => {
   test('speaks roomcast.v1 and joins as a viewer', () => {
     start();
@@ -88,11 +90,22 @@ describe('a hub connection', () => {
     expect(socket().protocol).toBe('roomcast.v1');
     expect(socket().sent[0]!.message).toMatchObject({
       case: 'join',
-      value: { room: 'lab', name: 'Ada', role: { case: 'viewer', value: { key: 'sesame' } } },
+      value: { room: 'lab', name: 'Ada', role: { case: 'viewer', value: { key: 'sesame' } }, code: 'once' },
     });
     socket().say({ case: 'welcome', value: { viewerId: 9 } });
     expect(seen).toEqual(['welcome 9']);
     expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined']);
+  });
+
+  test('comes back with the token that its code has brought', () => {
+    start();
+    socket().open();
+    socket().say({ case: 'welcome', value: { token: 'signed' } });
+    socket().end(1006);
+    vi.advanceTimersByTime(10_000);
+    socket().open();
+    expect(FakeSocket.all.length).toBe(2);
+    expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { token: 'signed', code: '' } });
   });
 
   test('pings after the welcome and learns room time from the answer', () => {

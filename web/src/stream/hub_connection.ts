@@ -38,11 +38,14 @@ export class HubConnection {
   private pingTimer: ReturnType<typeof setTimeout> | undefined;
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
+  private token: string;
 
   constructor(
-    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'key'>,
+    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access'>,
     private readonly events: HubEvents,
-  ) {}
+  ) {
+    this.token = options.access.token;
+  }
 
   connect(): void {
     this.ending = noEnding();
@@ -66,8 +69,11 @@ export class HubConnection {
     this.ending.opened = true;
     this.lastHeard_ms = performance.now();
     const name = asName(this.options.name);
-    const { room, key } = this.options;
-    this.send({ case: 'join', value: { room, name, role: { case: 'viewer', value: { key } } } });
+    const { room, access } = this.options;
+    const role = { case: 'viewer', value: { key: access.key } } as const;
+    // A code is good for one time: once it has brought a token, that one is shown.
+    const right = this.token ? { token: this.token } : { code: access.code };
+    this.send({ case: 'join', value: { room: room || access.room, name, role, ...right } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 
@@ -111,6 +117,7 @@ export class HubConnection {
 
   private welcomed(welcome: Welcome): void {
     this.failures = 0;
+    if (welcome.token) this.token = welcome.token;
     this.events.welcome(welcome);
     this.report('joined', '');
     this.schedulePing();

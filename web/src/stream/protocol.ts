@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page and its worker tell each other. The worker owns socket, clock and decoders; the page draws.
 // Arrays of pixels are transferred, not copied, and go back to the worker when they have been drawn.
+import type { Access } from '../access';
 import type { Pose, Roster, ViewerPose, Welcome } from '../gen/control_pb';
 
 export interface ViewFrame {
@@ -31,6 +32,7 @@ export interface SensorTraffic {
   frames: number; // decoded
   bytes: number; // received, decoded or not
   skipped: number; // could not be decoded, or not without the one before
+  missed: number; // never came: left out on the way, by sequence number
   lastSeq: number | undefined;
   lastSetId: bigint | undefined;
   lastCapture_ms: number | undefined;
@@ -68,7 +70,7 @@ export interface StartOptions {
   room: string;
   name: string;
   record: boolean; // fill Status.decoded
-  key: string; // the hub's, or empty
+  access: Access;
 }
 
 export type ToWorker =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's end of its worker.
+import { problemTexts } from '../texts';
 import type { Body, FromWorker, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
@@ -9,7 +10,7 @@ export class RoomLink {
     this.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => receive(data);
     this.worker.onerror = (event) => {
       const reason = event.message || 'it could not be loaded';
-      receive({ kind: 'broken', sentence: `The decoder has stopped (${reason}). Load the page again.` });
+      receive({ kind: 'broken', sentence: problemTexts.decoderStopped(reason) });
     };
     this.tell({ kind: 'start', options });
   }

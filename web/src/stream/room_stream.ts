@@ -3,6 +3,7 @@
 import type { CodecModule } from '../codec/codec_module';
 import type { Roster } from '../gen/control_pb';
 import type { FrameHeader } from '../wire/frame_header';
+import { problemTexts } from '../texts';
 import { BufferPool } from './buffer_pool';
 import { crc32 } from './crc32';
 import { FrameMailbox } from './frame_mailbox';
@@ -164,7 +165,8 @@ export class RoomStream {
       error_ms: estimate.error_ms,
     };
     const sensors = [...this.sensors.values()].map((stream) => stream.traffic);
-    const colorProblem = this.color ? '' : 'This browser cannot decode VP9 (WebCodecs): depth is shown without colour.';
+    const noColor = self.isSecureContext ? problemTexts.noColor : problemTexts.noColorInsecure;
+    const colorProblem = this.color ? '' : noColor;
     const { decoded } = this;
     this.decoded = [];
     const { received_bytes } = this.hub!;

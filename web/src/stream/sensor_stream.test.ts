@@ -122,7 +122,7 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(seqs()).toEqual([0, 1, 2, 3]);
     expect(settled[3]).toMatchObject({ sensor: 5, setId: 103n, capture_ms: 3, captureError_ms: 1.5, rgba: undefined });
     expect(settled[0]!.depth_mm.length).toBe(pixels);
-    expect(stream.traffic).toMatchObject({ frames: 4, skipped: 0, lastSeq: 3 });
+    expect(stream.traffic).toMatchObject({ frames: 4, skipped: 0, missed: 0, lastSeq: 3 });
   });
 
   test('holds a frame until its colour is there, and masks the colour', async () => {
@@ -147,6 +147,7 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(seqs()).toEqual([0, undefined]);
     expect(keyRequests).toBe(1);
     expect(stream.traffic.skipped).toBe(1);
+    expect(stream.traffic.missed).toBe(2);
   });
 
   test('with a damaged frame says so, asks for a key frame, and recovers with it', async () => {

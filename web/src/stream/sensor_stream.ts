@@ -42,6 +42,7 @@ export class SensorStream {
   private readonly awaitsColor = new Map<number, AwaitsColor>();
   private colors: ColorDecoder | undefined;
   private chunks = 0;
+  private newestSeq: number | undefined; // that came in
 
   constructor(
     readonly sensor: number,
@@ -55,6 +56,7 @@ export class SensorStream {
       frames: 0,
       bytes: 0,
       skipped: 0,
+      missed: 0,
       lastSeq: undefined,
       lastSetId: undefined,
       lastCapture_ms: undefined,
@@ -63,6 +65,7 @@ export class SensorStream {
   }
 
   push(header: FrameHeader, payload: Uint8Array): void {
+    this.countMissed(header.seq);
     this.traffic.bytes += header.headerLength + payload.length;
     if (!this.chain.mayDecode(header)) return this.skip(header);
     let decoded: DecodedPayload;
@@ -82,6 +85,7 @@ export class SensorStream {
   restart(): void {
     this.closeColor();
     this.chain.lose();
+    this.newestSeq = undefined;
   }
 
   destroy(): void {
@@ -105,6 +109,12 @@ export class SensorStream {
     this.traffic.problem = `A frame could not be decoded: ${reason}`;
     this.chain.lose();
     this.skip(header);
+  }
+
+  /** A sensor that came back counts from 0 again. */
+  private countMissed(seq: number): void {
+    if (this.newestSeq !== undefined && seq > this.newestSeq) this.traffic.missed += seq - this.newestSeq - 1;
+    this.newestSeq = seq;
   }
 
   private count(header: FrameHeader): void {

@@ -3,6 +3,7 @@
 import { colorDecoderConfig } from '../codec/color_decoder';
 import { CodecModule } from '../codec/codec_module';
 import type { FromWorker, ToWorker } from './protocol';
+import { problemTexts } from '../texts';
 import { RoomStream } from './room_stream';
 import codecUrl from 'roomcast_codec.wasm?url';
 
@@ -28,7 +29,7 @@ async function main(): Promise<void> {
     const reason = (error as Error).message;
     port.postMessage({
       kind: 'broken',
-      sentence: `The depth decoder could not be loaded (${reason}). Nothing can be shown; load the page again.`,
+      sentence: problemTexts.noDecoder(reason),
     });
   }
 }

@@ -67,6 +67,11 @@ export class Stage {
     this.touch();
   }
 
+  setBackground(background: THREE.Color): void {
+    this.room.setBackground(background);
+    this.touch();
+  }
+
   setMode(mode: DrawMode): void {
     this.room.setMode(mode);
     this.touch();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+import { beforeEach, describe, expect, test } from 'vitest';
+import { readAccess, rememberAccess } from './access';
+
+const kept = new Map<string, string>();
+const store = {
+  getItem: (name: string) => kept.get(name) ?? null,
+  setItem: (name: string, value: string) => void kept.set(name, value),
+  removeItem: (name: string) => void kept.delete(name),
+};
+const nothing = { room: '', key: '', code: '', token: '' };
+
+describe('access', () => {
+  beforeEach(() => kept.clear());
+
+  test('is nothing without a link', () => expect(readAccess('', store)).toEqual(nothing));
+
+  test("comes in the address's fragment", () => {
+    expect(readAccess('#room=lab&code=abc', store)).toEqual({ ...nothing, room: 'lab', code: 'abc' });
+    expect(readAccess('#key=open%20sesame', store).key).toBe('open sesame');
+    expect(readAccess(`#token=${'x'.repeat(5000)}`, store)).toEqual(nothing);
+  });
+
+  test('is kept for the tab, but for codes, and a new link counts more', () => {
+    rememberAccess({ room: 'lab', key: '', code: 'abc', token: 't1' }, store);
+    expect(readAccess('', store)).toEqual({ ...nothing, room: 'lab', token: 't1' });
+    expect(readAccess('#token=t2', store).token).toBe('t2');
+    expect(readAccess('#room=hall', store)).toEqual({ ...nothing, room: 'hall' });
+    expect([...kept.values()].join()).not.toContain('abc');
+  });
+
+  test('survives a store with nonsense in it', () => {
+    kept.set('roomcast.access', '{"token":7');
+    expect(readAccess('', store)).toEqual(nothing);
+  });
+
+  test('can be forgotten', () => {
+    rememberAccess({ ...nothing, token: 't' }, store);
+    rememberAccess(nothing, store);
+    expect(readAccess('', store)).toEqual(nothing);
+  });
+});

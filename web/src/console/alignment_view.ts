@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console's alignment: the room from above, how well each pair agrees, where each sensor's place comes from, what helps when
+// it has none, and moving one by hand.
+import { Placement, type SensorEntry } from '../gen/control_pb';
+import { element, setText } from '../panel/element';
+import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';
+import { consoleTexts as texts } from '../texts';
+import { svg } from './chart';
+import type { Pair } from './pair_watch';
+import { drawMap, gapGrade } from './room_map';
+
+function placeOf(entry: SensorEntry): string {
+  if (entry.moved) return texts.moved;
+  if (entry.placement === Placement.UNPLACED) return texts.unplaced;
+  if (entry.placement === Placement.GIVEN) return texts.given;
+  return texts.placed(entry.expectedErrorMm);
+}
+
+function needsHelp(entry: SensorEntry): boolean {
+  return entry.moved || entry.placement === Placement.UNPLACED;
+}
+
+export class AlignmentView {
+  readonly root = element('div', { class: 'alignment' });
+  private readonly map = svg('svg', { class: 'map', role: 'img' });
+  private readonly pairs = element('ul', { class: 'pairs' });
+  private readonly places = element('ul', { class: 'places' });
+  private readonly nudgeNote = element('p', { class: 'note' }, texts.nudgeNeedsKey);
+  private readonly nudge: NudgeControls;
+  private mayNudge = false;
+  private shown = '';
+
+  constructor(nudge: NudgeEvents) {
+    this.nudge = new NudgeControls(nudge);
+    this.root.append(
+      this.map,
+      element('h3', {}, texts.placesTitle),
+      this.places,
+      this.nudgeNote,
+      element('h3', {}, texts.pairsTitle),
+      element('p', { class: 'note' }, texts.pairsHelp),
+      this.pairs,
+    );
+  }
+
+  setMayNudge(may: boolean): void {
+    this.mayNudge = may;
+    this.nudgeNote.hidden = may;
+    this.shown = '';
+  }
+
+  show(entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+    drawMap(this.map, entries, pairs);
+    this.showPairs(entries, pairs);
+    const facts = entries.map((entry) => [entry.id, entry.name, placeOf(entry), entry.placementNote, entry.online]);
+    const key = JSON.stringify([facts, this.nudge.moving]);
+    if (key === this.shown) return;
+    this.shown = key;
+    const items = entries.map((entry) => this.place(entry, () => this.show(entries, pairs)));
+    this.places.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.noSensors)]));
+  }
+
+  private showPairs(entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+    const name = (id: number) => entries.find((entry) => entry.id === id)?.name ?? '';
+    const items = pairs.map(({ a, b, gap_mm, points }) => {
+      const gap = element('span', { class: `gap ${gapGrade(gap_mm)}` }, texts.gap(gap_mm, points));
+      return element('li', {}, element('span', {}, texts.pair(name(a), name(b))), gap);
+    });
+    this.pairs.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.noPairs)]));
+  }
+
+  private place(entry: SensorEntry, again: () => void): HTMLElement {
+    const moving = this.nudge.moving === entry.id;
+    const line = element('div', { class: 'line' }, element('strong', {}, entry.name), element('span', {}, placeOf(entry)));
+    if (this.mayNudge) {
+      const button = element('button', { type: 'button', class: 'plain', 'aria-pressed': String(moving) });
+      setText(button, moving ? texts.moving : texts.move);
+      button.addEventListener('click', () => {
+        this.nudge.choose(moving ? undefined : entry.id);
+        again();
+      });
+      line.append(button);
+    }
+    const said = needsHelp(entry) ? [entry.placementNote, texts.advice] : [entry.placementNote];
+    const notes = said.filter((text) => text !== '').map((text) => element('p', { class: 'note' }, text));
+    const item = element('li', { class: needsHelp(entry) ? 'doubtful' : '' }, line, ...notes);
+    if (moving) item.append(this.nudge.root);
+    return item;
+  }
+}

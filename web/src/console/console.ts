@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console beside the room, for those who run it. What the socket tells is shown to whoever may place sensors; what takes an
+// admin's token is asked of the hub's HTTP interface and is offered only when that answers.
+import { element } from '../panel/element';
+import type { NudgeEvents } from '../panel/nudge_controls';
+import type { RoomState } from '../room_state';
+import type { ViewFrame } from '../stream/protocol';
+import { consoleTexts as texts } from '../texts';
+import { AccessView } from './access_view';
+import { AlignmentView } from './alignment_view';
+import type { HubApi, HubSensor, HubViewer } from './hub_api';
+import { PairWatch } from './pair_watch';
+import { PeopleView } from './people_view';
+import { RoomView } from './room_view';
+import { SensorCards } from './sensor_cards';
+import { Tabs } from './tabs';
+import './console.css';
+
+const sample_ms = 1000;
+const askEvery = 2; // samples
+
+export interface ConsoleEvents {
+  closed(): void;
+  nudge: NudgeEvents;
+}
+
+export class Console {
+  private readonly cards = new SensorCards();
+  private readonly alignment: AlignmentView;
+  private readonly people: PeopleView;
+  private readonly access: AccessView;
+  private readonly settings: RoomView;
+  private readonly tabs: Tabs;
+  private readonly pairs = new PairWatch();
+  private readonly close = element('button', { type: 'button', class: 'close', 'aria-label': texts.close }, '×');
+  private hubSensors: HubSensor[] = [];
+  private hubViewers: HubViewer[] = [];
+  private isAdmin = false;
+  private samples = 0;
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly state: RoomState,
+    private readonly api: HubApi,
+    hubAddress: string,
+    private readonly events: ConsoleEvents,
+  ) {
+    const room = () => this.state.welcome?.room ?? '';
+    this.alignment = new AlignmentView(events.nudge);
+    this.people = new PeopleView((viewer) => void this.sendAway(viewer));
+    this.access = new AccessView(api, room, hubAddress);
+    this.settings = new RoomView(api, room);
+    this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
+    this.close.addEventListener('click', () => this.setOpen(false));
+    root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.tabs.root);
+    root.addEventListener('keydown', (event) => event.key === 'Escape' && this.setOpen(false));
+    this.setAdmin(false);
+    this.setOpen(false);
+    setInterval(() => this.sample(), sample_ms);
+  }
+
+  get open(): boolean {
+    return !this.root.hidden;
+  }
+
+  setOpen(open: boolean): void {
+    if (this.root.hidden === !open) return;
+    this.root.hidden = !open;
+    document.body.classList.toggle('console-open', open);
+    if (open) {
+      this.sample();
+      this.tabChosen(this.tabs.current);
+      this.close.focus();
+    } else {
+      this.events.closed();
+    }
+  }
+
+  setMayNudge(may: boolean): void {
+    this.alignment.setMayNudge(may);
+  }
+
+  /** Asks the hub whether this person may run the room. */
+  async askRole(): Promise<boolean> {
+    const room = this.state.welcome?.room ?? '';
+    const answer = await this.api.sensors(room).catch(() => undefined);
+    this.setAdmin(answer !== undefined);
+    return this.isAdmin;
+  }
+
+  /** Before the frames go on to be drawn. */
+  offer(frames: readonly ViewFrame[], now_ms: number): void {
+    if (!this.open) return;
+    this.cards.offer(frames, now_ms);
+    this.pairs.offer(frames, now_ms);
+  }
+
+  private tabList() {
+    return [
+      { id: 'sensors', label: texts.tabs.sensors, content: this.cards.root },
+      { id: 'alignment', label: texts.tabs.alignment, content: this.alignment.root },
+      { id: 'people', label: texts.tabs.people, content: this.people.root },
+      { id: 'access', label: texts.tabs.access, content: this.access.root },
+      { id: 'room', label: texts.tabs.room, content: this.settings.root },
+    ];
+  }
+
+  private setAdmin(isAdmin: boolean): void {
+    this.isAdmin = isAdmin;
+    for (const id of ['access', 'room']) this.tabs.setOffered(id, isAdmin);
+  }
+
+  private tabChosen(id: string): void {
+    if (!this.isAdmin || !this.open) return;
+    if (id === 'access') void this.access.refresh();
+    if (id === 'room') void this.settings.refresh();
+  }
+
+  /** Charts go on while the console is closed; what it takes to draw the rest waits until it is open. */
+  private sample(): void {
+    const entries = this.state.roster?.sensors ?? [];
+    this.cards.sample(this.state, this.hubSensors);
+    if (!this.open) return;
+    if (this.isAdmin && this.samples++ % askEvery === 0) void this.ask();
+    this.pairs.step(entries);
+    this.alignment.show(entries, this.pairs.pairs);
+    this.showPeople();
+  }
+
+  private showPeople(): void {
+    const { roster, welcome, shownFps, latency_ms } = this.state;
+    const self = welcome?.viewerId;
+    const own = { id: self ?? -1, shown_fps: shownFps, ...(latency_ms !== undefined && { latency_ms }) };
+    const known = this.hubViewers.some(({ id }) => id === self) ? this.hubViewers : [...this.hubViewers, own];
+    this.people.show(roster?.viewers ?? [], known, self);
+  }
+
+  private async ask(): Promise<void> {
+    const room = this.state.welcome?.room ?? '';
+    const [sensors, viewers] = await Promise.all([this.api.sensors(room), this.api.viewers(room)]).catch(() => [[], []]);
+    this.hubSensors = sensors;
+    this.hubViewers = viewers;
+  }
+
+  private async sendAway(viewer: number): Promise<void> {
+    await this.api.sendAway(this.state.welcome?.room ?? '', viewer).catch(() => undefined);
+    await this.ask();
+  }
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last minutes of a figure, one reading a second: what charts are drawn from.
+
+export const keptReadings = 180;
+
+export class History {
+  private readonly kept: (number | undefined)[] = [];
+
+  /** `undefined`: nothing was to be read. */
+  add(value: number | undefined): void {
+    this.kept.push(value);
+    if (this.kept.length > keptReadings) this.kept.shift();
+  }
+
+  get readings(): readonly (number | undefined)[] {
+    return this.kept;
+  }
+}
+
+/** An SVG path over `width` x `height`, the newest reading at the right edge; breaks where nothing was read. */
+export function chartPath(readings: readonly (number | undefined)[], most: number, width: number, height: number): string {
+  const step = width / (keptReadings - 1);
+  const start = keptReadings - readings.length;
+  let path = '';
+  let pen = 'M';
+  readings.forEach((value, i) => {
+    if (value === undefined) {
+      pen = 'M';
+      return;
+    }
+    const y = height * (1 - Math.min(1, Math.max(0, value / most)));
+    path += `${pen}${((start + i) * step).toFixed(1)} ${y.toFixed(1)}`;
+    pen = 'L';
+  });
+  return path;
+}
+
+/** A round number that all readings fit under. */
+export function scaleOf(readings: readonly (number | undefined)[], least: number): number {
+  const most = Math.max(least, ...readings.map((value) => value ?? 0));
+  const power = 10 ** Math.floor(Math.log10(most));
+  return [1, 2, 5, 10].map((factor) => factor * power).find((round) => round >= most)!;
+}

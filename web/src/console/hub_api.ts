@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hub's HTTP interface, as docs/spec/admin.openapi.yaml says. The token goes into a header, never into an address. A refusal
+// is a HubRefusal with the hub's own sentence.
+
+export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
+export type Role = 'sensor' | 'viewer' | 'admin';
+
+export interface RoomSettings {
+  name?: string;
+  title?: string;
+  max_sensors?: number;
+  max_viewers?: number;
+  listed?: boolean;
+  send?: Who;
+  view?: Who;
+  record?: Who;
+  export?: Who;
+}
+
+export interface HubRoom extends RoomSettings {
+  name: string;
+  title: string;
+  sensors: number;
+  viewers: number;
+  max_viewers: number;
+  view: Who;
+}
+
+export interface HubSensor {
+  id: number;
+  name: string;
+  online: boolean;
+  address?: string;
+  frames: number;
+  bytes: number;
+  frames_per_second: number;
+  bytes_per_second: number;
+  delay_ms?: number;
+  clock_error_ms?: number;
+}
+
+export interface HubViewer {
+  id: number;
+  name: string;
+  address?: string;
+  records?: boolean;
+  bytes_per_second: number;
+  sets_dropped: number;
+  shown_fps?: number;
+  latency_ms?: number;
+}
+
+export interface HubToken {
+  id: string;
+  room: string;
+  role: Role;
+  name?: string;
+  issued_at: number;
+  expires_at: number;
+  revoked: boolean;
+}
+
+export interface TokenRequest {
+  room: string;
+  role: Role;
+  name?: string;
+  ttl_s?: number;
+  once?: boolean;
+}
+
+export interface NewToken {
+  id?: string;
+  token?: string;
+  code?: string;
+  fragment?: string;
+  expires_at: number;
+}
+
+export class HubRefusal extends Error {
+  constructor(
+    sentence: string,
+    readonly code: string,
+  ) {
+    super(sentence);
+    this.name = 'HubRefusal';
+  }
+}
+
+type Method = 'GET' | 'POST' | 'PATCH' | 'DELETE';
+type Fetch = (address: string, init: RequestInit) => Promise<Pick<Response, 'ok' | 'status' | 'json'>>;
+
+const patience_ms = 10_000;
+
+function inRoom(room: string, rest = ''): string {
+  return `/rooms/${encodeURIComponent(room)}${rest}`;
+}
+
+async function refusalOf(response: Pick<Response, 'status' | 'json'>): Promise<HubRefusal> {
+  const said = (await response.json().catch(() => undefined)) as { error?: { code?: string; sentence?: string } } | undefined;
+  const sentence = said?.error?.sentence ?? `The hub answered ${response.status}.`;
+  return new HubRefusal(sentence, said?.error?.code ?? String(response.status));
+}
+
+export class HubApi {
+  constructor(
+    private readonly token: () => string,
+    private readonly fetching: Fetch = (address, init) => fetch(address, init),
+  ) {}
+
+  async rooms(): Promise<HubRoom[]> {
+    return (await this.ask<{ rooms: HubRoom[] }>('GET', '/rooms')).rooms;
+  }
+
+  room(room: string): Promise<HubRoom> {
+    return this.ask('GET', inRoom(room));
+  }
+
+  openRoom(settings: RoomSettings): Promise<HubRoom> {
+    return this.ask('POST', '/rooms', settings);
+  }
+
+  changeRoom(room: string, settings: RoomSettings): Promise<HubRoom> {
+    return this.ask('PATCH', inRoom(room), settings);
+  }
+
+  closeRoom(room: string): Promise<void> {
+    return this.ask('DELETE', inRoom(room));
+  }
+
+  async sensors(room: string): Promise<HubSensor[]> {
+    return (await this.ask<{ sensors: HubSensor[] }>('GET', inRoom(room, '/sensors'))).sensors;
+  }
+
+  async viewers(room: string): Promise<HubViewer[]> {
+    return (await this.ask<{ viewers: HubViewer[] }>('GET', inRoom(room, '/viewers'))).viewers;
+  }
+
+  sendAway(room: string, viewer: number): Promise<void> {
+    return this.ask('DELETE', inRoom(room, `/viewers/${viewer}`));
+  }
+
+  async tokens(): Promise<HubToken[]> {
+    return (await this.ask<{ tokens: HubToken[] }>('GET', '/tokens')).tokens;
+  }
+
+  makeToken(request: TokenRequest): Promise<NewToken> {
+    return this.ask('POST', '/tokens', request);
+  }
+
+  revoke(id: string): Promise<void> {
+    return this.ask('DELETE', `/tokens/${encodeURIComponent(id)}`);
+  }
+
+  private async ask<Answer>(method: Method, path: string, body?: object): Promise<Answer> {
+    const headers: Record<string, string> = {};
+    if (this.token()) headers.Authorization = `Bearer ${this.token()}`;
+    if (body) headers['Content-Type'] = 'application/json';
+    const response = await this.fetching(`api/v1${path}`, {
+      method,
+      headers,
+      signal: AbortSignal.timeout(patience_ms),
+      ...(body && { body: JSON.stringify(body) }),
+    });
+    if (!response.ok) throw await refusalOf(response);
+    return (response.status === 204 ? undefined : await response.json()) as Answer;
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room from above: each sensor with the wedge that it looks into, and a line between those that see the same surfaces.
+import type { SensorEntry } from '../gen/control_pb';
+import { Placement } from '../gen/control_pb';
+import { consoleTexts as texts } from '../texts';
+import { sensorColor } from '../view/sensor_color';
+import { svg } from './chart';
+import type { Pair } from './pair_watch';
+
+const wedge_m = 1.6;
+const margin_m = 0.7;
+const goodGap_mm = 15;
+const fairGap_mm = 35;
+
+export function gapGrade(gap_mm: number): 'good' | 'fair' | 'poor' {
+  if (gap_mm <= goodGap_mm) return 'good';
+  return gap_mm <= fairGap_mm ? 'fair' : 'poor';
+}
+
+interface Spot {
+  entry: SensorEntry;
+  x: number; // metres, as seen from above: right
+  y: number; // down the page: the world's z
+  heading: number; // radians, 0 to the right, clockwise as pages count
+}
+
+function spotOf(entry: SensorEntry): Spot {
+  const m = entry.worldFromDepth;
+  return { entry, x: m[3]!, y: m[11]!, heading: Math.atan2(m[10]!, m[2]!) };
+}
+
+function wedge({ entry, x, y, heading }: Spot): SVGElement {
+  const { width, fx } = entry.calibration!.depth!;
+  const half = Math.atan(width / 2 / fx);
+  const corner = (angle: number) => `${(x + wedge_m * Math.cos(angle)).toFixed(3)} ${(y + wedge_m * Math.sin(angle)).toFixed(3)}`;
+  const color = sensorColor(entry.id);
+  const d = `M${x} ${y}L${corner(heading - half)}A${wedge_m} ${wedge_m} 0 0 1 ${corner(heading + half)}Z`;
+  return svg('path', { d, fill: color, 'fill-opacity': entry.online ? 0.16 : 0.05, stroke: color, 'stroke-width': 0.02 });
+}
+
+function label(text: string, x: number, y: number, className: string): SVGElement {
+  const made = svg('text', { x, y, class: className, 'text-anchor': 'middle', 'font-size': 0.24 });
+  made.textContent = text;
+  return made;
+}
+
+function dot({ entry, x, y, heading }: Spot): SVGElement[] {
+  const doubtful = entry.moved || entry.placement === Placement.UNPLACED;
+  const ring = { cx: x, cy: y, r: 0.13, fill: sensorColor(entry.id), 'stroke-width': 0.05 };
+  const circle = svg('circle', { ...ring, class: doubtful ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
+  const behind = [x - 0.34 * Math.cos(heading), y - 0.34 * Math.sin(heading) + 0.08] as const;
+  return [circle, label(entry.name, ...behind, 'name')];
+}
+
+function link(a: Spot, b: Spot, pair: Pair): SVGElement[] {
+  const line = { x1: a.x, y1: a.y, x2: b.x, y2: b.y, 'stroke-width': 0.045 };
+  const text = `${pair.gap_mm.toFixed(0)} mm`;
+  return [
+    svg('line', { ...line, class: `pair ${gapGrade(pair.gap_mm)}` }),
+    label(text, (a.x + b.x) / 2, (a.y + b.y) / 2 - 0.08, 'gap'),
+  ];
+}
+
+/** Replaces what `into` shows. */
+export function drawMap(into: SVGElement, entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+  const spots = entries.map(spotOf);
+  const xs = spots.map(({ x }) => x);
+  const ys = spots.map(({ y }) => y);
+  const left = Math.min(...xs) - margin_m;
+  const top = Math.min(...ys) - margin_m;
+  const width = Math.max(...xs) + margin_m - left;
+  const height = Math.max(...ys) + margin_m - top;
+  if (spots.length > 0) into.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
+  into.setAttribute('aria-label', texts.mapLabel(entries.length));
+  const spot = (id: number) => spots.find(({ entry }) => entry.id === id);
+  const links = pairs.flatMap((pair) => {
+    const [a, b] = [spot(pair.a), spot(pair.b)];
+    return a && b ? link(a, b, pair) : [];
+  });
+  into.replaceChildren(...spots.map(wedge), ...links, ...spots.flatMap(dot));
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console's room: its settings, the hub's other rooms, and opening a new one.
+import { element, setText } from '../panel/element';
+import { consoleTexts } from '../texts';
+import { checkbox, choice, labelled, numberField, submit, textField } from './form';
+import type { HubApi, HubRoom, Who } from './hub_api';
+
+const texts = consoleTexts.room;
+const longestName = 64;
+const mostViewers = 512;
+const mostSensors = 32;
+
+export class RoomView {
+  readonly root = element('div', { class: 'room-settings' });
+  private readonly said = element('p', { class: 'note', role: 'status' });
+  private readonly form = element('form');
+  private readonly rooms = element('ul', { class: 'rooms' });
+  private readonly newName = textField(longestName);
+
+  constructor(
+    private readonly api: HubApi,
+    private readonly room: () => string,
+  ) {
+    const opening = element('form', { class: 'opening' }, labelled(texts.newRoom, this.newName), submit(texts.open));
+    opening.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.trying(() => this.open());
+    });
+    this.root.append(this.form, this.said, element('h3', {}, texts.rooms), this.rooms, opening);
+  }
+
+  async refresh(): Promise<void> {
+    await this.trying(async () => {
+      this.showSettings(await this.api.room(this.room()));
+      this.showRooms(await this.api.rooms());
+    });
+  }
+
+  private showSettings(room: HubRoom): void {
+    const title = textField(longestName, room.title);
+    const maxViewers = numberField(1, mostViewers, room.max_viewers);
+    const maxSensors = numberField(1, mostSensors, room.max_sensors ?? mostSensors);
+    const listed = checkbox(room.listed ?? true);
+    const rights = (['view', 'send', 'record', 'export'] as const).map((right) => ({
+      right,
+      field: choice<Who>(texts.who, room[right] ?? 'anyone'),
+    }));
+    this.form.replaceChildren(
+      labelled(texts.title, title),
+      labelled(texts.maxViewers, maxViewers),
+      labelled(texts.maxSensors, maxSensors),
+      ...rights.map(({ right, field }) => labelled(texts[right], field)),
+      labelled(texts.listed, listed, 'field box'),
+      submit(texts.save),
+    );
+    this.form.onsubmit = (event) => {
+      event.preventDefault();
+      void this.trying(async () => {
+        await this.api.changeRoom(this.room(), {
+          title: title.value,
+          max_viewers: Number(maxViewers.value),
+          max_sensors: Number(maxSensors.value),
+          listed: listed.checked,
+          ...Object.fromEntries(rights.map(({ right, field }) => [right, field.value as Who])),
+        });
+        setText(this.said, texts.saved);
+      });
+    };
+  }
+
+  private async open(): Promise<void> {
+    await this.api.openRoom({ name: this.newName.value });
+    this.newName.value = '';
+    this.showRooms(await this.api.rooms());
+  }
+
+  private showRooms(rooms: readonly HubRoom[]): void {
+    const items = rooms.map(({ name, title, sensors, viewers }) => {
+      const link = element('a', { href: `?room=${encodeURIComponent(name)}` }, title || name);
+      if (name === this.room()) link.setAttribute('aria-current', 'page');
+      return element('li', {}, link, element('span', { class: 'note' }, texts.counts(sensors, viewers)));
+    });
+    this.rooms.replaceChildren(...items);
+  }
+
+  private async trying(what: () => Promise<void>): Promise<void> {
+    try {
+      await what();
+    } catch (error) {
+      setText(this.said, consoleTexts.failed((error as Error).message));
+    }
+  }
+}
