@@ -302,7 +302,7 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
     if (!row) return row.error();
     if (mode == RenderMode::kPoints) report.points_draw_cpu_ms = row->draw_cpu_ms;
     if (report.points_draw_cpu_ms > 0) {
-      row->draw_per_points = row->draw_cpu_ms / report.points_draw_cpu_ms;
+      row->cost_vs_points = row->draw_cpu_ms / report.points_draw_cpu_ms;
     }
     report.rows.push_back(*std::move(row));
   }

@@ -35,7 +35,7 @@ struct RenderRow {
   double flicker_levels = 0;  // of still surfaces from one frame to the next
   double upload_cpu_ms = 0;   // per sensor frame: upload, and what is derived from it once
   double draw_cpu_ms = 0;  // per view, all threads of the process (a software driver draws there)
-  double draw_per_points = 0;
+  double cost_vs_points = 0;
 };
 
 struct RenderReport {

@@ -26,7 +26,7 @@ void print_table(const RenderReport& report, std::ostream& out) {
         row.mode, quality(s.psnr_visible, s.ssim_visible), quality(s.psnr_colored, s.ssim_colored),
         quality(s.psnr_covered, s.ssim_covered), s.psnr_moving, 100 * s.holes, 100 * s.floaters,
         100 * s.wrong_depth, row.flicker_levels, row.upload_cpu_ms, row.draw_cpu_ms,
-        row.draw_per_points > 0 ? fmt::format("{:.2f}", row.draw_per_points) : "-");
+        row.cost_vs_points > 0 ? fmt::format("{:.2f}", row.cost_vs_points) : "-");
   }
 }
 
@@ -41,6 +41,8 @@ void print_json(const RenderReport& report, std::ostream& out) {
   for (const RenderRow& row : report.rows) {
     const ViewScore& s = row.score;
     json["rows"].push_back({{"mode", row.mode},
+                            {"psnr_all", s.psnr_all},
+                            {"ssim_all", s.ssim_all},
                             {"psnr_visible", s.psnr_visible},
                             {"ssim_visible", s.ssim_visible},
                             {"psnr_colored", s.psnr_colored},
@@ -48,14 +50,14 @@ void print_json(const RenderReport& report, std::ostream& out) {
                             {"psnr_covered", s.psnr_covered},
                             {"ssim_covered", s.ssim_covered},
                             {"psnr_moving", s.psnr_moving},
-                            {"holes", s.holes},
+                            {"holes_visible", s.holes},
                             {"floaters", s.floaters},
                             {"wrong_depth", s.wrong_depth},
                             {"covered", s.covered},
                             {"flicker_levels", row.flicker_levels},
                             {"upload_cpu_ms", row.upload_cpu_ms},
                             {"draw_cpu_ms", row.draw_cpu_ms},
-                            {"draw_per_points", row.draw_per_points}});
+                            {"cost_vs_points", row.cost_vs_points}});
   }
   out << json.dump(1) << "\n";
 }

@@ -68,8 +68,8 @@ double squared_error(Rgb8 a, Rgb8 b) {
 
 ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasses& classes) {
   const cv::Mat ssim = ssim_map(drawn.color, truth.color);
-  Sum covered, visible, colored, moving;
-  double holes = 0, floaters = 0, wrong = 0, judged = 0, all = 0;
+  Sum picture, covered, visible, colored, moving;
+  double holes = 0, floaters = 0, wrong = 0, judged = 0;
   for (int y = 0; y < truth.color.height(); ++y) {
     for (int x = 0; x < truth.color.width(); ++x) {
       const double error = squared_error(drawn.color.at(x, y), truth.color.at(x, y));
@@ -77,7 +77,7 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
       const float z_m = drawn.depth_m.at(x, y);
       const float true_m = 0.001F * static_cast<float>(truth.depth_mm.at(x, y));
       const bool is_visible = truth.seen.at(x, y) != 0;
-      all += 1;
+      picture.add(error, similarity);
       if (z_m > 0) covered.add(error, similarity);
       if (!is_visible) continue;
       visible.add(error, similarity);
@@ -97,7 +97,9 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
   const double psnr_moving =
       moving.pixels > 0 ? moving.psnr_db() : std::numeric_limits<double>::quiet_NaN();
   const auto share = [](double of, double whole) { return whole > 0 ? of / whole : 0; };
-  return {covered.psnr_db(),
+  return {picture.psnr_db(),
+          picture.mean_ssim(),
+          covered.psnr_db(),
           covered.mean_ssim(),
           visible.psnr_db(),
           visible.mean_ssim(),
@@ -107,16 +109,16 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
           share(holes, visible.pixels),
           share(floaters, judged),
           share(wrong, judged),
-          share(covered.pixels, all)};
+          share(covered.pixels, picture.pixels)};
 }
 
 ViewScore mean(const std::vector<ViewScore>& scores) {
   ViewScore sum;
   for (double ViewScore::*field :
-       {&ViewScore::psnr_covered, &ViewScore::ssim_covered, &ViewScore::psnr_visible,
-        &ViewScore::ssim_visible, &ViewScore::psnr_colored, &ViewScore::ssim_colored,
-        &ViewScore::psnr_moving, &ViewScore::holes, &ViewScore::floaters, &ViewScore::wrong_depth,
-        &ViewScore::covered}) {
+       {&ViewScore::psnr_all, &ViewScore::ssim_all, &ViewScore::psnr_covered,
+        &ViewScore::ssim_covered, &ViewScore::psnr_visible, &ViewScore::ssim_visible,
+        &ViewScore::psnr_colored, &ViewScore::ssim_colored, &ViewScore::psnr_moving,
+        &ViewScore::holes, &ViewScore::floaters, &ViewScore::wrong_depth, &ViewScore::covered}) {
     double count = 0;
     for (const ViewScore& one : scores) {
       if (std::isnan(one.*field)) continue;

@@ -17,6 +17,7 @@ struct DrawnView {
 };
 
 struct ViewScore {
+  double psnr_all = 0, ssim_all = 0;  // also of what no sensor ever sees, which can only be guessed
   double psnr_covered = 0, ssim_covered = 0;
   double psnr_visible = 0, ssim_visible = 0;  // what a sensor sees now, holes as they look
   double psnr_colored = 0, ssim_colored = 0;  // the same where a colour camera sees it

@@ -66,7 +66,7 @@ class LensTest : public RoomTest, public ::testing::WithParamInterface<RenderMod
 };
 INSTANTIATE_TEST_SUITE_P(Modes, LensTest,
                          ::testing::Values(RenderMode::kSplats, RenderMode::kMesh,
-                                           RenderMode::kBlend),
+                                           RenderMode::kAdaptive, RenderMode::kBlend),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 
 TEST_P(LensTest, a_distorted_pixel_lands_where_the_camera_model_says) {

@@ -8,13 +8,15 @@
 namespace roomcast {
 
 enum class RenderMode {
-  kPoints,  // a pixel for each depth pixel: the paper's way
-  kSplats,  // squares as large as the surface between neighbours
-  kMesh,    // triangles; the nearest surface wins
-  kBlend,   // triangles of all sensors weighted by how well each sees what the eye sees
+  kPoints,    // a pixel for each depth pixel: the paper's way
+  kSplats,    // squares as large as the surface between neighbours
+  kMesh,      // a triangle for every three neighbours; the nearest surface wins
+  kAdaptive,  // the same of cleaned surfaces, whose flat parts are few triangles
+  kBlend,     // cleaned surfaces of all sensors weighted by how well each sees what the eye sees
 };
 inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSplats,
-                                            RenderMode::kMesh, RenderMode::kBlend};
+                                            RenderMode::kMesh, RenderMode::kAdaptive,
+                                            RenderMode::kBlend};
 
 [[nodiscard]] constexpr std::string_view name_of(RenderMode mode) {
   switch (mode) {
@@ -24,6 +26,8 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
       return "splats";
     case RenderMode::kMesh:
       return "mesh";
+    case RenderMode::kAdaptive:
+      return "adaptive";
     case RenderMode::kBlend:
       return "blend";
   }
@@ -32,7 +36,7 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
 
 /// What such a picture shows depends on earlier frames, too.
 [[nodiscard]] constexpr bool remembers_background(RenderMode mode) {
-  return mode == RenderMode::kBlend;
+  return mode == RenderMode::kAdaptive || mode == RenderMode::kBlend;
 }
 
 }  // namespace roomcast

@@ -19,10 +19,13 @@ Result<RoomRenderer> RoomRenderer::create() {
   if (!floor) return std::move(floor).error();
   Result<MemoryKeeper> memories = MemoryKeeper::create();
   if (!memories) return std::move(memories).error();
+  Result<AdaptiveRenderer> adaptive = AdaptiveRenderer::create();
+  if (!adaptive) return std::move(adaptive).error();
   Result<BlendRenderer> blend = BlendRenderer::create();
   if (!blend) return std::move(blend).error();
   return RoomRenderer(Parts{*std::move(points), *std::move(mesher), *std::move(meshes),
-                            *std::move(floor), *std::move(memories), *std::move(blend)});
+                            *std::move(floor), *std::move(memories), *std::move(adaptive),
+                            *std::move(blend)});
 }
 
 Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
@@ -88,25 +91,31 @@ Status RoomRenderer::draw(const ViewCamera& camera, const OffscreenTarget& targe
   }
   target.clear(look_.background);
   if (look_.floor_grid) parts_.floor.draw(camera, look_.floor_line);
-  if (mode == RenderMode::kBlend) {
-    draw_blend(camera, target);
-  } else {
+  if (!remembers_background(mode)) {
     draw_sensors(camera, mode);
+    return {};
+  }
+  refresh_memories();
+  gather_layers(mode);
+  if (mode == RenderMode::kBlend) {
+    parts_.blend.draw(layers_, camera, look_.unseen, target);
+  } else {
+    parts_.adaptive.draw(layers_, camera, target);
   }
   return {};
 }
 
-void RoomRenderer::draw_blend(const ViewCamera& camera, const OffscreenTarget& target) {
-  refresh_memories();
-  std::vector<BlendLayer> layers;
+/// What is mixed is filled with what sensors remember, too.
+void RoomRenderer::gather_layers(RenderMode mode) {
+  layers_.clear();
   for (const auto& [id, sensor] : sensors_) {
-    BlendLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays()};
-    layers.push_back(layer);
+    SurfaceLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays()};
+    layers_.push_back(layer);
+    if (mode != RenderMode::kBlend) continue;
     layer.surface = &sensor.memory.background();
     layer.is_background = true;
-    layers.push_back(layer);
+    layers_.push_back(layer);
   }
-  parts_.blend.draw(layers, camera, look_.unseen, target);
 }
 
 void RoomRenderer::refresh_memories() {

@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <map>
+#include <vector>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/render/blend/adaptive_renderer.h"
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/blend/color_matching.h"
 #include "roomcast/render/blend/sensor_memory.h"
@@ -26,9 +28,9 @@ struct RoomLook {
   bool floor_grid = true;
   Rgb8 floor_line = {150, 160, 175};
   SurfaceMeshOptions mesh;
-  /// For RenderMode::kBlend: every picture is remembered, whichever mode is drawn.
+  /// For modes that need it: every picture is remembered, whichever mode is drawn.
   bool remember = true;
-  Unseen unseen = Unseen::kSurroundings;  // for the same mode
+  Unseen unseen = Unseen::kSurroundings;  // for RenderMode::kBlend
 
   /// As SurfaceMeshOptions::check.
   [[nodiscard]] Status check() const { return mesh.check(); }
@@ -76,17 +78,19 @@ class RoomRenderer {
     MeshRenderer meshes;
     FloorGrid floor;
     MemoryKeeper memories;
+    AdaptiveRenderer adaptive;
     BlendRenderer blend;
   };
 
   explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}
   void draw_sensors(const ViewCamera& camera, RenderMode mode);
-  void draw_blend(const ViewCamera& camera, const OffscreenTarget& target);
+  void gather_layers(RenderMode mode);
   void refresh_memories();
 
   Parts parts_;
   ColorMatching colors_;
   RoomLook look_;
+  std::vector<SurfaceLayer> layers_;  // of the newest picture
   std::map<SensorId, Sensor>
       sensors_;  // in order, so that the same room always gives the same picture
 };

@@ -23,7 +23,7 @@ class EveryMode : public RoomTest, public ::testing::WithParamInterface<RenderMo
 };
 INSTANTIATE_TEST_SUITE_P(Modes, EveryMode,
                          ::testing::Values(RenderMode::kSplats, RenderMode::kMesh,
-                                           RenderMode::kBlend),
+                                           RenderMode::kAdaptive, RenderMode::kBlend),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {

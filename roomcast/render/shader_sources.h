@@ -7,7 +7,9 @@
 
 namespace roomcast::shaders {
 
+extern const std::string_view adaptive_frag;
 extern const std::string_view adaptive_mesh_comp;
+extern const std::string_view adaptive_vert;
 extern const std::string_view background_depth_comp;
 extern const std::string_view blend_surface_glsl;
 extern const std::string_view carve_comp;

@@ -13,21 +13,12 @@ namespace {
 constexpr std::size_t kLevels = 10;  // the coarsest covers 1024 pixels
 // Of which coverage is asked; 16 and 64 pixels are one there.
 constexpr std::size_t kNarrow = 4, kWide = 6;
-constexpr float kBackgroundSetback_m = 0.03F;
 constexpr float kBackgroundWeight = 0.02F;
 // How much alike directions count: higher is sharper, lower hides seams.
 constexpr float kExponent = 4;
 
 // As in shaders/blend/.
-enum SurfaceTexture : GLuint { kDepth = 0, kRays = 1, kColor = 2, kQuality = 4 };
-enum SurfaceUniform : GLint {
-  kClipFromView = 0,
-  kViewFromDepth = 1,
-  kSetback = 2,
-  kSensor = 3,
-  kWeight = 4,
-  kDirections = 5,
-};
+enum MixUniform : GLint { kWeight = 4, kDirections = 5 };
 constexpr GLint kFromPicture = 0;  // uniform of shrink.comp
 enum ResolveUniform : GLint { kDepthFromZ = 0, kCoverageSizes = 1, kUnseen = 2 };
 
@@ -46,7 +37,7 @@ void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const G
 Result<BlendRenderer> BlendRenderer::create() {
   auto nearest =
       make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::nearest_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::nearest_frag}}});
+                    {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::nearest_frag}}});
   if (!nearest) return std::move(nearest).error();
   auto mix = make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::mix_vert}},
                            {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::mix_frag}}});
@@ -63,7 +54,7 @@ Result<BlendRenderer> BlendRenderer::create() {
 }
 
 BlendRenderer::BlendRenderer(Programs programs)
-    : programs_(std::move(programs)), vertices_(GlVertexArray::create()) {}
+    : programs_(std::move(programs)), no_vertices_(GlVertexArray::create()) {}
 
 void BlendRenderer::make_room(int width, int height) {
   if (width == width_ && height == height_) return;
@@ -89,7 +80,7 @@ void BlendRenderer::make_room(int width, int height) {
   }
 }
 
-void BlendRenderer::draw(std::span<const BlendLayer> layers, const ViewCamera& camera,
+void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
                          Unseen unseen, const OffscreenTarget& target) {
   make_room(camera.width, camera.height);
   glEnable(GL_DEPTH_TEST);
@@ -101,7 +92,7 @@ void BlendRenderer::draw(std::span<const BlendLayer> layers, const ViewCamera& c
   resolve(camera, unseen, target);
 }
 
-void BlendRenderer::draw_nearest(std::span<const BlendLayer> layers, const ViewCamera& camera) {
+void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera) {
   constexpr std::array<GLint, 4> kNobody = {kDrawnByNoSensor, 0, 0, 0};
   constexpr float kFarthest = 1;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, nearest_target_.name());
@@ -109,14 +100,13 @@ void BlendRenderer::draw_nearest(std::span<const BlendLayer> layers, const ViewC
   glClearNamedFramebufferiv(nearest_target_.name(), GL_COLOR, 0, kNobody.data());
   glClearNamedFramebufferfv(nearest_target_.name(), GL_DEPTH, 0, &kFarthest);
   glDepthFunc(GL_LESS);
-  for (const BlendLayer& layer : layers) {
-    glProgramUniform1i(programs_.nearest.name(), kSensor, layer.sensor.value);
-    draw_layer(programs_.nearest, layer, camera);
+  for (const SurfaceLayer& layer : layers) {
+    painter_.draw(programs_.nearest, layer, camera);
   }
 }
 
 /// Sums up whatever lies no farther than the nearest surface, which has been set back.
-void BlendRenderer::mix(std::span<const BlendLayer> layers, const ViewCamera& camera) {
+void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera) {
   constexpr std::array<float, 4> kNothing{};
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sum_target_.name());
   for (const GLint output : {0, 1}) {
@@ -127,31 +117,12 @@ void BlendRenderer::mix(std::span<const BlendLayer> layers, const ViewCamera& ca
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glProgramUniform1f(programs_.mix.name(), kDirections, kExponent);
-  for (const BlendLayer& layer : layers) {
+  for (const SurfaceLayer& layer : layers) {
     glProgramUniform1f(programs_.mix.name(), kWeight, layer.is_background ? kBackgroundWeight : 1);
-    draw_layer(programs_.mix, layer, camera);
+    painter_.draw(programs_.mix, layer, camera);
   }
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-}
-
-void BlendRenderer::draw_layer(const GlProgram& program, const BlendLayer& layer,
-                               const ViewCamera& camera) {
-  const AdaptiveMesh& mesh = layer.surface->mesh;
-  const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, camera);
-  glProgramUniformMatrix4fv(program.name(), kClipFromView, 1, GL_FALSE, view.clip_from_view.data());
-  glProgramUniformMatrix4fv(program.name(), kViewFromDepth, 1, GL_FALSE,
-                            view.view_from_depth.data());
-  glProgramUniform1f(program.name(), kSetback, layer.is_background ? kBackgroundSetback_m : 0);
-  glBindTextureUnit(kDepth, layer.surface->depth_m.name());
-  glBindTextureUnit(kRays, layer.rays->name());
-  glBindTextureUnit(kColor, layer.surface->weighted_color.name());
-  glBindTextureUnit(kQuality, layer.surface->quality.name());
-  glUseProgram(program.name());
-  glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
-  glBindVertexArray(vertices_.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.command.name());
-  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
 }
 
 void BlendRenderer::find_surroundings() {
@@ -194,7 +165,7 @@ void BlendRenderer::resolve(const ViewCamera& camera, Unseen unseen,
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_ALWAYS);
   glUseProgram(programs_.resolve.name());
-  glBindVertexArray(vertices_.name());
+  glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);

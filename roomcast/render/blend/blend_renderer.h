@@ -3,16 +3,14 @@
 // nearest are mixed, weighted by how well each was seen and by how alike the sensor's and the eye's
 // directions are (Buehler et al. 2001). Holes among surfaces, and surfaces whose colour nobody saw,
 // take the colour of what surrounds them, the far more than the near (push-pull, Gortler et al.
-// 1996). Needs the GL context it
-// was made with.
+// 1996). Needs the GL context it was made with.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "roomcast/core/ids.h"
-#include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/blend/compute_pass.h"
+#include "roomcast/render/blend/surface_layer.h"
 #include "roomcast/render/offscreen_target.h"
 #include "roomcast/render/view_camera.h"
 
@@ -25,21 +23,13 @@ enum class Unseen {
   kSurroundings,  // everywhere the colour of what surrounds it, the smoother the farther
 };
 
-struct BlendLayer {
-  SensorId sensor;
-  RigidTransform world_from_depth;
-  const CleanSurface* surface = nullptr;
-  const GlTexture* rays = nullptr;
-  bool is_background = false;  // stands back, and counts little beside a live one
-};
-
 class BlendRenderer {
  public:
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<BlendRenderer> create();
 
   /// Over what `target` holds. Its size must be the camera's.
-  void draw(std::span<const BlendLayer> layers, const ViewCamera& camera, Unseen unseen,
+  void draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera, Unseen unseen,
             const OffscreenTarget& target);
 
  private:
@@ -50,14 +40,14 @@ class BlendRenderer {
   explicit BlendRenderer(Programs programs);
 
   void make_room(int width, int height);
-  void draw_nearest(std::span<const BlendLayer> layers, const ViewCamera& camera);
-  void mix(std::span<const BlendLayer> layers, const ViewCamera& camera);
-  void draw_layer(const GlProgram& program, const BlendLayer& layer, const ViewCamera& camera);
+  void draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
+  void mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
   void find_surroundings();
   void resolve(const ViewCamera& camera, Unseen unseen, const OffscreenTarget& target);
 
   Programs programs_;
-  GlVertexArray vertices_;
+  LayerPainter painter_;
+  GlVertexArray no_vertices_;   // of whole pictures
   int width_ = 0, height_ = 0;  // of what follows
   GlTexture nearest_depth_, nearest_sensor_, color_sum_, depth_sum_;
   GlFramebuffer nearest_target_, sum_target_;

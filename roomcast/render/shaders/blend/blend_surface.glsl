@@ -1,5 +1,5 @@
 // A cleaned surface of one sensor: put in front of the shaders that mix them. The bindings and locations are those of
-// blend_renderer.cpp; the mesh's indices come from surface_mesh.comp.
+// surface_layer.cpp; the mesh's indices come from adaptive_mesh.comp.
 
 layout(binding = 0) uniform sampler2D depth_m;  // 0: nothing to draw
 layout(binding = 1) uniform sampler2D rays;
@@ -9,6 +9,7 @@ layout(binding = 4) uniform sampler2D quality;
 layout(location = 0) uniform mat4 clip_from_view;
 layout(location = 1) uniform mat4 view_from_depth;
 layout(location = 2) uniform float setback_m;  // along the eye's ray
+layout(location = 3) uniform int sensor;
 
 // Surfaces this close to the nearest one are mixed with it.
 const float kMix_m = 0.02;

@@ -1,4 +1,3 @@
-layout(location = 3) uniform int sensor;
 layout(location = 0) out int drawn_by;
 
 void main() { drawn_by = sensor; }

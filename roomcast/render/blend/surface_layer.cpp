@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/blend/surface_layer.h"
+
+#include "roomcast/render/surface_view.h"
+
+namespace roomcast {
+namespace {
+
+constexpr float kBackgroundSetback_m = 0.03F;
+
+// As in shaders/blend/.
+enum SurfaceTexture : GLuint { kDepth = 0, kRays = 1, kColor = 2, kQuality = 4 };
+constexpr GLint kSetback = 2;  // uniform
+
+}  // namespace
+
+void LayerPainter::draw(const GlProgram& program, const SurfaceLayer& layer,
+                        const ViewCamera& camera) const {
+  const AdaptiveMesh& mesh = layer.surface->mesh;
+  const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, camera);
+  set_surface_view(program, view);
+  glProgramUniform1f(program.name(), kSetback, layer.is_background ? kBackgroundSetback_m : 0);
+  glBindTextureUnit(kDepth, layer.surface->depth_m.name());
+  glBindTextureUnit(kRays, layer.rays->name());
+  glBindTextureUnit(kColor, layer.surface->weighted_color.name());
+  glBindTextureUnit(kQuality, layer.surface->quality.name());
+  glUseProgram(program.name());
+  glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
+  glBindVertexArray(vertices_.name());
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.command.name());
+  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace roomcast
