@@ -105,16 +105,18 @@ Status RoomRenderer::draw(const ViewCamera& camera, const OffscreenTarget& targe
   return {};
 }
 
-/// What is mixed is filled with what sensors remember, too.
+/// What is live first: much of what is remembered lies behind it. Only what is mixed is filled with
+/// that.
 void RoomRenderer::gather_layers(RenderMode mode) {
   layers_.clear();
   for (const auto& [id, sensor] : sensors_) {
-    SurfaceLayer layer{id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays()};
-    layers_.push_back(layer);
-    if (mode != RenderMode::kBlend) continue;
-    layer.surface = &sensor.memory.background();
-    layer.is_background = true;
-    layers_.push_back(layer);
+    layers_.push_back(
+        {id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays(), false});
+  }
+  if (mode != RenderMode::kBlend) return;
+  for (const auto& [id, sensor] : sensors_) {
+    layers_.push_back(
+        {id, sensor.world_from_depth, &sensor.memory.background(), &sensor.surface.rays(), true});
   }
 }
 

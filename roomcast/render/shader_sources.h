@@ -26,6 +26,7 @@ extern const std::string_view mesh_offsets_comp;
 extern const std::string_view mesh_vert;
 extern const std::string_view mix_frag;
 extern const std::string_view mix_vert;
+extern const std::string_view nearest_depth_glsl;
 extern const std::string_view nearest_frag;
 extern const std::string_view nearest_vert;
 extern const std::string_view points_frag;

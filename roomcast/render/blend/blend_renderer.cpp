@@ -20,7 +20,8 @@ constexpr float kExponent = 4;
 // As in shaders/blend/.
 enum MixUniform : GLint { kWeight = 4, kDirections = 5 };
 constexpr GLint kFromPicture = 0;  // uniform of shrink.comp
-enum ResolveUniform : GLint { kDepthFromZ = 0, kCoverageSizes = 1, kUnseen = 2 };
+enum ResolveUniform : GLint { kCoverageSizes = 1, kUnseen = 2 };
+constexpr GLint kDepthFromZ = 6;
 
 void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const GlTexture*> colors) {
   std::vector<GLenum> outputs;
@@ -32,20 +33,27 @@ void use_outputs(const GlFramebuffer& framebuffer, std::initializer_list<const G
                                 outputs.data());
 }
 
+void set_depth_from_z(const GlProgram& program, const ViewCamera& camera) {
+  const Eigen::Matrix4f clip = clip_from_view(camera);
+  glProgramUniform2f(program.name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
+}
+
 }  // namespace
 
 Result<BlendRenderer> BlendRenderer::create() {
-  auto nearest =
-      make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::nearest_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::nearest_frag}}});
+  auto nearest = make_program(
+      {{GL_VERTEX_SHADER,
+        {shaders::nearest_depth_glsl, shaders::blend_surface_glsl, shaders::nearest_vert}},
+       {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::nearest_frag}}});
   if (!nearest) return std::move(nearest).error();
   auto mix = make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::mix_vert}},
                            {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::mix_frag}}});
   if (!mix) return std::move(mix).error();
-  auto resolve = make_program({{GL_VERTEX_SHADER, {shaders::whole_picture_vert}},
-                               {GL_FRAGMENT_SHADER, {shaders::resolve_frag}}});
+  auto resolve =
+      make_program({{GL_VERTEX_SHADER, {shaders::whole_picture_vert}},
+                    {GL_FRAGMENT_SHADER, {shaders::nearest_depth_glsl, shaders::resolve_frag}}});
   if (!resolve) return std::move(resolve).error();
-  auto shrink = ComputePass::create({shaders::shrink_comp});
+  auto shrink = ComputePass::create({shaders::nearest_depth_glsl, shaders::shrink_comp});
   if (!shrink) return std::move(shrink).error();
   auto grow = ComputePass::create({shaders::grow_comp});
   if (!grow) return std::move(grow).error();
@@ -63,11 +71,10 @@ void BlendRenderer::make_room(int width, int height) {
   nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, width, height);
   nearest_sensor_ = make_texture(GL_R32I, width, height);
   color_sum_ = make_texture(GL_RGBA16F, width, height);
-  depth_sum_ = make_texture(GL_RG32F, width, height);
   nearest_target_ = GlFramebuffer::create();
   use_outputs(nearest_target_, {&nearest_sensor_});
   sum_target_ = GlFramebuffer::create();
-  use_outputs(sum_target_, {&color_sum_, &depth_sum_});
+  use_outputs(sum_target_, {&color_sum_});
   for (const GlFramebuffer* target : {&nearest_target_, &sum_target_}) {
     glNamedFramebufferTexture(target->name(), GL_DEPTH_ATTACHMENT, nearest_depth_.name(), 0);
   }
@@ -88,7 +95,7 @@ void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const ViewCamera&
   draw_nearest(layers, camera);
   mix(layers, camera);
   glDisable(GL_CULL_FACE);
-  find_surroundings();
+  find_surroundings(camera);
   resolve(camera, unseen, target);
 }
 
@@ -109,9 +116,7 @@ void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const Vie
 void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera) {
   constexpr std::array<float, 4> kNothing{};
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sum_target_.name());
-  for (const GLint output : {0, 1}) {
-    glClearNamedFramebufferfv(sum_target_.name(), GL_COLOR, output, kNothing.data());
-  }
+  glClearNamedFramebufferfv(sum_target_.name(), GL_COLOR, 0, kNothing.data());
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
@@ -125,14 +130,15 @@ void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const ViewCamera& 
   glDepthMask(GL_TRUE);
 }
 
-void BlendRenderer::find_surroundings() {
+void BlendRenderer::find_surroundings(const ViewCamera& camera) {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  set_depth_from_z(programs_.shrink.program(), camera);
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     const Level& level = levels_[i];
     glProgramUniform1i(programs_.shrink.program().name(), kFromPicture, i == 0);
     glBindTextureUnit(0, i == 0 ? color_sum_.name() : levels_[i - 1].color.name());
-    glBindTextureUnit(1, depth_sum_.name());
-    glBindTextureUnit(2, i == 0 ? depth_sum_.name() : levels_[i - 1].coverage.name());
+    glBindTextureUnit(1, nearest_depth_.name());
+    glBindTextureUnit(2, i == 0 ? nearest_depth_.name() : levels_[i - 1].coverage.name());
     bind_image(0, level.color, ImageAccess::kWrite, GL_RGBA16F);
     bind_image(1, level.coverage, ImageAccess::kWrite, GL_R16F);
     programs_.shrink.run(level.width, level.height);
@@ -148,10 +154,9 @@ void BlendRenderer::find_surroundings() {
 void BlendRenderer::resolve(const ViewCamera& camera, Unseen unseen,
                             const OffscreenTarget& target) {
   target.bind();
-  const Eigen::Matrix4f clip = clip_from_view(camera);
-  glProgramUniform2f(programs_.resolve.name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
+  set_depth_from_z(programs_.resolve, camera);
   glBindTextureUnit(0, color_sum_.name());
-  glBindTextureUnit(1, depth_sum_.name());
+  glBindTextureUnit(1, nearest_depth_.name());
   const Level &narrow = levels_[kNarrow - 1], &wide = levels_[kWide - 1];
   glBindTextureUnit(2, levels_.front().color.name());
   glBindTextureUnit(3, nearest_sensor_.name());
@@ -161,7 +166,7 @@ void BlendRenderer::resolve(const ViewCamera& camera, Unseen unseen,
   glProgramUniform4f(programs_.resolve.name(), kCoverageSizes, px(narrow.width, kNarrow),
                      px(narrow.height, kNarrow), px(wide.width, kWide), px(wide.height, kWide));
   glProgramUniform1i(programs_.resolve.name(), kUnseen, static_cast<GLint>(unseen));
-  glEnable(GL_BLEND);
+  if (unseen == Unseen::kHolesFilled) glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_ALWAYS);
   glUseProgram(programs_.resolve.name());

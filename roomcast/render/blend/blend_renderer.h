@@ -42,14 +42,14 @@ class BlendRenderer {
   void make_room(int width, int height);
   void draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
   void mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
-  void find_surroundings();
+  void find_surroundings(const ViewCamera& camera);
   void resolve(const ViewCamera& camera, Unseen unseen, const OffscreenTarget& target);
 
   Programs programs_;
   LayerPainter painter_;
   GlVertexArray no_vertices_;   // of whole pictures
   int width_ = 0, height_ = 0;  // of what follows
-  GlTexture nearest_depth_, nearest_sensor_, color_sum_, depth_sum_;
+  GlTexture nearest_depth_, nearest_sensor_, color_sum_;
   GlFramebuffer nearest_target_, sum_target_;
   struct Level {
     GlTexture color, coverage;

@@ -11,10 +11,6 @@ layout(location = 1) uniform mat4 view_from_depth;
 layout(location = 2) uniform float setback_m;  // along the eye's ray
 layout(location = 3) uniform int sensor;
 
-// Surfaces this close to the nearest one are mixed with it.
-const float kMix_m = 0.02;
-const float kMixPer_m = 0.012;
-
 int grid_width() { return textureSize(depth_m, 0).x; }
 
 ivec2 pixel_of(int index) { return ivec2(index % grid_width(), index / grid_width()); }

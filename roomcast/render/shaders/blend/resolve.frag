@@ -2,13 +2,12 @@
 // colour nobody saw, takes the colour of its surroundings; what lies beside them stays as it was.
 
 layout(binding = 0) uniform sampler2D color_sum;
-layout(binding = 1) uniform sampler2D depth_sum;
+layout(binding = 1) uniform sampler2D nearest_depth;
 layout(binding = 2) uniform sampler2D surroundings;  // half the size
 layout(binding = 3) uniform isampler2D nearest_sensor;
 layout(binding = 4) uniform sampler2D narrow_coverage;  // of what surrounds a pixel closely
 layout(binding = 5) uniform sampler2D wide_coverage;
 
-layout(location = 0) uniform vec2 depth_from_z;    // ndc depth = x + y / z
 layout(location = 1) uniform vec4 coverage_sizes;  // of narrow and wide, in the picture's pixels
 
 layout(location = 2) uniform int unseen;           // Unseen of blend_renderer.h
@@ -31,13 +30,13 @@ float is_filled() {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 color = texelFetch(color_sum, pixel, 0);
-  vec2 depth = texelFetch(depth_sum, pixel, 0).rg;
-  bool is_surface = depth.y > 0.0;
+  float away = surface_m(texelFetch(nearest_depth, pixel, 0).r);
+  bool is_surface = away > 0.0;
   float shown = is_surface ? 1.0 : is_filled();
   if (shown == 0.0) discard;
   if (color.a <= 0.0 && unseen != kBackground) color = texture(surroundings, gl_FragCoord.xy / vec2(2 * textureSize(surroundings, 0)));
   if (color.a <= 0.0 && !is_surface) discard;  // there is no colour anywhere
   picture = vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0.5), shown);
   drawn_by = is_surface ? texelFetch(nearest_sensor, pixel, 0).r : -1;
-  gl_FragDepth = is_surface ? 0.5 + 0.5 * (depth_from_z.x + depth_from_z.y * depth.y / depth.x) : 1.0;
+  gl_FragDepth = is_surface ? 0.5 + 0.5 * (depth_from_z.x + depth_from_z.y / away) : 1.0;
 }

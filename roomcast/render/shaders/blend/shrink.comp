@@ -3,7 +3,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D color_sum;  // of the mixed picture, or the finer level
-layout(binding = 1) uniform sampler2D depth_sum;
+layout(binding = 1) uniform sampler2D nearest_depth;
 layout(binding = 2) uniform sampler2D coverage;  // of the finer level
 layout(rgba16f, binding = 0) writeonly uniform image2D coarser;
 layout(r16f, binding = 1) writeonly uniform image2D coarser_coverage;
@@ -17,9 +17,8 @@ vec4 weighted(ivec2 pixel) {
   if (any(greaterThanEqual(pixel, size))) return vec4(0.0);
   vec4 sum = texelFetch(color_sum, pixel, 0);
   if (!from_picture) return sum;
-  vec2 depth = texelFetch(depth_sum, pixel, 0).rg;
-  if (sum.a <= 0.0 || depth.y <= 0.0) return vec4(0.0);
-  float far = min(depth.x / depth.y / kFar_m, 1.0);
+  if (sum.a <= 0.0) return vec4(0.0);
+  float far = min(surface_m(texelFetch(nearest_depth, pixel, 0).r) / kFar_m, 1.0);
   return vec4(sum.rgb / sum.a, 1.0) * (far * far * far + 0.001);
 }
 
@@ -27,7 +26,7 @@ float covered(ivec2 pixel) {
   ivec2 size = textureSize(color_sum, 0);
   if (any(greaterThanEqual(pixel, size))) return 0.0;
   if (!from_picture) return texelFetch(coverage, pixel, 0).r;
-  return texelFetch(depth_sum, pixel, 0).g > 0.0 ? 1.0 : 0.0;
+  return texelFetch(nearest_depth, pixel, 0).r < 1.0 ? 1.0 : 0.0;
 }
 
 void main() {
