@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "bench/render/aligned_poses.h"
 #include "bench/render/rig_frames.h"
 #include "roomcast/render/gl_context.h"
 #include "roomcast/render/render_mode.h"
@@ -54,10 +55,12 @@ struct JudgedView {
 class RenderBench {
  public:
   RenderBench(const RenderBenchOptions& options, TruthViews views, RigFrames frames,
+              std::vector<RigidTransform> poses,
               const std::function<void(const std::string&)>& progress)
       : options_(options),
         views_(std::move(views)),
         frames_(std::move(frames)),
+        poses_(std::move(poses)),
         progress_(progress) {}
 
   Status judge_views();
@@ -84,6 +87,7 @@ class RenderBench {
   const RenderBenchOptions& options_;
   TruthViews views_;
   RigFrames frames_;
+  std::vector<RigidTransform> poses_;  // to draw with, before they are disturbed
   const std::function<void(const std::string&)>& progress_;
   std::vector<JudgedView> judged_;
   RegisteredFrame frame_;
@@ -137,7 +141,7 @@ Result<RoomRenderer> RenderBench::room_of(RenderMode mode) {
   for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
     const RigFrames::Sensor& sensor = frames_.sensors()[s];
     const SensorId id{static_cast<std::uint16_t>(s)};
-    const RigidTransform pose = disturbed(sensor.world_from_depth, options_, random);
+    const RigidTransform pose = disturbed(poses_[s], options_, random);
     auto status = room->set_sensor(id, sensor.recording.camera.calibration.depth, pose);
     if (!status) return status.error();
   }
@@ -272,6 +276,17 @@ Result<RenderRow> RenderBench::measure(RenderMode mode) {
   return row;
 }
 
+Result<std::vector<RigidTransform>> poses_to_draw_with(const RenderBenchOptions& options,
+                                                       const RigDescription& rig,
+                                                       RigFrames& frames) {
+  if (options.aligned) return read_aligned_poses(*options.aligned, rig);
+  std::vector<RigidTransform> poses;
+  for (const RigFrames::Sensor& sensor : frames.sensors()) {
+    poses.push_back(sensor.world_from_depth);
+  }
+  return poses;
+}
+
 }  // namespace
 
 Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
@@ -283,6 +298,8 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   }
   auto frames = RigFrames::open(options.rig, views->rig);
   if (!frames) return frames.error();
+  auto poses = poses_to_draw_with(options, views->rig, *frames);
+  if (!poses) return poses.error();
   auto context = EglContext::create();
   if (!context) return context.error();
 
@@ -292,7 +309,7 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   report.sensors = static_cast<int>(frames->sensors().size());
   report.width = views->entries.front().camera.width;
   report.height = views->entries.front().camera.height;
-  RenderBench bench(options, *std::move(views), *std::move(frames), progress);
+  RenderBench bench(options, *std::move(views), *std::move(frames), *std::move(poses), progress);
   if (auto status = bench.judge_views(); !status) return status.error();
   report.views = static_cast<int>(bench.view_count());
   std::vector<RenderMode> modes = options.modes;

@@ -22,7 +22,8 @@ namespace roomcast::bench {
 
 struct RenderBenchOptions {
   std::filesystem::path rig;
-  std::vector<RenderMode> modes = {};  // empty: all
+  std::vector<RenderMode> modes = {};                 // empty: all
+  std::optional<std::filesystem::path> aligned = {};  // read_aligned_poses; else the rig's own
   /// Every sensor is moved and turned by this much, each in a direction of its own.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;
