@@ -70,6 +70,8 @@ export class TestApi {
         online,
         placement,
         worldFromDepth: [...worldFromDepth],
+        /** Where it is drawn: elsewhere while it is moved by hand. */
+        drawnAt: stage.room.placed.get(id)?.worldFromDepth.elements.slice(12, 15) ?? null,
         visible: stage.isVisible(id),
         frames: traffic?.frames ?? 0,
         skipped: traffic?.skipped ?? 0,

@@ -63,8 +63,9 @@ export class AlignmentView {
   private showPairs(entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
     const name = (id: number) => entries.find((entry) => entry.id === id)?.name ?? '';
     const items = pairs.map(({ a, b, gap_mm, points }) => {
+      const pair = texts.pair(...([name(a), name(b)].sort() as [string, string]));
       const gap = element('span', { class: `gap ${gapGrade(gap_mm)}` }, texts.gap(gap_mm, points));
-      return element('li', {}, element('span', {}, texts.pair(name(a), name(b))), gap);
+      return element('li', {}, element('span', {}, pair), gap);
     });
     this.pairs.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.noPairs)]));
   }

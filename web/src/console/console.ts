@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console beside the room, for those who run it. What the socket tells is shown to whoever may place sensors; what takes an
 // admin's token is asked of the hub's HTTP interface and is offered only when that answers.
+import type { SensorEntry } from '../gen/control_pb';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
 import type { RoomState } from '../room_state';
@@ -118,8 +119,8 @@ export class Console {
 
   /** Charts go on while the console is closed; what it takes to draw the rest waits until it is open. */
   private sample(): void {
-    const entries = this.state.roster?.sensors ?? [];
-    this.cards.sample(this.state, this.hubSensors);
+    const entries = byName(this.state.roster?.sensors ?? []);
+    this.cards.sample(entries, this.state, this.hubSensors);
     if (!this.open) return;
     if (this.isAdmin && this.samples++ % askEvery === 0) void this.ask();
     this.pairs.step(entries);
@@ -146,4 +147,8 @@ export class Console {
     await this.api.sendAway(this.state.welcome?.room ?? '', viewer).catch(() => undefined);
     await this.ask();
   }
+}
+
+function byName(entries: readonly SensorEntry[]): SensorEntry[] {
+  return [...entries].sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 }

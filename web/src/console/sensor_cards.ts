@@ -72,8 +72,7 @@ export class SensorCards {
     for (const frame of frames) this.cards.get(frame.sensor)?.card.offer(frame, now_ms);
   }
 
-  sample(state: RoomState, hubSensors: readonly HubSensor[]): void {
-    const entries = state.roster?.sensors ?? [];
+  sample(entries: readonly SensorEntry[], state: RoomState, hubSensors: readonly HubSensor[]): void {
     this.follow(entries);
     for (const entry of entries) {
       const hub = hubSensors.find(({ id }) => id === entry.id);

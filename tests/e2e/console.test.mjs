@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console clicked through as a person would, by whoever has the hub's key and by an admin; and whether people who use a
+// keyboard or a screen reader can do so, too (axe). The hub's HTTP interface is played as its specification says.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { PlayedHubApi } from './hub_api.mjs';
+import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { sensorsOf, until, untilAllShown } from './waiting.mjs';
+
+const axe = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
+const axeSource = readFileSync(axe, 'utf8');
+const slow = { timeout: 90_000 };
+const key = 'open sesame';
+const view = 'panel=1&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1';
+
+/** What axe finds on the page that is more than a nicety. */
+async function seriousFindings(page) {
+  await page.evaluate(axeSource);
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`);
+}
+
+describe('the console', () => {
+  let hub, sensors, browser;
+
+  before(async () => {
+    requireBuilt();
+    hub = await startHub(0, { key });
+    sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 2 }));
+    browser = await startBrowser({ width: 1000, height: 640 });
+  }, slow);
+
+  after(async () => {
+    await browser?.end();
+    await Promise.all([...(sensors ?? []), hub].map((program) => program?.end()));
+  }, slow);
+
+  const open = (page) => page.getByRole('button', { name: 'Console', exact: true }).click();
+  const tab = (page, name) => page.getByRole('tab', { name }).click();
+
+  test('is not offered to whoever has neither key nor token', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?${view}`);
+    await untilAllShown(page, 2);
+    assert.equal(await page.getByRole('button', { name: 'Console', exact: true }).count(), 0);
+    assert.deepEqual(await seriousFindings(page), []);
+    await page.close();
+  });
+
+  describe('of whoever has the hub’s key', () => {
+    let page;
+    before(async () => {
+      page = await openPage(browser.context, `${hub.page}?${view}#key=${encodeURIComponent(key)}`);
+      await untilAllShown(page, 2);
+      await open(page);
+    }, slow);
+    after(() => page?.close());
+
+    test('shows what each sensor sees and sends, and the key is not in the address', slow, async () => {
+      assert.ok(!page.url().includes('#'), page.url());
+      const figures = () => page.locator('#console .card').allInnerTexts();
+      const cards = await until('two cards with figures', figures, (texts) => texts.length === 2 && texts.every((text) => /\d fps/.test(text)));
+      assert.match(cards[0], /MB\/s/);
+      const isPainted = () =>
+        page.locator('.thumbnail').first().evaluate((canvas) => {
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          return new Set(data).size > 20;
+        });
+      await until('a live thumbnail', isPainted, (painted) => painted);
+      assert.deepEqual(await seriousFindings(page), []);
+    });
+
+    test('says how well pairs agree, and moves a sensor by hand', slow, async () => {
+      await tab(page, 'Alignment');
+      await until('the pair', () => page.locator('.pairs').innerText(), (text) => /s0 and s1\s+\d+ mm over \d+ points/.test(text), 30_000);
+      const s0 = async () => (await sensorsOf(page)).find(({ name }) => name === 's0');
+      const shift_m = ({ drawnAt, worldFromDepth: m }) => distance(drawnAt, [m[3], m[7], m[11]]);
+      await page.getByRole('button', { name: 'Move by hand' }).first().click();
+      await page.getByRole('button', { name: 'To the right (L)' }).click();
+      await page.getByRole('button', { name: 'Turn left (U)' }).click();
+      await page.keyboard.press('KeyL');
+      assert.ok(Math.abs(shift_m(await s0()) - 0.1) < 1e-3, 'two steps of 5 cm, shown here only');
+      assert.deepEqual(await seriousFindings(page), []);
+      await page.getByRole('button', { name: 'Try (Enter)' }).click();
+      await page.getByRole('button', { name: 'Put back (Esc)' }).click();
+      assert.ok(shift_m(await s0()) < 1e-6);
+      await page.getByRole('button', { name: 'Done' }).click();
+    });
+
+    test('is worked with the keyboard alone', slow, async () => {
+      await page.getByRole('tab', { name: 'Alignment' }).focus();
+      await page.keyboard.press('ArrowRight');
+      assert.equal(await page.evaluate(() => document.activeElement.textContent), 'People');
+      assert.ok(await page.getByRole('cell', { name: /fps/ }).count());
+      await page.keyboard.press('Escape');
+      assert.ok(await page.locator('#console').isHidden());
+      assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Console', 'back where one came from');
+      assert.deepEqual(page.complaints, []);
+    });
+  });
+
+  describe('of an admin', () => {
+    let page;
+    const api = new PlayedHubApi();
+    before(async () => {
+      page = await browser.context.newPage();
+      await api.playFor(page);
+      page.complaints = [];
+      await page.goto(`${hub.page}?${view}#token=admins-token`);
+      await open(page);
+    }, slow);
+    after(() => page?.close());
+
+    test('makes a link with its QR code, and a token that it can revoke', slow, async () => {
+      await tab(page, 'Access');
+      await page.getByLabel('Whom or what it is for').fill('Ada');
+      await page.getByRole('button', { name: 'Make it' }).click();
+      await page.getByRole('img', { name: 'The link as a QR code' }).waitFor();
+      assert.equal(await page.getByLabel('Link', { exact: true }).inputValue(), `${hub.page}#room=room&code=one-time`);
+      assert.deepEqual(api.asked.find(({ method }) => method === 'POST').body, { room: 'room', role: 'viewer', name: 'Ada', ttl_s: 28800, once: true });
+
+      await page.locator('.access select').first().selectOption('sensor');
+      await page.getByLabel('A link for one time').uncheck();
+      await page.getByRole('button', { name: 'Make it' }).click();
+      const command = await until('a command', () => page.getByLabel('Command').inputValue(), (text) => text !== '');
+      assert.match(command, /^roomcast sensor .*--hub ws:.* --room room --token signed\.by\.hub$/);
+      assert.deepEqual(await seriousFindings(page), []);
+      await page.getByRole('button', { name: 'Revoke: Ada' }).click();
+      await until('it is revoked', () => page.locator('.tokens').innerText(), (text) => /revoked/.test(text));
+      assert.ok(api.asked.every(({ url }) => !/token=|admins-token/.test(url)), 'no token is in an address');
+    });
+
+    test('changes the room’s settings and opens another room', slow, async () => {
+      await tab(page, 'Room');
+      await page.getByLabel('Most viewers').fill('64');
+      await page.getByLabel('Who may look').selectOption('token');
+      await page.getByRole('button', { name: 'Save' }).click();
+      await until('it is saved', () => page.locator('.room-settings').innerText(), (text) => /Saved/.test(text));
+      assert.equal(api.room.max_viewers, 64);
+      assert.equal(api.room.view, 'token');
+      await page.getByLabel('New room').fill('studio');
+      await page.getByRole('button', { name: 'Open it' }).click();
+      assert.equal(await page.getByRole('link', { name: 'studio' }).getAttribute('href'), '?room=studio');
+      assert.deepEqual(await seriousFindings(page), []);
+    });
+
+    test('says why the hub refuses', slow, async () => {
+      api.answer = () => [409, { error: { code: 'conflict', sentence: 'A room of that name is open already.' } }];
+      await page.getByLabel('New room').fill('studio');
+      await page.getByRole('button', { name: 'Open it' }).click();
+      await until('the sentence', () => page.locator('.room-settings').innerText(), (text) => /A room of that name is open already/.test(text));
+    });
+  });
+});
+
+function distance(a, b) {
+  return Math.hypot(...a.map((value, i) => value - b[i]));
+}
