@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: one index.html, scripts with hashed names, and the depth decoder that CMake's preset `wasm` has built.
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { type Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
@@ -21,9 +23,25 @@ function requireCodec(): Plugin {
   };
 }
 
+/** FILE.gz beside every FILE: the hub gives it to browsers, which all take it. */
+function compress(): Plugin {
+  let folder = '';
+  return {
+    name: 'roomcast-compress',
+    apply: 'build',
+    configResolved: ({ root, build }) => void (folder = resolve(root, build.outDir)),
+    closeBundle() {
+      for (const entry of readdirSync(folder, { recursive: true, withFileTypes: true })) {
+        const file = join(entry.parentPath ?? entry.path, entry.name);
+        if (entry.isFile()) writeFileSync(`${file}.gz`, gzipSync(readFileSync(file), { level: 9 }));
+      }
+    },
+  };
+}
+
 export default defineConfig({
   base: './',
-  plugins: [requireCodec()],
+  plugins: [requireCodec(), compress()],
   resolve: { alias: [{ find: /^roomcast_codec\.wasm/, replacement: codec }] },
   worker: { format: 'es' },
   build: {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
 import './codec.test.mjs';
+import './memory.test.mjs';
 import './picture.test.mjs';
 import './room.test.mjs';
+import './console.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';
 import './reverse_proxy.test.mjs';

@@ -53,6 +53,8 @@ export class TestApi {
       clockError_ms: status?.clock?.error_ms ?? null,
       draw_ms: stage.draw_ms,
       quality: stage.quality,
+      /** On the graphics processor: more and more of them would be a leak. */
+      kept: { ...stage.renderer.info.memory },
       /** From asking for the socket until every online sensor was decoded, and drawn. */
       firstDecoded_ms: since(state.firstDecodedAt_ms),
       firstShown_ms: since(state.firstShownAt_ms),

@@ -19,12 +19,14 @@ const blueOfCb = Math.round((1.8556 * 255 * one) / 224);
 const greenOfCr = Math.round((1.5748 * (0.2126 / 0.7152) * 255 * one) / 224);
 const greenOfCb = Math.round((1.8556 * (0.0722 / 0.7152) * 255 * one) / 224);
 
-function clampedByte(fixed: number): number {
-  const value = fixed >> 16;
-  return value < 0 ? 0 : value > 255 ? 255 : value;
-}
+/** Of a fixed-point value, which may be out of range. */
+const clamp = new Uint8Array(1024).map((_, i) => Math.min(255, Math.max(0, i - 384)));
+const offset = (384 << 16) + half;
 
-/** `seen` and `rgba` hold width*height pixels; `rgba` is written whole. */
+/**
+ * `seen` and `rgba` hold width*height pixels; `rgba` begins at a multiple of four bytes and is written whole. Pixels are written
+ * as one number each (all machines that run browsers are little-endian), two by two, as they share their chroma.
+ */
 export function rgbaFromYcbcr(
   planes: YcbcrPlanes,
   seen: Uint8Array,
@@ -33,20 +35,27 @@ export function rgbaFromYcbcr(
   rgba: Uint8ClampedArray | Uint8Array,
 ): void {
   const { bytes, chromaStep } = planes;
+  const pixels = new Uint32Array(rgba.buffer, rgba.byteOffset, width * height);
   for (let row = 0; row < height; row++) {
-    const yRow = planes.y.offset + row * planes.y.stride;
-    const cbRow = planes.cb.offset + (row >> 1) * planes.cb.stride;
-    const crRow = planes.cr.offset + (row >> 1) * planes.cr.stride;
-    for (let column = 0; column < width; column++) {
-      const luma = (bytes[yRow + column]! - 16) * lumaGain + half;
-      const chromaAt = (column >> 1) * chromaStep;
-      const cb = bytes[cbRow + chromaAt]! - 128;
-      const cr = bytes[crRow + chromaAt]! - 128;
-      const pixel = row * width + column;
-      rgba[4 * pixel] = clampedByte(luma + redOfCr * cr);
-      rgba[4 * pixel + 1] = clampedByte(luma - greenOfCb * cb - greenOfCr * cr);
-      rgba[4 * pixel + 2] = clampedByte(luma + blueOfCb * cb);
-      rgba[4 * pixel + 3] = seen[pixel]!;
+    let yAt = planes.y.offset + row * planes.y.stride;
+    let cbAt = planes.cb.offset + (row >> 1) * planes.cb.stride;
+    let crAt = planes.cr.offset + (row >> 1) * planes.cr.stride;
+    const end = (row + 1) * width;
+    for (let pixel = row * width; pixel < end; pixel += 2) {
+      const cb = bytes[cbAt]! - 128;
+      const cr = bytes[crAt]! - 128;
+      cbAt += chromaStep;
+      crAt += chromaStep;
+      const red = (offset + redOfCr * cr) | 0;
+      const green = (offset - greenOfCb * cb - greenOfCr * cr) | 0;
+      const blue = (offset + blueOfCb * cb) | 0;
+      const luma = Math.imul(bytes[yAt++]! - 16, lumaGain);
+      const rgb = clamp[(luma + red) >> 16]! | (clamp[(luma + green) >> 16]! << 8) | (clamp[(luma + blue) >> 16]! << 16);
+      pixels[pixel] = rgb | (seen[pixel]! << 24);
+      if (pixel + 1 === end) break; // an odd width: the last block is cut
+      const next = Math.imul(bytes[yAt++]! - 16, lumaGain);
+      const beside = clamp[(next + red) >> 16]! | (clamp[(next + green) >> 16]! << 8) | (clamp[(next + blue) >> 16]! << 16);
+      pixels[pixel + 1] = beside | (seen[pixel + 1]! << 24);
     }
   }
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Streaming for a while does not make the page grow: textures and geometries stay as many as they were, and so does the memory of
+// Chromium's processes, but for what they keep at hand. ROOMCAST_SOAK_S says for how long (`npm run soak`: five minutes).
+import assert from 'node:assert/strict';
+import { setTimeout as delay } from 'node:timers/promises';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { processesOf, residentMb } from './chromium_processes.mjs';
+import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { stateOf, until, untilAllShown } from './waiting.mjs';
+
+const seconds = Number(process.env.ROOMCAST_SOAK_S ?? 20);
+const warmUpSets = 20;
+const readings = 10;
+const mostGrowth_mb = 40; // from the first third of the readings to the last
+const timeout = { timeout: (seconds + 90) * 1000 };
+
+function mean(values) {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}
+
+describe('a page that streams', () => {
+  let hub, sensors, browser;
+  before(async () => {
+    requireBuilt();
+    hub = await startHub();
+    sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 5 }));
+    browser = await startBrowser({ width: 320, height: 240 });
+  }, timeout);
+  after(async () => {
+    await browser?.end();
+    await Promise.all([...(sensors ?? []), hub].map((program) => program?.end()));
+  }, timeout);
+
+  test(`does not grow in ${seconds} s`, timeout, async (t) => {
+    const page = await openPage(browser.context, `${hub.page}?panel=1`);
+    await untilAllShown(page, 2);
+    const warm = await until('some sets', () => stateOf(page), ({ shownSets }) => shownSets >= warmUpSets, 60_000);
+    const processes = (await processesOf(browser.context)).filter(({ type }) => type === 'renderer' || type === 'GPU');
+    const used = [];
+    for (let i = 0; i < readings; i++) {
+      await page.requestGC();
+      used.push(processes.reduce((sum, { pid }) => sum + residentMb(pid), 0));
+      await delay((1000 * seconds) / readings);
+    }
+    const third = Math.floor(readings / 3);
+    const growth_mb = mean(used.slice(-third)) - mean(used.slice(0, third));
+    const now = await stateOf(page);
+    t.diagnostic(`${now.shownSets - warm.shownSets} sets; ${used.map(Math.round).join(', ')} MB; growth ${growth_mb.toFixed(1)} MB`);
+    assert.ok(now.shownSets > warm.shownSets + seconds / 2, 'it streams');
+    assert.deepEqual(now.kept, warm.kept, 'textures and geometries');
+    assert.ok(growth_mb < mostGrowth_mb, `${growth_mb} MB`);
+    assert.deepEqual(page.complaints, []);
+  });
+});
