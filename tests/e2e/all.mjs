@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
+import './blend.test.mjs';
 import './codec.test.mjs';
 import './memory.test.mjs';
 import './picture.test.mjs';

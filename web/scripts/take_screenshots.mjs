@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// npm run screenshots: the pictures of the page in docs/images, of a simulated room: desktop, phone, headset, console. Drawn in
-// software at the best quality, so it takes some minutes.
+// npm run screenshots [-- desktop phone headset console]: the pictures of the page in docs/images, of a recording of a simulated
+// room in which nobody moves. Drawn in software at the best quality, so it takes some minutes.
+import { mkdtempSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { openPage, startBrowser } from '../../tests/e2e/browser.mjs';
-import { requireBuilt, startHub, startSensor } from '../../tests/e2e/programs.mjs';
+import { requireBuilt, run, startHub, startSensor } from '../../tests/e2e/programs.mjs';
 import { stateOf, until, untilAllShown } from '../../tests/e2e/waiting.mjs';
 
 const images = fileURLToPath(new URL('../../docs/images/', import.meta.url));
@@ -40,6 +43,7 @@ const wanted = (name) => asked.length === 0 || asked.includes(name);
 async function desktop(hub) {
   await withBrowser({ width: 1280, height: 760 }, async (context) => {
     const page = await openPage(context, `${hub.page}?${view}`);
+    await page.emulateMedia({ colorScheme: 'dark' });
     await settled(page);
     await picture(page, 'web-desktop');
   });
@@ -99,8 +103,12 @@ const plugIn = `
 `;
 
 requireBuilt();
+const folder = mkdtempSync(join(tmpdir(), 'roomcast-screenshots-'));
+const rig = join(folder, 'rig');
+const still = ['--fps', '2', '--seconds', '2', '--speed', '0', '--drops', '0', '--views', '0'];
+await run('simulate', rig, '--sensors', String(sensors), ...still);
 const hub = await startHub(0, { key });
-const programs = Array.from({ length: sensors }, (_, n) => startSensor(hub, n, { fps: 2 }));
+const programs = Array.from({ length: sensors }, (_, n) => startSensor(hub, n, { rig }));
 try {
   if (wanted('desktop')) await desktop(hub);
   if (wanted('phone')) await phone(hub);
@@ -108,4 +116,5 @@ try {
   if (wanted('console')) await consoleTabs(hub);
 } finally {
   await Promise.all([...programs, hub].map((program) => program.end()));
+  rmSync(folder, { recursive: true, force: true });
 }

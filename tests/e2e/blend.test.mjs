@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mixing and remembering, on pictures made for it: a sensor in front of a wall, and what comes between them and goes again.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+import { openSourcePage } from './source_pages.mjs';
+
+const slow = { timeout: 60_000 };
+
+/** In the page: a room of sensors of 64x48 pixels that look along -z from the origin or beside it. */
+async function makeRoom() {
+  const THREE = await import('three');
+  const { RoomScene } = await import('/view/room_scene');
+  const { qualities } = await import('/view/quality_ladder');
+  const [width, height] = [64, 48];
+  const lens = { width, height, fx: 60, fy: 60, cx: 31.5, cy: 23.5, k1: 0, k2: 0, k3: 0, p1: 0, p2: 0 };
+  const renderer = new THREE.WebGLRenderer({ canvas: document.querySelector('canvas') });
+  const room = new RoomScene(renderer);
+  const camera = new THREE.PerspectiveCamera(40, width / height, 0.05, 100);
+  camera.updateMatrixWorld();
+  const at = (x) => [1, 0, 0, x, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]; // y down, z forward -> the world
+  const place = (...xs) => {
+    const sensors = xs.map((x, id) => ({ id, name: `s${id}`, online: true, moved: false, calibration: { depth: lens }, worldFromDepth: at(x) }));
+    room.follow({ sensors, viewers: [] }, -1);
+    room.setMode('blend');
+    room.setQuality(qualities[0], camera.position, 60);
+  };
+  /** `pixelOf(u, v)` gives [depth_mm, r, g, b]. */
+  const see = (sensor, pixelOf) => {
+    const depth_mm = new Uint16Array(width * height);
+    const rgba = new Uint8Array(4 * width * height);
+    for (let i = 0; i < depth_mm.length; i++) {
+      const [depth, ...color] = pixelOf(i % width, Math.floor(i / width));
+      depth_mm[i] = depth;
+      rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // what has no reading has a made-up colour
+    }
+    room.show([{ sensor, width, height, depth_mm, rgba }]);
+    draw();
+  };
+  const size = 96;
+  const target = new THREE.WebGLRenderTarget(size, size);
+  const draw = () => {
+    renderer.setRenderTarget(target);
+    room.render(camera, size, size);
+    renderer.setRenderTarget(null);
+  };
+  /** The colour in the middle of the picture, `right` pixels beside it. */
+  const middle = (right = 0) => {
+    draw();
+    const rgba = new Uint8Array(4);
+    renderer.readRenderTargetPixels(target, size / 2 + right, size / 2, 1, 1, rgba);
+    return [...rgba];
+  };
+  const inBox = (u, v) => Math.abs(u - 31.5) < 8 && Math.abs(v - 23.5) < 8;
+  window.room = { place, see, middle, inBox, red: [200, 20, 20], green: [20, 200, 20], blue: [20, 20, 200] };
+}
+
+const isNear = (color, wanted) => wanted.every((value, i) => Math.abs(color[i] - value) < 25);
+
+describe('mixed surfaces', () => {
+  let browser, page;
+  before(async () => {
+    browser = await startBrowser({ width: 200, height: 150 });
+  }, slow);
+  after(() => browser?.end(), slow);
+
+  const freshRoom = async (t) => {
+    page = await openSourcePage(browser.context, 'https://blend.test');
+    t.after(() => page.close());
+    await page.evaluate(makeRoom);
+  };
+
+  test('a remembered wall fills what a sensor loses, and never shows through what stands in front of it', slow, async (t) => {
+    await freshRoom(t);
+    const colors = await page.evaluate(() => {
+      const { place, see, middle, inBox, red, green } = window.room;
+      place(0);
+      for (let i = 0; i < 10; i++) see(0, () => [3000, ...red]);
+      const wall = middle();
+      see(0, (u, v) => (inBox(u, v) ? [1500, ...green] : [3000, ...red]));
+      const box = middle();
+      see(0, (u, v) => (inBox(u, v) ? [0, ...green] : [3000, ...red]));
+      return { wall, box, lost: middle() };
+    });
+    assert.ok(isNear(colors.wall, [200, 20, 20]), `the wall: ${colors.wall}`);
+    assert.ok(isNear(colors.box, [20, 200, 20]), `in front of it: ${colors.box}`);
+    assert.ok(isNear(colors.lost, [200, 20, 20]), `remembered: ${colors.lost}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('what was taken away is forgotten as soon as the sensor reads what was behind it', slow, async (t) => {
+    await freshRoom(t);
+    const color = await page.evaluate(() => {
+      const { place, see, middle, red, blue } = window.room;
+      place(0);
+      for (let i = 0; i < 10; i++) see(0, () => [2000, ...red]);
+      for (let i = 0; i < 4; i++) see(0, () => [4000, ...blue]);
+      return middle();
+    });
+    assert.ok(isNear(color, [20, 20, 200]), String(color));
+  });
+
+  test('another sensor that looks through what one remembers takes it away', slow, async (t) => {
+    await freshRoom(t);
+    const color = await page.evaluate(() => {
+      const { place, see, middle, red, blue } = window.room;
+      place(0, 0.1);
+      see(1, () => [0, 0, 0, 0]);
+      for (let i = 0; i < 10; i++) see(0, () => [2000, ...red]);
+      see(0, () => [0, 0, 0, 0]); // it has gone blind; the other one sees that the thing is gone
+      for (let i = 0; i < 8; i++) see(1, () => [4000, ...blue]);
+      for (let i = 0; i < 8; i++) see(0, () => [0, 0, 0, 0]);
+      return middle();
+    });
+    assert.ok(isNear(color, [20, 20, 200]), String(color));
+  });
+
+  test('two sensors that see one surface give the mean of their colours', slow, async (t) => {
+    await freshRoom(t);
+    const color = await page.evaluate(() => {
+      const { place, see, middle } = window.room;
+      place(-0.1, 0.1);
+      see(0, () => [2000, 200, 0, 100]);
+      see(1, () => [2005, 0, 200, 100]);
+      return middle();
+    });
+    assert.ok(isNear(color, [100, 100, 100]), String(color));
+  });
+
+  test('what no sensor sees takes the colour of its surroundings', slow, async (t) => {
+    await freshRoom(t);
+    const color = await page.evaluate(() => {
+      const { place, see, middle, inBox, green } = window.room;
+      place(0);
+      see(0, (u, v) => (inBox(u, v) ? [0, ...green] : [3000, ...green]));
+      return middle();
+    });
+    assert.ok(isNear(color, [20, 200, 20]), String(color));
+  });
+});
