@@ -101,6 +101,14 @@ describe('the room in a headset', () => {
     assert.ok(Math.abs(moved.head.y - turned.head.y) < 0.02, 'on the same floor');
   });
 
+  test('hands without controllers are drawn joint by joint', slow, async () => {
+    assert.deepEqual((await headsetOf(page)).drawnHands, ['controller', 'controller']);
+    await page.evaluate(() => (window.device.primaryInputMode = 'hand'));
+    await untilHeadset('both hands', ({ drawnHands }) => drawnHands.every((shown) => shown === 'joints'));
+    await page.evaluate(() => (window.device.primaryInputMode = 'controller'));
+    await untilHeadset('controllers again', ({ drawnHands }) => drawnHands.every((shown) => shown === 'controller'));
+  });
+
   test('the session ends cleanly, and the screen shows what the headset showed', slow, async () => {
     const { head } = await headsetOf(page);
     await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click'); // iwer's picture covers it
@@ -110,6 +118,14 @@ describe('the room in a headset', () => {
     const before = await stateOf(page);
     await until('the screen goes on', () => stateOf(page), (now) => now.pictures > before.pictures + 1);
     await until('hands are gone', seenByOther, (pose) => pose?.hands.every((hand) => hand === null));
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('where the headset shows one’s own room, it shows between the surfaces of the other', slow, async () => {
+    await page.getByRole('button', { name: 'Enter with your own room around you' }).click();
+    await untilHeadset('passthrough', ({ on, passthrough, views }) => on && passthrough && views.length === 2);
+    await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click');
+    await untilHeadset('it is off', ({ on, passthrough }) => !on && !passthrough);
     assert.deepEqual(page.complaints, []);
   });
 

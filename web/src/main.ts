@@ -10,6 +10,7 @@ import { bodyOf, OwnPose } from './own_pose';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
+import { Progress } from './panel/progress';
 import { RoomState } from './room_state';
 import { SensorGuesses } from './sensor_guesses';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
@@ -35,6 +36,7 @@ const roomForPanel_px = 560; // as in panel.css
 class Page {
   private readonly state = new RoomState();
   private readonly panel: Panel;
+  private readonly progress: Progress;
   private readonly console: Console;
   private readonly look: Look;
   private readonly ownPose: OwnPose;
@@ -66,6 +68,7 @@ class Page {
         leave: () => void this.headset.leave(),
       },
     });
+    this.progress = new Progress(document.getElementById('progress')!, this.state);
     const api = new HubApi(() => this.access.token);
     this.console = new Console(document.getElementById('console')!, this.state, api, hubAddress, {
       closed: () => this.panel.focusConsole(),
@@ -169,7 +172,7 @@ class Page {
     this.setMode(this.options.mode);
     this.look.apply();
     this.panel.setTheme(this.look.theme);
-    setInterval(() => this.panel.refresh(), panelInterval_ms);
+    setInterval(() => this.refreshWords(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
     void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
     window.roomcast = new TestApi({ stage, state, navigation, headset, setMode: (mode) => this.setMode(mode) });
@@ -180,7 +183,7 @@ class Page {
       case 'connection':
         this.state.setConnection(message.state);
         this.stage.setConnected(message.state.phase === 'joined');
-        return this.panel.refresh();
+        return this.refreshWords();
       case 'welcome':
         return this.welcomed(message.welcome);
       case 'roster':
@@ -285,9 +288,14 @@ class Page {
     this.link.stats(state.lastShownSet, state.shownFps, state.latency_ms ?? 0);
   }
 
+  private refreshWords(): void {
+    this.panel.refresh();
+    this.progress.refresh();
+  }
+
   private breakDown(sentence: string): void {
     this.state.broken = sentence;
-    this.panel.refresh();
+    this.refreshWords();
   }
 }
 

@@ -108,6 +108,8 @@ export class TestApi {
       views: headset.views,
       head: head ?? null,
       hands: [leftHand ?? null, rightHand ?? null],
+      drawnHands: headset.drawnHands,
+      passthrough: stage.room.isPassthrough,
       selects: headset.selects,
     };
   }

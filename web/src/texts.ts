@@ -159,6 +159,12 @@ export const panelTexts = {
   running: 'Running this room',
 };
 
+export const progressTexts = {
+  title: 'Loading the room',
+  connecting: 'Connecting to the hub …',
+  waiting: (shown: number, all: number) => `Pictures of ${shown} of ${all} sensors are here …`,
+};
+
 export const placementTexts = {
   moved: 'moved',
   movedTitle: 'It was moved and is being aligned again.',

@@ -70,6 +70,10 @@ export class RoomScene {
     this.scene.add(this.grid);
   }
 
+  get isPassthrough(): boolean {
+    return this.passthrough;
+  }
+
   /** Nothing is drawn where no sensor sees anything: the viewer's own room shows there. */
   setPassthrough(passthrough: boolean): void {
     this.passthrough = passthrough;

@@ -22,6 +22,11 @@ export class HandView {
     this.hide();
   }
 
+  get shows(): 'nothing' | 'controller' | 'joints' {
+    if (this.joints.visible) return 'joints';
+    return this.controller.visible ? 'controller' : 'nothing';
+  }
+
   hide(): void {
     this.controller.visible = this.joints.visible = false;
   }

@@ -56,6 +56,11 @@ export class Headset {
     this.root.visible = false;
   }
 
+  /** How the left and the right hand are drawn. */
+  get drawnHands() {
+    return this.hands.map((hand) => hand.shows);
+  }
+
   get isOn(): boolean {
     return this.session !== undefined;
   }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one waits for until the room is seen for the first time: the connection, then a picture of every sensor.
+import type { RoomState } from '../room_state';
+import { progressTexts as texts } from '../texts';
+import { element, setText } from './element';
+
+const gaveUp_ms = 15_000; // a sensor that sends nothing is the panel's to tell
+
+export class Progress {
+  private readonly words = element('p', { role: 'status' });
+  private readonly bar = element('progress', { 'aria-label': texts.title, max: '1' });
+  private readonly begin_ms = performance.now();
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly state: RoomState,
+  ) {
+    root.append(this.words, this.bar);
+    this.refresh();
+  }
+
+  refresh(): void {
+    if (this.root.hidden) return;
+    const { state } = this;
+    const online = state.onlineSensors;
+    const shown = online.filter(({ id }) => state.shownSeqs.has(id)).length;
+    const joined = state.connection.phase === 'joined' && state.roster !== undefined;
+    const nothingToWaitFor = joined && (shown === online.length || performance.now() - this.begin_ms > gaveUp_ms);
+    this.root.hidden = nothingToWaitFor || state.broken !== '' || state.connection.phase === 'waiting';
+    setText(this.words, joined ? texts.waiting(shown, online.length) : texts.connecting);
+    if (joined) this.bar.value = (shown + 0.5) / (online.length + 0.5);
+  }
+}
