@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mixing and remembering, on pictures made for it: a sensor in front of a wall, and what comes between them and goes again.
+// Mixing and remembering, on pictures made for it: a sensor in front of a wall, and what comes between them and goes
+// again.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
@@ -20,7 +21,14 @@ async function makeRoom() {
   camera.updateMatrixWorld();
   const at = (x) => [1, 0, 0, x, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]; // y down, z forward -> the world
   const place = (...xs) => {
-    const sensors = xs.map((x, id) => ({ id, name: `s${id}`, online: true, moved: false, calibration: { depth: lens }, worldFromDepth: at(x) }));
+    const sensors = xs.map((x, id) => ({
+      id,
+      name: `s${id}`,
+      online: true,
+      moved: false,
+      calibration: { depth: lens },
+      worldFromDepth: at(x),
+    }));
     room.follow({ sensors, viewers: [] }, -1);
     room.setMode('blend');
     room.setQuality(qualities[0], camera.position, 60);
@@ -70,23 +78,27 @@ describe('mixed surfaces', () => {
     await page.evaluate(makeRoom);
   };
 
-  test('a remembered wall fills what a sensor loses, and never shows through what stands in front of it', slow, async (t) => {
-    await freshRoom(t);
-    const colors = await page.evaluate(() => {
-      const { place, see, middle, inBox, red, green } = window.room;
-      place(0);
-      for (let i = 0; i < 10; i++) see(0, () => [3000, ...red]);
-      const wall = middle();
-      see(0, (u, v) => (inBox(u, v) ? [1500, ...green] : [3000, ...red]));
-      const box = middle();
-      see(0, (u, v) => (inBox(u, v) ? [0, ...green] : [3000, ...red]));
-      return { wall, box, lost: middle() };
-    });
-    assert.ok(isNear(colors.wall, [200, 20, 20]), `the wall: ${colors.wall}`);
-    assert.ok(isNear(colors.box, [20, 200, 20]), `in front of it: ${colors.box}`);
-    assert.ok(isNear(colors.lost, [200, 20, 20]), `remembered: ${colors.lost}`);
-    assert.deepEqual(page.complaints, []);
-  });
+  test(
+    'a remembered wall fills what a sensor loses, and never shows through what stands in front of it',
+    slow,
+    async (t) => {
+      await freshRoom(t);
+      const colors = await page.evaluate(() => {
+        const { place, see, middle, inBox, red, green } = window.room;
+        place(0);
+        for (let i = 0; i < 10; i++) see(0, () => [3000, ...red]);
+        const wall = middle();
+        see(0, (u, v) => (inBox(u, v) ? [1500, ...green] : [3000, ...red]));
+        const box = middle();
+        see(0, (u, v) => (inBox(u, v) ? [0, ...green] : [3000, ...red]));
+        return { wall, box, lost: middle() };
+      });
+      assert.ok(isNear(colors.wall, [200, 20, 20]), `the wall: ${colors.wall}`);
+      assert.ok(isNear(colors.box, [20, 200, 20]), `in front of it: ${colors.box}`);
+      assert.ok(isNear(colors.lost, [200, 20, 20]), `remembered: ${colors.lost}`);
+      assert.deepEqual(page.complaints, []);
+    },
+  );
 
   test('what was taken away is forgotten as soon as the sensor reads what was behind it', slow, async (t) => {
     await freshRoom(t);

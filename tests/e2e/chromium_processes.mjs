@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Chromium's processes cost: memory and processor time, from /proc. The processes are those of one browser, by its own word.
+// What Chromium's processes cost: memory and processor time, from /proc. The processes are those of one browser, by its
+// own word.
 import { readFileSync, readdirSync } from 'node:fs';
 
 const ticksPerSecond = 100; // Linux's USER_HZ

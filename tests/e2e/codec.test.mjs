@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden payloads of the codec in a real browser: the page's own decoder gives the same bytes there as everywhere, and
-// the browser's VP9 decoder takes the colour.
+// The golden payloads of the codec in a real browser: the page's own decoder gives the same bytes there as everywhere,
+// and the browser's VP9 decoder takes the colour.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console clicked through as a person would, by whoever has the hub's key and by an admin; and whether people who use a
-// keyboard or a screen reader can do so, too (axe). The hub's HTTP interface is played as its specification says.
+// The console clicked through as a person would, by whoever has the hub's key and by an admin; and whether people who
+// use a keyboard or a screen reader can do so, too (axe). The hub's HTTP interface is played as its specification says.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -63,20 +63,32 @@ describe('the console', () => {
     test('shows what each sensor sees and sends, and the key is not in the address', slow, async () => {
       assert.ok(!page.url().includes('#'), page.url());
       const figures = () => page.locator('#console .card').allInnerTexts();
-      const cards = await until('two cards with figures', figures, (texts) => texts.length === 2 && texts.every((text) => /\d fps/.test(text)));
+      const cards = await until(
+        'two cards with figures',
+        figures,
+        (texts) => texts.length === 2 && texts.every((text) => /\d fps/.test(text)),
+      );
       assert.match(cards[0], /MB\/s/);
       const isPainted = () =>
-        page.locator('.thumbnail').first().evaluate((canvas) => {
-          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-          return new Set(data).size > 20;
-        });
+        page
+          .locator('.thumbnail')
+          .first()
+          .evaluate((canvas) => {
+            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            return new Set(data).size > 20;
+          });
       await until('a live thumbnail', isPainted, (painted) => painted);
       assert.deepEqual(await seriousFindings(page), []);
     });
 
     test('says how well pairs agree, and moves a sensor by hand', slow, async () => {
       await tab(page, 'Alignment');
-      await until('the pair', () => page.locator('.pairs').innerText(), (text) => /s0 and s1\s+\d+ mm over \d+ points/.test(text), 30_000);
+      await until(
+        'the pair',
+        () => page.locator('.pairs').innerText(),
+        (text) => /s0 and s1\s+\d+ mm over \d+ points/.test(text),
+        30_000,
+      );
       const s0 = async () => (await sensorsOf(page)).find(({ name }) => name === 's0');
       const shift_m = ({ drawnAt, worldFromDepth: m }) => distance(drawnAt, [m[3], m[7], m[11]]);
       await page.getByRole('button', { name: 'Move by hand' }).first().click();
@@ -98,7 +110,11 @@ describe('the console', () => {
       assert.ok(await page.getByRole('cell', { name: /fps/ }).count());
       await page.keyboard.press('Escape');
       assert.ok(await page.locator('#console').isHidden());
-      assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Console', 'back where one came from');
+      assert.equal(
+        await page.evaluate(() => document.activeElement.textContent),
+        'Console',
+        'back where one came from',
+      );
       assert.deepEqual(page.complaints, []);
     });
   });
@@ -121,17 +137,34 @@ describe('the console', () => {
       await page.getByRole('button', { name: 'Make it' }).click();
       await page.getByRole('img', { name: 'The link as a QR code' }).waitFor();
       assert.equal(await page.getByLabel('Link', { exact: true }).inputValue(), `${hub.page}#room=room&code=one-time`);
-      assert.deepEqual(api.asked.find(({ method }) => method === 'POST').body, { room: 'room', role: 'viewer', name: 'Ada', ttl_s: 28800, once: true });
+      assert.deepEqual(api.asked.find(({ method }) => method === 'POST').body, {
+        room: 'room',
+        role: 'viewer',
+        name: 'Ada',
+        ttl_s: 28800,
+        once: true,
+      });
 
       await page.locator('.access select').first().selectOption('sensor');
       await page.getByLabel('A link for one time').uncheck();
       await page.getByRole('button', { name: 'Make it' }).click();
-      const command = await until('a command', () => page.getByLabel('Command').inputValue(), (text) => text !== '');
+      const command = await until(
+        'a command',
+        () => page.getByLabel('Command').inputValue(),
+        (text) => text !== '',
+      );
       assert.match(command, /^roomcast sensor .*--hub ws:.* --room room --token signed\.by\.hub$/);
       assert.deepEqual(await seriousFindings(page), []);
       await page.getByRole('button', { name: 'Revoke: Ada' }).click();
-      await until('it is revoked', () => page.locator('.tokens').innerText(), (text) => /revoked/.test(text));
-      assert.ok(api.asked.every(({ url }) => !/token=|admins-token/.test(url)), 'no token is in an address');
+      await until(
+        'it is revoked',
+        () => page.locator('.tokens').innerText(),
+        (text) => /revoked/.test(text),
+      );
+      assert.ok(
+        api.asked.every(({ url }) => !/token=|admins-token/.test(url)),
+        'no token is in an address',
+      );
     });
 
     test('changes the room’s settings and opens another room', slow, async () => {
@@ -139,7 +172,11 @@ describe('the console', () => {
       await page.getByLabel('Most viewers').fill('64');
       await page.getByLabel('Who may look').selectOption('token');
       await page.getByRole('button', { name: 'Save' }).click();
-      await until('it is saved', () => page.locator('.room-settings').innerText(), (text) => /Saved/.test(text));
+      await until(
+        'it is saved',
+        () => page.locator('.room-settings').innerText(),
+        (text) => /Saved/.test(text),
+      );
       assert.equal(api.room.max_viewers, 64);
       assert.equal(api.room.view, 'token');
       await page.getByLabel('New room').fill('studio');
@@ -152,7 +189,11 @@ describe('the console', () => {
       api.answer = () => [409, { error: { code: 'conflict', sentence: 'A room of that name is open already.' } }];
       await page.getByLabel('New room').fill('studio');
       await page.getByRole('button', { name: 'Open it' }).click();
-      await until('the sentence', () => page.locator('.room-settings').innerText(), (text) => /A room of that name is open already/.test(text));
+      await until(
+        'the sentence',
+        () => page.locator('.room-settings').innerText(),
+        (text) => /A room of that name is open already/.test(text),
+      );
     });
   });
 });

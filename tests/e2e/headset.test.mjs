@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room in a headset, which iwer plays: real Chromium, hub and sensor, and a WebXR device made of code. A second page is
-// another person, who sees what the wearer does.
+// The room in a headset, which iwer plays: real Chromium, hub and sensor, and a WebXR device made of code. A second
+// page is another person, who sees what the wearer does.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
@@ -71,7 +71,11 @@ describe('the room in a headset', () => {
 
   test('pictures keep coming, with new frames', slow, async () => {
     const before = await stateOf(page);
-    await until('they do', () => stateOf(page), (now) => now.pictures > before.pictures + 2 && now.shownSets > before.shownSets);
+    await until(
+      'they do',
+      () => stateOf(page),
+      (now) => now.pictures > before.pictures + 2 && now.shownSets > before.shownSets,
+    );
   });
 
   test('the view follows the head, and so do the eyes of the avatar that others see', slow, async () => {
@@ -82,7 +86,10 @@ describe('the room in a headset', () => {
     const near = (head) => head && distance([head.x, head.y, head.z], [0.9, 1.5, 1.2]) < 0.05;
     await untilHeadset('the head has moved', ({ head }) => near(head) && Math.abs(head.qy - Math.sin(0.3)) < 0.01);
     const seen = await until('the other sees it', seenByOther, (pose) => near(pose?.head));
-    assert.ok(seen.hands.every((hand) => hand !== null), 'with both hands');
+    assert.ok(
+      seen.hands.every((hand) => hand !== null),
+      'with both hands',
+    );
   });
 
   test('a stick turns the wearer about the head, and the trigger goes where it points', slow, async () => {
@@ -94,7 +101,11 @@ describe('the room in a headset', () => {
 
     await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 1));
     const { pictures } = await stateOf(page);
-    await until('two pictures of aiming', () => stateOf(page), (now) => now.pictures > pictures + 2);
+    await until(
+      'two pictures of aiming',
+      () => stateOf(page),
+      (now) => now.pictures > pictures + 2,
+    );
     await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 0));
     await untilHeadset('a select', ({ selects }) => selects === 1);
     const moved = await untilHeadset('a new place', ({ head }) => distance(place(head), place(turned.head)) > 0.3);
@@ -116,7 +127,11 @@ describe('the room in a headset', () => {
     const { position } = await page.evaluate(() => window.roomcast.view());
     assert.ok(distance(position, place(head)) < 0.05);
     const before = await stateOf(page);
-    await until('the screen goes on', () => stateOf(page), (now) => now.pictures > before.pictures + 1);
+    await until(
+      'the screen goes on',
+      () => stateOf(page),
+      (now) => now.pictures > before.pictures + 1,
+    );
     await until('hands are gone', seenByOther, (pose) => pose?.hands.every((hand) => hand === null));
     assert.deepEqual(page.complaints, []);
   });
@@ -130,7 +145,11 @@ describe('the room in a headset', () => {
   });
 
   test('a browser without a headset says what to do', slow, async () => {
-    await until('the panel says so', () => panelText(other), () => true);
+    await until(
+      'the panel says so',
+      () => panelText(other),
+      () => true,
+    );
     await other.evaluate(() => document.querySelector('.toggle').click());
     assert.match(await panelText(other), /No headset is connected|does not know WebXR/);
   });

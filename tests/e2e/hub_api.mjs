@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub's HTTP interface as docs/spec/admin.openapi.yaml describes it, played in front of a page: what it was asked is kept.
+// The hub's HTTP interface as docs/spec/admin.openapi.yaml describes it, played in front of a page: what it was asked
+// is kept.
 
 const now_s = () => Math.floor(Date.now() / 1000);
 
@@ -7,7 +8,17 @@ export class PlayedHubApi {
   constructor() {
     this.asked = [];
     this.tokens = [];
-    this.room = { name: 'room', title: 'The lab', sensors: 1, viewers: 1, max_viewers: 32, max_sensors: 8, listed: true, view: 'anyone', send: 'token' };
+    this.room = {
+      name: 'room',
+      title: 'The lab',
+      sensors: 1,
+      viewers: 1,
+      max_viewers: 32,
+      max_sensors: 8,
+      listed: true,
+      view: 'anyone',
+      send: 'token',
+    };
     this.rooms = [this.room];
   }
 
@@ -19,8 +30,14 @@ export class PlayedHubApi {
       const authorized = (await request.headerValue('authorization')) === 'Bearer admins-token';
       const body = request.postDataJSON() ?? undefined;
       this.asked.push({ method: request.method(), path, body, url: request.url() });
-      const [status, answer] = authorized ? this.answer(request.method(), path, body) : [401, refusal('unauthenticated')];
-      await route.fulfill({ status, contentType: 'application/json', body: answer === undefined ? '' : JSON.stringify(answer) });
+      const [status, answer] = authorized
+        ? this.answer(request.method(), path, body)
+        : [401, refusal('unauthenticated')];
+      await route.fulfill({
+        status,
+        contentType: 'application/json',
+        body: answer === undefined ? '' : JSON.stringify(answer),
+      });
     });
   }
 

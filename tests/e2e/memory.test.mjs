@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streaming for a while does not make the page grow: textures and geometries stay as many as they were, and so does the memory of
-// Chromium's processes, but for what they keep at hand. ROOMCAST_SOAK_S says for how long (`npm run soak`: five minutes).
+// Streaming for a while does not make the page grow: textures and geometries stay as many as they were, and so does the
+// memory of Chromium's processes, but for what they keep at hand. ROOMCAST_SOAK_S says for how long (`npm run soak`:
+// five minutes).
 import assert from 'node:assert/strict';
 import { setTimeout as delay } from 'node:timers/promises';
 import { after, before, describe, test } from 'node:test';
@@ -35,7 +36,12 @@ describe('a page that streams', () => {
   test(`does not grow in ${seconds} s`, timeout, async (t) => {
     const page = await openPage(browser.context, `${hub.page}?panel=1`);
     await untilAllShown(page, 2);
-    const warm = await until('some sets', () => stateOf(page), ({ shownSets }) => shownSets >= warmUpSets, 60_000);
+    const warm = await until(
+      'some sets',
+      () => stateOf(page),
+      ({ shownSets }) => shownSets >= warmUpSets,
+      60_000,
+    );
     const processes = (await processesOf(browser.context)).filter(({ type }) => type === 'renderer' || type === 'GPU');
     const used = [];
     for (let i = 0; i < readings; i++) {
@@ -46,7 +52,9 @@ describe('a page that streams', () => {
     const third = Math.floor(readings / 3);
     const growth_mb = mean(used.slice(-third)) - mean(used.slice(0, third));
     const now = await stateOf(page);
-    t.diagnostic(`${now.shownSets - warm.shownSets} sets; ${used.map(Math.round).join(', ')} MB; growth ${growth_mb.toFixed(1)} MB`);
+    t.diagnostic(
+      `${now.shownSets - warm.shownSets} sets; ${used.map(Math.round).join(', ')} MB; growth ${growth_mb.toFixed(1)} MB`,
+    );
     assert.ok(now.shownSets > warm.shownSets + seconds / 2, 'it streams');
     assert.deepEqual(now.kept, warm.kept, 'textures and geometries');
     assert.ok(growth_mb < mostGrowth_mb, `${growth_mb} MB`);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's pixels beside those of `roomcast view`, of the same room from the same place: a recording of a simulated room in
-// which nobody moves. Both mix surfaces by the same rules; that one also matches the cameras' colours and sharpens.
+// The page's pixels beside those of `roomcast view`, of the same room from the same place: a recording of a simulated
+// room in which nobody moves. Both mix surfaces by the same rules; that one also matches the cameras' colours and
+// sharpens.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -54,12 +55,19 @@ test('the page draws what roomcast view draws', { timeout: 180_000 }, async (t) 
   t.after(() => browser.end());
   const page = await openPage(browser.context, `${hub.page}?panel=0&quality=best&at=${at}&look=${look}`);
   await untilAllShown(page, sensors);
-  await until('enough frames', () => stateOf(page), ({ shownSets }) => shownSets > enoughFrames, 60_000);
+  await until(
+    'enough frames',
+    () => stateOf(page),
+    ({ shownSets }) => shownSets > enoughFrames,
+    60_000,
+  );
   const wanted = readFileSync(png).toString('base64');
   const blend = await page.evaluate(likeness, wanted);
   await page.evaluate(() => window.roomcast.setMode('mesh'));
   const mesh = await page.evaluate(likeness, wanted);
-  t.diagnostic(`PSNR against roomcast view: blended ${blend.psnr_dB.toFixed(2)} dB, mesh ${mesh.psnr_dB.toFixed(2)} dB`);
+  t.diagnostic(
+    `PSNR against roomcast view: blended ${blend.psnr_dB.toFixed(2)} dB, mesh ${mesh.psnr_dB.toFixed(2)} dB`,
+  );
   assert.ok(blend.same, 'of the same size');
   assert.ok(blend.psnr_dB >= leastAlike_dB, `blended ${blend.psnr_dB} dB`);
   assert.ok(blend.psnr_dB >= mesh.psnr_dB + leastBlendGain_dB, `blended ${blend.psnr_dB} dB, mesh ${mesh.psnr_dB} dB`);

@@ -3,7 +3,9 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-const { transformSync } = createRequire(new URL('../../web/node_modules/vite/package.json', import.meta.url))('esbuild');
+const { transformSync } = createRequire(new URL('../../web/node_modules/vite/package.json', import.meta.url))(
+  'esbuild',
+);
 
 const sources = new URL('../../web/src', import.meta.url);
 const three = new URL('../../web/node_modules/three/build/', import.meta.url);
@@ -15,7 +17,8 @@ const html = `<!doctype html><title>sources</title><canvas></canvas>
 
 function answer(path) {
   if (path === '/') return { contentType: 'text/html', body: html };
-  if (path.startsWith('/three/')) return { contentType: 'text/javascript', body: readFileSync(new URL(path.slice(7), three)) };
+  if (path.startsWith('/three/'))
+    return { contentType: 'text/javascript', body: readFileSync(new URL(path.slice(7), three)) };
   const file = new URL(`${sources.pathname}${path}${path.endsWith('.ts') ? '' : '.ts'}`, sources);
   if (!existsSync(file)) return { status: 404 };
   return { contentType: 'text/javascript', body: transformSync(readFileSync(file, 'utf8'), { loader: 'ts' }).code };

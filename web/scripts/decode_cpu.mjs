@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// npm run decode-cpu: what decoding costs in a real Chromium: processor time of the page's threads that receive and decode (worker,
-// WebCodecs' threads, network), per frame, and as a share of one core for four sensors at 30 fps. Drawing is not counted. The
-// frames are those of a simulated room, recorded first, so that the recording's encoders run at whatever speed they can.
+// npm run decode-cpu: what decoding costs in a real Chromium: processor time of the page's threads that receive and
+// decode (worker, WebCodecs' threads, network), per frame, and as a share of one core for four sensors at 30 fps.
+// Drawing is not counted. The frames are those of a simulated room, recorded first, so that the recording's encoders
+// run at whatever speed they can.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -37,7 +38,19 @@ const ends = [() => rmSync(folder, { recursive: true, force: true })];
 try {
   const rig = join(folder, 'rig');
   console.log('recording a simulated room …');
-  await run('simulate', rig, '--sensors', String(sensors), '--fps', String(fps), '--seconds', '1', '--half-color', '--views', '0');
+  await run(
+    'simulate',
+    rig,
+    '--sensors',
+    String(sensors),
+    '--fps',
+    String(fps),
+    '--seconds',
+    '1',
+    '--half-color',
+    '--views',
+    '0',
+  );
   const hub = await startHub();
   ends.push(() => hub.end());
   for (let n = 0; n < sensors; n++) {
@@ -48,12 +61,16 @@ try {
   ends.push(() => browser.end());
   const page = await openPage(browser.context, `${hub.page}?panel=0&mode=points`);
   await untilAllShown(page, sensors);
-  const renderers = (await processesOf(browser.context)).filter(({ type }) => type === 'renderer').map(({ pid }) => pid);
+  const renderers = (await processesOf(browser.context))
+    .filter(({ type }) => type === 'renderer')
+    .map(({ pid }) => pid);
   console.log(`measuring for ${measured_s} s …`);
   const { frames, ms } = await measure(page, renderers);
   const share = (ms * sensors * fps) / 1000;
   console.log(`${frames} frames decoded; ${ms.toFixed(2)} ms of processor time each`);
-  console.log(`${sensors} sensors at ${fps} fps: ${(100 * share).toFixed(0)} % of one core (simulated room, live codec)`);
+  console.log(
+    `${sensors} sensors at ${fps} fps: ${(100 * share).toFixed(0)} % of one core (simulated room, live codec)`,
+  );
 } finally {
   for (const end of ends.reverse()) await end();
 }

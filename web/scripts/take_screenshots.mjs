@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// npm run screenshots [-- desktop phone headset console]: the pictures of the page in docs/images, of a recording of a simulated
-// room in which nobody moves. Drawn in software at the best quality, so it takes some minutes.
+// npm run screenshots [-- desktop phone headset console]: the pictures of the page in docs/images, of a recording of a
+// simulated room in which nobody moves. Drawn in software at the best quality, so it takes some minutes.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -20,7 +20,12 @@ const patience_ms = 240_000;
 
 async function settled(page) {
   await untilAllShown(page, sensors);
-  await until('a well drawn room', () => stateOf(page), ({ shownSets }) => shownSets >= enoughSets, patience_ms);
+  await until(
+    'a well drawn room',
+    () => stateOf(page),
+    ({ shownSets }) => shownSets >= enoughSets,
+    patience_ms,
+  );
 }
 
 async function picture(page, name) {
@@ -60,14 +65,22 @@ async function phone(hub) {
 
 async function headset(hub) {
   await withBrowser({ width: 1100, height: 560 }, async (context) => {
-    const other = await openPage(context, `${hub.page}?panel=0&mode=points&name=Grace&at=-0.9,1.6,-0.3&look=0.6,1.5,2.6`);
+    const other = await openPage(
+      context,
+      `${hub.page}?panel=0&mode=points&name=Grace&at=-0.9,1.6,-0.3&look=0.6,1.5,2.6`,
+    );
     await context.addInitScript({ path: iwer });
     await context.addInitScript({ content: plugIn });
     const page = await openPage(context, `${hub.page}?${view}&panel=1`);
     await settled(page);
     await page.getByRole('button', { name: 'Enter VR' }).click();
     const before = (await stateOf(page)).shownSets;
-    await until('pictures', () => stateOf(page), ({ shownSets }) => shownSets >= before + 3, patience_ms);
+    await until(
+      'pictures',
+      () => stateOf(page),
+      ({ shownSets }) => shownSets >= before + 3,
+      patience_ms,
+    );
     await picture(page, 'web-headset');
     await other.close();
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// By what right this page asks to come in: the hub's key, a code for one time, or a token. They come in the part of a link after
-// the #, which is not sent when the page is fetched; it is taken out of the address at once, and what has to outlive a reload is
-// kept for this tab alone.
+// By what right this page asks to come in: the hub's key, a code for one time, or a token. They come in the part of a
+// link after the #, which is not sent when the page is fetched; it is taken out of the address at once, and what has to
+// outlive a reload is kept for this tab alone.
 
 export interface Access {
   room: string; // that it is for, or empty
@@ -23,7 +23,12 @@ function part(given: URLSearchParams, name: string): string {
 /** `hash` is the address's, `store` the tab's own. A link counts more than what is remembered. */
 export function readAccess(hash: string, store: Store): Access {
   const given = new URLSearchParams(hash.replace(/^#/, ''));
-  const fresh = { room: part(given, 'room'), key: part(given, 'key'), code: part(given, 'code'), token: part(given, 'token') };
+  const fresh = {
+    room: part(given, 'room'),
+    key: part(given, 'key'),
+    code: part(given, 'code'),
+    token: part(given, 'token'),
+  };
   if (fresh.key || fresh.code || fresh.token) return fresh;
   const kept = remembered(store);
   return fresh.room === '' || fresh.room === kept.room ? kept : fresh;

@@ -114,9 +114,7 @@ class Page {
 
   private openStage(): Stage {
     const canvas = document.getElementById('room') as HTMLCanvasElement;
-    canvas.addEventListener('webglcontextlost', () =>
-      this.breakDown(problemTexts.contextLost),
-    );
+    canvas.addEventListener('webglcontextlost', () => this.breakDown(problemTexts.contextLost));
     try {
       return new Stage(canvas, {
         refresh: (now_ms, frame) => this.refresh(now_ms, frame),

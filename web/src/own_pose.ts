@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When to tell the hub where this viewer's head and hands are: when they have moved, at most 20 times a second, and the last
-// place always, also when somebody new has come in.
+// When to tell the hub where this viewer's head and hands are: when they have moved, at most 20 times a second, and the
+// last place always, also when somebody new has come in.
 import type { Body } from './stream/protocol';
 import { orientation, type ViewState } from './view/view_state';
 

@@ -16,7 +16,9 @@ describe("the page's URL", () => {
     });
   });
   test('says mode, place, panel, name and room', () => {
-    const options = parseOptions('?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&quality=best&record=1');
+    const options = parseOptions(
+      '?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&quality=best&record=1',
+    );
     expect(options).toMatchObject({ mode: 'points', panelOpen: false, name: 'Ada', room: 'lab' });
     expect(options).toMatchObject({ best: true, record: true });
     expect(options.view!.position).toEqual(new Vector3(1, 1.6, -2));

@@ -3,7 +3,14 @@
 // (stream/protocol.ts) in milliseconds unless they say room time.
 import type { Roster, SensorEntry, ViewerPose, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
-import { pageTime_ms, type Body, type ConnectionState, type DecodedRecord, type Status, type ViewFrame } from './stream/protocol';
+import {
+  pageTime_ms,
+  type Body,
+  type ConnectionState,
+  type DecodedRecord,
+  type Status,
+  type ViewFrame,
+} from './stream/protocol';
 
 const keptRecords = 100; // per sensor
 const latencyWindow_ms = 1000;

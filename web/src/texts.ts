@@ -13,7 +13,8 @@ export const headsetTexts = {
     insecure:
       'Browsers keep headsets from pages that did not come over HTTPS. Start the hub with --tls-self-signed (or put it behind ' +
       'an HTTPS proxy) and open its https:// address; on the hub’s own computer http://localhost works, too.',
-    'no-webxr': 'This browser does not know WebXR. The browser of a headset does, and so do Chrome and Edge on a computer.',
+    'no-webxr':
+      'This browser does not know WebXR. The browser of a headset does, and so do Chrome and Edge on a computer.',
     'no-headset': 'No headset is connected to this browser. Open this page in a headset’s own browser, or connect one.',
   },
   help: 'Left stick: walk. Right stick: turn, or forward to aim at the floor and let go. Trigger or pinch: aim and go there.',
@@ -59,7 +60,8 @@ export const consoleTexts = {
     nobody: 'Nobody is here.',
   },
   access: {
-    intro: 'A link lets somebody in, as what you choose and for as long as you choose. A link for one time stops working once it was used.',
+    intro:
+      'A link lets somebody in, as what you choose and for as long as you choose. A link for one time stops working once it was used.',
     role: 'For',
     roles: { viewer: 'a viewer', sensor: 'a sensor', admin: 'an admin of this room' },
     name: 'Whom or what it is for',

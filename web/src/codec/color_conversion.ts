@@ -50,11 +50,13 @@ export function rgbaFromYcbcr(
       const green = (offset - greenOfCb * cb - greenOfCr * cr) | 0;
       const blue = (offset + blueOfCb * cb) | 0;
       const luma = Math.imul(bytes[yAt++]! - 16, lumaGain);
-      const rgb = clamp[(luma + red) >> 16]! | (clamp[(luma + green) >> 16]! << 8) | (clamp[(luma + blue) >> 16]! << 16);
+      const rgb =
+        clamp[(luma + red) >> 16]! | (clamp[(luma + green) >> 16]! << 8) | (clamp[(luma + blue) >> 16]! << 16);
       pixels[pixel] = rgb | (seen[pixel]! << 24);
       if (pixel + 1 === end) break; // an odd width: the last block is cut
       const next = Math.imul(bytes[yAt++]! - 16, lumaGain);
-      const beside = clamp[(next + red) >> 16]! | (clamp[(next + green) >> 16]! << 8) | (clamp[(next + blue) >> 16]! << 16);
+      const beside =
+        clamp[(next + red) >> 16]! | (clamp[(next + green) >> 16]! << 8) | (clamp[(next + blue) >> 16]! << 16);
       pixels[pixel + 1] = beside | (seen[pixel + 1]! << 24);
     }
   }

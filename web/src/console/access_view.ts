@@ -2,7 +2,7 @@
 // The console's access: makes links and tokens, shows each this once as text and as a QR code, lists and revokes them.
 import { element, setText } from '../panel/element';
 import { consoleTexts } from '../texts';
-import { checkbox, choice, labelled, submit, textField } from './form';
+import { checkbox, choice, labelled, submit, textField } from '../panel/form';
 import type { HubApi, HubToken, NewToken, Role } from './hub_api';
 import { qrCode } from './qr_code';
 
@@ -76,7 +76,10 @@ export class AccessView {
     else if (fragment) shown.push(this.copyable(texts.link, fragment));
     if (token) shown.push(this.copyable(texts.token, token));
     if (token && role === 'sensor') shown.push(this.copyable(texts.command, command));
-    this.made.replaceChildren(...shown.filter((node) => node !== undefined), element('p', { class: 'note' }, texts.shownOnce));
+    this.made.replaceChildren(
+      ...shown.filter((node) => node !== undefined),
+      element('p', { class: 'note' }, texts.shownOnce),
+    );
   }
 
   private copyable(label: string, text: string): HTMLElement {
@@ -100,11 +103,19 @@ export class AccessView {
     const what = [name, texts.roles[role], revoked ? texts.revoked : texts.until(until)].filter(Boolean).join(' · ');
     const item = element('li', { class: revoked ? 'gone' : '' }, element('span', {}, what));
     if (revoked) return item;
-    const button = element('button', { type: 'button', class: 'plain', 'aria-label': `${texts.revoke}: ${name || role}` }, texts.revoke);
-    button.addEventListener('click', () => void this.trying(async () => {
-      await this.api.revoke(id);
-      this.showList(await this.api.tokens());
-    }));
+    const button = element(
+      'button',
+      { type: 'button', class: 'plain', 'aria-label': `${texts.revoke}: ${name || role}` },
+      texts.revoke,
+    );
+    button.addEventListener(
+      'click',
+      () =>
+        void this.trying(async () => {
+          await this.api.revoke(id);
+          this.showList(await this.api.tokens());
+        }),
+    );
     item.append(button);
     return item;
   }

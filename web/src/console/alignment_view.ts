@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's alignment: the room from above, how well each pair agrees, where each sensor's place comes from, what helps when
-// it has none, and moving one by hand.
+// The console's alignment: the room from above, how well each pair agrees, where each sensor's place comes from, what
+// helps when it has none, and moving one by hand.
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';
 import { consoleTexts as texts } from '../texts';
-import { svg } from './chart';
+import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
 import { drawMap, gapGrade } from './room_map';
 
@@ -72,7 +72,12 @@ export class AlignmentView {
 
   private place(entry: SensorEntry, again: () => void): HTMLElement {
     const moving = this.nudge.moving === entry.id;
-    const line = element('div', { class: 'line' }, element('strong', {}, entry.name), element('span', {}, placeOf(entry)));
+    const line = element(
+      'div',
+      { class: 'line' },
+      element('strong', {}, entry.name),
+      element('span', {}, placeOf(entry)),
+    );
     if (this.mayNudge) {
       const button = element('button', { type: 'button', class: 'plain', 'aria-pressed': String(moving) });
       setText(button, moving ? texts.moving : texts.move);

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small line chart of the last minutes, with its newest value and its scale in words.
 import { element, setText } from '../panel/element';
+import { svg } from '../panel/svg';
 import { chartPath, History, scaleOf } from './history';
 
 const width = 150;
 const height = 34;
-const svgNamespace = 'http://www.w3.org/2000/svg';
-
-export function svg(tag: string, attributes: Record<string, string | number>): SVGElement {
-  const made = document.createElementNS(svgNamespace, tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  return made;
-}
 
 export interface ChartStyle {
   label: string;
@@ -28,7 +22,11 @@ export class Chart {
   private readonly value = element('span', { class: 'value' }, '–');
 
   constructor(private readonly style: ChartStyle) {
-    const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: 'none', 'aria-hidden': 'true' });
+    const picture = svg('svg', {
+      viewBox: `0 0 ${width} ${height}`,
+      preserveAspectRatio: 'none',
+      'aria-hidden': 'true',
+    });
     picture.append(this.area, this.line);
     const words = element('div', { class: 'words' }, element('span', {}, style.label), this.value);
     this.root = element('div', { class: 'chart' }, words);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console beside the room, for those who run it. What the socket tells is shown to whoever may place sensors; what takes an
-// admin's token is asked of the hub's HTTP interface and is offered only when that answers.
+// The console beside the room, for those who run it. What the socket tells is shown to whoever may place sensors; what
+// takes an admin's token is asked of the hub's HTTP interface and is offered only when that answers.
 import type { SensorEntry } from '../gen/control_pb';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
@@ -138,7 +138,10 @@ export class Console {
 
   private async ask(): Promise<void> {
     const room = this.state.welcome?.room ?? '';
-    const [sensors, viewers] = await Promise.all([this.api.sensors(room), this.api.viewers(room)]).catch(() => [[], []]);
+    const [sensors, viewers] = await Promise.all([this.api.sensors(room), this.api.viewers(room)]).catch(() => [
+      [],
+      [],
+    ]);
     this.hubSensors = sensors;
     this.hubViewers = viewers;
   }

@@ -11,7 +11,9 @@ test('a history keeps the newest readings only', () => {
 
 test('a chart ends at the right edge and breaks where nothing was read', () => {
   const path = chartPath([1, undefined, 2, 1], 2, keptReadings - 1, 10);
-  expect(path).toBe(`M${(keptReadings - 4).toFixed(1)} 5.0M${(keptReadings - 2).toFixed(1)} 0.0L${(keptReadings - 1).toFixed(1)} 5.0`);
+  expect(path).toBe(
+    `M${(keptReadings - 4).toFixed(1)} 5.0M${(keptReadings - 2).toFixed(1)} 0.0L${(keptReadings - 1).toFixed(1)} 5.0`,
+  );
 });
 
 test('readings beyond the scale stay inside', () => expect(chartPath([9], 2, keptReadings - 1, 10)).toMatch(/ 0.0$/));

@@ -18,7 +18,12 @@ export class History {
 }
 
 /** An SVG path over `width` x `height`, the newest reading at the right edge; breaks where nothing was read. */
-export function chartPath(readings: readonly (number | undefined)[], most: number, width: number, height: number): string {
+export function chartPath(
+  readings: readonly (number | undefined)[],
+  most: number,
+  width: number,
+  height: number,
+): string {
   const step = width / (keptReadings - 1);
   const start = keptReadings - readings.length;
   let path = '';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub's HTTP interface, as docs/spec/admin.openapi.yaml says. The token goes into a header, never into an address. A refusal
-// is a HubRefusal with the hub's own sentence.
+// The hub's HTTP interface, as docs/spec/admin.openapi.yaml says. The token goes into a header, never into an address.
+// A refusal is a HubRefusal with the hub's own sentence.
 
 export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
 export type Role = 'sensor' | 'viewer' | 'admin';
@@ -96,7 +96,8 @@ function inRoom(room: string, rest = ''): string {
 }
 
 async function refusalOf(response: Pick<Response, 'status' | 'json'>): Promise<HubRefusal> {
-  const said = (await response.json().catch(() => undefined)) as { error?: { code?: string; sentence?: string } } | undefined;
+  const said = (await response.json().catch(() => undefined)) as
+    { error?: { code?: string; sentence?: string } } | undefined;
   const sentence = said?.error?.sentence ?? `The hub answered ${response.status}.`;
   return new HubRefusal(sentence, said?.error?.code ?? String(response.status));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart two sensors say that the surfaces lie which both see, now: points of one are moved into the other's picture and
-// compared with what that one reads there. The sensors' noise is in it, and so is what moves; it is a check, not a calibration.
-// Pure.
+// How far apart two sensors say that the surfaces lie which both see, now: points of one are moved into the other's
+// picture and compared with what that one reads there. The sensors' noise is in it, and so is what moves; it is a
+// check, not a calibration. Pure.
 import type { Intrinsics } from '../gen/control_pb';
 import { distort, type Lens } from '../view/ray_table';
 

@@ -6,7 +6,12 @@ import { PairWatch } from './pair_watch';
 
 const depth = { width: 120, height: 90, fx: 100, fy: 100, cx: 59.5, cy: 44.5, k1: 0, k2: 0, k3: 0, p1: 0, p2: 0 };
 const entryAt = (id: number, x: number, online = true) =>
-  ({ id, online, calibration: { depth }, worldFromDepth: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] }) as SensorEntry;
+  ({
+    id,
+    online,
+    calibration: { depth },
+    worldFromDepth: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+  }) as SensorEntry;
 const frameOf = (sensor: number, wall_mm: number) =>
   ({ sensor, depth_mm: new Uint16Array(depth.width * depth.height).fill(wall_mm) }) as unknown as ViewFrame;
 

@@ -29,7 +29,8 @@ export class PairWatch {
   offer(frames: readonly ViewFrame[], now_ms: number): void {
     for (const { sensor, depth_mm } of frames) {
       const known = this.kept.get(sensor);
-      if (!known || now_ms - known.copiedAt_ms < copyEvery_ms || depth_mm.length !== known.picture.depth_mm.length) continue;
+      if (!known || now_ms - known.copiedAt_ms < copyEvery_ms || depth_mm.length !== known.picture.depth_mm.length)
+        continue;
       known.picture.depth_mm.set(depth_mm);
       known.copiedAt_ms = now_ms;
     }

@@ -16,7 +16,9 @@ export class PeopleView {
   private shown = '';
 
   constructor(private readonly sendAway: (viewer: number) => void) {
-    const heads = [texts.name, texts.fps, texts.latency, texts.dropped].map((text) => element('th', { scope: 'col' }, text));
+    const heads = [texts.name, texts.fps, texts.latency, texts.dropped].map((text) =>
+      element('th', { scope: 'col' }, text),
+    );
     const empty = element('td', { class: 'quiet' });
     this.root.append(element('table', {}, element('thead', {}, element('tr', {}, ...heads, empty)), this.rows));
   }
@@ -45,7 +47,11 @@ export class PeopleView {
   }
 
   private wayOut(viewer: number, name: string): HTMLElement {
-    const button = element('button', { type: 'button', class: 'plain', 'aria-label': `${texts.sendAway}: ${name}` }, texts.sendAway);
+    const button = element(
+      'button',
+      { type: 'button', class: 'plain', 'aria-label': `${texts.sendAway}: ${name}` },
+      texts.sendAway,
+    );
     button.addEventListener('click', () => this.sendAway(viewer));
     return button;
   }

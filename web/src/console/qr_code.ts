@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A QR code as a picture of squares, to be pointed a phone or a headset at.
 import qrcode from 'qrcode-generator';
-import { svg } from './chart';
+import { svg } from '../panel/svg';
 
 const quiet = 4; // modules of light around it, as the standard wants
 

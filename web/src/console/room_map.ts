@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room from above: each sensor with the wedge that it looks into, and a line between those that see the same surfaces.
+// The room from above: each sensor with the wedge that it looks into, and a line between those that see the same
+// surfaces.
 import type { SensorEntry } from '../gen/control_pb';
 import { Placement } from '../gen/control_pb';
 import { consoleTexts as texts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
-import { svg } from './chart';
+import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
 
 const wedge_m = 1.6;
@@ -32,10 +33,17 @@ function spotOf(entry: SensorEntry): Spot {
 function wedge({ entry, x, y, heading }: Spot): SVGElement {
   const { width, fx } = entry.calibration!.depth!;
   const half = Math.atan(width / 2 / fx);
-  const corner = (angle: number) => `${(x + wedge_m * Math.cos(angle)).toFixed(3)} ${(y + wedge_m * Math.sin(angle)).toFixed(3)}`;
+  const corner = (angle: number) =>
+    `${(x + wedge_m * Math.cos(angle)).toFixed(3)} ${(y + wedge_m * Math.sin(angle)).toFixed(3)}`;
   const color = sensorColor(entry.id);
   const d = `M${x} ${y}L${corner(heading - half)}A${wedge_m} ${wedge_m} 0 0 1 ${corner(heading + half)}Z`;
-  return svg('path', { d, fill: color, 'fill-opacity': entry.online ? 0.16 : 0.05, stroke: color, 'stroke-width': 0.02 });
+  return svg('path', {
+    d,
+    fill: color,
+    'fill-opacity': entry.online ? 0.16 : 0.05,
+    stroke: color,
+    'stroke-width': 0.02,
+  });
 }
 
 function label(text: string, x: number, y: number, className: string): SVGElement {

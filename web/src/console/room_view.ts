@@ -2,7 +2,7 @@
 // The console's room: its settings, the hub's other rooms, and opening a new one.
 import { element, setText } from '../panel/element';
 import { consoleTexts } from '../texts';
-import { checkbox, choice, labelled, numberField, submit, textField } from './form';
+import { checkbox, choice, labelled, numberField, submit, textField } from '../panel/form';
 import type { HubApi, HubRoom, Who } from './hub_api';
 
 const texts = consoleTexts.room;

@@ -50,7 +50,8 @@ class SensorCard {
     const captured_ms = traffic?.lastCapture_ms;
     const age_ms = room_ms === undefined || captured_ms === undefined ? undefined : Math.max(0, room_ms - captured_ms);
     const leftOut = traffic && traffic.skipped + traffic.missed;
-    const newlyLeftOut = leftOut === undefined || this.leftOutBefore === undefined ? undefined : leftOut - this.leftOutBefore;
+    const newlyLeftOut =
+      leftOut === undefined || this.leftOutBefore === undefined ? undefined : leftOut - this.leftOutBefore;
     this.leftOutBefore = leftOut;
     this.charts.fps.add(live ? state.sensorFps(entry.id) : undefined);
     this.charts.rate.add(live ? state.sensorBytesPerSecond(entry.id) / 1e6 : undefined);

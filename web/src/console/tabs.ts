@@ -45,7 +45,11 @@ export class Tabs {
   }
 
   private add({ id, label, content }: Tab): void {
-    const button = element('button', { type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `tabpanel-${id}` }, label);
+    const button = element(
+      'button',
+      { type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `tabpanel-${id}` },
+      label,
+    );
     button.addEventListener('click', () => this.choose(id));
     button.addEventListener('keydown', (event) => this.keyDown(event));
     content.id = `tabpanel-${id}`;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sensor sees, small: every fourth pixel of its newest picture, about once a second. Where it has no colour, its depth in
-// grey.
+// What a sensor sees, small: every fourth pixel of its newest picture, about once a second. Where it has no colour, its
+// depth in grey.
 import { element } from '../panel/element';
 import type { ViewFrame } from '../stream/protocol';
 

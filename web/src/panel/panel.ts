@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw, the way into a headset. Rebuilt by
-// parts when the roster changes; figures are refreshed a few times a second.
-import { labelled, submit, textField } from '../console/form';
+// The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw, the way into a headset.
+// Rebuilt by parts when the roster changes; figures are refreshed a few times a second.
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
 import { consoleTexts, headsetTexts, panelTexts as texts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
 import { element, setText } from './element';
+import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { problems, type Problem } from './problems';
@@ -167,9 +167,7 @@ export class Panel {
   }
 
   private help(): HTMLElement {
-    const rows = texts.keys.map(([keys, what]) =>
-      element('div', {}, element('dt', {}, keys), element('dd', {}, what)),
-    );
+    const rows = texts.keys.map(([keys, what]) => element('div', {}, element('dt', {}, keys), element('dd', {}, what)));
     const reset = element('button', { type: 'button', class: 'plain' }, texts.reset);
     reset.addEventListener('click', () => this.events.reset());
     const keys = element('dl', { class: 'keys' }, ...rows);

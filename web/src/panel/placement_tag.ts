@@ -16,5 +16,9 @@ export function placementTag(entry: SensorEntry): HTMLElement | undefined {
   if (entry.placement !== Placement.ALIGNED) return undefined;
   const error_mm = Math.max(1, Math.round(entry.expectedErrorMm));
   const title = entry.placementNote || texts.alignedTitle;
-  return element('span', { class: 'tag good', title }, entry.expectedErrorMm > 0 ? texts.error(error_mm) : texts.aligned);
+  return element(
+    'span',
+    { class: 'tag good', title },
+    entry.expectedErrorMm > 0 ? texts.error(error_mm) : texts.aligned,
+  );
 }

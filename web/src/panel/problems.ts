@@ -55,8 +55,7 @@ function sensorProblems(
   if (roster.sensors.length === 0) {
     return [notice(texts.noSensors(hubAddress))];
   }
-  if (!roster.sensors.some((sensor) => sensor.online))
-    return [error(texts.allGone)];
+  if (!roster.sensors.some((sensor) => sensor.online)) return [error(texts.allGone)];
   return roster.sensors.flatMap((sensor) => {
     if (!sensor.online) return [notice(texts.gone(sensor.name))];
     const counts = traffic.find((entry) => entry.sensor === sensor.id);

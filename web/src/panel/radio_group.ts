@@ -6,7 +6,12 @@ export class RadioGroup<Value extends string> {
   readonly root: HTMLElement;
   private readonly inputs = new Map<Value, HTMLInputElement>();
 
-  constructor(name: string, label: string, choices: readonly { value: Value; label: string; title?: string }[], chosen: (value: Value) => void) {
+  constructor(
+    name: string,
+    label: string,
+    choices: readonly { value: Value; label: string; title?: string }[],
+    chosen: (value: Value) => void,
+  ) {
     this.root = element('div', { class: 'choices', role: 'radiogroup', 'aria-label': label });
     for (const { value, label: text, title } of choices) {
       const input = element('input', { type: 'radio', name, value });

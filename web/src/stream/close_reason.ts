@@ -17,7 +17,6 @@ export interface Explanation {
   reload: boolean; // trying again will not help, loading the page again may
 }
 
-
 export function explain(ending: Ending, host: string): Explanation {
   const { error, ownFault } = ending;
   if (ownFault?.unsupported || error?.code === ErrorCode.ERROR_UNSUPPORTED) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One sensor's frames: wire messages in, drawable frames out. Depth and mask are decoded at once, in wasm; colour comes
-// back later from WebCodecs, and the frame goes on when both are there. A decoder that is out of step asks for a key frame.
+// back later from WebCodecs, and the frame goes on when both are there. A decoder that is out of step asks for a key
+// frame.
 import { rgbaFromYcbcr, type YcbcrPlanes } from '../codec/color_conversion';
 import { ColorDecoder } from '../codec/color_decoder';
 import { PayloadDecoder, PayloadError, type CodecModule, type DecodedPayload } from '../codec/codec_module';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The other viewers: a head with a visor, their name above it, their hands where they are tracked and where these point. Part frames are x right,
-// y up, -z forward. Poses come 20 times a second and are eased in between.
+// The other viewers: a head with a visor, their name above it, their hands where they are tracked and where these
+// point. Part frames are x right, y up, -z forward. Poses come 20 times a second and are eased in between.
 import * as THREE from 'three';
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
 import { pointerRay } from './pointer_ray';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sensors to draw when the machine cannot draw all of them: those that look at the room most as the viewer does (the
-// ranking of Buehler et al. 2001, by the angle at what is looked at), the nearer ones before the farther ones. Pure.
+// Which sensors to draw when the machine cannot draw all of them: those that look at the room most as the viewer does
+// (the ranking of Buehler et al. 2001, by the angle at what is looked at), the nearer ones before the farther ones.
+// Pure.
 import { Matrix4, Vector3 } from 'three';
 
 const typicalDepth_m = 2.2; // how far in front of a sensor the room's middle is taken to be

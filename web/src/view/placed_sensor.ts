@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor of the room as it is drawn: its pictures, the surface that shows them alone, what it remembers and its layers among
-// the mixed ones, and the mark where it stands.
+// A sensor of the room as it is drawn: its pictures, the surface that shows them alone, what it remembers and its
+// layers among the mixed ones, and the mark where it stands.
 import * as THREE from 'three';
 import type { SensorEntry } from '../gen/control_pb';
 import { BlendLayer } from './blend/blend_layer';
@@ -21,11 +21,16 @@ export class PlacedSensor {
   chosen = true; // among those that the machine has time for
   isStale = true; // the memory has something that the layers do not show yet
 
-  constructor(public entry: SensorEntry, mixes: boolean) {
+  constructor(
+    public entry: SensorEntry,
+    mixes: boolean,
+  ) {
     this.pictures = new SensorPictures(entry.calibration!.depth!);
     this.surface = new SensorSurface(this.pictures);
     this.memory = mixes ? new SensorMemory(this.pictures) : undefined;
-    this.layers = this.memory ? (['live', 'background'] as const).map((kind) => new BlendLayer(this.memory!, kind)) : [];
+    this.layers = this.memory
+      ? (['live', 'background'] as const).map((kind) => new BlendLayer(this.memory!, kind))
+      : [];
     this.mark = sensorMark(sensorColor(entry.id));
     this.mark.matrixAutoUpdate = false;
   }

@@ -5,7 +5,7 @@ import { headsetPace, qualities, QualityLadder } from './quality_ladder';
 /** Draws for `seconds` on a machine where a picture costs `cost` ms; returns the quality after each draw. */
 function draw(ladder: QualityLadder, seconds: number, cost: (step: number, ratio: number) => number, from = 0) {
   const history = [];
-  for (let now = from; now < from + 1000 * seconds; ) {
+  for (let now = from; now < from + 1000 * seconds;) {
     const { step, pixelRatio } = ladder.quality;
     const took = cost(step, pixelRatio);
     now += took;

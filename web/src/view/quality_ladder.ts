@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How finely to draw, so that drawing keeps up: steps of the depth grid and of the screen, and how many sensors, chosen by how
-// long the graphics processor took. Starts in the middle, so that the first picture comes soon on any machine; where there is no
-// graphics processor, lower.
+// How finely to draw, so that drawing keeps up: steps of the depth grid and of the screen, and how many sensors, chosen
+// by how long the graphics processor took. Starts in the middle, so that the first picture comes soon on any machine;
+// where there is no graphics processor, lower.
 
 export interface Quality {
   step: number; // every step-th pixel of the depth grid

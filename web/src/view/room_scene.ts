@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What there is to draw: the sensors' surfaces, mixed or one by one, the floor's grid, the other viewers. Follows the roster and
-// takes pictures in; `render` draws it as a camera sees it.
+// What there is to draw: the sensors' surfaces, mixed or one by one, the floor's grid, the other viewers. Follows the
+// roster and takes pictures in; `render` draws it as a camera sees it.
 import * as THREE from 'three';
 import type { Roster, SensorEntry } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor in the scene by itself: its depth grid as a mesh or as points, in world coordinates. Edges of objects are where
-// depth rises by more than 1.2 cm + 2.2 % of the distance from one pixel to the next.
+// One sensor in the scene by itself: its depth grid as a mesh or as points, in world coordinates. Edges of objects are
+// where depth rises by more than 1.2 cm + 2.2 % of the distance from one pixel to the next.
 import * as THREE from 'three';
 import type { SensorPictures } from './sensor_pictures';
 import { fragmentShader, meshVertexShader, pointVertexShader } from './surface_shader';

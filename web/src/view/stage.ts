@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvas: draws the room when something has changed, never more than one picture ahead of the graphics processor, and as
-// finely as that one keeps up with. While a headset is on, the headset says when to draw.
+// The canvas: draws the room when something has changed, never more than one picture ahead of the graphics processor,
+// and as finely as that one keeps up with. While a headset is on, the headset says when to draw.
 import * as THREE from 'three';
 import type { Roster } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';

@@ -18,5 +18,9 @@ test('pointing higher leads farther, pointing straight down to the feet', () => 
   const level = throwArc(hand, new Vector3(0, 0, -1)).at(-1)!;
   const raised = throwArc(hand, new Vector3(0, 0.5, -1)).at(-1)!;
   expect(raised.z).toBeLessThan(level.z);
-  expect(throwArc(hand, new Vector3(0, -1, 0)).at(-1)!.distanceTo(new Vector3(1, 0, 2))).toBeLessThan(1e-6);
+  expect(
+    throwArc(hand, new Vector3(0, -1, 0))
+      .at(-1)!
+      .distanceTo(new Vector3(1, 0, 2)),
+  ).toBeLessThan(1e-6);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A headset that is on: enters and leaves, moves the wearer through the room, and tells where head and hands are. All poses are
-// in world coordinates: the session's reference space is offset by where the wearer stands.
+// A headset that is on: enters and leaves, moves the wearer through the room, and tells where head and hands are. All
+// poses are in world coordinates: the session's reference space is offset by where the wearer stands.
 import * as THREE from 'three';
 import type { Body, PlainPose } from '../stream/protocol';
 import { throwArc } from './arc';
@@ -119,7 +119,10 @@ export class Headset {
   }
 
   private move(head: XRRigidTransform, hands: (XRRigidTransform | undefined)[], seconds: number): void {
-    const sticks = [...this.session!.inputSources].map((source) => ({ side: source.handedness, stick: stickOf(source) }));
+    const sticks = [...this.session!.inputSources].map((source) => ({
+      side: source.handedness,
+      stick: stickOf(source),
+    }));
     const stick = (side: XRHandedness) => sticks.find((entry) => entry.side === side)?.stick;
     const wishes = this.sticks.read(stick('left'), stick('right'));
     const at = new THREE.Vector3(head.position.x, head.position.y, head.position.z);

@@ -2,7 +2,9 @@
 import { expect, test } from 'vitest';
 import { headsetOffer } from './offer';
 
-const offering = (...modes: string[]) => ({ isSessionSupported: (mode: string) => Promise.resolve(modes.includes(mode)) });
+const offering = (...modes: string[]) => ({
+  isSessionSupported: (mode: string) => Promise.resolve(modes.includes(mode)),
+});
 
 test('a page that did not come over HTTPS is told so before all else', async () => {
   expect(await headsetOffer(false, offering('immersive-vr'))).toEqual({ modes: [], obstacle: 'insecure' });

@@ -13,7 +13,10 @@ const up = new Vector3(0, 1, 0);
 
 /** world_from_floor applied to a point. */
 export function inWorld(place: StandingPlace, point: Vector3): Vector3 {
-  return point.clone().applyAxisAngle(up, place.yaw).add(new Vector3(place.x, place.y, place.z));
+  return point
+    .clone()
+    .applyAxisAngle(up, place.yaw)
+    .add(new Vector3(place.x, place.y, place.z));
 }
 
 /** floor_from_world: the pose that an offset reference space wants, so that all that it reports is in world coordinates. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thumbsticks -> what the wearer wants: the left one walks smoothly, the right one turns in steps; pushed forward it aims, and
-// lets go to teleport. Pure state, one per session.
+// Thumbsticks -> what the wearer wants: the left one walks smoothly, the right one turns in steps; pushed forward it
+// aims, and lets go to teleport. Pure state, one per session.
 
 const dead = 0.2;
 const pushed = 0.7;

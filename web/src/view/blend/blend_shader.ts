@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mixes the surfaces of several sensors: those that lie within about 2 cm + 1.2 % of the nearest, weighted by how well each was
-// seen and by how alike the sensor's and the eye's directions are (Buehler et al. 2001, unstructured lumigraph rendering). The
-// same rules as roomcast/render/shaders/blend (nearest, mix, shrink, grow, resolve).
+// Mixes the surfaces of several sensors: those that lie within about 2 cm + 1.2 % of the nearest, weighted by how well
+// each was seen and by how alike the sensor's and the eye's directions are (Buehler et al. 2001, unstructured lumigraph
+// rendering). The same rules as roomcast/render/shaders/blend (nearest, mix, shrink, grow, resolve).
 import { passPrecision } from './full_screen_pass';
 
 // Surfaces this close to the nearest one are mixed with it.
@@ -102,7 +102,8 @@ void main() {
 }
 `;
 
-export const mixFragmentShader = /* glsl */ `${passPrecision}${colorKnown}uniform sampler2D uColor;    // every pixel; alpha above 0: seen
+export const mixFragmentShader = /* glsl */ `${passPrecision}${colorKnown}
+uniform sampler2D uColor;    // every pixel; alpha above 0: seen
 uniform vec2 uSize;
 uniform float uLive;         // 1; 0 for the last picture of a sensor that is gone
 in vec2 vPixel;
@@ -123,7 +124,8 @@ void main() {
  * Half the size: sums of colours with their weights (push-pull, Gortler et al. 1996). The far counts more: what fills a hole
  * beside a person is the wall behind.
  */
-export const shrinkShader = /* glsl */ `${colorKnown}uniform sampler2D uFiner;
+export const shrinkShader = /* glsl */ `${colorKnown}
+uniform sampler2D uFiner;
 uniform sampler2D uDepth;    // of the picture
 uniform bool uFromPicture;
 uniform vec2 uMetresFromDepth;  // metres = y / (x - depth)
@@ -161,7 +163,8 @@ void main() {
 `;
 
 /** The mixed picture with its depth; what no sensor sees takes the colour of its surroundings, if that is wanted. */
-export const resolveFragmentShader = /* glsl */ `${passPrecision}${mixRange}${colorKnown}uniform sampler2D uColorSum;
+export const resolveFragmentShader = /* glsl */ `${passPrecision}${mixRange}${colorKnown}
+uniform sampler2D uColorSum;
 uniform sampler2D uDepth;
 uniform sampler2D uSurroundings;  // half the size
 uniform bool uFill;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a sensor remembers of what stands still: the same rules as roomcast/render/shaders/blend (remember_background,
-// background_depth, carve). `uReadings`: metres and readings of the background, metres and readings of a candidate behind it.
-// Grid textures hold every uStep-th pixel.
+// background_depth, carve). `uReadings`: metres and readings of the background, metres and readings of a candidate
+// behind it. Grid textures hold every uStep-th pixel.
 
 export const depthNoise = /* glsl */ `
 // How far readings of a time-of-flight camera scatter (Fankhauser et al. 2015, a wall that faces it), times 1.5. Metres.

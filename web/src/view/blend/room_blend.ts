@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces of all sensors, mixed into one picture with its depth, which stands in the scene like any other object: put
-// `picture` into the scene and call `mix` before it is drawn. Two passes: the nearest surface, then the sum of what lies close
-// to it. In a headset both eyes share the targets, side by side.
+// The surfaces of all sensors, mixed into one picture with its depth, which stands in the scene like any other object:
+// put `picture` into the scene and call `mix` before it is drawn. Two passes: the nearest surface, then the sum of what
+// lies close to it. In a headset both eyes share the targets, side by side.
 import * as THREE from 'three';
 import type { BlendLayer } from './blend_layer';
 import { resolveFragmentShader } from './blend_shader';

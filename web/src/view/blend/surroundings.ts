@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What surrounds places that no sensor sees: the picture at half its size, with every gap filled from coarser and coarser ones
-// (push-pull, Gortler et al. 1996).
+// What surrounds places that no sensor sees: the picture at half its size, with every gap filled from coarser and
+// coarser ones (push-pull, Gortler et al. 1996).
 import * as THREE from 'three';
 import { growShader, shrinkShader } from './blend_shader';
 import { FullScreenPass, withoutHeadset } from './full_screen_pass';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Labelled fields, each with its label around it so that a click on the words works, too.
-import { element } from '../panel/element';
+import { element } from './element';
 
 export function labelled(text: string, field: HTMLElement, className = 'field'): HTMLElement {
   return element('label', { class: className }, element('span', {}, text), field);
@@ -14,7 +14,12 @@ export function choice<Value extends string>(values: Record<Value, string>, chos
 }
 
 export function textField(longest: number, value = ''): HTMLInputElement {
-  const field = element('input', { type: 'text', maxlength: String(longest), autocomplete: 'off', spellcheck: 'false' });
+  const field = element('input', {
+    type: 'text',
+    maxlength: String(longest),
+    autocomplete: 'off',
+    spellcheck: 'false',
+  });
   field.value = value;
   return field;
 }
