@@ -17,7 +17,7 @@ const at = '0.2,1.7,2.2';
 const look = '0,0.9,-1';
 const still = ['--fps', '2', '--seconds', '1', '--speed', '0', '--drops', '0', '--half-color', '--views', '0'];
 const enoughFrames = 12; // backgrounds are drawn once they have been read eight times
-const leastAlike_dB = 30;
+const leastAlike_dB = 28;
 const leastBlendGain_dB = 1; // over the nearest surface alone
 
 /** In the page: peak signal-to-noise ratio of the room as drawn now against a PNG. */
