@@ -16,9 +16,9 @@
 
 #include "roomcast/client/clock_sync.h"
 #include "roomcast/client/ping_pace.h"
-#include "roomcast/client/retry_pace.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
+#include "roomcast/core/retry_pace.h"
 #include "roomcast/net/hub_url.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/control.pb.h"

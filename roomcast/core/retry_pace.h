@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RetryPace: how long to wait before the next try to reach a hub. Doubles with every failure in a
-// row, up to a few seconds; random within a quarter, so that a hub that comes back is not met by
-// all its clients at once (exponential back-off with jitter: Metcalfe and Boggs 1976). Pure.
+// RetryPace: how long to wait before the next try to reach a hub or a camera. Doubles with every
+// failure in a row, up to a few seconds; random within a quarter, so that a hub that comes back is
+// not met by all its clients at once (exponential back-off with jitter: Metcalfe and Boggs 1976).
+// Pure.
 #pragma once
 
 #include <algorithm>

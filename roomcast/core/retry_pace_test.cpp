@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/client/retry_pace.h"
+#include "roomcast/core/retry_pace.h"
 
 #include <gtest/gtest.h>
 
