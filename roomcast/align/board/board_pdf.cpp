@@ -2,16 +2,15 @@
 #include "roomcast/align/board/board_pdf.h"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "roomcast/align/board/pdf_page.h"
 #include "roomcast/align/board/tag_cells.h"
 
 namespace roomcast::align {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kTextHeight_mm = 12;
 constexpr double kSmallestCell_mm = 3;
 
@@ -49,27 +48,6 @@ std::string caption(const BoardPage& page) {
       kPointsPerMm * kPageMargin_mm, kPointsPerMm * kPageMargin_mm, page.tag, tag_side_mm(page));
 }
 
-/// Header, objects, table of where they are, trailer.
-std::string pdf_of(const BoardPage& page, const std::string& drawing) {
-  const std::vector<std::string> objects = {
-      "<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
-      fmt::format("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.4f} {:.4f}] /Contents 4 0 R "
-                  "/Resources << /Font << /F1 5 0 R >> >> >>",
-                  kPointsPerMm * page.width_mm, kPointsPerMm * page.height_mm),
-      fmt::format("<< /Length {} >>\nstream\n{}endstream", drawing.size(), drawing),
-      "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>"};
-  std::string pdf = "%PDF-1.4\n",
-              table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    table += fmt::format("{:010} 00000 n \n", pdf.size());
-    pdf += fmt::format("{} 0 obj\n{}\nendobj\n", i + 1, objects[i]);
-  }
-  const std::size_t table_at = pdf.size();
-  return pdf + table +
-         fmt::format("trailer\n<< /Size {} /Root 1 0 R >>\nstartxref\n{}\n%%EOF\n",
-                     objects.size() + 1, table_at);
-}
-
 }  // namespace
 
 double tag_side_mm(const BoardPage& page) {
@@ -84,7 +62,7 @@ Result<std::string> board_pdf(const BoardPage& page) {
   }
   if (!(cell_mm(page) >= kSmallestCell_mm))
     return Error{ErrorCode::kInvalidArgument, "the page is too small for a board"};
-  return pdf_of(page, black_cells(*cells, page) + caption(page));
+  return pdf_page(page.width_mm, page.height_mm, black_cells(*cells, page) + caption(page));
 }
 
 }  // namespace roomcast::align

@@ -7,16 +7,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <apriltag/apriltag.h>
-#include <apriltag/tag36h11.h>
+
+#include "roomcast/align/board/tag_detector.h"
 
 namespace roomcast::align {
 namespace {
 
-constexpr float kDecimate =
-    1.5F;  // pictures are searched this much smaller, corners refined in full
-constexpr int kBitsCorrected = 1;    // more would take other things for tags
-constexpr double kLeastMargin = 30;  // of a detection's contrast
 constexpr std::size_t kLeastReadings = 25;
 constexpr double kLeastIncidence = 0.35;  // cosine
 constexpr double kSidesAlike = 0.15;      // of a square that is one
@@ -80,32 +76,10 @@ bool is_square(const std::array<Eigen::Vector3d, 4>& corners_m) {
 struct TagFinder::Detector {
   SensorCalibration calibration;
   Image<Eigen::Vector2f> rays;  // of the depth camera
-  apriltag_family_t* family = tag36h11_create();
-  apriltag_detector_t* detector = apriltag_detector_create();
-  Image<std::uint8_t> grey;
+  TagDetector outlines;
 
   explicit Detector(const SensorCalibration& cameras)
-      : calibration(cameras), rays(ray_table(cameras.depth)) {
-    apriltag_detector_add_family_bits(detector, family, kBitsCorrected);
-    detector->quad_decimate = kDecimate;
-    detector->nthreads = 1;
-  }
-  ~Detector() {
-    apriltag_detector_destroy(detector);
-    tag36h11_destroy(family);
-  }
-  Detector(const Detector&) = delete;
-  Detector& operator=(const Detector&) = delete;
-
-  void make_grey(ColorView color) {
-    grey.resize(color.width, color.height);
-    for (int y = 0; y < color.height; ++y) {
-      for (int x = 0; x < color.width; ++x) {
-        const auto& p = color.at(x, y);
-        grey.at(x, y) = static_cast<std::uint8_t>((77 * p.r + 150 * p.g + 29 * p.b) >> 8);
-      }
-    }
-  }
+      : calibration(cameras), rays(ray_table(cameras.depth)) {}
 
   /// In the colour camera's frame.
   [[nodiscard]] std::vector<Eigen::Vector3d> readings_on(const Pixels& quad,
@@ -125,12 +99,8 @@ struct TagFinder::Detector {
     return points_m;
   }
 
-  [[nodiscard]] std::optional<SeenTag> lift(const apriltag_detection_t& found,
-                                            DepthView depth_mm) const {
-    Pixels quad;
-    // The library counts from the corner of the first pixel, we from its middle.
-    for (std::size_t i = 0; i < 4; ++i)
-      quad[i] = Eigen::Vector2d(found.p[i][0], found.p[i][1]).array() - 0.5;
+  [[nodiscard]] std::optional<SeenTag> lift(const TagOutline& found, DepthView depth_mm) const {
+    const Pixels& quad = found.corners_px;
     const auto plane = steady_plane(readings_on(quad, depth_mm));
     if (!plane) return std::nullopt;
     SeenTag tag{found.id, {}};
@@ -153,17 +123,10 @@ TagFinder::TagFinder(TagFinder&&) noexcept = default;
 TagFinder& TagFinder::operator=(TagFinder&&) noexcept = default;
 
 std::vector<SeenTag> TagFinder::find(DepthView depth_mm, ColorView color) {
-  detector_->make_grey(color);
-  image_u8_t picture = {color.width, color.height, color.width, detector_->grey.data()};
-  zarray_t* const found = apriltag_detector_detect(detector_->detector, &picture);
   std::vector<SeenTag> tags;
-  for (int i = 0; i < zarray_size(found); ++i) {
-    apriltag_detection_t* detection = nullptr;
-    zarray_get(found, i, &detection);
-    if (static_cast<double>(detection->decision_margin) < kLeastMargin) continue;
-    if (auto tag = detector_->lift(*detection, depth_mm)) tags.push_back(*tag);
+  for (const TagOutline& outline : detector_->outlines.find(color)) {
+    if (auto tag = detector_->lift(outline, depth_mm)) tags.push_back(*tag);
   }
-  apriltag_detections_destroy(found);
   return tags;
 }
 

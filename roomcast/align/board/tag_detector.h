@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// TagDetector: AprilTags (Olson 2011; Wang & Olson 2016; family 36h11) in a colour picture. Pixels,
+// centres at whole numbers. Single-threaded; some 20 ms of CPU per picture.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/core/image.h"
+
+namespace roomcast::align {
+
+struct TagOutline {
+  int id = 0;
+  /// Of the black square, as printed: bottom left, bottom right, top right, top left.
+  std::array<Eigen::Vector2d, 4> corners_px;
+};
+
+class TagDetector {
+ public:
+  /// Pictures are searched `decimate` times smaller, corners refined in full.
+  explicit TagDetector(float decimate = 1.5F);
+  ~TagDetector();
+  TagDetector(TagDetector&&) noexcept;
+  TagDetector& operator=(TagDetector&&) noexcept;
+
+  [[nodiscard]] std::vector<TagOutline> find(ColorView color);
+  /// What `find` last looked at.
+  [[nodiscard]] ImageView<const std::uint8_t> grey() const;
+
+ private:
+  struct Detector;
+  std::unique_ptr<Detector> detector_;
+};
+
+}  // namespace roomcast::align
