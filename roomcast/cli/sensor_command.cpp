@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/sensor_camera_options.h"
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
@@ -25,6 +26,18 @@ struct SensorCommandOptions {
   bool verbose = false;
 };
 
+std::string status_text(const std::string& name, const SensorFeedStats& now,
+                        const SensorFeedStats& before) {
+  if (!now.source.is_there) return name + ": waiting for the camera";
+  std::string text = fmt::format(
+      "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
+      static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent);
+  if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
+  if (now.source.times_unplugged > 0)
+    text += fmt::format(", unplugged {} times", now.source.times_unplugged);
+  return text;
+}
+
 Status wait_for_end(const SensorFeed& feed, const std::string& name, const std::stop_token& stop) {
   constexpr int kLooksPerSecond = 10;
   StatusLine line;
@@ -34,9 +47,7 @@ Status wait_for_end(const SensorFeed& feed, const std::string& name, const std::
     std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksPerSecond));
     if (look % kLooksPerSecond != 0) continue;
     const SensorFeedStats now = feed.stats();
-    line.show(fmt::format(
-        "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
-        static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent));
+    line.show(status_text(name, now, before));
     before = now;
   }
   return {};
@@ -45,6 +56,7 @@ Status wait_for_end(const SensorFeed& feed, const std::string& name, const std::
 Status run_sensor(SensorCommandOptions options) {
   StopOnSignal stop;
   options.source_options.loop = !options.once;
+  options.source_options.log = stderr_log("sensor", options.verbose);
   auto source = open_source(options.source, options.source_options);
   if (!source) return source.error();
   const std::string name =
@@ -61,7 +73,11 @@ Status run_sensor(SensorCommandOptions options) {
 void add_sensor_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<SensorCommandOptions>();
   CLI::App* command = app.add_subcommand("sensor", "Send one sensor's depth and colour to a hub");
-  command->add_option("--source", options->source, "sim[:scene][#n], rig:DIR#s0, tum:DIR")
+  command
+      ->add_option(
+          "--source", options->source,
+          "sim[:scene][#n], rig:DIR#s0, tum:DIR, or a camera: freenect:0, openni2:[FILE.oni], "
+          "realsense:, freenect2:, k4a: (roomcast devices lists them)")
       ->required();
   command->add_option("--hub", options->feed.hub_url, "ws://HOST:PORT")->required();
   command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
@@ -77,6 +93,9 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
                    "Simulated: how many stand around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
+  add_camera_options(*command, options->source_options);
+  command->add_option("--preview", options->feed.preview,
+                      "A JPEG file that shows once a second what the sensor sees");
   add_codec_options(*command, options->feed.codec);
   command->add_flag("--once", options->once,
                     "Stop at the end of a recording instead of starting again");

@@ -7,6 +7,7 @@
 #include "roomcast/aligner/lookout.h"
 #include "roomcast/aligner/watched_bundle.h"
 #include "roomcast/cli/frame_log.h"
+#include "roomcast/cli/preview.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/geometry/registration.h"
@@ -53,7 +54,9 @@ class SensorFeed::Worker {
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
         full_color_kbit_per_s_(options.codec.color_kbit_per_s),
-        frame_log_(std::move(frame_log)) {}
+        frame_log_(std::move(frame_log)) {
+    if (!options.preview.empty()) preview_.emplace(options.preview);
+  }
 
   void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
 
@@ -68,6 +71,7 @@ class SensorFeed::Worker {
       } else {
         report_place();
         status = send_captured();
+        if (status) show_preview();
       }
       if (auto failure = publisher_->failure()) status = *failure;
     }
@@ -77,7 +81,7 @@ class SensorFeed::Worker {
 
   SensorFeedStats stats() const {
     const PublisherStats sent = publisher_->stats();
-    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent};
+    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health()};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);
@@ -129,6 +133,15 @@ class SensorFeed::Worker {
     return {};
   }
 
+  /// Of what was seen while it could be sent; while there is no hub, colour stays that of the last.
+  void show_preview() {
+    if (!preview_) return;
+    const Status shown = preview_->show(captured_.depth_mm, registered_.color, SteadyClock().now());
+    if (shown || preview_failed_) return;
+    preview_failed_ = true;
+    if (log_) log_(LogLevel::kWarning, "no preview: " + shown.error().message);
+  }
+
   void follow_network(double rate_share) {
     if (rate_share == rate_share_) return;
     rate_share_ = rate_share;
@@ -153,6 +166,8 @@ class SensorFeed::Worker {
   const int full_color_kbit_per_s_;
   double rate_share_ = 1;  // that the encoder was told
   std::optional<FrameLog> frame_log_;
+  std::optional<Preview> preview_;
+  bool preview_failed_ = false;
   std::unique_ptr<Publisher> publisher_;
   CapturedFrame captured_;      // used again from frame to frame
   RegisteredColor registered_;  // likewise

@@ -26,6 +26,7 @@ struct SensorFeedOptions {
   bool wait_for_hub = false;
   bool tell_pose = true;  // that the source knows; else the hub's aligner has to find it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
+  std::filesystem::path preview;                   // a picture, once a second; empty: none
   LogSink log;
 };
 
@@ -33,6 +34,7 @@ struct SensorFeedStats {
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;
   std::uint64_t bytes_sent = 0;
+  SourceHealth source;
 };
 
 class SensorFeed {

@@ -13,6 +13,7 @@ namespace roomcast {
 namespace {
 
 constexpr double kLargestDepthScale = 1;  // a metre per unit
+constexpr double kLargestDepthBias_m = 0.5;
 constexpr double kQuaternionTolerance = 1e-3;
 constexpr std::uint64_t kLargestDepthValue = std::numeric_limits<std::uint16_t>::max();
 
@@ -111,6 +112,9 @@ void read_depth_values(const JsonFields& fields, RecordedCamera& camera) {
   if (!(camera.depth_scale_to_metre > 0) || camera.depth_scale_to_metre > kLargestDepthScale) {
     fields.reject("depth_scale_to_metre", "must be above 0 and at most 1");
   }
+  camera.depth_bias_m = fields.number("depth_bias_m", 0);
+  if (!(std::abs(camera.depth_bias_m) <= kLargestDepthBias_m))
+    fields.reject("depth_bias_m", "must be within half a metre");
   camera.invalid_depth = {0};
   for (const std::uint64_t value : fields.counts("invalid_depth", kLargestDepthValue)) {
     camera.invalid_depth.push_back(static_cast<std::uint16_t>(value));
@@ -159,15 +163,22 @@ Result<RecordedCamera> read_camera_json(const std::filesystem::path& path) {
   return camera;
 }
 
-std::string camera_json_text(const SensorCalibration& calibration) {
-  const nlohmann::json json = {
-      {"depth", camera_as_json(calibration.depth)},
-      {"color", camera_as_json(calibration.color)},
-      {"color_from_depth", row_major_from_transform(calibration.color_from_depth)},
-      {"color_is_registered", calibration.color_is_registered},
-      {"depth_scale_to_metre", 0.001},
-      {"invalid_depth", {0}}};
+std::string camera_json_text(const RecordedCamera& camera) {
+  const SensorCalibration& calibration = camera.calibration;
+  nlohmann::json json = {{"depth", camera_as_json(calibration.depth)},
+                         {"depth_scale_to_metre", camera.depth_scale_to_metre},
+                         {"depth_bias_m", camera.depth_bias_m},
+                         {"invalid_depth", camera.invalid_depth}};
+  if (camera.has_color) {
+    json["color"] = camera_as_json(calibration.color);
+    json["color_from_depth"] = row_major_from_transform(calibration.color_from_depth);
+    json["color_is_registered"] = calibration.color_is_registered;
+  }
   return json.dump(1) + "\n";
+}
+
+std::string camera_json_text(const SensorCalibration& calibration) {
+  return camera_json_text(RecordedCamera{.calibration = calibration});
 }
 
 }  // namespace roomcast

@@ -4,7 +4,7 @@
 //   {"depth": {"width", "height", "fx", "fy", "cx", "cy", "k1", "k2", "k3", "p1", "p2"},
 //    "color": {the same} or absent,
 //    "color_from_depth": [16 numbers, row-major],  "color_is_registered": false,
-//    "depth_scale_to_metre": 0.001,  "invalid_depth": [0]}
+//    "depth_scale_to_metre": 0.001,  "depth_bias_m": 0,  "invalid_depth": [0]}
 //
 // Lens terms may be left out (0). A flat form, common for single recordings, is read too: "width",
 // "height", "depth_intrinsics", "colour_registered_to_depth", and "colour_intrinsics" or
@@ -26,6 +26,7 @@ struct RecordedCamera {
   SensorCalibration calibration;  // without colour: `color` equals `depth` and counts as registered
   bool has_color = true;
   double depth_scale_to_metre = 0.001;  // of the values in the depth pictures
+  double depth_bias_m = 0;              // added after that
   std::vector<std::uint16_t> invalid_depth = {0};
 };
 
@@ -33,7 +34,9 @@ struct RecordedCamera {
 /// as above.
 [[nodiscard]] Result<RecordedCamera> read_camera_json(const std::filesystem::path& path);
 
-/// The first form, for depth in millimetres with 0 as invalid.
+/// The first form.
+[[nodiscard]] std::string camera_json_text(const RecordedCamera& camera);
+/// The same for depth in millimetres with 0 as invalid.
 [[nodiscard]] std::string camera_json_text(const SensorCalibration& calibration);
 
 }  // namespace roomcast

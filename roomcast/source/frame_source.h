@@ -40,10 +40,20 @@ enum class Pace {
   kAsFastAsPossible,  // every frame, at once; capture_time still advances as recorded
 };
 
+/// How a source is doing.
+struct SourceHealth {
+  std::uint64_t frames_lost = 0;  // by the camera, on the way, or because nobody took them in time
+  std::uint64_t times_unplugged = 0;
+  bool is_there = true;  // false while a camera is waited for
+};
+
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   [[nodiscard]] virtual const SensorDescription& description() const = 0;
+
+  /// Thread-safe.
+  [[nodiscard]] virtual SourceHealth health() const { return {}; }
 
   /// Waits for the next frame and fills `frame` (its memory is used again). True: a frame. False:
   /// the source has ended, or `stop` was requested. Errors: kMalformed / kNotFound with the file

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/source/depth_values.h"
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/playback_schedule.h"
 #include "roomcast/source/recording.h"
@@ -37,7 +38,7 @@ class RecordingSource final : public FrameSource {
   PlaybackSchedule schedule_;
   Pace pace_;
   ImageFileReader reader_;
-  std::vector<std::uint16_t> mm_from_value_;  // empty where the recording holds millimetres
+  DepthValues depth_values_;
 };
 
 /// A sensor of a rig folder. Errors of read_rig_recording.

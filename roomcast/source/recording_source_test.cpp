@@ -13,8 +13,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
-constexpr SourceOptions kFastLoop{.pace = Pace::kAsFastAsPossible, .loop = true};
+const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastLoop{.pace = Pace::kAsFastAsPossible, .loop = true};
 
 std::unique_ptr<FrameSource> open_rig(const std::filesystem::path& rig, const std::string& sensor,
                                       const SourceOptions& options) {

@@ -15,7 +15,7 @@ namespace roomcast {
 namespace {
 
 constexpr double kLargestJitter_s = 0.002 + 1e-6;  // of the stamps, as SOURCE.md says; files round
-constexpr SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
 
 struct Expected {
   const char* spec;  // with @ for the data folder

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "roomcast/source/calibrated_source.h"
+#include "roomcast/source/camera/camera_source.h"
+#include "roomcast/source/camera_kinds.h"
 #include "roomcast/source/recording_source.h"
 #include "roomcast/source/rig_json.h"
 #include "roomcast/source/simulator/simulated_source.h"
@@ -14,8 +17,9 @@ namespace roomcast {
 namespace {
 
 constexpr const char* kKinds =
-    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor or tum:DIR, for example "
-    "sim:office,camera=d435#0, rig:house3#s0 or tum:kitchen";
+    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, or a camera: "
+    "freenect:0, openni2:[FILE.oni], realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; for "
+    "example sim:office,camera=d435#0, rig:house3#s0 or tum:kitchen";
 
 /// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
 /// '#'.
@@ -27,7 +31,8 @@ Spec split(const std::string& text) {
   const std::size_t kind_end = std::min(text.find_first_of(":#"), text.size());
   Spec spec{text.substr(0, kind_end), {}, {}};
   std::string rest = text.substr(kind_end);
-  const std::size_t hash = spec.kind == "tum" ? std::string::npos : rest.rfind('#');
+  const bool has_sensors = spec.kind == "sim" || spec.kind == "rig";
+  const std::size_t hash = has_sensors ? rest.rfind('#') : std::string::npos;
   if (hash != std::string::npos) {
     spec.sensor = rest.substr(hash + 1);
     rest.resize(hash);
@@ -48,20 +53,43 @@ std::optional<int> sensor_index(const std::string& text) {
   return index;
 }
 
-}  // namespace
+Result<std::unique_ptr<FrameSource>> open_kind(const CameraKind& kind, const std::string& place,
+                                               const SourceOptions& options) {
+  if (kind.make == nullptr) {
+    return Error{ErrorCode::kUnsupported, "this roomcast was built without " +
+                                              std::string(kind.library) + ", which is needed for " +
+                                              std::string(kind.cameras) +
+                                              "; install it and build again"};
+  }
+  CameraSourceOptions camera;
+  camera.settings = options.camera;
+  camera.settings.loop = options.loop;
+  camera.log = options.log;
+  return CameraSource::open(kind.make(), place, camera);
+}
 
-Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
-                                                 const SourceOptions& options) {
+Result<std::unique_ptr<FrameSource>> open_as_it_is(const std::string& text,
+                                                   const SourceOptions& options) {
   const Spec spec = split(text);
   if (spec.kind == "sim") {
     const auto index = sensor_index(spec.sensor);
     if (!index) return invalid(text, "numbers its sensor wrongly");
     return open_simulated_source(spec.place, *index, options);
   }
+  if (const CameraKind* kind = camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
   if (spec.kind != "rig" && spec.kind != "tum") return invalid(text, "names no kind of source");
   if (spec.place.empty()) return invalid(text, "names no folder");
   if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, options);
   return open_tum_source(spec.place, options);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
+                                                 const SourceOptions& options) {
+  auto source = open_as_it_is(text, options);
+  if (!source || options.calibration.empty()) return source;
+  return with_calibration(*std::move(source), options.calibration);
 }
 
 Result<std::vector<std::string>> rig_sensor_names(const std::string& directory) {

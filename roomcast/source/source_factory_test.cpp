@@ -8,7 +8,7 @@
 namespace roomcast {
 namespace {
 
-constexpr SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
 
 void expect_opens(const std::string& spec, const std::string& name) {
   auto source = open_source(spec, kFastOnce);
@@ -60,6 +60,14 @@ TEST(SourceFactory, lists_the_sensors_of_a_rig) {
 TEST(SourceFactory, a_simulated_sensor_is_numbered) {
   EXPECT_EQ(open_source("sim:livingroom#x").error().code, ErrorCode::kInvalidArgument);
   EXPECT_FALSE(open_source("sim:no-such-scene#0").ok());
+}
+
+TEST(SourceFactory, a_camera_that_is_not_there_or_not_built_in_says_so) {
+  for (const char* spec : {"freenect2:000012345", "k4a", "realsense:"}) {
+    const auto opened = open_source(spec);
+    ASSERT_FALSE(opened.ok()) << spec;
+    EXPECT_NE(opened.error().code, ErrorCode::kInvalidArgument) << opened.error().message;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast devices: which cameras are plugged in, what can be asked of them, and why one of them
+// cannot be opened.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/source/camera/usb_device.h"
+#include "roomcast/source/camera_kinds.h"
+
+namespace roomcast::cli {
+namespace {
+
+/// One line of the list.
+struct Device {
+  std::string spec, model, serial;
+  std::optional<std::string> obstacle;
+  CameraAbilities abilities;
+};
+
+/// One kind of camera, and what was found of it.
+struct Kind {
+  const CameraKind* kind = nullptr;
+  std::string library;
+  std::optional<std::string> problem;  // of the library itself
+  std::vector<Device> devices;
+};
+
+std::string missing_library(const CameraKind& kind) {
+  return fmt::format("roomcast was built without {}", kind.library);
+}
+
+std::optional<std::string> sentence_of(const std::optional<Error>& error) {
+  return error ? std::optional(error->message) : std::nullopt;
+}
+
+Kind look_at(const CameraKind& kind) {
+  Kind found{&kind, std::string(kind.library), std::nullopt, {}};
+  if (kind.make == nullptr) {
+    found.problem = missing_library(kind);
+    return found;
+  }
+  const auto backend = kind.make();
+  found.library = backend->library();
+  const auto cameras = backend->list();
+  if (!cameras) found.problem = cameras.error().message;
+  if (!cameras) return found;
+  for (const CameraInfo& camera : *cameras) {
+    const std::string& place = camera.serial.empty() ? camera.place : camera.serial;
+    found.devices.push_back({fmt::format("{}:{}", kind.name, place), camera.model, camera.serial,
+                             sentence_of(camera.obstacle), backend->abilities()});
+  }
+  return found;
+}
+
+bool has(const Kind& kind, const UsbCamera& camera) {
+  return std::any_of(kind.devices.begin(), kind.devices.end(), [&](const Device& device) {
+    return device.serial.empty() || camera.serial.empty() || device.serial == camera.serial;
+  });
+}
+
+/// What the kernel knows of a camera is more than what its library says; and there are cameras that
+/// no library built in knows.
+void add_from_usb(const std::vector<UsbCamera>& usb, Kind& kind) {
+  for (const UsbCamera& camera : usb) {
+    if (camera.kind != kind.kind->name) continue;
+    const auto sentence = sentence_of(obstacle(camera));
+    if (has(kind, camera)) {
+      for (Device& device : kind.devices) {
+        if (sentence && (device.serial == camera.serial || device.serial.empty()))
+          device.obstacle = sentence;
+      }
+      continue;
+    }
+    const auto problem = sentence ? sentence : kind.problem;
+    kind.devices.push_back({fmt::format("{}:{}", camera.kind, camera.serial),
+                            camera.model,
+                            camera.serial,
+                            problem.value_or("its library does not see it"),
+                            {}});
+  }
+}
+
+std::vector<Kind> look_around() {
+  const std::vector<UsbCamera> usb = usb_cameras();
+  std::vector<Kind> kinds;
+  for (const CameraKind& kind : camera_kinds()) {
+    kinds.push_back(look_at(kind));
+    add_from_usb(usb, kinds.back());
+  }
+  return kinds;
+}
+
+std::string abilities_text(const CameraAbilities& abilities) {
+  std::string text = "depth, colour";
+  if (abilities.lock_exposure) text += ", --lock-exposure";
+  if (abilities.lock_white_balance) text += ", --lock-white-balance";
+  if (abilities.sync) text += ", --sync";
+  if (abilities.trigger_delay) text += ", --trigger-delay-us";
+  return text;
+}
+
+void print(const std::vector<Kind>& kinds) {
+  bool any = false;
+  for (const Kind& kind : kinds) {
+    for (const Device& device : kind.devices) {
+      any = true;
+      fmt::print("{}\n  {}\n", device.spec, device.model);
+      if (device.obstacle) {
+        fmt::print("  cannot be opened: {}\n", *device.obstacle);
+      } else {
+        fmt::print("  ready: {}\n", abilities_text(device.abilities));
+      }
+    }
+  }
+  if (!any) fmt::print("no camera is plugged in\n");
+  fmt::print("\n");
+  for (const Kind& kind : kinds) {
+    fmt::print("{:<10} {:<38} {}\n", kind.kind->name, kind.kind->cameras,
+               kind.problem ? *kind.problem : kind.library);
+  }
+}
+
+nlohmann::json json_of(const Device& device) {
+  nlohmann::json json = {{"spec", device.spec},
+                         {"model", device.model},
+                         {"serial", device.serial},
+                         {"ready", !device.obstacle},
+                         {"can",
+                          {{"lock_exposure", device.abilities.lock_exposure},
+                           {"lock_white_balance", device.abilities.lock_white_balance},
+                           {"sync", device.abilities.sync},
+                           {"trigger_delay", device.abilities.trigger_delay}}}};
+  if (device.obstacle) json["obstacle"] = *device.obstacle;
+  return json;
+}
+
+nlohmann::json json_of(const std::vector<Kind>& kinds) {
+  nlohmann::json json = {{"devices", nlohmann::json::array()}, {"kinds", nlohmann::json::array()}};
+  for (const Kind& kind : kinds) {
+    for (const Device& device : kind.devices) json["devices"].push_back(json_of(device));
+    nlohmann::json row = {{"kind", kind.kind->name},
+                          {"cameras", kind.kind->cameras},
+                          {"library", kind.library},
+                          {"built_in", kind.kind->make != nullptr}};
+    if (kind.problem) row["problem"] = *kind.problem;
+    json["kinds"].push_back(std::move(row));
+  }
+  return json;
+}
+
+Status run_devices(bool as_json) {
+  const std::vector<Kind> kinds = look_around();
+  if (as_json) {
+    fmt::print("{}\n", json_of(kinds).dump(1));
+  } else {
+    print(kinds);
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, Command& chosen) {
+  auto as_json = std::make_shared<bool>(false);
+  CLI::App* command =
+      app.add_subcommand("devices", "List cameras, what they can do, and what is in their way");
+  command->add_flag("--json", *as_json, "For scripts");
+  command->footer(
+      "Example:\n  roomcast devices\n"
+      "What stands before \"ready\" or \"cannot be opened\" is what roomcast sensor --source "
+      "takes.");
+  command->callback([as_json, &chosen] {
+    chosen = [as_json] { return finish("devices", run_devices(*as_json)); };
+  });
+}
+
+}  // namespace roomcast::cli

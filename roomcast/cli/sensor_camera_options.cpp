@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/sensor_camera_options.h"
+
+#include <map>
+#include <string>
+
+namespace roomcast::cli {
+
+void add_camera_options(CLI::App& command, SourceOptions& source) {
+  const std::map<std::string, SyncRole> roles = {{"alone", SyncRole::kAlone},
+                                                 {"primary", SyncRole::kPrimary},
+                                                 {"secondary", SyncRole::kSecondary}};
+  CameraSettings& camera = source.camera;
+  command.add_option("--calibration", source.calibration,
+                     "A camera.json to believe more than the camera: roomcast calibrate writes it");
+  command.add_flag("--lock-exposure", camera.lock_exposure,
+                   "Keep the exposure of the first seconds, so that all sensors' pictures match");
+  command.add_flag("--lock-white-balance", camera.lock_white_balance, "Likewise");
+  command.add_option("--sync", camera.sync, "On a sync cable: alone, primary or secondary")
+      ->transform(CLI::CheckedTransformer(roles));
+  command
+      .add_option_function<int>(
+          "--trigger-delay-us",
+          [&camera](int delay) { camera.trigger_delay = std::chrono::microseconds(delay); },
+          "How much later than the primary's its pulses come: 160 for each unit before it, so that "
+          "time-of-flight cameras do not blind each other")
+      ->check(CLI::Range(0, static_cast<int>(kLongestTriggerDelay.count())));
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/camera/camera_source.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <random>
+#include <utility>
+
+#include "roomcast/source/camera/open_camera.h"
+
+namespace roomcast {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{100};  // how soon a stop is noticed
+constexpr std::size_t kLongestName = 40;
+
+/// "freenect-A00367813501053A": the same whenever this camera is plugged in, wherever.
+std::string sensor_name(const std::string& kind, const CameraDescription& camera) {
+  std::string name = kind;
+  if (!camera.serial.empty()) name += "-" + camera.serial;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c <= ' ' || c > '~' || c == '/'; }, '_');
+  return name.substr(0, kLongestName);
+}
+
+/// A serial number finds the same camera in another port; without one, what the user said has to.
+std::string place_again(const std::string& place, const CameraDescription& camera) {
+  return camera.serial.empty() ? place : camera.serial;
+}
+
+void pause(nanoseconds length, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, length, [] { return false; });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> CameraSource::open(std::shared_ptr<CameraBackend> backend,
+                                                        const std::string& place,
+                                                        CameraSourceOptions options) {
+  auto camera = open_camera(*backend, place, options.settings);
+  if (!camera) return camera.error();
+  return std::unique_ptr<FrameSource>(
+      new CameraSource(std::move(backend), place, *std::move(camera), std::move(options)));
+}
+
+CameraSource::CameraSource(std::shared_ptr<CameraBackend> backend, const std::string& place,
+                           std::unique_ptr<Camera> camera, CameraSourceOptions options)
+    : backend_(std::move(backend)),
+      options_(std::move(options)),
+      camera_(std::move(camera)),
+      place_(place_again(place, camera_->description())),
+      pairing_(camera_->description().fps, camera_->description().has_color,
+               [this](CapturedFrame& frame) { hand_over(frame); }),
+      pace_(std::random_device{}()) {
+  const CameraDescription& opened = camera_->description();
+  description_ = {sensor_name(backend_->kind(), opened), opened.calibration, std::nullopt,
+                  opened.fps};
+  thread_ = std::jthread([this](const std::stop_token& stop) { capture(stop); });
+}
+
+CameraSource::~CameraSource() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+void CameraSource::capture(const std::stop_token& stop) {
+  last_heard_ = SteadyClock().now();
+  while (!stop.stop_requested() && !has_ended_) {
+    const Status status = take_pictures();
+    if (status) {
+      lock_when_settled();
+    } else if (status.error().code == ErrorCode::kClosed) {
+      hand_over_end();
+    } else {
+      wait_for_return(status, stop);
+    }
+  }
+}
+
+Status CameraSource::take_pictures() {
+  Status status = camera_->wait(pairing_, kPatience);
+  unpaired_ = pairing_.unpaired_count();
+  if (!status) return status;
+  if (SteadyClock().now() - last_heard_ > options_.silence)
+    return Error{ErrorCode::kUnavailable, "it gives no pictures any more"};
+  return {};
+}
+
+void CameraSource::hand_over(CapturedFrame& frame) {
+  last_heard_ = SteadyClock().now();
+  ++frames_since_open_;
+  Taken taken;
+  if (auto memory = spare_.try_take()) taken.frame = *std::move(memory);
+  std::swap(taken.frame, frame);
+  taken.frame.capture_time = clock_.capture_time(taken.frame.device_time, last_heard_);
+  if (auto unread = newest_.put(std::move(taken))) spare_.put(std::move(unread->frame));
+}
+
+void CameraSource::hand_over_end() {
+  has_ended_ = true;
+  Taken last;
+  if (auto unread = newest_.try_take()) last = *std::move(unread);
+  last.is_last = true;
+  newest_.put(std::move(last));
+}
+
+void CameraSource::lock_when_settled() {
+  if (is_locked_ || frames_since_open_ < options_.frames_until_lock) return;
+  is_locked_ = true;
+  const CameraSettings& wanted = options_.settings;
+  if (!wanted.lock_exposure && !wanted.lock_white_balance) return;
+  const Status status = camera_->lock_color(wanted.lock_exposure, wanted.lock_white_balance);
+  if (!status) say(LogLevel::kWarning, status.error().message);
+}
+
+void CameraSource::wait_for_return(const Status& loss, const std::stop_token& stop) {
+  is_there_ = false;
+  ++losses_;
+  camera_.reset();
+  pairing_.forget();
+  say(LogLevel::kWarning, "the camera is lost: " + loss.error().message + "; waiting for it");
+  pace_.succeeded();
+  do pause(pace_.next(), stop);
+  while (!stop.stop_requested() && !reopen());
+}
+
+bool CameraSource::reopen() {
+  auto camera = open_camera(*backend_, place_, options_.settings);
+  if (!camera) return false;
+  camera_ = *std::move(camera);
+  last_heard_ = SteadyClock().now();
+  frames_since_open_ = 0;
+  is_locked_ = false;
+  clock_ = {};
+  is_there_ = true;
+  say(LogLevel::kWarning, "the camera is back");
+  return true;
+}
+
+void CameraSource::say(LogLevel level, const std::string& sentence) const {
+  if (options_.log) options_.log(level, description_.name + ": " + sentence);
+}
+
+Result<bool> CameraSource::next(CapturedFrame& frame, std::stop_token stop) {
+  if (reached_end_) return false;
+  auto taken = newest_.take(std::move(stop));
+  if (!taken) return false;
+  reached_end_ = taken->is_last;
+  if (taken->frame.depth_mm.empty()) return false;
+  std::swap(frame, taken->frame);
+  spare_.put(std::move(taken->frame));
+  return true;
+}
+
+SourceHealth CameraSource::health() const {
+  return {newest_.dropped_count() + unpaired_, losses_, is_there_};
+}
+
+}  // namespace roomcast

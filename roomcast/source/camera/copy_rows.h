@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pixels out of a library's buffer, whose rows may have gaps between them. Thread-safe (no state).
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#include "roomcast/core/image.h"
+
+namespace roomcast {
+
+/// `picture` keeps its memory where it has this size already. `data` holds `height` rows of
+/// `stride_bytes`, the last one of `width` pixels at least.
+template <class Pixel>
+void copy_rows(const void* data, std::ptrdiff_t stride_bytes, int width, int height,
+               Image<Pixel>& picture) {
+  if (picture.width() != width || picture.height() != height) picture.resize(width, height);
+  const auto* const bytes = static_cast<const char*>(data);
+  for (int y = 0; y < height; ++y) {
+    std::memcpy(picture.view().row(y), bytes + stride_bytes * y,
+                sizeof(Pixel) * static_cast<std::size_t>(width));
+  }
+}
+
+}  // namespace roomcast

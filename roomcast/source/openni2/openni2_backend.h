@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras through OpenNI 2.2 (Asus Xtion, PrimeSense Carmine, Orbbec Astra, whatever has a driver
+// for it), and .oni files. Depth in millimetres; where the device can lay depth over colour by
+// itself, by what it was calibrated to at the factory, it is asked to. Places: a position, a serial
+// number, a URI of OpenNI, or the path of a .oni file.
+#pragma once
+
+#include <memory>
+
+#include "roomcast/source/camera/camera.h"
+
+namespace roomcast {
+
+[[nodiscard]] std::unique_ptr<CameraBackend> openni2_backend();
+
+}  // namespace roomcast

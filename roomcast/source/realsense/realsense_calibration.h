@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// From librealsense's calibration to ours. Metres, pixels. Thread-safe (no state).
+#pragma once
+
+#include <librealsense2/h/rs_sensor.h>
+#include <librealsense2/h/rs_types.h>
+
+#include "roomcast/geometry/camera_model.h"
+
+namespace roomcast {
+
+[[nodiscard]] SensorCalibration realsense_calibration(const rs2_intrinsics& depth,
+                                                      const rs2_intrinsics& color,
+                                                      const rs2_extrinsics& color_from_depth);
+
+}  // namespace roomcast

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras without hardware through everything: driver, library, sensor, hub and subscriber. They
+// are unplugged and plugged in again; the room keeps their place.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "roomcast/cli/sensor_feed.h"
+#include "roomcast/client/subscriber.h"
+#include "roomcast/hub/hub_server.h"
+#include "roomcast/source/freenect/fakenect_recording.h"
+#include "roomcast/source/freenect/kinect_depth.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class CameraInARoom : public testing::Test {
+ protected:
+  CameraInARoom() {
+    std::string pattern = (fs::temp_directory_path() / "roomcast-camera-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    ::setenv("FAKENECT_PATH", folder_.c_str(), 1);
+    ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.c_str(), 1);
+    hub::HubOptions options;
+    options.port = 0;
+    hub_ = std::move(*hub::HubServer::open(options));
+    hub_thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
+  }
+  ~CameraInARoom() override {
+    feed_.reset();
+    viewer_.reset();
+    hub_thread_.request_stop();
+    hub_thread_.join();
+    fs::remove_all(folder_);
+  }
+
+  void unplug() { std::ofstream(folder_ / "unplugged"); }
+  void plug_in() { fs::remove(folder_ / "unplugged"); }
+
+  void stream(const std::string& spec) {
+    const std::string url = "ws://127.0.0.1:" + std::to_string(hub_->port());
+    auto source = open_source(spec);
+    ASSERT_TRUE(source.ok()) << source.error().message;
+    cli::SensorFeedOptions options;
+    options.hub_url = url;
+    options.codec.depth_mode = codec::DepthMode::kLossless;
+    auto feed = cli::SensorFeed::start(*std::move(source), options);
+    ASSERT_TRUE(feed.ok()) << feed.error().message;
+    feed_ = *std::move(feed);
+    auto viewer = Subscriber::open({.hub_url = url, .room = {}, .name = "test", .log = {}});
+    ASSERT_TRUE(viewer.ok()) << viewer.error().message;
+    viewer_ = *std::move(viewer);
+  }
+
+  /// The first picture that the viewer decodes after `sets` frame sets.
+  std::shared_ptr<const RoomSnapshot> room_after(std::uint64_t sets) {
+    const auto give_up = std::chrono::steady_clock::now() + 20s;
+    auto room = viewer_->snapshot();
+    while (room->sets_received < sets || room->sensors.empty() || !room->sensors[0].picture) {
+      if (std::chrono::steady_clock::now() > give_up) {
+        ADD_FAILURE() << "no picture; " << room->problem;
+        break;
+      }
+      room = viewer_->wait_newer(room->revision, 20ms);
+    }
+    return room;
+  }
+
+  void goes_on_after_it_was_unplugged() {
+    const auto before = room_after(1);
+    unplug();
+    while (feed_->stats().source.is_there) std::this_thread::yield();
+    plug_in();
+    while (!feed_->stats().source.is_there) std::this_thread::yield();
+    const auto after = room_after(viewer_->snapshot()->sets_received + 3);
+    ASSERT_EQ(after->sensors.size(), 1U);
+    EXPECT_EQ(after->sensors[0].id, before->sensors[0].id);
+    EXPECT_EQ(feed_->stats().source.times_unplugged, 1U);
+    EXPECT_FALSE(feed_->result());
+  }
+
+  fs::path folder_;
+  std::unique_ptr<hub::HubServer> hub_;
+  std::jthread hub_thread_;
+  std::unique_ptr<cli::SensorFeed> feed_;
+  std::unique_ptr<Subscriber> viewer_;
+};
+
+const DepthImage& depth_in(const RoomSnapshot& room) {
+  return room.sensors[0].picture->frame.depth_mm;
+}
+
+TEST_F(CameraInARoom, a_replayed_kinect_is_seen_as_it_was_recorded) {
+  write_fakenect_recording(folder_, 60);
+  stream("freenect:0");
+  const auto room = room_after(2);
+  EXPECT_EQ(room->sensors[0].name, "freenect-A00367813501053A");
+  const auto mm = kinect_mm_from_raw({});
+  EXPECT_EQ(depth_in(*room).at(320, 240), mm[recorded_raw(320, 240)]);
+  EXPECT_EQ(depth_in(*room).at(10, 240), 0);
+}
+
+TEST_F(CameraInARoom, a_replayed_kinect_goes_on_after_it_was_unplugged) {
+  write_fakenect_recording(folder_, 120);
+  stream("freenect:A00367813501053A");
+  goes_on_after_it_was_unplugged();
+}
+
+TEST_F(CameraInARoom, a_virtual_openni_camera_is_seen_as_its_driver_draws_it) {
+  stream("openni2:");
+  const auto room = room_after(2);
+  EXPECT_EQ(room->sensors[0].name, "openni2-VIRTUAL-7");
+  EXPECT_EQ(depth_in(*room).at(100, 50), 1200);
+}
+
+TEST_F(CameraInARoom, a_virtual_openni_camera_goes_on_after_it_was_unplugged) {
+  stream("openni2:VIRTUAL-7");
+  goes_on_after_it_was_unplugged();
+}
+
+TEST_F(CameraInARoom, a_recording_of_a_real_kinect_plays_round_and_round) {
+  const char* const data = std::getenv("ROOMCAST_DATA");
+  const fs::path file = fs::path(data != nullptr ? data : ROOMCAST_SOURCE_DIR "/../shared/data") /
+                        "kinect1_oni_fixed/test.oni";
+  if (!fs::exists(file))
+    GTEST_SKIP() << "no recording at " << file << "; set ROOMCAST_DATA to test with it";
+  stream("openni2:" + file.string());
+  const auto room = room_after(16);  // it holds 12 frames
+  EXPECT_EQ(depth_in(*room).width(), 640);
+  EXPECT_EQ(feed_->stats().source.times_unplugged, 0U);
+}
+
+}  // namespace
+}  // namespace roomcast::tests

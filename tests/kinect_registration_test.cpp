@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does colour lie where depth says, on recordings of real Kinects? Where depth jumps, colour mostly
+// changes, too: the mean colour gradient under the depth edges, over that of the whole picture, is
+// largest where the cameras are right.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/source/camera_json.h"
+#include "roomcast/source/freenect/kinect_calibration.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path recording(const char* name) {
+  const char* const data = std::getenv("ROOMCAST_DATA");
+  return fs::path(data != nullptr ? data : ROOMCAST_SOURCE_DIR "/../shared/data") / name;
+}
+
+/// Every tenth frame of a recording, up to eight.
+std::vector<CapturedFrame> frames_of(const fs::path& folder) {
+  auto source =
+      open_source("tum:" + folder.string(), {.pace = Pace::kAsFastAsPossible, .loop = false});
+  EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
+  std::vector<CapturedFrame> frames;
+  CapturedFrame frame;
+  for (int i = 0; frames.size() < 8 && *(*source)->next(frame, {}); ++i)
+    if (i % 10 == 0) frames.push_back(frame);
+  return frames;
+}
+
+Image<float> gradient_of(ColorView color) {
+  const auto grey = [&](int x, int y) {
+    const Rgb8 p = color.at(x, y);
+    return 0.30F * p.r + 0.59F * p.g + 0.11F * p.b;
+  };
+  Image<float> gradient(color.width, color.height);
+  for (int y = 1; y + 1 < color.height; ++y) {
+    for (int x = 1; x + 1 < color.width; ++x) {
+      gradient.at(x, y) =
+          std::hypot(grey(x + 1, y) - grey(x - 1, y), grey(x, y + 1) - grey(x, y - 1));
+    }
+  }
+  return gradient;
+}
+
+/// The nearer side of a jump.
+bool is_depth_edge(DepthView depth, int x, int y) {
+  const int here = depth.at(x, y);
+  const auto far_behind = [&](int there) { return there > here + 60 + here / 25; };
+  return here > 0 && (far_behind(depth.at(x - 1, y)) || far_behind(depth.at(x + 1, y)) ||
+                      far_behind(depth.at(x, y - 1)) || far_behind(depth.at(x, y + 1)));
+}
+
+struct Sums {
+  double at_edges = 0, everywhere = 0;
+  double edges = 0, pixels = 0;
+  [[nodiscard]] double score() const { return (at_edges / edges) / (everywhere / pixels); }
+};
+
+void add(const CapturedFrame& frame, const SensorCalibration& cameras, int shift_px, Sums& sums) {
+  const Image<float> gradient = gradient_of(frame.color);
+  for (std::size_t i = 0; i < gradient.view().pixel_count(); ++i)
+    sums.everywhere += static_cast<double>(gradient.data()[i]);
+  sums.pixels += static_cast<double>(gradient.view().pixel_count());
+  const DepthView depth = frame.depth_mm;
+  for (int y = 1; y + 1 < depth.height; ++y) {
+    for (int x = 1; x + 1 < depth.width; ++x) {
+      if (!is_depth_edge(depth, x, y)) continue;
+      const auto point = unproject(cameras.depth, Eigen::Vector2d(x, y), 0.001 * depth.at(x, y));
+      const auto pixel = project(cameras.color, cameras.color_from_depth * *point);
+      if (!pixel) continue;
+      const long u = std::lround(pixel->x()) + shift_px, v = std::lround(pixel->y());
+      if (u < 1 || v < 1 || u + 1 >= gradient.width() || v + 1 >= gradient.height()) continue;
+      sums.at_edges += static_cast<double>(gradient.at(static_cast<int>(u), static_cast<int>(v)));
+      sums.edges += 1;
+    }
+  }
+}
+
+double edge_score(const std::vector<CapturedFrame>& frames, const SensorCalibration& cameras,
+                  int shift_px = 0) {
+  Sums sums;
+  for (const CapturedFrame& frame : frames) add(frame, cameras, shift_px, sums);
+  EXPECT_GT(sums.edges, 1000);
+  return sums.score();
+}
+
+// The recording's own cameras were measured on it: this is how well it can be done.
+TEST(KinectRegistration, a_typical_kinects_cameras_line_up_as_well_as_those_measured) {
+  const fs::path folder = recording("redkitchen_moving");
+  if (!fs::exists(folder))
+    GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
+  const auto frames = frames_of(folder);
+  const auto measured = read_camera_json(folder / "camera.json");
+  ASSERT_TRUE(measured.ok());
+  const SensorCalibration typical = typical_kinect({});
+  SensorCalibration ignorant = typical;
+  ignorant.color = ignorant.depth;
+  ignorant.color_from_depth = {};
+  const double best = edge_score(frames, measured->calibration);
+  const double ours = edge_score(frames, typical), none = edge_score(frames, ignorant);
+  RecordProperty("measured_percent", static_cast<int>(100 * best));
+  RecordProperty("typical_percent", static_cast<int>(100 * ours));
+  RecordProperty("unregistered_percent", static_cast<int>(100 * none));
+  EXPECT_GT(ours, 0.95 * best);
+  EXPECT_GT(ours, 1.1 * none);
+}
+
+TEST(KinectRegistration, a_typical_kinects_cameras_are_better_than_shifted_ones) {
+  const fs::path folder = recording("redkitchen_moving");
+  if (!fs::exists(folder))
+    GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
+  const auto frames = frames_of(folder);
+  const double right = edge_score(frames, typical_kinect({}));
+  EXPECT_GT(right, edge_score(frames, typical_kinect({}), -8));
+  EXPECT_GT(right, edge_score(frames, typical_kinect({}), 8));
+}
+
+TEST(KinectRegistration, depth_that_the_device_laid_over_colour_lines_up_without_a_shift) {
+  const fs::path folder = recording("kinect1_oni_fixed");
+  if (!fs::exists(folder))
+    GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
+  const auto frames = frames_of(folder);
+  const auto camera = read_camera_json(folder / "camera.json");
+  ASSERT_TRUE(camera.ok());
+  ASSERT_TRUE(camera->calibration.color_is_registered);
+  const double right = edge_score(frames, camera->calibration);
+  RecordProperty("registered_percent", static_cast<int>(100 * right));
+  EXPECT_GT(right, edge_score(frames, camera->calibration, -10));
+  EXPECT_GT(right, edge_score(frames, camera->calibration, 10));
+}
+
+}  // namespace
+}  // namespace roomcast::tests
