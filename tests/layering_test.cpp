@@ -51,6 +51,8 @@ const std::vector<Layer> kLayers = {
                                           "roomcast/source/openni2", "roomcast/source/realsense",
                                           "roomcast/source/freenect2", "roomcast/source/k4a"}},
     {"roomcast/align",                   {"roomcast/core", "roomcast/geometry"}},
+    {"roomcast/calibration",             {"roomcast/core", "roomcast/geometry", "roomcast/source/frame_source.h",
+                                          "roomcast/source", "roomcast/align"}},
     {"roomcast/render",                  {"roomcast/core", "roomcast/geometry"}},
     {"roomcast/hub",                     {"roomcast/core", "roomcast/wire", "roomcast/net"}},
     {"roomcast/client",                  {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",

@@ -31,6 +31,7 @@ void add_sensor_command(CLI::App& app, Command& chosen);
 void add_view_command(CLI::App& app, Command& chosen);
 void add_simulate_command(CLI::App& app, Command& chosen);
 void add_contact_sheet_command(CLI::App& app, Command& chosen);
+void add_calibrate_command(CLI::App& app, Command& chosen);
 void add_devices_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_align_command(CLI::App& app, Command& chosen);

@@ -32,6 +32,7 @@ int parse_and_run(int argc, char** argv) {
   add_view_command(app, chosen);
   add_simulate_command(app, chosen);
   add_contact_sheet_command(app, chosen);
+  add_calibrate_command(app, chosen);
   add_devices_command(app, chosen);
   add_info_command(app, chosen);
   add_align_command(app, chosen);

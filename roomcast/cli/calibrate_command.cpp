@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast calibrate: one camera's lens, where its depth camera stands beside it, and what depth is
+// off by, from a printed board held before it.
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/calibration/residual_pictures.h"
+#include "roomcast/calibration/ros_camera_info.h"
+#include "roomcast/calibration/sensor_calibration.h"
+#include "roomcast/calibration/view_collector.h"
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/source/file_bytes.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/source/source_factory.h"
+
+namespace roomcast::cli {
+namespace {
+
+using calibration::CalibrationReport;
+using calibration::CharucoBoard;
+using calibration::ViewCollector;
+
+struct CalibrateOptions {
+  std::string source, out = "calibration";
+  std::string print;  // a PDF file to write, and nothing else
+  std::string paper = "a3";
+  double square_mm = 0;  // 0: as printed on that paper
+  std::size_t views = 20;
+  std::filesystem::path color_info, depth_info;  // of ROS
+  bool keep_lens = false;
+  bool json = false;
+};
+
+calibration::BoardPage page_of(const CalibrateOptions& options) {
+  return options.paper == "a4" ? calibration::kA4Across : calibration::kA3Across;
+}
+
+CharucoBoard board_of(const CalibrateOptions& options) {
+  CharucoBoard board = calibration::board_for(page_of(options));
+  if (options.square_mm > 0) board.square_m = 0.001 * options.square_mm;
+  return board;
+}
+
+Status print_board(const CalibrateOptions& options) {
+  const auto pdf = calibration::charuco_pdf(page_of(options));
+  if (!pdf) return pdf.error();
+  if (Status status = write_file(options.print, *pdf); !status) return status;
+  fmt::print("wrote {}: print it at 100 %; the squares have to be {:.0f} mm wide\n", options.print,
+             1000 * board_of(options).square_m);
+  return {};
+}
+
+const char* words_of(ViewCollector::Verdict verdict) {
+  switch (verdict) {
+    case ViewCollector::Verdict::kNoBoard:
+      return "show the board";
+    case ViewCollector::Verdict::kMoving:
+      return "hold it still";
+    case ViewCollector::Verdict::kSeenBefore:
+      return "now elsewhere: nearer, further, tilted";
+    case ViewCollector::Verdict::kTaken:
+      return "taken";
+  }
+  return "";
+}
+
+Status collect(FrameSource& source, std::size_t wanted, ViewCollector& collector) {
+  const StopOnSignal stop;
+  StatusLine line;
+  CapturedFrame frame;
+  while (collector.views().size() < wanted && !stop.token().stop_requested()) {
+    const auto more = source.next(frame, stop.token());
+    if (!more) return more.error();
+    if (!*more) break;
+    if (frame.color.empty()) continue;
+    const auto verdict = collector.add(frame);
+    line.show(fmt::format("view {} of {}, {} corners seen: {}", collector.views().size(), wanted,
+                          collector.corners().size(), words_of(verdict)));
+  }
+  return {};
+}
+
+/// What ROS knows of the lenses takes the place of what the source says.
+Status import_lenses(const CalibrateOptions& options, SensorCalibration& start) {
+  for (const auto& [file, camera] :
+       {std::pair{&options.color_info, &start.color}, {&options.depth_info, &start.depth}}) {
+    if (file->empty()) continue;
+    const auto imported = calibration::read_camera_info(*file);
+    if (!imported) return imported.error();
+    if (!same_size(*imported, *camera)) {
+      return Error{
+          ErrorCode::kInvalidArgument,
+          fmt::format("{} is about pictures of {}x{}, the camera gives {}x{}", file->string(),
+                      imported->width, imported->height, camera->width, camera->height)};
+    }
+    *camera = *imported;
+  }
+  return {};
+}
+
+nlohmann::json json_of(const CalibrationReport& report) {
+  const SensorCalibration& cameras = report.camera.calibration;
+  nlohmann::json views = nlohmann::json::array();
+  for (const calibration::PlaneError& view : report.depth.views) {
+    views.push_back({{"distance_m", view.distance_m},
+                     {"readings", view.readings},
+                     {"mean_before_mm", view.mean_before_mm},
+                     {"mean_after_mm", view.mean_after_mm},
+                     {"rms_after_mm", view.rms_after_mm}});
+  }
+  return {{"corners", report.lens.errors.size()},
+          {"corner_rms_px", report.lens.rms_px},
+          {"color_fx", cameras.color.fx},
+          {"color_fy", cameras.color.fy},
+          {"color_from_depth", row_major_from_transform(cameras.color_from_depth)},
+          {"depth_scale", 1000 * report.camera.depth_scale_to_metre},
+          {"depth_bias_mm", 1000 * report.camera.depth_bias_m},
+          {"translation_sigma_mm", report.depth.translation_sigma_mm},
+          {"rotation_sigma_deg", report.depth.rotation_sigma_deg},
+          {"bias_sigma_mm", report.depth.bias_sigma_mm},
+          {"views", views}};
+}
+
+std::string text_of(const CalibrationReport& report) {
+  const SensorCalibration& cameras = report.camera.calibration;
+  const Eigen::Vector3d shift_mm = 1000 * cameras.color_from_depth.translation_m;
+  constexpr double kLooseShift_mm = 2, kLooseBias_mm = 2;
+  std::string text = fmt::format(
+      "{} views, {} corners off by {:.3f} px (root mean square)\n"
+      "colour lens: focal length {:.2f}, {:.2f} px; centre {:.2f}, {:.2f}\n"
+      "colour from depth: {:.2f}, {:.2f}, {:.2f} mm +- {:.2f}, turned to within {:.3f} degrees\n"
+      "depth: true = {:.5f} x reading {:+.2f} mm, +- {:.2f}\n",
+      report.depth.views.size(), report.lens.errors.size(), report.lens.rms_px, cameras.color.fx,
+      cameras.color.fy, cameras.color.cx, cameras.color.cy, shift_mm.x(), shift_mm.y(),
+      shift_mm.z(), report.depth.translation_sigma_mm, report.depth.rotation_sigma_deg,
+      1000 * report.camera.depth_scale_to_metre, 1000 * report.camera.depth_bias_m,
+      report.depth.bias_sigma_mm);
+  if (report.depth.translation_sigma_mm > kLooseShift_mm ||
+      report.depth.bias_sigma_mm > kLooseBias_mm)
+    text += "that is loose: take more views, with the board tilted and at all distances\n";
+  return text;
+}
+
+Status write_report(const CalibrationReport& report, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Error{ErrorCode::kUnavailable, "cannot make the folder " + folder.string()};
+  Status status = write_file(folder / "camera.json", camera_json_text(report.camera));
+  if (status) status = write_file(folder / "report.json", json_of(report).dump(1) + "\n");
+  if (status)
+    status =
+        write_color_png(folder / "corners.png", calibration::corner_error_picture(report.lens));
+  if (status)
+    status = write_color_png(folder / "depth.png", calibration::depth_error_picture(report.depth));
+  return status;
+}
+
+Status run_calibrate(const CalibrateOptions& options) {
+  if (!options.print.empty()) return print_board(options);
+  if (options.source.empty())
+    return Error{ErrorCode::kInvalidArgument, "--source is required, or --print FILE.pdf"};
+  SourceOptions source_options;
+  source_options.loop = false;
+  source_options.pace = Pace::kAsFastAsPossible;  // recordings; a camera has its own
+  auto source = open_source(options.source, source_options);
+  if (!source) return source.error();
+  SensorCalibration start = (*source)->description().calibration;
+  if (Status status = import_lenses(options, start); !status) return status;
+  const CharucoBoard board = board_of(options);
+  ViewCollector collector(board);
+  if (Status status = collect(**source, options.views, collector); !status) return status;
+  const bool keep_lens = options.keep_lens || !options.color_info.empty();
+  const auto report = calibration::calibrate(board, collector.views(), start, keep_lens);
+  if (!report) return report.error();
+  if (Status status = write_report(*report, options.out); !status) return status;
+  if (options.json) {
+    fmt::print("{}\n", json_of(*report).dump(1));
+  } else {
+    fmt::print("{}wrote {}/camera.json; corners.png and depth.png beside it show what is left\n",
+               text_of(*report), options.out);
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Find a camera's lens and what its depth is off by, with a printed board");
+  command->add_option("--source", options->source, "The camera, as for roomcast sensor");
+  command->add_option("--print", options->print, "Write the board as a PDF file, nothing else");
+  command->add_option("--paper", options->paper, "The board's: a3, or a4 for short distances")
+      ->check(CLI::IsMember({"a4", "a3"}))
+      ->capture_default_str();
+  command
+      ->add_option("--square-mm", options->square_mm,
+                   "A square of the board, if measured otherwise")
+      ->check(CLI::Range(5.0, 500.0));
+  command->add_option("--views", options->views, "How many to take")
+      ->check(CLI::Range(6, 200))
+      ->capture_default_str();
+  command->add_option("--camera-info", options->color_info,
+                      "ROS's YAML file of the colour lens, to be kept as it is");
+  command->add_option("--depth-camera-info", options->depth_info, "The same of the depth lens");
+  command->add_flag("--keep-lens", options->keep_lens, "Believe the lens that the camera tells");
+  command->add_option("--out", options->out, "Folder for camera.json and the report")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "For scripts");
+  command->footer(
+      "Example:\n  roomcast calibrate --print board.pdf\n"
+      "  roomcast calibrate --source freenect:0 --out kinect\n"
+      "  roomcast sensor --source freenect:0 --calibration kinect/camera.json --hub wss://HOST\n"
+      "Hold the board still for a moment at each of twenty places: near and far, tilted every "
+      "way,\n"
+      "in all corners of the picture.");
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("calibrate", run_calibrate(*options)); };
+  });
+}
+
+}  // namespace roomcast::cli
