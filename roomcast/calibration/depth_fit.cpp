@@ -168,7 +168,7 @@ Result<DepthFit> fit_depth(const CharucoBoard& board, const std::vector<BoardDep
       seen += !readings[i].empty();
     }
     if (seen < kFewestDepthViews) {
-      return Error{ErrorCode::kInvalidArgument,
+      return Error{ErrorCode::kNotFound,
                    "depth was read on the board in " + std::to_string(seen) + " views; it takes " +
                        std::to_string(kFewestDepthViews) + ", within the depth camera's range"};
     }

@@ -45,7 +45,7 @@ struct DepthFit {
 
 /// `cameras.color` is the fitted lens, `cameras.color_from_depth` where to begin. Where colour is
 /// registered, depth is looked at by the colour camera, and only scale and bias are looked for.
-/// kInvalidArgument: fewer than kFewestDepthViews views have readings on the board.
+/// kNotFound: fewer than kFewestDepthViews views have readings on the board.
 [[nodiscard]] Result<DepthFit> fit_depth(const CharucoBoard& board,
                                          const std::vector<BoardDepth>& views,
                                          const SensorCalibration& cameras);

@@ -101,9 +101,9 @@ Result<LensFit> fit_lens(const CharucoBoard& board,
                          const std::vector<std::vector<SeenCorner>>& views,
                          const CameraIntrinsics& start, bool keep_lens) {
   if (views.size() < (keep_lens ? 1 : kFewestViews)) {
-    return Error{ErrorCode::kInvalidArgument, "the board was seen " + std::to_string(views.size()) +
-                                                  " times; a lens takes " +
-                                                  std::to_string(kFewestViews) + " views at least"};
+    return Error{ErrorCode::kNotFound, "the board was seen " + std::to_string(views.size()) +
+                                           " times; a lens takes " + std::to_string(kFewestViews) +
+                                           " views at least"};
   }
   const Error no_board{ErrorCode::kMalformed,
                        "the corners do not fit one flat board: is it the right size, and flat?"};

@@ -23,7 +23,7 @@ struct LensFit {
 };
 
 /// `keep_lens`: `start` is believed, only the poses are looked for. Views hold six corners at
-/// least. kInvalidArgument: too few views (kFewestViews; one, when the lens is kept); kMalformed:
+/// least. kNotFound: too few views (kFewestViews; one, when the lens is kept); kMalformed:
 /// what was seen is no flat board.
 [[nodiscard]] Result<LensFit> fit_lens(const CharucoBoard& board,
                                        const std::vector<std::vector<SeenCorner>>& views,

@@ -127,10 +127,10 @@ TEST_F(RenderedBoards, a_lens_that_is_known_is_kept) {
 
 TEST_F(RenderedBoards, too_few_views_or_no_depth_say_what_is_missing) {
   const std::vector<BoardView> few(views().begin(), views().begin() + 5);
-  EXPECT_EQ(calibrate(board(), few, start(), false).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(calibrate(board(), few, start(), false).error().code, ErrorCode::kNotFound);
   std::vector<BoardView> blind = views();
   for (BoardView& view : blind) view.depth_mm = DepthImage(640, 480);
-  EXPECT_EQ(calibrate(board(), blind, start(), false).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(calibrate(board(), blind, start(), false).error().code, ErrorCode::kNotFound);
 }
 
 TEST_F(RenderedBoards, a_board_of_another_size_shows_in_the_depth_not_in_the_lens) {

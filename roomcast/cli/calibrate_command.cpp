@@ -71,12 +71,12 @@ const char* words_of(ViewCollector::Verdict verdict) {
   return "";
 }
 
-Status collect(FrameSource& source, std::size_t wanted, ViewCollector& collector) {
-  const StopOnSignal stop;
+Status collect(FrameSource& source, std::size_t wanted, const std::stop_token& stop,
+               ViewCollector& collector) {
   StatusLine line;
   CapturedFrame frame;
-  while (collector.views().size() < wanted && !stop.token().stop_requested()) {
-    const auto more = source.next(frame, stop.token());
+  while (collector.views().size() < wanted && !stop.stop_requested()) {
+    const auto more = source.next(frame, stop);
     if (!more) return more.error();
     if (!*more) break;
     if (frame.color.empty()) continue;
@@ -166,6 +166,7 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (!options.print.empty()) return print_board(options);
   if (options.source.empty())
     return Error{ErrorCode::kInvalidArgument, "--source is required, or --print FILE.pdf"};
+  const StopOnSignal stop;  // ends the taking of views; what was taken is used
   SourceOptions source_options;
   source_options.loop = false;
   source_options.pace = Pace::kAsFastAsPossible;  // recordings; a camera has its own
@@ -175,7 +176,8 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (Status status = import_lenses(options, start); !status) return status;
   const CharucoBoard board = board_of(options);
   ViewCollector collector(board);
-  if (Status status = collect(**source, options.views, collector); !status) return status;
+  if (Status status = collect(**source, options.views, stop.token(), collector); !status)
+    return status;
   const bool keep_lens = options.keep_lens || !options.color_info.empty();
   const auto report = calibration::calibrate(board, collector.views(), start, keep_lens);
   if (!report) return report.error();
