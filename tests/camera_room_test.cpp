@@ -126,6 +126,19 @@ TEST_F(CameraInARoom, a_virtual_openni_camera_goes_on_after_it_was_unplugged) {
   goes_on_after_it_was_unplugged();
 }
 
+TEST_F(CameraInARoom, several_cameras_work_side_by_side_in_one_process) {
+  write_fakenect_recording(folder_, 30);
+  auto kinect = open_source("freenect:0"), xtion = open_source("openni2:");
+  ASSERT_TRUE(kinect.ok() && xtion.ok());
+  CapturedFrame frame;
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(*(*kinect)->next(frame, {}));
+    EXPECT_EQ(frame.depth_mm.width(), 640);
+    ASSERT_TRUE(*(*xtion)->next(frame, {}));
+    EXPECT_EQ(frame.depth_mm.width(), 320);
+  }
+}
+
 TEST_F(CameraInARoom, a_recording_of_a_real_kinect_plays_round_and_round) {
   const char* const data = std::getenv("ROOMCAST_DATA");
   const fs::path file = fs::path(data != nullptr ? data : ROOMCAST_SOURCE_DIR "/../shared/data") /
