@@ -131,16 +131,17 @@ nlohmann::json json_of(const CalibrationReport& report) {
 std::string text_of(const CalibrationReport& report) {
   const SensorCalibration& cameras = report.camera.calibration;
   const Eigen::Vector3d shift_mm = 1000 * cameras.color_from_depth.translation_m;
-  constexpr double kLooseShift_mm = 2, kLooseBias_mm = 2;
+  constexpr double kLooseShift_mm = 0.5, kLooseBias_mm = 0.5;
   std::string text = fmt::format(
       "{} views, {} corners off by {:.3f} px (root mean square)\n"
       "colour lens: focal length {:.2f}, {:.2f} px; centre {:.2f}, {:.2f}\n"
-      "colour from depth: {:.2f}, {:.2f}, {:.2f} mm +- {:.2f}, turned to within {:.3f} degrees\n"
-      "depth: true = {:.5f} x reading {:+.2f} mm, +- {:.2f}\n",
+      "colour from depth: {:.2f}, {:.2f}, {:.2f} mm\n"
+      "depth: true = {:.5f} x reading {:+.2f} mm\n"
+      "noise of depth alone leaves {:.2f} mm, {:.3f} degrees and {:.2f} mm open\n",
       report.depth.views.size(), report.lens.errors.size(), report.lens.rms_px, cameras.color.fx,
       cameras.color.fy, cameras.color.cx, cameras.color.cy, shift_mm.x(), shift_mm.y(),
-      shift_mm.z(), report.depth.translation_sigma_mm, report.depth.rotation_sigma_deg,
-      1000 * report.camera.depth_scale_to_metre, 1000 * report.camera.depth_bias_m,
+      shift_mm.z(), 1000 * report.camera.depth_scale_to_metre, 1000 * report.camera.depth_bias_m,
+      report.depth.translation_sigma_mm, report.depth.rotation_sigma_deg,
       report.depth.bias_sigma_mm);
   if (report.depth.translation_sigma_mm > kLooseShift_mm ||
       report.depth.bias_sigma_mm > kLooseBias_mm)
