@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/align/align_bench.h"
+#include "bench/align/corners_suite.h"
 #include "bench/align/fresh_suite.h"
 #include "bench/live_align/board_suite.h"
 #include "bench/live_align/moved_suite.h"
@@ -112,18 +113,22 @@ struct AlignBenchCommand {
   std::vector<std::string> folders;
   std::string suite_name;
   bool json = false;
-  int rooms = 16;  // of walkers and boards
+  int rooms = 16;  // of corners, walkers and boards
   bench::FreshSuiteOptions suite;
+  bench::CornersSuiteOptions corners;
   bench::MovedSuiteOptions moved;
   bench::WalkerSuiteOptions walker;
   bench::BoardSuiteOptions board;
 };
 
 Status run(AlignBenchCommand command) {
-  command.moved.seed = command.walker.seed = command.board.seed = command.suite.seed;
-  command.board.rooms = command.walker.rooms = command.rooms;
+  command.moved.seed = command.walker.seed = command.board.seed = command.corners.seed =
+      command.suite.seed;
+  command.board.rooms = command.walker.rooms = command.corners.rooms = command.rooms;
   StatusLine line;
   const auto show = [&](std::string_view what) { line.show(what); };
+  if (command.suite_name == "corners")
+    return print(bench::run_corners_suite(command.corners, show), command.json);
   if (command.suite_name == "moved")
     return print(bench::run_moved_suite(command.moved, show), command.json);
   if (command.suite_name == "board")
@@ -132,10 +137,10 @@ Status run(AlignBenchCommand command) {
     return print(bench::run_walker_suite(command.walker, show), command.json);
   if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
-  return Error{
-      ErrorCode::kInvalidArgument,
-      "give recordings with known poses, or --suite fresh, moved, walker or board for simulated "
-      "rooms"};
+  return Error{ErrorCode::kInvalidArgument,
+               "give recordings with known poses, or --suite fresh, corners, moved, walker or "
+               "board for simulated "
+               "rooms"};
 }
 
 }  // namespace
@@ -149,9 +154,10 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command
       ->add_option("--suite", values->suite_name,
                    "fresh: simulated rooms of every scene, half of the pairs without an answer; "
+                   "corners: how exactly four sensors in the corners of a room are placed; "
                    "moved: sensors that are pushed, or not, with people about; walker: opposite "
                    "sensors placed by somebody who walks; board: by a printed board")
-      ->check(CLI::IsMember({"fresh", "moved", "walker", "board"}));
+      ->check(CLI::IsMember({"fresh", "corners", "moved", "walker", "board"}));
   command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -163,7 +169,7 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--scene", values->moved.scenes, "moved: these only");
-  command->add_option("--rooms", values->rooms, "walker, board: how many")
+  command->add_option("--rooms", values->rooms, "corners, walker, board: how many")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", values->json, "For scripts");
