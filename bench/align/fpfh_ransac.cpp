@@ -75,7 +75,7 @@ std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
   if (best.size() < kLeastInliers) return std::nullopt;
   const auto pose = fitted(best);
   if (!pose) return std::nullopt;
-  return align::settled_pose(a, b, {}, *pose);
+  return align::settled_pose(a, b, {}, *pose).a_from_b;
 }
 
 }  // namespace roomcast::bench

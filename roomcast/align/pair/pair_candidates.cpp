@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/align/pair/corrected_matches.h"
 #include "roomcast/align/pair/pose_difference.h"
-#include "roomcast/align/pair/settling.h"
 #include "roomcast/align/pair/shape_hypotheses.h"
 
 namespace roomcast::align {
@@ -33,6 +33,10 @@ constexpr double kFaintSupport = 3.5, kFaintScore = 20;
 constexpr int kFaintCells = 20;
 constexpr double kPooledScore = 40;
 constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
+
+/// For colour that lies a little aside of depth, and for views from so far apart that hardly any
+/// match is right. It finds rivals, too, so it is for pairs that say nothing otherwise.
+constexpr VoteOptions kCoarseVote{4000, 400, 24, 0.1F, 0.04F};
 
 constexpr double kLeastSupportKept = 0.5;  // by which settling may lose matches
 constexpr double kFurthestSettled_m = 0.3;
@@ -87,15 +91,16 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
                                std::vector<PointMatch> matches)
     : a_(&a), b_(&b), matches_(std::move(matches)) {
   if (same_pictures()) return;
-  rank(vote_for_poses(matches_));
-  if (!convinces()) rank(hypotheses_by_shape(a_->surface, b_->surface));
+  rank(vote_for_poses(matches_), ColorPlace::kAsCalibrated);
+  if (!convinces()) rank(hypotheses_by_shape(a_->surface, b_->surface), ColorPlace::kAsCalibrated);
+  if (!any_is_strong()) rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
 }
 
 /// Judges hypotheses and puts them among those ranked before.
-void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses) {
+void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color) {
   std::vector<PoseEvidence> found = std::move(ranked_);
   ranked_.clear();
-  for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis));
+  for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis, color));
   std::stable_sort(found.begin(), found.end(),
                    [](const PoseEvidence& x, const PoseEvidence& y) { return x.score > y.score; });
   for (const PoseEvidence& candidate : found) {
@@ -111,6 +116,16 @@ bool PairCandidates::convinces() const {
   return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kLeastMargin;
 }
 
+bool PairCandidates::any_is_strong() const {
+  return std::ranges::any_of(ranked_, [](const PoseEvidence& each) { return is_strong(each); });
+}
+
+const PoseEvidence* PairCandidates::nearest(const RigidTransform& a_from_b) const {
+  const auto found = std::ranges::find_if(
+      ranked_, [&](const PoseEvidence& known) { return !are_rivals(known.a_from_b, a_from_b); });
+  return found == ranked_.end() ? nullptr : &*found;
+}
+
 double PairCandidates::margin() const {
   if (ranked_.empty()) return 0;
   return ranked_.size() == 1 ? ranked_[0].score : ranked_[0].score - ranked_[1].score;
@@ -121,24 +136,32 @@ bool PairCandidates::same_pictures() const {
 }
 
 PoseEvidence PairCandidates::examine(const RigidTransform& a_from_b) const {
+  return examine(PairState{a_from_b, {}, {}});
+}
+
+PoseEvidence PairCandidates::examine(const PairState& state) const {
+  const RigidTransform& a_from_b = state.a_from_b;
   PoseEvidence evidence;
   evidence.a_from_b = a_from_b;
-  evidence.matches = match_support(agreeing_matches(matches_, a_from_b, kInlier_m));
+  evidence.correction_a = state.a;
+  evidence.correction_b = state.b;
+  evidence.matches = match_support(agreeing_matches(
+      corrected_matches(matches_, a_->picture, b_->picture, state), a_from_b, kInlier_m));
   evidence.space = check_free_space(a_->surface, b_->surface, a_from_b, kTestedPoints);
   if (!violates_space(evidence.space)) {
     evidence.solid = check_solid_conflict(a_->surface, b_->surface, a_from_b);
-    evidence.photo = check_photo_consistency(*a_, *b_, a_from_b);
+    evidence.photo = check_photo_consistency(*a_, *b_, state);
   }
   evidence.score = score_of(evidence);
   return evidence;
 }
 
 /// Surfaces alone would let it slide along floors and walls, so whichever explains more is kept.
-PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis) const {
+PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis, ColorPlace color) const {
   const RigidTransform& start = hypothesis.a_from_b;
-  const RigidTransform moved = settled_pose(*a_, *b_, matches_, start);
+  const PairState moved = settled_pose(*a_, *b_, matches_, start, color);
   const PoseEvidence before = examine(start);
-  if (difference(moved, start, Eigen::Vector3d::Zero()).distance_m > kFurthestSettled_m)
+  if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m > kFurthestSettled_m)
     return before;
   const PoseEvidence after = examine(moved);
   if (after.matches.weight < kLeastSupportKept * before.matches.weight) return before;

@@ -10,6 +10,7 @@
 #include "roomcast/align/pair/free_space.h"
 #include "roomcast/align/pair/match_support.h"
 #include "roomcast/align/pair/photo_consistency.h"
+#include "roomcast/align/pair/settling.h"
 #include "roomcast/align/pair/spatial_vote.h"
 #include "roomcast/align/sensor_view.h"
 
@@ -18,6 +19,7 @@ namespace roomcast::align {
 /// What speaks for a pose and what against it.
 struct PoseEvidence {
   RigidTransform a_from_b;
+  SensorCorrection correction_a, correction_b;  // that the pose goes with
   MatchSupport matches;
   FreeSpaceCheck space;
   SolidConflict solid;
@@ -50,11 +52,14 @@ class PairCandidates {
 
   /// Best first; no two of them say the same.
   [[nodiscard]] const std::vector<PoseEvidence>& ranked() const { return ranked_; }
+  /// The best that says the same as this pose; null where none does.
+  [[nodiscard]] const PoseEvidence* nearest(const RigidTransform& a_from_b) const;
   /// How far the best is ahead of the best that says something else.
   [[nodiscard]] double margin() const;
 
-  /// The evidence for any pose.
+  /// The evidence for any pose, with colour as calibrated or corrected.
   [[nodiscard]] PoseEvidence examine(const RigidTransform& a_from_b) const;
+  [[nodiscard]] PoseEvidence examine(const PairState& state) const;
 
   /// Whether both gave the very same pictures.
   [[nodiscard]] bool same_pictures() const;
@@ -64,9 +69,10 @@ class PairCandidates {
   [[nodiscard]] const std::vector<PointMatch>& matches() const { return matches_; }
 
  private:
-  void rank(const std::vector<PoseHypothesis>& hypotheses);
+  void rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color);
   [[nodiscard]] bool convinces() const;
-  [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis) const;
+  [[nodiscard]] bool any_is_strong() const;
+  [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis, ColorPlace color) const;
 
   const SensorView* a_;
   const SensorView* b_;

@@ -121,12 +121,18 @@ TEST(FreeSpace, views_that_do_not_meet_say_nothing) {
   EXPECT_EQ(check.violating, 0);
 }
 
+/// With colour as calibrated.
+PairState at(const RigidTransform& a_from_b) {
+  return {a_from_b, {}, {}};
+}
+
 TEST(PhotoConsistency, colours_agree_at_the_truth_and_not_beside_it) {
-  const auto right = check_photo_consistency(*first_corner().view, *second_corner().view, truth());
+  const auto right =
+      check_photo_consistency(*first_corner().view, *second_corner().view, at(truth()));
   EXPECT_GT(right.correlation, 0.6);
   EXPECT_GT(right.textured, 0.05);
   const auto wrong = check_photo_consistency(*first_corner().view, *second_corner().view,
-                                             shifted(truth(), {0.25, 0, 0.1}));
+                                             at(shifted(truth(), {0.25, 0, 0.1})));
   EXPECT_LT(wrong.correlation, 0.3);
 }
 
@@ -140,7 +146,30 @@ TEST(PhotoConsistency, does_not_mind_another_exposure) {
   }
   const auto view = make_sensor_view(dark);
   ASSERT_TRUE(view.ok());
-  EXPECT_GT(check_photo_consistency(*first_corner().view, *view, truth()).correlation, 0.6);
+  EXPECT_GT(check_photo_consistency(*first_corner().view, *view, at(truth())).correlation, 0.6);
+}
+
+/// The second corner with a colour picture that lies aside.
+CalibrationBundle bundle_with_color_aside(int right_px) {
+  CalibrationBundle bundle = made_up_bundle({}, "aside", second_corner().world_from_depth);
+  for (int y = 0; y < bundle.color.height(); ++y) {
+    for (int x = bundle.color.width() - 1; x >= 0; --x)
+      bundle.color.at(x, y) = bundle.color.at(std::max(0, x - right_px), y);
+  }
+  return bundle;
+}
+
+TEST(PhotoConsistency, colours_that_lie_aside_agree_once_they_are_corrected) {
+  constexpr int kAside_px = 10;
+  const CalibrationBundle bundle = bundle_with_color_aside(kAside_px);
+  const auto view = make_sensor_view(bundle);
+  ASSERT_TRUE(view.ok());
+  const SensorView& a = *first_corner().view;
+  PairState state = at(truth());
+  const double as_given = check_photo_consistency(a, *view, state).correlation;
+  const double in_picture = double(view->picture.grey.width()) / bundle.color.width();
+  state.b.color_shift_px = {-kAside_px * in_picture, 0};
+  EXPECT_GT(check_photo_consistency(a, *view, state).correlation, as_given + 0.1);
 }
 
 TEST(FeatureMatches, weigh_less_where_the_pattern_repeats) {

@@ -53,6 +53,11 @@ struct PairEquations {
 /// hold on to nothing.
 [[nodiscard]] Vector6 solve_motion(const PairEquations& equations);
 
+/// One step of motion and of what the colour cameras are thought to be off by; depth stays as it
+/// is.
+[[nodiscard]] PairVector solve_state(PairEquations equations, const PairState& at);
+void move(const PairVector& step, PairState& state);
+
 /// Weight of a residual (in sigmas) that may be an outlier: Geman & McClure 1985.
 [[nodiscard]] inline double robust_weight(double sigmas) {
   const double part = 1 + sigmas * sigmas / 4;

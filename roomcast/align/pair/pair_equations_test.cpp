@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/align/made_up_views.h"
+#include "roomcast/align/pair/corrected_matches.h"
 #include "roomcast/align/pair/feature_residuals.h"
 #include "roomcast/align/pair/pose_difference.h"
 #include "roomcast/align/pair/settling.h"
@@ -210,8 +211,32 @@ TEST(Settling, brings_a_hypothesis_to_where_surfaces_and_features_agree) {
   const auto& a = first_corner();
   const auto& b = second_corner();
   const RigidTransform start = nudged(true_pose(a, b), 0.015, 0.03);
-  const RigidTransform settled = settled_pose(*a.view, *b.view, exact_matches(a, b), start);
+  const RigidTransform settled =
+      settled_pose(*a.view, *b.view, exact_matches(a, b), start).a_from_b;
   EXPECT_LT(difference(settled, true_pose(a, b)).distance_m, 5 * kMillimetre);
+}
+
+/// Matches as b has them when its colour picture lies so far right of its depth.
+std::vector<PointMatch> matches_with_color_aside(const MadeUpView& a, const MadeUpView& b,
+                                                 float right_px) {
+  const PairState state{true_pose(a, b), {}, {Eigen::Vector2d(double(right_px), 0)}};
+  auto matches = corrected_matches(exact_matches(a, b), a.view->picture, b.view->picture, state);
+  for (PointMatch& match : matches) match.b_pixel.x() += right_px;
+  return matches;
+}
+
+TEST(Settling, finds_colour_that_lies_aside_where_it_is_asked_to) {
+  const auto& a = first_corner();
+  const auto& b = second_corner();
+  constexpr float kAside_px = 12;
+  const auto matches = matches_with_color_aside(a, b, kAside_px);
+  const PairState found =
+      settled_pose(*a.view, *b.view, matches, true_pose(a, b), ColorPlace::kPerhapsAside);
+  // Two pixels, which places of features are trusted to, are a centimetre.
+  EXPECT_LT(difference(found.a_from_b, true_pose(a, b)).distance_m, 10 * kMillimetre);
+  EXPECT_NEAR(found.b.color_shift_px.x(), -double(kAside_px), 3);
+  const PairState believed = settled_pose(*a.view, *b.view, matches, true_pose(a, b));
+  EXPECT_TRUE(believed.b.color_shift_px.isZero());
 }
 
 }  // namespace

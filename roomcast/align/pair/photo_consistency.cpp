@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "roomcast/align/view/depth_noise.h"
@@ -34,29 +35,45 @@ struct Overlay {
         known(mine.size()) {}
 };
 
-Overlay overlay(const SensorView& view, const SensorView& other,
-                const RigidTransform& other_from_view) {
+/// A view whose colour is taken from `shift_px` aside.
+struct Seen {
+  const SensorView& view;
+  Eigen::Vector2f shift_px;
+
+  Seen(const SensorView& of, const SensorCorrection& correction)
+      : view(of), shift_px(correction.color_shift_px.cast<float>()) {}
+
+  [[nodiscard]] std::optional<float> grey_of(const Eigen::Vector3f& point_m) const {
+    const Eigen::Vector3f in_color = view.picture.in_color_frame(point_m);
+    if (!(in_color.z() > kNearestSurface_m)) return std::nullopt;
+    return texture_grey(view.texture, view.picture.pixel_of(in_color) - shift_px);
+  }
+  /// Of one of its own points.
+  [[nodiscard]] std::optional<float> grey_of(const TexturedPoint& point) const {
+    return shift_px.isZero() ? point.grey : grey_of(point.point_m);
+  }
+};
+
+Overlay overlay(const Seen& from, const Seen& other, const RigidTransform& other_from_view) {
   const Eigen::Matrix3f rotation = other_from_view.rotation.cast<float>();
   const Eigen::Vector3f shift = other_from_view.translation_m.cast<float>();
-  const Image<float>& seen = other.surface.z_m;
-  Overlay out(view.texture.width, view.texture.height);
-  for (const TexturedPoint& point : view.texture.points) {
+  const DepthSurface& surface = other.view.surface;
+  Overlay out(from.view.texture.width, from.view.texture.height);
+  for (const TexturedPoint& point : from.view.texture.points) {
     const Eigen::Vector3f in_other = rotation * point.point_m + shift;
     Eigen::Vector2f pixel;
-    if (!other.surface.lens.project(in_other, pixel)) continue;
+    if (!surface.lens.project(in_other, pixel)) continue;
     const int u = static_cast<int>(std::lround(pixel.x())),
               v = static_cast<int>(std::lround(pixel.y()));
-    if (u < 0 || v < 0 || u >= seen.width() || v >= seen.height()) continue;
-    const float z = seen.at(u, v);
+    if (u < 0 || v < 0 || u >= surface.z_m.width() || v >= surface.z_m.height()) continue;
+    const float z = surface.z_m.at(u, v);
     if (!(z > 0) || std::abs(z - in_other.z()) > kSameReading * depth_sigma_m(z)) continue;
-    const Eigen::Vector3f in_color = other.picture.in_color_frame(in_other);
-    if (!(in_color.z() > kNearestSurface_m)) continue;
-    const auto grey = texture_grey(other.texture, other.picture.pixel_of(in_color));
-    if (!grey) continue;
+    const auto mine = from.grey_of(point), theirs = other.grey_of(in_other);
+    if (!mine || !theirs) continue;
     const auto i = static_cast<std::size_t>(point.y) * static_cast<std::size_t>(out.width) +
                    static_cast<std::size_t>(point.x);
-    out.mine[i] = point.grey;
-    out.theirs[i] = *grey;
+    out.mine[i] = *mine;
+    out.theirs[i] = *theirs;
     out.known[i] = 1;
     ++out.count;
   }
@@ -120,13 +137,13 @@ Agreement agreement(const WindowSums::Sums& sums) {
   return {weight, weight * covariance / (contrast_p * contrast_q + kNoiseContrast)};
 }
 
-Agreement agreement_seen_from(const SensorView& view, const SensorView& other,
+Agreement agreement_seen_from(const Seen& from, const Seen& other,
                               const RigidTransform& other_from_view) {
-  const Overlay common = overlay(view, other, other_from_view);
+  const Overlay common = overlay(from, other, other_from_view);
   if (common.count < kLeastPoints) return {};
   const WindowSums sums(common);
   Agreement total;
-  for (const TexturedPoint& point : view.texture.points) {
+  for (const TexturedPoint& point : from.view.texture.points) {
     const auto x = static_cast<std::size_t>(point.x), y = static_cast<std::size_t>(point.y);
     const auto width = static_cast<std::size_t>(common.width);
     const auto height = static_cast<std::size_t>(common.height);
@@ -137,16 +154,17 @@ Agreement agreement_seen_from(const SensorView& view, const SensorView& other,
     total.weight += here.weight;
     total.correlation += here.correlation;
   }
-  const auto points = static_cast<double>(view.texture.points.size());
+  const auto points = static_cast<double>(from.view.texture.points.size());
   return {total.weight / points, total.correlation / points};
 }
 
 }  // namespace
 
 PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
-                                         const RigidTransform& a_from_b) {
-  const Agreement from_a = agreement_seen_from(a, b, a_from_b.inverse());
-  const Agreement from_b = agreement_seen_from(b, a, a_from_b);
+                                         const PairState& state) {
+  const Seen seen_a(a, state.a), seen_b(b, state.b);
+  const Agreement from_a = agreement_seen_from(seen_a, seen_b, state.a_from_b.inverse());
+  const Agreement from_b = agreement_seen_from(seen_b, seen_a, state.a_from_b);
   const double weight = from_a.weight + from_b.weight;
   if (!(weight > 0)) return {};
   return {weight / 2, (from_a.correlation + from_b.correlation) / weight};

@@ -5,6 +5,7 @@
 // geometry can. Thread-safe (no state).
 #pragma once
 
+#include "roomcast/align/pair/pair_equations.h"
 #include "roomcast/align/sensor_view.h"
 
 namespace roomcast::align {
@@ -14,7 +15,8 @@ struct PhotoConsistency {
   double correlation = 0;  // mean over that, -1..1
 };
 
+/// With colour corrected as the state says.
 [[nodiscard]] PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
-                                                       const RigidTransform& a_from_b);
+                                                       const PairState& state);
 
 }  // namespace roomcast::align

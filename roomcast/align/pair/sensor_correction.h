@@ -29,6 +29,12 @@ struct SensorCorrection {
 /// Standard deviations of what is expected of a sensor whose calibration is believed.
 inline constexpr double kColorShiftSigma_px = 0.7;
 
+/// How firmly no shift is expected, at one of so much: most colour cameras are good to a pixel, but
+/// one that is not may be off by any amount (Cauchy's distribution, weighted anew at each step).
+[[nodiscard]] inline double shift_expectation(const Eigen::Vector2d& shift_px) {
+  return 1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
+}
+
 /// By how much depth may be off in a way that no view tells, one standard deviation: of each sensor
 /// by itself, and of all alike (multipath makes every reading of a room too long).
 struct DepthDoubt {

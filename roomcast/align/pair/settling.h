@@ -6,14 +6,20 @@
 
 #include <span>
 
+#include "roomcast/align/pair/pair_equations.h"
 #include "roomcast/align/pair/rigid_fit.h"
 #include "roomcast/align/sensor_view.h"
 
 namespace roomcast::align {
 
+/// Where a sensor's colour is thought to lie. It is a few pixels aside of depth where the
+/// calibration is a little off, or the camera moved between both.
+enum class ColorPlace { kAsCalibrated, kPerhapsAside };
+
 /// From up to about 10 cm away.
-[[nodiscard]] RigidTransform settled_pose(const SensorView& a, const SensorView& b,
-                                          std::span<const PointMatch> matches,
-                                          const RigidTransform& a_from_b);
+[[nodiscard]] PairState settled_pose(const SensorView& a, const SensorView& b,
+                                     std::span<const PointMatch> matches,
+                                     const RigidTransform& a_from_b,
+                                     ColorPlace color = ColorPlace::kAsCalibrated);
 
 }  // namespace roomcast::align

@@ -67,8 +67,7 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
 void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& correction) {
   const Eigen::Index first = place(sensor) + kCorrection;
   const Eigen::Vector2d& shift_px = correction.color_shift_px;
-  const double shift_weight =
-      1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
+  const double shift_weight = shift_expectation(shift_px);
   information_.diagonal().segment<2>(first + kShift).array() += shift_weight;
   gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }

@@ -29,9 +29,7 @@ class RigEquations {
   void add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
            const PairEquations& equations);
 
-  /// What is expected of a sensor's calibration. Most colour cameras are good to a pixel, but one
-  /// that is not may be off by any amount (Cauchy's distribution, weighted anew at what it is
-  /// thought to be off by).
+  /// What is expected of a sensor's calibration, at what it is thought to be off by.
   void add_expectation(std::size_t sensor, const SensorCorrection& correction);
 
   /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move, and

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomcast/align/pair/corrected_matches.h"
 #include "roomcast/align/pair/feature_residuals.h"
 #include "roomcast/align/pair/surface_residuals.h"
 #include "roomcast/align/rig/rig_equations.h"
@@ -16,6 +17,7 @@ constexpr std::size_t kPoints = 8000;
 constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
 constexpr float kFeatureReach_m = 0.08F;
 constexpr double kStill = 3e-5;  // metres and radians
+constexpr double kLeastEvidenceKept = 0.5;
 
 /// A pair and the matches that agreed with it when refinement began.
 struct HeldPair {
@@ -27,6 +29,32 @@ PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) 
   const RefinedSensor& a = sensors[pair.first];
   const RefinedSensor& b = sensors[pair.second];
   return {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction};
+}
+
+/// Where refinement begins: what the pairs on their own thought of the colour cameras, each as much
+/// as its matches weigh.
+void correct_as_pairs_say(std::span<const RigPair> pairs, std::vector<RefinedSensor>& sensors) {
+  std::vector<double> weights(sensors.size());
+  for (const RigPair& pair : pairs) {
+    const PoseEvidence* said = pair.candidates->nearest(state_of(pair, sensors).a_from_b);
+    if (!said) continue;
+    for (const auto& [sensor, correction] :
+         {std::pair(pair.first, said->correction_a), std::pair(pair.second, said->correction_b)}) {
+      sensors[sensor].correction.color_shift_px += said->matches.weight * correction.color_shift_px;
+      weights[sensor] += said->matches.weight;
+    }
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (weights[i] > 0) sensors[i].correction.color_shift_px /= weights[i];
+  }
+}
+
+std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const RefinedSensor> sensors) {
+  const PairState state = state_of(pair, sensors);
+  const PairCandidates& candidates = *pair.candidates;
+  return agreeing_matches(corrected_matches(candidates.matches(), candidates.a().picture,
+                                            candidates.b().picture, state),
+                          state.a_from_b, kFeatureReach_m);
 }
 
 /// What a pair's sensors share, as they stand now.
@@ -105,29 +133,48 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
   return largest;
 }
 
-}  // namespace
-
-std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_from_sensor,
-                                      std::size_t origin, std::span<const RigPair> pairs) {
-  std::vector<RefinedSensor> sensors;
-  for (const RigidTransform& pose : origin_from_sensor) sensors.push_back({pose, {}});
-  std::vector<HeldPair> held;
-  for (const RigPair& pair : pairs) {
-    const RigidTransform a_from_b = state_of(pair, sensors).a_from_b;
-    held.push_back(
-        {&pair, agreeing_matches(pair.candidates->matches(), a_from_b, kFeatureReach_m)});
-  }
+/// Gauss-Newton until it stands.
+void settle(std::span<const HeldPair> held, std::size_t origin,
+            std::vector<RefinedSensor>& sensors) {
   float reach_m = kReach_m;
   for (int i = 0; i < kSteps; ++i) {
     const double largest = move(sensors, rig_equations(held, sensors, origin, reach_m));
     if (reach_m == kLeastReach_m && largest < kStill) break;
     reach_m = std::max(kLeastReach_m, kShrink * reach_m);
   }
-  const RigScatter scatter = rig_scatter(held, sensors, reach_m);
-  const auto covariance =
-      rig_equations(held, sensors, origin, reach_m).motion_covariance(scatter, doubt_of(scatter));
+}
+
+/// What speaks for all pairs' poses, in one number.
+double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+  double score = 0;
+  for (const HeldPair& each : held)
+    score += each.pair->candidates->examine(state_of(*each.pair, sensors)).score;
+  return score;
+}
+
+void add_covariance(std::span<const HeldPair> held, std::size_t origin,
+                    std::vector<RefinedSensor>& sensors) {
+  const RigScatter scatter = rig_scatter(held, sensors, kLeastReach_m);
+  const auto covariance = rig_equations(held, sensors, origin, kLeastReach_m)
+                              .motion_covariance(scatter, doubt_of(scatter));
   for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
-  return sensors;
+}
+
+}  // namespace
+
+std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_from_sensor,
+                                      std::size_t origin, std::span<const RigPair> pairs) {
+  std::vector<RefinedSensor> start;
+  for (const RigidTransform& pose : origin_from_sensor) start.push_back({pose, {}});
+  correct_as_pairs_say(pairs, start);
+  std::vector<HeldPair> held;
+  for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
+  std::vector<RefinedSensor> refined = start;
+  settle(held, origin, refined);
+  // Where views share little, surfaces slide along each other until less of them is common.
+  if (evidence_for(held, refined) < kLeastEvidenceKept * evidence_for(held, start)) refined = start;
+  add_covariance(held, origin, refined);
+  return refined;
 }
 
 }  // namespace roomcast::align
