@@ -30,6 +30,9 @@ Status check_options(const RegistrationOptions& options) {
       return invalid("occlusion margins must be finite and not negative");
     }
   }
+  if (options.color_scale != 1 && options.color_scale != 2) {
+    return invalid("colour has the resolution of depth or twice that");
+  }
   return {};
 }
 
@@ -54,8 +57,9 @@ int cell_size(const ColorProjection& projection) {
   return std::clamp(static_cast<int>(std::ceil(size)), 1, kLargestCell);
 }
 
-int box_size(const ColorProjection& projection) {
-  return static_cast<int>(std::lround(projection.spacing().typical));
+int box_size(const ColorProjection& projection, int color_scale) {
+  const float scale = static_cast<float>(color_scale);
+  return std::max(1, static_cast<int>(std::lround(projection.spacing().typical / scale)));
 }
 
 void copy_where_depth(DepthView depth_mm, ColorView color, RegisteredColor& out) {
@@ -81,6 +85,9 @@ Result<Registration> Registration::create(const SensorCalibration& calibration,
                                           const RegistrationOptions& options) {
   if (Status status = check_options(options); !status.ok()) return status.error();
   if (Status status = check_calibration(calibration); !status.ok()) return status.error();
+  if (calibration.color_is_registered && options.color_scale != 1) {
+    return invalid("colour that comes registered to depth has its resolution and no more");
+  }
   return Registration(calibration, options);
 }
 
@@ -93,7 +100,8 @@ Registration::Registration(const SensorCalibration& calibration, const Registrat
       options_(options),
       projection_(calibration),
       grid_(color_width_, color_height_, cell_size(projection_)),
-      sample_row_(box_sampler(box_size(projection_), color_width_, color_height_)) {
+      sample_row_(
+          box_sampler(box_size(projection_, options.color_scale), color_width_, color_height_)) {
   const auto count =
       static_cast<std::size_t>(depth_width_) * static_cast<std::size_t>(depth_height_);
   for (auto* buffer : {&u_, &v_, &z_m_, &occluder_limit_m_}) buffer->resize(count);
@@ -114,8 +122,10 @@ Status Registration::check_sizes(DepthView depth_mm, ColorView color) const {
 
 Status Registration::run(DepthView depth_mm, ColorView color, RegisteredColor& out) {
   if (Status status = check_sizes(depth_mm, color); !status.ok()) return status;
-  if (out.color.width() != depth_width_ || out.color.height() != depth_height_) {
-    out.color.resize(depth_width_, depth_height_);
+  const int color_width = options_.color_scale * depth_width_;
+  const int color_height = options_.color_scale * depth_height_;
+  if (out.color.width() != color_width || out.color.height() != color_height) {
+    out.color.resize(color_width, color_height);
   }
   if (out.seen.width() != depth_width_ || out.seen.height() != depth_height_) {
     out.seen.resize(depth_width_, depth_height_);
@@ -125,7 +135,10 @@ Status Registration::run(DepthView depth_mm, ColorView color, RegisteredColor& o
     return {};
   }
   project_surfaces(depth_mm);
-  sample_visible(color, out);
+  for (int y = 0; y < depth_height_; ++y) {
+    find_visible(y, &out.seen.at(0, y));
+    options_.color_scale == 1 ? sample_row(color, y, out) : sample_quarters(color, y, out);
+  }
   return {};
 }
 
@@ -165,15 +178,36 @@ void Registration::limit_occluders(DepthView depth_mm, int y) {
   limit_at(depth_width_ - 1, depth_width_ - 2, depth_width_ - 1);
 }
 
-void Registration::sample_visible(ColorView color, RegisteredColor& out) const {
-  for (int y = 0; y < depth_height_; ++y) {
-    const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
-    std::uint8_t* const seen = &out.seen.at(0, y);
-    for (int x = 0; x < depth_width_; ++x) {
-      const std::size_t i = start + static_cast<std::size_t>(x);
-      seen[x] = grid_.nearest_m(cells_[i]) < occluder_limit_m_[i] ? 0 : 255;
-    }
-    sample_row_(color, &u_[start], &v_[start], seen, depth_width_, &out.color.at(0, y));
+void Registration::find_visible(int y, std::uint8_t* seen) const {
+  const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+  for (int x = 0; x < depth_width_; ++x) {
+    const std::size_t i = start + static_cast<std::size_t>(x);
+    seen[x] = grid_.nearest_m(cells_[i]) < occluder_limit_m_[i] ? 0 : 255;
+  }
+}
+
+void Registration::sample_row(ColorView color, int y, RegisteredColor& out) const {
+  const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+  sample_row_(color, &u_[start], &v_[start], &out.seen.at(0, y), depth_width_, &out.color.at(0, y));
+}
+
+void Registration::sample_quarters(ColorView color, int y, RegisteredColor& out) {
+  const ProjectedSurface surface{depth_width_,
+                                 depth_height_,
+                                 u_.data(),
+                                 v_.data(),
+                                 z_m_.data(),
+                                 projection_.spacing().typical,
+                                 static_cast<float>(color_width_ - 1),
+                                 static_cast<float>(color_height_ - 1)};
+  find_quarters(surface, y, upper_, lower_);
+  seen_quarters_.resize(2 * static_cast<std::size_t>(depth_width_));
+  const std::uint8_t* const seen = &out.seen.at(0, y);
+  for (std::size_t i = 0; i < seen_quarters_.size(); ++i) seen_quarters_[i] = seen[i / 2];
+  for (const QuarterRow* row : {&upper_, &lower_}) {
+    const int below = row == &lower_ ? 1 : 0;
+    sample_row_(color, row->u.data(), row->v.data(), seen_quarters_.data(), 2 * depth_width_,
+                &out.color.at(0, 2 * y + below));
   }
 }
 

@@ -15,12 +15,13 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/color_projection.h"
 #include "roomcast/geometry/occlusion_grid.h"
+#include "roomcast/geometry/quarter_positions.h"
 
 namespace roomcast {
 
 /// Colour in the depth grid, and where it is to be believed.
 struct RegisteredColor {
-  ColorImage color;  // depth size; black where `seen` is 0
+  ColorImage color;  // depth size, or twice that each way; black where `seen` is 0
   MaskImage seen;    // 255 where the colour camera saw this surface; 0 without depth, outside its
                      // picture, or occluded
 };
@@ -30,14 +31,16 @@ struct RegistrationOptions {
   /// share of its z.
   double occlusion_margin_m = 0.015;
   double occlusion_margin_per_m = 0.015;
+  /// Colour pixels for each depth pixel and direction: 1, or 2 for four quarters of it.
+  int color_scale = 1;
 };
 
 /// Precomputes what depends on the calibration only; `run` allocates nothing after its first call.
 class Registration {
  public:
   /// kInvalidArgument for cameras that CameraIntrinsics::check refuses, pictures of a single row or
-  /// column, margins that are negative or not finite, and registered colour of another size than
-  /// depth.
+  /// column, margins that are negative or not finite, another scale than 1 or 2, and for registered
+  /// colour of another size than depth or a scale of 2.
   static Result<Registration> create(const SensorCalibration& calibration,
                                      const RegistrationOptions& options = {});
 
@@ -50,7 +53,9 @@ class Registration {
   [[nodiscard]] Status check_sizes(DepthView depth_mm, ColorView color) const;
   void project_surfaces(DepthView depth_mm);
   void limit_occluders(DepthView depth_mm, int y);
-  void sample_visible(ColorView color, RegisteredColor& out) const;
+  void find_visible(int y, std::uint8_t* seen) const;
+  void sample_row(ColorView color, int y, RegisteredColor& out) const;
+  void sample_quarters(ColorView color, int y, RegisteredColor& out);
 
   int depth_width_, depth_height_, color_width_, color_height_;
   bool copy_only_;  // colour comes registered
@@ -64,6 +69,10 @@ class Registration {
   std::vector<float>
       occluder_limit_m_;  // what is nearer than this in the colour picture hides the pixel
   std::vector<std::int32_t> cells_;
+
+  // Of the current row, at a scale of 2.
+  QuarterRow upper_, lower_;
+  std::vector<std::uint8_t> seen_quarters_;
 };
 
 }  // namespace roomcast

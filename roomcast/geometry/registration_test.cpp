@@ -188,29 +188,62 @@ TEST(Registration, without_depth_nothing_is_seen) {
   EXPECT_EQ(out.color, ColorImage(180, 150));
 }
 
+/// A slanted plane, and a picture whose colour says where it is.
+struct SlantedPlane {
+  explicit SlantedPlane(const SensorCalibration& of)
+      : calibration(of),
+        depth(of.depth.width, of.depth.height),
+        color(of.color.width, of.color.height) {
+    for (int y = 0; y < depth.height(); ++y) {
+      for (int x = 0; x < depth.width(); ++x) {
+        depth.at(x, y) = static_cast<std::uint16_t>(depth_mm_at(x, y));
+      }
+    }
+    for (int v = 0; v < color.height(); ++v) {
+      for (int u = 0; u < color.width(); ++u) {
+        color.at(u, v) = {static_cast<std::uint8_t>(std::lround(u * 255 / 640.0)),
+                          static_cast<std::uint8_t>(std::lround(v * 255 / 360.0)), 0};
+      }
+    }
+  }
+  static double depth_mm_at(double x, double y) { return 1500 + 3 * x + 2 * y; }
+
+  /// `color` should be that of the surface at this place in the depth grid.
+  void expect_own_color(Rgb8 of, double x, double y) const {
+    const auto point = unproject(calibration.depth, Vector2d(x, y), 0.001 * depth_mm_at(x, y));
+    const auto pixel = project(calibration.color, calibration.color_from_depth * *point);
+    EXPECT_NEAR(of.r, pixel->x() * 255 / 640, 1.1);  // both round to whole levels
+    EXPECT_NEAR(of.g, pixel->y() * 255 / 360, 1.1);
+  }
+
+  SensorCalibration calibration;
+  DepthImage depth;
+  ColorImage color;
+};
+
 TEST(Registration, each_pixel_shows_the_colour_at_its_own_surface_point) {
-  const SensorCalibration calibration = distorted_kinect();
-  DepthImage depth(calibration.depth.width, calibration.depth.height);
-  for (int y = 0; y < depth.height(); ++y) {
-    for (int x = 0; x < depth.width(); ++x) {
-      depth.at(x, y) = static_cast<std::uint16_t>(1500 + 3 * x + 2 * y);
-    }
-  }
-  ColorImage color(calibration.color.width, calibration.color.height);  // colour says where it is
-  for (int v = 0; v < color.height(); ++v) {
-    for (int u = 0; u < color.width(); ++u) {
-      color.at(u, v) = {static_cast<std::uint8_t>(std::lround(u * 255 / 640.0)),
-                        static_cast<std::uint8_t>(std::lround(v * 255 / 360.0)), 0};
-    }
-  }
-  const RegisteredColor out = register_or_die(calibration, depth, color);
+  const SlantedPlane plane(distorted_kinect());
+  const RegisteredColor out = register_or_die(plane.calibration, plane.depth, plane.color);
   for (int y = 15; y < 135; ++y) {
     for (int x = 15; x < 165; ++x) {
-      const auto point = unproject(calibration.depth, Vector2d(x, y), 0.001 * depth.at(x, y));
-      const auto pixel = project(calibration.color, calibration.color_from_depth * *point);
       ASSERT_EQ(out.seen.at(x, y), 255);
-      ASSERT_NEAR(out.color.at(x, y).r, pixel->x() * 255 / 640, 1.1);  // both round to whole levels
-      ASSERT_NEAR(out.color.at(x, y).g, pixel->y() * 255 / 360, 1.1);
+      plane.expect_own_color(out.color.at(x, y), x, y);
+    }
+  }
+}
+
+TEST(Registration, at_twice_the_resolution_each_quarter_shows_its_own_colour) {
+  const SlantedPlane plane(distorted_kinect());
+  auto registration = Registration::create(plane.calibration, {.color_scale = 2});
+  ASSERT_TRUE(registration.ok()) << registration.error().message;
+  RegisteredColor out;
+  ASSERT_TRUE(registration->run(plane.depth, plane.color, out).ok());
+  ASSERT_EQ(out.color.width(), 2 * plane.depth.width());
+  ASSERT_EQ(out.color.height(), 2 * plane.depth.height());
+  EXPECT_EQ(out.seen.width(), plane.depth.width());
+  for (int y = 30; y < 270; ++y) {
+    for (int x = 30; x < 330; ++x) {
+      plane.expect_own_color(out.color.at(x, y), 0.5 * x - 0.25, 0.5 * y - 0.25);
     }
   }
 }
@@ -326,6 +359,10 @@ TEST(Registration, refuses_calibrations_and_options_that_make_no_sense) {
   calibration = small_kinect();
   calibration.color_is_registered = true;  // but of another size
   EXPECT_FALSE(Registration::create(calibration).ok());
+  calibration.color = calibration.depth;
+  EXPECT_TRUE(Registration::create(calibration).ok());
+  EXPECT_FALSE(Registration::create(calibration, {.color_scale = 2}).ok());
+  EXPECT_FALSE(Registration::create(small_kinect(), {.color_scale = 3}).ok());
   EXPECT_FALSE(Registration::create(small_kinect(), {.occlusion_margin_m = -1}).ok());
   EXPECT_FALSE(Registration::create(small_kinect(), {.occlusion_margin_per_m = NAN}).ok());
 }
