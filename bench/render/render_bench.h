@@ -24,6 +24,7 @@ struct RenderBenchOptions {
   std::filesystem::path rig;
   std::vector<RenderMode> modes = {};                 // empty: all
   std::optional<std::filesystem::path> aligned = {};  // read_aligned_poses; else the rig's own
+  int color_scale = 1;                                // RegistrationOptions
   /// Every sensor is moved and turned by this much, each in a direction of its own.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;

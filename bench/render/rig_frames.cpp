@@ -9,7 +9,8 @@
 
 namespace roomcast::bench {
 
-Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const RigDescription& rig) {
+Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const RigDescription& rig,
+                                  int color_scale) {
   RigFrames frames;
   for (const RigSensorEntry& entry : rig.sensors) {
     if (!entry.world_from_depth) {
@@ -17,7 +18,8 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const Rig
     }
     auto recording = read_rig_recording(folder, entry.id);
     if (!recording) return recording.error();
-    auto registration = Registration::create(recording->camera.calibration);
+    auto registration =
+        Registration::create(recording->camera.calibration, {.color_scale = color_scale});
     if (!registration) return registration.error();
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth,
                                *std::move(registration), folder / "truth" / entry.id});

@@ -25,7 +25,9 @@ struct RegisteredFrame {
 class RigFrames {
  public:
   /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument for a sensor without a pose.
-  static Result<RigFrames> open(const std::filesystem::path& folder, const RigDescription& rig);
+  /// `color_scale`: RegistrationOptions.
+  static Result<RigFrames> open(const std::filesystem::path& folder, const RigDescription& rig,
+                                int color_scale);
 
   struct Sensor {
     Recording recording;

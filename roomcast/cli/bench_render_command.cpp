@@ -31,6 +31,10 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
   command->add_option("rig", options->rig, "A rig with true views (simulate --views writes them)")
       ->required();
   add_modes_option(*command, "--mode", options->modes);
+  command
+      ->add_option("--color-scale", options->color_scale,
+                   "Colour pixels for each pixel of depth and direction, as of roomcast sensor")
+      ->check(CLI::Range(1, 2));
   command->add_option("--aligned", options->aligned,
                       "Draws with the poses of this report of `roomcast align RIG --json`");
   command->add_option("--pose-error-mm", options->pose_error_mm, "Moves every sensor so far")

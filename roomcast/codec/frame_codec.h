@@ -24,12 +24,16 @@ enum class DepthMode {
 
 /// Of a stream: what two people who exercise before the sensor need to look well.
 inline constexpr int kUsualColorKbit = 790;
+/// The same for colour twice as fine.
+inline constexpr int kUsualFineColorKbit = 1000;
 
 struct FrameEncoderOptions {
   int width = 0, height = 0;               // of the depth grid; both 16..4096
   double fps = 30;                         // nominal, for rate control
   int color_kbit_per_s = kUsualColorKbit;  // target of the colour stream
-  int temporal_layers = 2;    // 1..3; frames of layer 1 and up can be dropped without harm
+  int color_scale = 1;      // colour pixels for each pixel of depth and direction: 1, or 2 up to a
+                            // colour picture of 4096
+  int temporal_layers = 2;  // 1..3; frames of layer 1 and up can be dropped without harm
   double key_interval_s = 4;  // from one key frame to the next, at most
   DepthMode depth_mode = DepthMode::kLive;
   int depth_bound_mm = 2;  // near-lossless: no reading is off by more; 1..63
@@ -47,9 +51,9 @@ class FrameEncoder {
   static Result<std::unique_ptr<FrameEncoder>> create(const FrameEncoderOptions& options);
   virtual ~FrameEncoder() = default;
 
-  /// Appends the payload to `out`. `color` and `color_seen` are in the depth grid; both may be
-  /// empty views (no colour in this frame). The first frame, and any with `want_key`, is a key
-  /// frame.
+  /// Appends the payload to `out`. `color` is in the depth grid, color_scale times as fine;
+  /// `color_seen` has the size of depth. Both may be empty views (no colour in this frame). The
+  /// first frame, and any with `want_key`, is a key frame.
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
 
@@ -65,8 +69,8 @@ class FrameEncoder {
 struct DecodedFrame {
   DepthImage depth_mm;  // what was encoded, as exactly as the depth mode says; readings that vanish
                         // for a moment are kept in live mode
-  ColorImage color;     // empty when the frame carries none
-  MaskImage color_seen;  // 255 where `color` is to be believed
+  ColorImage color;     // of the size of depth or twice that; empty when the frame carries none
+  MaskImage color_seen;  // of the size of depth: 255 where `color` is to be believed
 };
 
 class FrameDecoder {

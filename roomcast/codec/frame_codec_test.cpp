@@ -95,6 +95,68 @@ TEST(FrameCodec, gives_back_depth_and_mask_exactly_and_colour_nearly) {
   }
 }
 
+/// Every pixel four times.
+ColorImage twice_as_fine(const ColorImage& color) {
+  ColorImage fine(2 * color.width(), 2 * color.height());
+  for (int y = 0; y < fine.height(); ++y) {
+    for (int x = 0; x < fine.width(); ++x) fine.at(x, y) = color.at(x / 2, y / 2);
+  }
+  return fine;
+}
+
+MaskImage twice_as_fine(const MaskImage& mask) {
+  MaskImage fine(2 * mask.width(), 2 * mask.height());
+  for (int y = 0; y < fine.height(); ++y) {
+    for (int x = 0; x < fine.width(); ++x) fine.at(x, y) = mask.at(x / 2, y / 2);
+  }
+  return fine;
+}
+
+TEST(FrameCodec, colour_may_be_twice_as_fine_as_depth) {
+  FrameEncoderOptions options = options_for(kWidth, kHeight);
+  options.color_scale = 2;
+  Stream stream(options);
+  auto decoder = decoder_for(kWidth, kHeight);
+  DecodedFrame out;
+  for (int i = 0; i < 6; ++i) {
+    SyntheticFrame frame = synthetic_frame(kWidth, kHeight, i);
+    frame.color = twice_as_fine(frame.color);
+    ASSERT_TRUE(decoder->decode(stream.next(frame).bytes, out).ok());
+    EXPECT_EQ(out.color_seen, frame.seen);
+    ASSERT_EQ(out.color.width(), 2 * kWidth);
+    EXPECT_LT(color_rms(out.color, frame.color, twice_as_fine(frame.seen)), most_color_rms(kWidth));
+  }
+}
+
+TEST(FrameCodec, a_key_frame_may_change_how_fine_colour_is_and_no_other_frame) {
+  FrameEncoderOptions fine_options = options_for(kWidth, kHeight);
+  fine_options.color_scale = 2;
+  Stream stream(options_for(kWidth, kHeight)), fine(fine_options);
+  SyntheticFrame frame = synthetic_frame(kWidth, kHeight, 0), fine_frame = frame;
+  fine_frame.color = twice_as_fine(frame.color);
+  auto decoder = decoder_for(kWidth, kHeight);
+  DecodedFrame out;
+  ASSERT_TRUE(decoder->decode(stream.next(frame).bytes, out).ok());
+  EXPECT_EQ(out.color.width(), kWidth);
+  ASSERT_TRUE(decoder->decode(fine.next(fine_frame).bytes, out).ok());
+  EXPECT_EQ(out.color.width(), 2 * kWidth);
+  ASSERT_TRUE(decoder->decode(fine.next(fine_frame).bytes, out).ok());
+  ASSERT_TRUE(decoder->decode(stream.next(frame, true).bytes, out).ok());
+  EXPECT_EQ(out.color.width(), kWidth);
+}
+
+TEST(FrameCodec, colour_is_not_finer_than_its_picture_may_be_large) {
+  FrameEncoderOptions options = options_for(2048, 1024);
+  options.color_scale = 2;
+  EXPECT_TRUE(options.check().ok());
+  options.width = 2049;
+  EXPECT_FALSE(options.check().ok());
+  options.color_scale = 1;
+  EXPECT_TRUE(options.check().ok());
+  options.color_scale = 3;
+  EXPECT_FALSE(options.check().ok());
+}
+
 TEST(FrameCodec, one_layer_makes_every_frame_layer_0) {
   Stream stream(options_for(kWidth, kHeight, 1));
   for (int i = 0; i < 4; ++i) {

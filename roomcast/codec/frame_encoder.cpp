@@ -91,8 +91,13 @@ class SectionFrameEncoder final : public FrameEncoder {
     if ((color.data == nullptr) != (seen.data == nullptr)) {
       return invalid("A frame needs both colour and its mask, or neither.");
     }
-    if (color.data != nullptr && (!same_size(color, depth) || !same_size(seen, depth))) {
-      return invalid("Colour and its mask must have the size of the depth picture.");
+    if (color.data == nullptr) return {};
+    const int scale = options_.color_scale;
+    if (color.width != scale * depth.width || color.height != scale * depth.height) {
+      return invalid("The colour picture is not of the size that the encoder was made for.");
+    }
+    if (!same_size(seen, depth)) {
+      return invalid("The colour's mask must have the size of the depth picture.");
     }
     return {};
   }
@@ -203,6 +208,12 @@ Status FrameEncoderOptions::check() const {
   }
   if (color_kbit_per_s < kLeastKbit || color_kbit_per_s > kMostKbit) {
     return invalid("FrameEncoderOptions.color_kbit_per_s must be 50..100000.");
+  }
+  if (color_scale < 1 || color_scale > kMostColorScale) {
+    return invalid("FrameEncoderOptions.color_scale must be 1 or 2.");
+  }
+  if (color_scale > 1 && !is_color_size(color_scale * width, color_scale * height)) {
+    return invalid("A depth grid this large leaves no room for finer colour.");
   }
   if (temporal_layers < 1 || temporal_layers > kMostLayers) {
     return invalid("FrameEncoderOptions.temporal_layers must be 1, 2 or 3.");

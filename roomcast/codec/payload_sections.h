@@ -18,6 +18,12 @@ inline constexpr std::uint8_t kIntraMask = 1, kMaskChange = 2;
 
 inline constexpr std::size_t kSectionHeaderLength = 8;
 inline constexpr int kLeastGridSide = 16, kMostGridSide = 4096;
+/// Colour has so many pixels for each pixel of depth and direction, at most; and its picture is no
+/// larger than a depth grid may be, which bounds a decoder's memory.
+inline constexpr int kMostColorScale = 2;
+[[nodiscard]] constexpr bool is_color_size(int width, int height) {
+  return width <= kMostGridSide && height <= kMostGridSide;
+}
 
 /// Longer payloads are refused. Depth noise of 16 bits takes 2.5 bytes a pixel.
 [[nodiscard]] constexpr std::size_t max_payload_length(int width, int height) {

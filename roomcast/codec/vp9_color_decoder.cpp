@@ -6,6 +6,7 @@
 
 #include "roomcast/codec/i420_image.h"
 #include "roomcast/codec/little_endian.h"
+#include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_header.h"
 #include "roomcast/codec/vpx_context.h"
 
@@ -31,7 +32,11 @@ void frame_alone(std::span<const std::uint8_t> frame, std::vector<std::uint8_t>&
 struct Vp9ColorDecoder::Codec : VpxContext {};
 
 Vp9ColorDecoder::Vp9ColorDecoder(int width, int height, std::unique_ptr<Codec> codec)
-    : width_(width), height_(height), codec_(std::move(codec)) {}
+    : grid_width_(width),
+      grid_height_(height),
+      width_(width),
+      height_(height),
+      codec_(std::move(codec)) {}
 
 Vp9ColorDecoder::~Vp9ColorDecoder() = default;
 
@@ -61,7 +66,7 @@ Status Vp9ColorDecoder::decode(std::span<const std::uint8_t> frame, ColorImage& 
 Status Vp9ColorDecoder::check_header(std::span<const std::uint8_t> frame) {
   const auto header = parse_vp9_header(frame);
   if (!header.ok()) return header.error();
-  if (header->width != 0 && (header->width != width_ || header->height != height_)) {
+  if (header->width != 0 && !take_size(*header)) {
     return Error{ErrorCode::kMalformed, "The colour is not of the sensor's size."};
   }
   if (needs_key_ && !header->key) {
@@ -69,6 +74,20 @@ Status Vp9ColorDecoder::check_header(std::span<const std::uint8_t> frame) {
                  "The colour needs a frame that was not received; ask for a key frame."};
   }
   return {};
+}
+
+/// Only a key frame may change it.
+bool Vp9ColorDecoder::take_size(const Vp9Header& header) {
+  const auto is = [&](int width, int height) {
+    return header.width == width && header.height == height;
+  };
+  if (is(width_, height_)) return true;
+  const int scale = is(grid_width_, grid_height_) ? 1 : kMostColorScale;
+  const int width = scale * grid_width_, height = scale * grid_height_;
+  if (!header.key || !is(width, height) || !is_color_size(width, height)) return false;
+  width_ = width;
+  height_ = height;
+  return true;
 }
 
 Status Vp9ColorDecoder::take_picture(ColorImage& color) {

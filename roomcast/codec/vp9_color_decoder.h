@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // VP9 colour sections to pictures, through libvpx. docs/spec/codec.md §3.1.
 // Hostile bytes: a frame is looked at before libvpx sees it, so that it can neither change the
-// picture's size nor carry a second frame along; memory stays that of the one size.
+// picture's size beyond the two that are allowed nor carry a second frame along; memory stays that
+// of the larger one.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "roomcast/codec/vp9_header.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
@@ -16,7 +18,8 @@ namespace roomcast::codec {
 
 class Vp9ColorDecoder {
  public:
-  /// kUnavailable if libvpx does not start.
+  /// For a depth grid of this size: pictures are of the same size or, as each key frame says, twice
+  /// that. kUnavailable if libvpx does not start.
   static Result<std::unique_ptr<Vp9ColorDecoder>> create(int width, int height);
   ~Vp9ColorDecoder();
 
@@ -28,9 +31,11 @@ class Vp9ColorDecoder {
   struct Codec;
   Vp9ColorDecoder(int width, int height, std::unique_ptr<Codec> codec);
   [[nodiscard]] Status check_header(std::span<const std::uint8_t> frame);
+  [[nodiscard]] bool take_size(const Vp9Header& header);
   [[nodiscard]] Status take_picture(ColorImage& color);
 
-  const int width_, height_;
+  const int grid_width_, grid_height_;
+  int width_, height_;  // of the picture since the newest key frame
   std::unique_ptr<Codec> codec_;
   std::vector<std::uint8_t> framed_;
   bool needs_key_ = true;

@@ -54,8 +54,8 @@ void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config)
 
 bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config) {
   if (vpx_codec_enc_config_default(vpx_codec_vp9_cx(), &config, 0) != VPX_CODEC_OK) return false;
-  config.g_w = static_cast<unsigned>(options.width);
-  config.g_h = static_cast<unsigned>(options.height);
+  config.g_w = static_cast<unsigned>(options.color_scale * options.width);
+  config.g_h = static_cast<unsigned>(options.color_scale * options.height);
   config.g_timebase = {1000, static_cast<int>(std::lround(options.fps * 1000))};
   config.g_threads = 1;
   config.g_pass = VPX_RC_ONE_PASS;
@@ -100,6 +100,17 @@ vpx_image_t wrap(I420Image& image) {
   return wrapped;
 }
 
+/// `to` is `scale` times as wide and high.
+void repeat_pixels(MaskView from, int scale, MaskImage& to) {
+  for (int y = 0; y < to.height(); ++y) {
+    const std::uint8_t* const source = from.row(y / scale);
+    std::uint8_t* const row = to.view().row(y);
+    for (int x = 0; x < from.width; ++x) {
+      for (int i = 0; i < scale; ++i) row[scale * x + i] = source[x];
+    }
+  }
+}
+
 }  // namespace
 
 struct Vp9ColorEncoder::Codec : VpxContext {
@@ -108,8 +119,11 @@ struct Vp9ColorEncoder::Codec : VpxContext {
 
 Vp9ColorEncoder::Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec)
     : options_(options), codec_(std::move(codec)), key_quantizer_(kFineQuantizer) {
-  input_.resize(options.width, options.height);
-  ever_seen_.resize(options.width, options.height);
+  const int width = options.color_scale * options.width;
+  const int height = options.color_scale * options.height;
+  input_.resize(width, height);
+  seen_.resize(width, height);
+  ever_seen_.resize(width, height);
   chroma_ever_seen_.resize(input_.cb.width(), input_.cb.height());
 }
 
@@ -131,8 +145,9 @@ Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
 
 Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
                                std::vector<std::uint8_t>& out) {
-  convert_seen(color, seen, input_);
-  remember_seen(seen);
+  repeat_pixels(seen, options_.color_scale, seen_);
+  convert_seen(color, seen_, input_);
+  remember_seen();
   if (role.key) fill_never_seen();
   const bool droppable = role.layer > 0;
 
@@ -208,12 +223,9 @@ void Vp9ColorEncoder::set_active(MaskView active) {
   vpx_codec_control(&codec_->context, VP8E_SET_ACTIVEMAP, &map);
 }
 
-void Vp9ColorEncoder::remember_seen(MaskView seen) {
-  for (int y = 0; y < seen.height; ++y) {
-    const std::uint8_t* from = seen.row(y);
-    std::uint8_t* to = ever_seen_.view().row(y);
-    for (int x = 0; x < seen.width; ++x) to[x] |= from[x];
-  }
+void Vp9ColorEncoder::remember_seen() {
+  const std::size_t count = seen_.view().pixel_count();
+  for (std::size_t i = 0; i < count; ++i) ever_seen_.data()[i] |= seen_.data()[i];
 }
 
 void Vp9ColorEncoder::fill_never_seen() {

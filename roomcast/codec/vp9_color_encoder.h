@@ -24,8 +24,8 @@ class Vp9ColorEncoder {
   static Result<std::unique_ptr<Vp9ColorEncoder>> create(const FrameEncoderOptions& options);
   ~Vp9ColorEncoder();
 
-  /// Appends one VP9 frame to `out`. Sizes must be those of the options. The first frame's role is
-  /// a key frame's; frames of layer 1 and up leave no trace.
+  /// Appends one VP9 frame to `out`. Sizes must be those of the options; `seen` is in the depth
+  /// grid. The first frame's role is a key frame's; frames of layer 1 and up leave no trace.
   [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
                               std::vector<std::uint8_t>& out);
 
@@ -36,7 +36,7 @@ class Vp9ColorEncoder {
  private:
   struct Codec;
   Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec);
-  void remember_seen(MaskView seen);
+  void remember_seen();
   void fill_never_seen();
   void choose_quality();
   [[nodiscard]] bool limit_quantizer(FrameRole role);
@@ -49,6 +49,7 @@ class Vp9ColorEncoder {
   I420Image input_;
   ColorHold hold_;
   ColorActivity activity_;
+  MaskImage seen_;  // of the newest frame, of colour's size
   MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;

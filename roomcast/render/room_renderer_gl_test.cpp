@@ -26,6 +26,19 @@ INSTANTIATE_TEST_SUITE_P(Modes, EveryMode,
                                            RenderMode::kAdaptive, RenderMode::kBlend),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 
+TEST_P(EveryMode, colours_twice_as_fine_as_depth_have_their_places) {
+  SensorPictures pictures = wall(kLens, 2000, kRed);
+  pictures.color = ColorImage(2 * kLens.width, 2 * kLens.height, kRed);
+  fill_box(pictures.color, kLens.width, 0, 2 * kLens.width, 2 * kLens.height, kBlue);
+  add(kFirst, kLens, kPose, pictures);
+  const Picture picture = draw_wide();
+  const int middle = (kLeft + kRight) / 2, row = (kTop + kBottom) / 2;
+  EXPECT_EQ(picture.color.at(middle - 3, row), kRed);
+  EXPECT_EQ(picture.color.at(middle + 3, row), kBlue);
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kGreen));  // and back
+  EXPECT_EQ(draw_wide().color.at(middle, row), kGreen);
+}
+
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
   const Picture picture = draw_wide();

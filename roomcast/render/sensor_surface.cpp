@@ -70,7 +70,9 @@ SensorSurface::SensorSurface(const CameraIntrinsics& depth)
 Status SensorSurface::upload(DepthView depth_mm, ColorView color, MaskView seen) {
   const bool without_color = color.pixel_count() == 0 && seen.pixel_count() == 0;
   if (!same_size(depth_mm, intrinsics_)) return wrong_size("depth", depth_mm, intrinsics_);
-  if (!without_color && !same_size(color, intrinsics_)) {
+  const int scale = color.width == 2 * intrinsics_.width ? 2 : 1;
+  if (!without_color &&
+      (color.width != scale * intrinsics_.width || color.height != scale * intrinsics_.height)) {
     return wrong_size("colour", color, intrinsics_);
   }
   if (!without_color && !same_size(seen, intrinsics_)) {
@@ -80,11 +82,18 @@ Status SensorSurface::upload(DepthView depth_mm, ColorView color, MaskView seen)
   if (without_color) {
     clear(seen_, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
   } else {
+    set_color_scale(scale);
     replace(color_, color, GL_RGB, GL_UNSIGNED_BYTE);
     replace(seen_, seen, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
   }
   ++revision_;
   return {};
+}
+
+void SensorSurface::set_color_scale(int scale) {
+  if (scale == color_scale_) return;
+  color_scale_ = scale;
+  color_ = make_texture(GL_RGB8, scale * intrinsics_.width, scale * intrinsics_.height);
 }
 
 void SensorSurface::bind() const {

@@ -78,6 +78,21 @@ TEST_F(SensorSurfaceTest, a_frame_without_color_leaves_nothing_seen) {
   expect_bound(pictures);
 }
 
+TEST_F(SensorSurfaceTest, color_may_be_twice_as_fine_as_depth_and_nothing_between) {
+  Result<SensorSurface> surface = SensorSurface::create(pinhole(kWidth, kHeight, 4));
+  ASSERT_TRUE(surface.ok());
+  const SensorPictures pictures = numbered_pictures();
+  const ColorImage fine(2 * kWidth, 2 * kHeight);
+  EXPECT_TRUE(surface->upload(pictures.depth_mm, fine, pictures.seen).ok());
+  EXPECT_EQ(surface->color_scale(), 2);
+  const ColorImage half(2 * kWidth, kHeight), huge(3 * kWidth, 3 * kHeight);
+  EXPECT_FALSE(surface->upload(pictures.depth_mm, half, pictures.seen).ok());
+  EXPECT_FALSE(surface->upload(pictures.depth_mm, huge, pictures.seen).ok());
+  ASSERT_TRUE(surface->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
+  surface->bind();
+  expect_bound(pictures);
+}
+
 TEST_F(SensorSurfaceTest, the_gpu_gets_the_ray_table) {
   CameraIntrinsics lens = pinhole(kWidth, kHeight, 4);
   lens.k1 = 0.1;

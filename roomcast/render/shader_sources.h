@@ -38,6 +38,7 @@ extern const std::string_view sensor_surface_glsl;
 extern const std::string_view shrink_comp;
 extern const std::string_view smooth_comp;
 extern const std::string_view surface_mesh_comp;
+extern const std::string_view weighted_color_comp;
 extern const std::string_view whole_picture_vert;
 
 }  // namespace roomcast::shaders

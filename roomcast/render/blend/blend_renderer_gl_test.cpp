@@ -47,6 +47,20 @@ TEST_F(BlendTest, surfaces_two_centimetres_apart_are_mixed_and_half_a_metre_apar
   EXPECT_GT(mixed.b, 120);
 }
 
+TEST_F(BlendTest, colours_twice_as_fine_as_depth_are_drawn_as_fine) {
+  SensorPictures pictures = wall(kLens, 2000, kRed);
+  pictures.color = ColorImage(2 * kLens.width, 2 * kLens.height, kRed);
+  for (int x = 0; x < pictures.color.width(); x += 2) {  // stripes within pixels of depth
+    fill_box(pictures.color, x, 0, x + 1, pictures.color.height(), kBlue);
+  }
+  add(kFirst, kLens, kPose, pictures);
+  const ColorImage drawn = draw(eye_of(pinhole(128, 96, 120), kPose), RenderMode::kBlend).color;
+  for (int x = 40; x < 80; ++x) {
+    const Rgb8 color = drawn.at(x, 48);
+    EXPECT_EQ(color.b > color.r, x % 2 == 0) << x;
+  }
+}
+
 TEST_F(BlendTest, a_hole_takes_the_colour_around_it_and_the_outside_does_not) {
   SensorPictures pictures = wall(kLens, 2000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 26, 18, 38, 30, 0);

@@ -14,12 +14,13 @@ enum TextureUnit : GLuint {
   kRays = 1,
   kColor = 2,
   kSeen = 3,
-  kEdges = 4,
+  kEdges = 4,    // of quality.comp
+  kQuality = 4,  // of weighted_color.comp
   kBackgroundColor = 5,
   kReadings = 6,
 };
 constexpr int kLostAtRims_px = 2;
-enum QualityUniform : GLint { kIsBackground = 0, kGain = 1 };
+enum ColorUniform : GLint { kIsBackground = 0, kGain = 1 };
 
 void bind_texture(GLuint unit, const GlTexture& texture) {
   glBindTextureUnit(unit, texture.name());
@@ -32,10 +33,14 @@ CleanSurface::CleanSurface(const CameraIntrinsics& lens)
       height(lens.height),
       depth_m(make_texture(GL_R32F, lens.width, lens.height)),
       quality(make_smooth_texture(GL_R16F, lens.width, lens.height)),
-      weighted_color(make_smooth_texture(GL_RGBA16F, lens.width, lens.height)),
       between(make_texture(GL_R32F, lens.width, lens.height)),
       edge_in_row(make_texture(GL_R8UI, lens.width, lens.height)) {
   glClearTexImage(depth_m.name(), 0, GL_RED, GL_FLOAT, nullptr);
+  set_color_scale(1);
+}
+
+void CleanSurface::set_color_scale(int scale) {
+  weighted_color = make_smooth_texture(GL_RGBA16F, scale * width, scale * height);
 }
 
 Result<SurfaceCleaner> SurfaceCleaner::create() {
@@ -47,12 +52,14 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
   if (!smooth) return std::move(smooth).error();
   auto edges = ComputePass::create({shaders::edge_distance_comp});
   if (!edges) return std::move(edges).error();
-  auto quality = ComputePass::create({shaders::depth_noise_glsl, shaders::quality_comp});
+  auto quality = ComputePass::create({shaders::quality_comp});
   if (!quality) return std::move(quality).error();
+  auto color = ComputePass::create({shaders::depth_noise_glsl, shaders::weighted_color_comp});
+  if (!color) return std::move(color).error();
   auto mesher = AdaptiveMesher::create();
   if (!mesher) return std::move(mesher).error();
   return SurfaceCleaner({*std::move(fill), *std::move(extend), *std::move(smooth),
-                         *std::move(edges), *std::move(quality)},
+                         *std::move(edges), *std::move(quality), *std::move(color)},
                         *std::move(mesher));
 }
 
@@ -81,19 +88,27 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& backg
   passes_.edges.run(surface.width, surface.height);
 
   bind_texture(kRays, sensor.rays());
-  bind_texture(kColor, sensor.color());
-  bind_texture(kSeen, sensor.seen());
   bind_texture(kEdges, surface.edge_in_row);
-  bind_texture(kBackgroundColor, background.color);
-  bind_texture(kReadings, background.readings);
-  glProgramUniform1i(passes_.quality.program().name(), kIsBackground, shows == Shows::kBackground);
-  glProgramUniform3fv(passes_.quality.program().name(), kGain, 1, options.gain.data());
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
-  bind_image(1, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
   passes_.quality.run(surface.width, surface.height);
+  weigh_colors(sensor, background, shows, options.gain, surface);
 
   mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
                 surface.width, surface.height, options.mesh, surface.mesh);
+}
+
+void SurfaceCleaner::weigh_colors(const SensorSurface& sensor, const Background& background,
+                                  Shows shows, const Eigen::Vector3f& gain, CleanSurface& surface) {
+  bind_texture(kColor, sensor.color());
+  bind_texture(kSeen, sensor.seen());
+  bind_texture(kQuality, surface.quality);
+  bind_texture(kBackgroundColor, background.color);
+  bind_texture(kReadings, background.readings);
+  const GLuint program = passes_.color.program().name();
+  glProgramUniform1i(program, kIsBackground, shows == Shows::kBackground);
+  glProgramUniform3fv(program, kGain, 1, gain.data());
+  bind_image(0, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
+  passes_.color.run(sensor.color_scale() * surface.width, sensor.color_scale() * surface.height);
 }
 
 }  // namespace roomcast

@@ -16,11 +16,13 @@ namespace roomcast {
 
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
+  /// Colour pixels for each pixel of depth and direction, from 1 on.
+  void set_color_scale(int scale);
 
   int width, height;
   GlTexture depth_m;         // R32F, 0: nothing
   GlTexture quality;         // R16F: how much it counts beside others
-  GlTexture weighted_color;  // RGBA16F: rgb times quality, quality; 0 without a colour
+  GlTexture weighted_color;  // RGBA16F, scaled: rgb times quality, quality; 0 without a colour
   AdaptiveMesh mesh;
   GlTexture between, edge_in_row;  // of the steps on the way
 };
@@ -52,10 +54,12 @@ class SurfaceCleaner {
 
  private:
   struct Passes {
-    ComputePass fill, extend, smooth, edges, quality;
+    ComputePass fill, extend, smooth, edges, quality, color;
   };
   SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
   static void filter(const ComputePass& pass, CleanSurface& surface);
+  void weigh_colors(const SensorSurface& sensor, const Background& background, Shows shows,
+                    const Eigen::Vector3f& gain, CleanSurface& surface);
 
   Passes passes_;
   AdaptiveMesher mesher_;

@@ -20,11 +20,12 @@ constexpr double kPriorPlaces = 10;  // that say: no factor at all
 constexpr double kLargestLog = 0.5;
 constexpr float kFollow = 0.5F;  // share of a change that one update takes over
 
+/// Every so many pixels.
 template <class T>
-void copy(ImageView<const T> from, Image<T>& to) {
-  to.resize(from.width, from.height);
-  for (int y = 0; y < from.height; ++y) {
-    std::copy_n(from.row(y), from.width, to.view().row(y));
+void copy(ImageView<const T> from, int step, Image<T>& to) {
+  to.resize(from.width / step, from.height / step);
+  for (int y = 0; y < to.height(); ++y) {
+    for (int x = 0; x < to.width(); ++x) to.at(x, y) = from.at(step * x, step * y);
   }
 }
 
@@ -48,9 +49,9 @@ void ColorMatching::offer(SensorId sensor, const CameraIntrinsics& lens, DepthVi
   if (++picture.skipped < kEvery && same_size(picture.lens, lens)) return;
   picture.skipped = 0;
   picture.lens = lens;
-  copy(depth_mm, picture.depth_mm);
-  copy(color, picture.color);
-  copy(seen, picture.seen);
+  copy(depth_mm, 1, picture.depth_mm);
+  copy(color, color.width / depth_mm.width, picture.color);
+  copy(seen, 1, picture.seen);
   is_news_ = true;
 }
 

@@ -25,7 +25,8 @@ void ComputePass::run(int width, int height) const {
   };
   glUseProgram(program_.name());
   glDispatchCompute(groups(width, group_width_), groups(height, group_height_), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenum format) {

@@ -16,7 +16,7 @@ class ComputePass {
   /// kUnsupported with the driver's log when it does not take the shader.
   static Result<ComputePass> create(std::initializer_list<std::string_view> sources);
 
-  /// Its textures and images must be bound. What it wrote can be fetched afterwards.
+  /// Its textures and images must be bound. What it wrote can be fetched and copied afterwards.
   void run(int width, int height) const;
 
   [[nodiscard]] const GlProgram& program() const { return program_; }

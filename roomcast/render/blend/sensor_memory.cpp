@@ -29,12 +29,20 @@ void clear(const GlTexture& texture) {
 SensorMemory::SensorMemory(const CameraIntrinsics& lens)
     : newest_m_(make_texture(GL_R32F, lens.width, lens.height)),
       readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
-      background_color_(make_texture(GL_RGBA16F, lens.width, lens.height)),
       live_(lens),
       background_(lens) {
   clear(newest_m_);
   clear(readings_);
+  set_color_scale(1);
+}
+
+void SensorMemory::set_color_scale(int scale) {
+  if (scale == color_scale_) return;
+  color_scale_ = scale;
+  background_color_ = make_texture(GL_RGBA16F, scale * live_.width, scale * live_.height);
   clear(background_color_);
+  live_.set_color_scale(scale);
+  background_.set_color_scale(scale);
 }
 
 Result<MemoryKeeper> MemoryKeeper::create() {
@@ -60,6 +68,7 @@ MemoryKeeper::MemoryKeeper(ComputePass remember, ComputePass background, Compute
       cleaner_(std::move(cleaner)) {}
 
 void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) const {
+  memory.set_color_scale(sensor.color_scale());
   sensor.bind();
   bind_image(kReadings, memory.readings_, ImageAccess::kBoth, GL_RGBA32F);
   bind_image(kColor, memory.background_color_, ImageAccess::kBoth, GL_RGBA16F);
@@ -69,6 +78,7 @@ void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) c
 
 void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
                            const SurfaceCleaner::Options& options, SensorMemory& memory) {
+  memory.set_color_scale(sensor.color_scale());
   sensor.bind();
   bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);

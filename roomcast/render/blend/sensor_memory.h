@@ -30,10 +30,13 @@ class SensorMemory {
 
  private:
   friend class MemoryKeeper;
+  /// Forgets all colours when it is another one.
+  void set_color_scale(int scale);
 
   GlTexture newest_m_;          // R32F: what was read last, 0 without a reading
   GlTexture readings_;          // RGBA32F: remember_background.comp
-  GlTexture background_color_;  // RGBA16F: rgb, readings
+  GlTexture background_color_;  // RGBA16F, scaled: rgb, readings
+  int color_scale_ = 0;
   CleanSurface live_, background_;
 };
 

@@ -12,11 +12,17 @@ const float kMostReadings = 64.0;
 const float kMostColors = 32.0;
 const float kReadingsOfFarther = 3.0;
 
-void remember_color(ivec2 pixel, vec4 known) {
-  if (!color_is_seen(pixel)) return;
-  known.a = min(known.a + 1.0, kMostColors);
-  known.rgb += (texelFetch(color, pixel, 0).rgb - known.rgb) / known.a;
-  imageStore(background_color, pixel, known);
+void remember_colors(ivec2 pixel, bool is_new) {
+  int scale = color_scale();
+  for (int i = 0; i < scale * scale; ++i) {
+    ivec2 at = scale * pixel + ivec2(i % scale, i / scale);
+    vec4 known = is_new ? vec4(0.0) : imageLoad(background_color, at);
+    if (color_is_seen(pixel)) {
+      known.a = min(known.a + 1.0, kMostColors);
+      known.rgb += (texelFetch(color, at, 0).rgb - known.rgb) / known.a;
+    }
+    imageStore(background_color, at, known);
+  }
 }
 
 void main() {
@@ -32,15 +38,14 @@ void main() {
       known.x += (z - known.x) / known.y;
       known.w = 0.0;
       shown = known.x;
-      remember_color(pixel, imageLoad(background_color, pixel));
+      remember_colors(pixel, false);
     } else if (z > known.x) {
       bool agrees = known.w > 0.0 && abs(z - known.z) < gate;
       known.w = agrees ? known.w + 1.0 : 1.0;
       known.z = agrees ? known.z + (z - known.z) / known.w : z;
       if (known.x == 0.0 || known.w >= kReadingsOfFarther) {
         known = vec4(known.zw, 0.0, 0.0);
-        imageStore(background_color, pixel, vec4(0.0));
-        remember_color(pixel, vec4(0.0));
+        remember_colors(pixel, true);
       }
     }
     imageStore(background, pixel, known);
