@@ -35,7 +35,8 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
   options.height = sensor.calibration.depth.height;
   options.fps = sensor.fps;
   options.depth_bound_mm = feed.codec.depth_bound_mm;
-  options.color_kbit_per_s = feed.codec.color_kbit_per_s;
+  options.color_scale = feed.codec.color_scale;
+  options.color_kbit_per_s = feed.codec.color_kbit();
   options.temporal_layers = feed.codec.layers;
   options.depth_mode = feed.codec.depth_mode;
   return options;
@@ -53,7 +54,7 @@ class SensorFeed::Worker {
         bundle_(source_->description().name, source_->description().calibration),
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
-        full_color_kbit_per_s_(options.codec.color_kbit_per_s),
+        full_color_kbit_per_s_(options.codec.color_kbit()),
         frame_log_(std::move(frame_log)) {
     if (!options.preview.empty()) preview_.emplace(options.preview);
   }
@@ -188,7 +189,8 @@ SensorFeed::~SensorFeed() {
 Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSource> source,
                                                       SensorFeedOptions options) {
   const SensorDescription sensor = source->description();
-  auto registration = Registration::create(sensor.calibration);
+  auto registration =
+      Registration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
   if (!registration) return registration.error();
   auto encoder = codec::FrameEncoder::create(encoder_options(sensor, options));
   if (!encoder) return encoder.error();

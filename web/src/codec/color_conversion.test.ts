@@ -27,6 +27,7 @@ function planesOf(rgb: Rgb, interleaved: boolean): YcbcrPlanes {
         cb: { offset: 12, stride: 4 },
         cr: { offset: 13, stride: 4 },
         chromaStep: 2,
+        scale: 1,
       }
     : {
         bytes,
@@ -34,6 +35,7 @@ function planesOf(rgb: Rgb, interleaved: boolean): YcbcrPlanes {
         cb: { offset: 12, stride: 2 },
         cr: { offset: 16, stride: 2 },
         chromaStep: 1,
+        scale: 1,
       };
 }
 
@@ -49,6 +51,23 @@ const colors: Rgb[] = [
 ];
 
 describe('colour conversion', () => {
+  test('a picture twice as fine gives each pixel the mean of its four', () => {
+    // 2x1 pixels of 4x2: luma 16, 116, 66, 66 on the left; 235 on the right; no colour.
+    const bytes = Uint8Array.from([16, 116, 235, 235, 66, 66, 235, 235, 128, 128, 128, 128]);
+    const planes: YcbcrPlanes = {
+      bytes,
+      y: { offset: 0, stride: 4 },
+      cb: { offset: 8, stride: 2 },
+      cr: { offset: 10, stride: 2 },
+      chromaStep: 1,
+      scale: 2,
+    };
+    const rgba = new Uint8Array(8);
+    rgbaFromYcbcr(planes, Uint8Array.from([255, 0]), 2, 1, rgba);
+    const grey = Math.round(((66 - 16) * 255) / 219);
+    expect([...rgba]).toEqual([grey, grey, grey, 255, 255, 255, 255, 0]);
+  });
+
   for (const interleaved of [false, true]) {
     for (const rgb of colors) {
       test(`gives ${rgb.join(',')} back within rounding (${interleaved ? 'NV12' : 'I420'})`, () => {

@@ -9,6 +9,8 @@ export interface YcbcrPlanes {
   cb: { offset: number; stride: number };
   cr: { offset: number; stride: number };
   chromaStep: 1 | 2;
+  /** Of luma for each pixel of depth and direction: 1, or 2, so that a chroma sample is a pixel of depth. */
+  scale: 1 | 2;
 }
 
 const one = 1 << 16;
@@ -23,6 +25,31 @@ const greenOfCb = Math.round((1.8556 * (0.0722 / 0.7152) * 255 * one) / 224);
 const clamp = new Uint8Array(1024).map((_, i) => Math.min(255, Math.max(0, i - 384)));
 const offset = (384 << 16) + half;
 
+/** Of planes twice as fine as `width` x `height`: each pixel has one chroma sample and the mean of its four of luma. */
+function rgbaFromFineYcbcr(planes: YcbcrPlanes, seen: Uint8Array, width: number, height: number, pixels: Uint32Array): void {
+  const { bytes, chromaStep } = planes;
+  for (let row = 0; row < height; row++) {
+    let yAt = planes.y.offset + 2 * row * planes.y.stride;
+    let cbAt = planes.cb.offset + row * planes.cb.stride;
+    let crAt = planes.cr.offset + row * planes.cr.stride;
+    const end = (row + 1) * width;
+    for (let pixel = row * width; pixel < end; pixel++) {
+      const below = yAt + planes.y.stride;
+      const four = bytes[yAt]! + bytes[yAt + 1]! + bytes[below]! + bytes[below + 1]!;
+      const luma = Math.imul(four - 64, lumaGain) >> 2;
+      const cb = bytes[cbAt]! - 128;
+      const cr = bytes[crAt]! - 128;
+      const red = clamp[(luma + offset + redOfCr * cr) >> 16]!;
+      const green = clamp[(luma + offset - greenOfCb * cb - greenOfCr * cr) >> 16]!;
+      const blue = clamp[(luma + offset + blueOfCb * cb) >> 16]!;
+      pixels[pixel] = red | (green << 8) | (blue << 16) | (seen[pixel]! << 24);
+      yAt += 2;
+      cbAt += chromaStep;
+      crAt += chromaStep;
+    }
+  }
+}
+
 /**
  * `seen` and `rgba` hold width*height pixels; `rgba` begins at a multiple of four bytes and is written whole. Pixels are written
  * as one number each (all machines that run browsers are little-endian), two by two, as they share their chroma.
@@ -36,6 +63,7 @@ export function rgbaFromYcbcr(
 ): void {
   const { bytes, chromaStep } = planes;
   const pixels = new Uint32Array(rgba.buffer, rgba.byteOffset, width * height);
+  if (planes.scale === 2) return rgbaFromFineYcbcr(planes, seen, width, height, pixels);
   for (let row = 0; row < height; row++) {
     let yAt = planes.y.offset + row * planes.y.stride;
     let cbAt = planes.cb.offset + (row >> 1) * planes.cb.stride;

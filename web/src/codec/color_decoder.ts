@@ -35,10 +35,10 @@ export async function colorDecoderConfig(width: number, height: number): Promise
   return undefined;
 }
 
-function planesOf(bytes: Uint8Array, format: VideoPixelFormat, layout: PlaneLayout[]): YcbcrPlanes {
+function planesOf(bytes: Uint8Array, format: VideoPixelFormat, layout: PlaneLayout[], scale: 1 | 2): YcbcrPlanes {
   const [y, second, third] = layout as [PlaneLayout, PlaneLayout, PlaneLayout];
-  if (format === 'I420') return { bytes, y, cb: second, cr: third, chromaStep: 1 };
-  return { bytes, y, cb: second, cr: { offset: second.offset + 1, stride: second.stride }, chromaStep: 2 };
+  if (format === 'I420') return { bytes, y, cb: second, cr: third, chromaStep: 1, scale };
+  return { bytes, y, cb: second, cr: { offset: second.offset + 1, stride: second.stride }, chromaStep: 2, scale };
 }
 
 export class ColorDecoder {
@@ -85,7 +85,7 @@ export class ColorDecoder {
       const format = this.check(frame);
       const bytes = this.scratchOf(frame.allocationSize());
       const layout = await frame.copyTo(bytes);
-      if (!this.closed) this.events.onPlanes(frame.timestamp, planesOf(bytes, format, layout));
+      if (!this.closed) this.events.onPlanes(frame.timestamp, planesOf(bytes, format, layout, this.scaleOf(frame)));
       this.scratch.push(bytes);
     } catch (error) {
       this.fail((error as Error).message);
@@ -103,10 +103,17 @@ export class ColorDecoder {
     if (frame.format !== 'I420' && frame.format !== 'NV12') {
       throw new Error(`pictures in the format ${frame.format} are not understood`);
     }
-    const { width, height } = frame.visibleRect!;
-    if (width !== this.config.codedWidth || height !== this.config.codedHeight) {
-      throw new Error(`a picture is ${width}x${height}`);
-    }
+    this.scaleOf(frame);
     return frame.format;
+  }
+
+  /** Colour has the depth grid's resolution, or twice that. */
+  private scaleOf(frame: VideoFrame): 1 | 2 {
+    const { width, height } = frame.visibleRect!;
+    const { codedWidth, codedHeight } = this.config;
+    for (const scale of [1, 2] as const) {
+      if (width === scale * codedWidth! && height === scale * codedHeight!) return scale;
+    }
+    throw new Error(`a picture is ${width}x${height}`);
   }
 }
