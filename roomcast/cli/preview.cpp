@@ -31,9 +31,10 @@ Status Preview::show(DepthView depth_mm, ColorView color, HostTime now) {
   if (written_ != HostTime{} && now - written_ < kPeriod) return {};
   written_ = now;
   picture_.resize(2 * depth_mm.width, depth_mm.height);
+  const int step = color.width / depth_mm.width;  // colour may be twice as fine
   for (int y = 0; y < depth_mm.height; ++y) {
     Rgb8* const row = picture_.view().row(y);
-    if (same_size(color, depth_mm)) std::copy_n(color.row(y), color.width, row);
+    for (int x = 0; step > 0 && x < depth_mm.width; ++x) row[x] = color.at(step * x, step * y);
     std::transform(depth_mm.row(y), depth_mm.row(y) + depth_mm.width, row + depth_mm.width,
                    color_of_depth);
   }

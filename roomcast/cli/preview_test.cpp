@@ -29,6 +29,17 @@ TEST(Preview, shows_colour_beside_distance) {
   EXPECT_NEAR(picture.at(56, 8).r, 255, 10);
 }
 
+TEST(Preview, colour_twice_as_fine_is_shown_too) {
+  const TemporaryFolder folder;
+  Preview preview(folder / "now.jpg");
+  const DepthImage depth(32, 16, 500);
+  const ColorImage color(64, 32, Rgb8{0, 200, 0});
+  ASSERT_TRUE(preview.show(depth, color, HostTime(std::chrono::seconds(5))).ok());
+  ColorImage picture;
+  ASSERT_TRUE(ImageFileReader().read_color(folder / "now.jpg", {64, 16}, picture).ok());
+  EXPECT_NEAR(picture.at(24, 12).g, 200, 10);
+}
+
 TEST(Preview, is_written_once_a_second) {
   const TemporaryFolder folder;
   Preview preview(folder / "now.jpg");
