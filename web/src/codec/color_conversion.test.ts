@@ -90,6 +90,7 @@ describe('colour conversion', () => {
       cb: { offset: 4, stride: 2 },
       cr: { offset: 6, stride: 2 },
       chromaStep: 1,
+      scale: 1,
     };
     rgbaFromYcbcr(planes, new Uint8Array(4).fill(255), 4, 1, rgba);
     expect([...rgba.slice(0, 8)]).toEqual([0, 0, 0, 255, 255, 255, 255, 255]);
