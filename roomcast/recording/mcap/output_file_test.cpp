@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/mcap/output_file.h"
+
+#include <csignal>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "roomcast/recording/mcap/scratch_folder.h"
+
+namespace roomcast::mcap {
+namespace {
+
+TEST(OutputFile, overwrites_nothing) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(OutputFile::create(folder.file("a")).ok());
+  const auto again = OutputFile::create(folder.file("a"));
+  ASSERT_FALSE(again.ok());
+  EXPECT_NE(again.error().message.find("nothing is overwritten"), std::string::npos);
+}
+
+TEST(OutputFile, says_where_it_cannot_be_made) {
+  const auto file = OutputFile::create("/no/such/folder/a.mcap");
+  ASSERT_FALSE(file.ok());
+  EXPECT_EQ(file.error().code, ErrorCode::kUnavailable);
+  EXPECT_NE(file.error().message.find("/no/such/folder/a.mcap"), std::string::npos);
+}
+
+/// A limit on the size of files stands in for a disk that is full.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST(OutputFile, a_piece_that_does_not_fit_leaves_no_trace) {
+  const ScratchFolder folder;
+  auto file = OutputFile::create(folder.file("a"));
+  ASSERT_TRUE(file.ok());
+  const std::vector<std::uint8_t> piece(3000, 1);
+  const SmallDisk disk(5000);
+  EXPECT_TRUE(file->append(piece).ok());
+  const auto status = file->append(piece);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::kUnavailable);
+  EXPECT_EQ(std::filesystem::file_size(folder.file("a")), 3000u);
+  EXPECT_TRUE(file->append(std::span(piece).first(1000)).ok());  // a smaller one still fits
+  EXPECT_EQ(std::filesystem::file_size(folder.file("a")), 4000u);
+}
+
+}  // namespace
+}  // namespace roomcast::mcap

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reader: reads MCAP files (https://mcap.dev/spec) whose messages are in chunks. A file without a
+// sound summary, of a recorder that was stopped by force for instance, is read from its beginning
+// up to the damage. Files are hostile: sizes are checked before anything is allocated.
+// Any number of threads may read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "roomcast/core/result.h"
+#include "roomcast/recording/mcap/byte_source.h"
+#include "roomcast/recording/mcap/chunk_contents.h"
+
+namespace roomcast::mcap {
+
+class Reader {
+ public:
+  /// kNotFound; kMalformed when it is no MCAP file. Sentences name the file.
+  static Result<Reader> open(const std::filesystem::path& path);
+  /// `name` is for sentences.
+  static Result<Reader> read(std::unique_ptr<ByteSource> source, std::string name);
+
+  [[nodiscard]] const Summary& summary() const { return summary_; }
+  /// Why the file's end is not to be had, in a sentence; nothing when the file is whole.
+  [[nodiscard]] const std::optional<std::string>& damage() const { return damage_; }
+  /// Where what can be read of a damaged file ends.
+  [[nodiscard]] std::uint64_t sound_bytes() const { return sound_bytes_; }
+
+  /// `number` is below summary().chunks.size(). kMalformed where the chunk is damaged: others may
+  /// be sound. kUnsupported, kTooLarge as open_chunk.
+  [[nodiscard]] Result<ChunkContents> chunk(std::size_t number) const;
+  /// Of all metadata records of that name the last. kNotFound, kMalformed.
+  [[nodiscard]] Result<StringMap> metadata(const std::string& name) const;
+
+ private:
+  Reader(std::unique_ptr<ByteSource> source, std::string name)
+      : source_(std::move(source)), name_(std::move(name)) {}
+  [[nodiscard]] Status check_start() const;
+  [[nodiscard]] Result<Summary> read_end() const;
+  [[nodiscard]] Result<Bytes> record_at(std::uint64_t offset, std::uint64_t length, Opcode opcode,
+                                        std::size_t limit) const;
+  [[nodiscard]] Error named(Error error) const;
+
+  std::unique_ptr<ByteSource> source_;
+  std::string name_;
+  Summary summary_;
+  std::optional<std::string> damage_;
+  std::uint64_t sound_bytes_ = 0;
+};
+
+}  // namespace roomcast::mcap

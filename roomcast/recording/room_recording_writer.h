@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomRecordingWriter: what a hub sends its viewers -> an MCAP file, the same bytes
+// (docs/spec/recording.md). Log times are when a message came, publish times when a frame was
+// taken, both in nanoseconds since 1970 as far as the caller knows. A chunk is closed after
+// kLongestChunk at the latest, so a program that is killed loses no more than that.
+// Memory: one chunk. Single-threaded.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/result.h"
+#include "roomcast/recording/mcap/writer.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::recording {
+
+/// How a room's clock stands against the time of day.
+struct RoomClock {
+  nanoseconds unix_minus_room{};
+  nanoseconds error{};  // of the recorder's idea of room time
+};
+
+class RoomRecordingWriter {
+ public:
+  static constexpr std::chrono::milliseconds kLongestChunk{500};
+
+  /// kUnavailable when there is such a file already or it cannot be made.
+  static Result<RoomRecordingWriter> create(const std::filesystem::path& path,
+                                            const std::string& room);
+
+  // Each fails with kUnavailable when the disk does: see mcap::Writer::add_message.
+  [[nodiscard]] Status add_clock(const RoomClock& clock, nanoseconds log_time);
+  [[nodiscard]] Status add_roster(const wire::pb::Roster& roster, nanoseconds log_time);
+  [[nodiscard]] Status add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time);
+  /// Of a sensor that is in the last roster; others are left out.
+  [[nodiscard]] Status add_bundle(const wire::pb::CalibrationBundle& bundle, nanoseconds log_time);
+  /// A frame message with its header, of such a sensor, too.
+  [[nodiscard]] Status add_frame(std::span<const std::uint8_t> message, nanoseconds log_time);
+
+  /// To be called every now and then also when no message comes.
+  [[nodiscard]] Status close_old_chunk(nanoseconds now);
+  [[nodiscard]] Status finish();
+
+  [[nodiscard]] std::uint64_t bytes() const { return writer_.bytes(); }
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+  [[nodiscard]] std::uint64_t frame_bytes() const { return frame_bytes_; }
+
+ private:
+  struct Stream {
+    mcap::ChannelId channel{};
+    std::uint32_t next_sequence = 0;
+  };
+  struct Schemas {
+    mcap::SchemaId frame, roster, poses, bundle, clock;
+  };
+
+  explicit RoomRecordingWriter(mcap::Writer writer);
+  Stream& stream(std::string_view topic, mcap::SchemaId schema, std::string_view encoding,
+                 mcap::StringMap metadata = {});
+  Status add(Stream& stream, std::span<const std::uint8_t> data, nanoseconds log_time,
+             nanoseconds publish_time);
+  Status add(Stream& stream, const google::protobuf::MessageLite& message, nanoseconds log_time);
+
+  mcap::Writer writer_;
+  Schemas schemas_;
+  RoomClock clock_;
+  std::map<std::string, Stream> streams_;  // by topic
+  std::map<std::uint32_t, std::string> sensors_;
+  std::map<std::uint32_t, Stream*> frame_streams_;  // of the sensors in the last roster
+  nanoseconds chunk_began_{};
+  std::uint64_t frames_ = 0;
+  std::uint64_t frame_bytes_ = 0;
+  std::string scratch_;
+};
+
+}  // namespace roomcast::recording
