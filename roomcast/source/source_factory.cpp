@@ -10,6 +10,7 @@
 #include "roomcast/source/camera/camera_source.h"
 #include "roomcast/source/camera_kinds.h"
 #include "roomcast/source/recording_source.h"
+#include "roomcast/source/replay/replay_source.h"
 #include "roomcast/source/rig_json.h"
 #include "roomcast/source/simulator/simulated_source.h"
 
@@ -17,9 +18,9 @@ namespace roomcast {
 namespace {
 
 constexpr const char* kKinds =
-    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, or a camera: "
-    "freenect:0, openni2:[FILE.oni], realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; for "
-    "example sim:office,camera=d435#0, rig:house3#s0 or tum:kitchen";
+    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, mcap:FILE#sensor, or a "
+    "camera: freenect:0, openni2:[FILE.oni], realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; "
+    "for example sim:office,camera=d435#0, rig:house3#s0, tum:kitchen or mcap:lab.mcap#s0";
 
 /// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
 /// '#'.
@@ -77,8 +78,10 @@ Result<std::unique_ptr<FrameSource>> open_as_it_is(const std::string& text,
     return open_simulated_source(spec.place, *index, options);
   }
   if (const CameraKind* kind = camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
-  if (spec.kind != "rig" && spec.kind != "tum") return invalid(text, "names no kind of source");
-  if (spec.place.empty()) return invalid(text, "names no folder");
+  const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
+  if (!is_recording) return invalid(text, "names no kind of source");
+  if (spec.place.empty()) return invalid(text, "names no recording");
+  if (spec.kind == "mcap") return open_replay_source(spec.place, spec.sensor, options);
   if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, options);
   return open_tum_source(spec.place, options);
 }

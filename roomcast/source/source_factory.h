@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a SPEC on the command line to a FrameSource:  sim[:scene][#sensor]  rig:DIR#s0  tum:DIR
 // freenect:0  openni2:[URI or FILE.oni]  realsense:[SERIAL]  freenect2:[SERIAL]  k4a:[SERIAL]
+// mcap:FILE#s0
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast play: a recording is a room again, on a hub of its own or on another.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/web_directory.h"
+#include "roomcast/hub/hub_server.h"
+#include "roomcast/recorder/room_player.h"
+#include "roomcast/recording/room_recording.h"
+
+namespace roomcast::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct PlayOptions {
+  std::string file;
+  RoomPlayerOptions player;
+  int port = 7600;
+  std::string web;
+  bool json = false;
+  bool verbose = false;
+};
+
+/// A hub of our own, for as long as this lives.
+class OwnHub {
+ public:
+  static Result<OwnHub> open(const PlayOptions& options, const std::string& room) {
+    hub::HubOptions hub;
+    hub.port = static_cast<std::uint16_t>(options.port);
+    hub.room = room.empty() ? "recording" : room;
+    hub.web_directory = find_web_directory(options.web);
+    hub.log = stderr_log("play", options.verbose);
+    auto server = hub::HubServer::open(std::move(hub));
+    if (!server) return server.error();
+    return OwnHub(std::move(*server));
+  }
+  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
+
+ private:
+  explicit OwnHub(std::unique_ptr<hub::HubServer> server)
+      : server_(std::move(server)),
+        thread_([hub = server_.get()](const std::stop_token& end) { hub->run(end); }) {}
+
+  std::unique_ptr<hub::HubServer> server_;
+  std::jthread thread_;
+};
+
+double seconds_of(const recording::RoomRecording& recording) {
+  return std::chrono::duration<double>(recording.end() - recording.start()).count();
+}
+
+/// Shows where it is until the player has ended.
+void show_progress(const RoomPlayer& player, double length_s, const std::stop_token& ended) {
+  StatusLine line;
+  while (!ended.stop_requested()) {
+    std::this_thread::sleep_for(100ms);
+    const PlayProgress progress = player.progress();
+    line.show(fmt::format("{:.1f} of {:.1f} s, {} frames   (Ctrl-C stops)", progress.position_s,
+                          length_s, progress.frames_sent));
+  }
+}
+
+Status run_play(PlayOptions options) {
+  StopOnSignal stop;
+  if (auto status = options.player.check(); !status) return status;
+  const auto recording = recording::RoomRecording::open(options.file);
+  if (!recording) return recording.error();
+  if (recording->sensors().empty())
+    return Error{ErrorCode::kNotFound, options.file + " has no frame of any sensor"};
+  const LogSink log = stderr_log("play", options.verbose);
+  if (recording->damage()) {
+    log(LogLevel::kWarning, *recording->damage() + "; what comes before is played");
+  }
+  std::optional<OwnHub> own_hub;
+  if (options.player.hub_url.empty()) {
+    auto hub = OwnHub::open(options, recording->room());
+    if (!hub) return hub.error();
+    own_hub.emplace(std::move(*hub));
+    options.player.hub_url = fmt::format("ws://127.0.0.1:{}", own_hub->port());
+    fmt::print("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
+    std::fflush(stdout);
+  }
+  options.player.log = log;
+  auto player = RoomPlayer::open(*recording, options.player);
+  if (!player) return player.error();
+  std::jthread shown([&](const std::stop_token& ended) {
+    show_progress(**player, seconds_of(*recording), ended);
+  });
+  const Status status = (*player)->run(stop.token());
+  shown.request_stop();
+  shown.join();
+  if (options.json) {
+    const PlayProgress progress = (*player)->progress();
+    fmt::print("{}\n", nlohmann::json{{"frames_sent", progress.frames_sent},
+                                      {"position_s", progress.position_s}}
+                           .dump(1));
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_play_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<PlayOptions>();
+  CLI::App* command = app.add_subcommand("play", "Make a recording a room again");
+  command->add_option("file", options->file, "FILE.mcap of roomcast record")->required();
+  command->add_option("--hub", options->player.hub_url,
+                      "Join this hub as the recorded sensors (default: a hub of its own)");
+  command->add_option("--room", options->player.room, "The room there");
+  command->add_option("--from", options->player.from_s, "Begin at this second")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--speed", options->player.speed, "2: twice as fast; 0.1 to 10")
+      ->capture_default_str();
+  command->add_flag("--loop", options->player.loop, "Start again at the end");
+  command->add_option("--port", options->port, "Of its own hub; 0 takes any free one")
+      ->check(CLI::Range(0, 65'535))
+      ->capture_default_str();
+  command->add_option("--web", options->web,
+                      "Folder of the built page (default: the one beside this program)");
+  command->add_flag("--json", options->json, "For scripts: what was sent, at the end");
+  command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
+  command->footer(
+      "Frames are sent as they were recorded, bit for bit. Who joins sees a sensor from its next\n"
+      "key frame on. As a source that is encoded anew: roomcast sensor --source mcap:FILE#s0.\n"
+      "Example:\n  roomcast play lab.mcap --loop");
+  command->callback(
+      [options, &chosen] { chosen = [options] { return finish("play", run_play(*options)); }; });
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast record: what a hub sends its viewers, into a file; one file for each room.
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/recorder/recorder.h"
+
+namespace roomcast::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using Recorders = std::vector<std::unique_ptr<Recorder>>;
+
+struct RecordOptions {
+  std::filesystem::path out;
+  std::string hub_url;
+  std::vector<std::string> rooms;
+  std::string token;
+  std::string key;
+  double seconds = 0;
+  bool json = false;
+  bool verbose = false;
+};
+
+/// Of several rooms each has a file of its name in the folder OUT.
+std::filesystem::path file_of(const RecordOptions& options, const std::string& room) {
+  return options.rooms.size() < 2 ? options.out : options.out / (room + ".mcap");
+}
+
+Status make_folder(const RecordOptions& options) {
+  if (options.rooms.size() < 2) return {};
+  for (const auto& room : options.rooms) {
+    if (room.empty() || room[0] == '.' || room.find('/') != std::string::npos)
+      return Error{ErrorCode::kInvalidArgument, "\"" + room + "\" is no name for a file"};
+  }
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  if (!error) return {};
+  return Error{ErrorCode::kUnavailable,
+               "cannot make the folder " + options.out.string() + ": " + error.message()};
+}
+
+Result<Recorders> start_recorders(const RecordOptions& options) {
+  if (auto status = make_folder(options); !status) return status.error();
+  Recorders recorders;
+  const auto rooms = options.rooms.empty() ? std::vector<std::string>{""} : options.rooms;
+  for (const auto& room : rooms) {
+    RecorderOptions recorder;
+    recorder.hub_url = options.hub_url;
+    recorder.room = room;
+    recorder.token = options.token;
+    recorder.key = options.key;
+    recorder.path = file_of(options, room);
+    recorder.log = stderr_log("record", options.verbose);
+    auto opened = Recorder::open(std::move(recorder));
+    if (!opened) return opened.error();
+    recorders.push_back(std::move(*opened));
+  }
+  return recorders;
+}
+
+RecorderStats sum(const Recorders& recorders) {
+  RecorderStats sum;
+  for (const auto& recorder : recorders) {
+    const RecorderStats stats = recorder->stats();
+    sum.frames += stats.frames;
+    sum.frame_bytes += stats.frame_bytes;
+    sum.file_bytes += stats.file_bytes;
+  }
+  return sum;
+}
+
+/// Until stopped, until the time is up (0: never), or until no recorder can go on.
+Status wait_for_end(const Recorders& recorders, double seconds, const std::stop_token& stop) {
+  StatusLine line;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int tenths = 1; !stop.stop_requested(); ++tenths) {
+    std::this_thread::sleep_for(100ms);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    for (const auto& recorder : recorders) {
+      if (auto failure = recorder->failure()) return *failure;
+    }
+    if (seconds > 0 && elapsed.count() >= seconds) break;
+    if (tenths % 10 != 0) continue;
+    const RecorderStats stats = sum(recorders);
+    line.show(fmt::format("{:.0f} s, {} frames, {:.1f} MB   (Ctrl-C ends the recording)",
+                          elapsed.count(), stats.frames,
+                          static_cast<double>(stats.file_bytes) / 1e6));
+  }
+  return {};
+}
+
+/// Of this process: what recording costs.
+double cpu_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void report(const RecordOptions& options, const Recorders& recorders, double elapsed_s) {
+  nlohmann::json rooms = nlohmann::json::array();
+  for (const auto& recorder : recorders) {
+    const RecorderStats stats = recorder->stats();
+    const std::string file =
+        file_of(options, options.rooms.size() < 2 ? "" : recorder->room()).string();
+    rooms.push_back({{"room", recorder->room()},
+                     {"file", file},
+                     {"frames", stats.frames},
+                     {"frame_bytes", stats.frame_bytes},
+                     {"file_bytes", std::filesystem::file_size(file)}});
+    if (!options.json) {
+      fmt::print("{}: {} frames, {:.2f} MB\n", file, stats.frames,
+                 static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+    }
+  }
+  if (!options.json) return;
+  fmt::print(
+      "{}\n",
+      nlohmann::json{{"rooms", rooms}, {"seconds", elapsed_s}, {"cpu_seconds", cpu_seconds()}}.dump(
+          1));
+}
+
+Status run_record(const RecordOptions& options) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error code to us, not an end
+  StopOnSignal stop;
+  auto recorders = start_recorders(options);
+  if (!recorders) return recorders.error();
+  const auto begin = std::chrono::steady_clock::now();
+  Status status = wait_for_end(*recorders, options.seconds, stop.token());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  for (const auto& recorder : *recorders) {
+    if (auto finished = recorder->finish(); status && !finished) status = finished;
+  }
+  report(options, *recorders, elapsed.count());
+  return status;
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command =
+      app.add_subcommand("record", "Keep a room in a file: what the hub sends, the same bytes");
+  command->add_option("out", options->out, "File to make, OUT.mcap; of several rooms a folder")
+      ->required();
+  command->add_option("--hub", options->hub_url, "ws://HOST:PORT")->required();
+  command->add_option("--room", options->rooms,
+                      "The room (default: the hub's only one); several are recorded at once");
+  command->add_option("--token", options->token, "Where the room asks for one");
+  command->add_option("--key", options->key,
+                      "The hub's key: what sensors can be placed by is kept, too");
+  command->add_option("--seconds", options->seconds, "Stop after this time (default: Ctrl-C)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--json", options->json, "For scripts; with the processor time it took");
+  command->add_flag("--verbose", options->verbose, "Say what the connection does");
+  command->footer(
+      "The file is a standard MCAP file; docs/spec/recording.md says what is in it.\n"
+      "Example:\n  roomcast record lab.mcap --hub ws://127.0.0.1:7600 --seconds 60");
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("record", run_record(*options)); };
+  });
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// BundleLink: listens to the calibration bundles of a room's sensors, which a hub gives to aligners
+// only: joins as one, and says nothing. Threading: lives on one io_context.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "roomcast/client/hub_link.h"
+
+namespace roomcast {
+
+class BundleLink final : private HubLinkEvents {
+ public:
+  using OnBundle = std::function<void(const wire::pb::CalibrationBundle&)>;
+
+  BundleLink(boost::asio::io_context& io, net::HubUrl hub, const std::string& room,
+             const std::string& key, OnBundle on_bundle)
+      : on_bundle_(std::move(on_bundle)),
+        link_(io, std::move(hub), join_message(room, key), *this) {
+    link_.start();
+  }
+  ~BundleLink() override { link_.stop(); }
+
+ private:
+  static wire::pb::Join join_message(const std::string& room, const std::string& key) {
+    wire::pb::Join join;
+    join.set_room(room);
+    join.set_name("recorder");
+    join.mutable_aligner()->set_key(key);
+    return join;
+  }
+
+  void on_welcome(const wire::pb::Welcome&) override {}
+  void on_control(const wire::pb::Control& message) override {
+    if (message.has_calibration_bundle()) on_bundle_(message.calibration_bundle());
+  }
+  void on_frame(net::MessageBuffer) override {}
+  net::SealedMessagePtr next_frame() override { return nullptr; }
+  void on_clock(const ClockEstimate&) override {}
+  void on_down(const Error&, bool) override {}
+
+  OnBundle on_bundle_;
+  HubLink link_;
+};
+
+}  // namespace roomcast
