@@ -14,6 +14,11 @@
 #include "roomcast/cli/frame_log.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/export/thumbnail_strip.h"
+#include "roomcast/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/room_recording.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/source/replay/replay_source.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {
@@ -21,6 +26,7 @@ namespace {
 
 struct InfoOptions {
   std::string recording;
+  std::string thumbnails;
   bool json = false;
 };
 
@@ -33,12 +39,21 @@ struct SensorInfo {
   std::vector<std::uint32_t> depth_crc32;
 };
 
-/// A folder with rig.json is a rig, one with depth.txt a TUM recording.
+Result<std::vector<std::string>> specs_of_file(const std::string& file) {
+  auto names = replay_sensor_names(file);
+  if (!names) return names.error();
+  std::vector<std::string> specs;
+  for (const auto& name : *names) specs.push_back("mcap:" + file + "#" + name);
+  return specs;
+}
+
+/// A file is a recorded room, a folder with rig.json a rig, one with depth.txt a TUM recording.
 Result<std::vector<std::string>> specs_of(const std::string& recording) {
   const std::filesystem::path folder(recording);
   std::error_code ignored;
+  if (std::filesystem::is_regular_file(folder, ignored)) return specs_of_file(recording);
   if (!std::filesystem::is_directory(folder, ignored)) {
-    return Error{ErrorCode::kNotFound, "there is no folder " + recording};
+    return Error{ErrorCode::kNotFound, "there is no recording " + recording};
   }
   if (std::filesystem::exists(folder / "depth.txt", ignored))
     return std::vector{"tum:" + recording};
@@ -99,8 +114,37 @@ void print_text(const SensorInfo& info) {
       info.sensor.world_from_depth ? "placed" : "not placed");
 }
 
+/// The whole recording once more, as pictures.
+Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop) {
+  auto reader = open_frame_sets(options.recording);
+  if (!reader) return reader.error();
+  ThumbnailStrip strip((*reader)->sensors());
+  StatusLine line;
+  FrameSet set;
+  while (!stop.stop_requested()) {
+    const auto more = (*reader)->next(set);
+    if (!more) return more.error();
+    if (!*more) break;
+    strip.add(set);
+    line.show(fmt::format("thumbnails: {} frame sets", set.number + 1));
+  }
+  const ColorImage picture = strip.picture();
+  if (picture.empty()) return Error{ErrorCode::kNotFound, "there is no frame to show"};
+  return write_color_png(options.thumbnails, picture);
+}
+
+/// Why the end of a file is missing, if it is.
+void warn_of_damage(const std::string& recording) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(recording, ignored)) return;
+  const auto file = recording::RoomRecording::open(recording);
+  if (file && file->damage())
+    fmt::print(stderr, "roomcast info: {}; what comes before is there\n", *file->damage());
+}
+
 Status run_info(const InfoOptions& options) {
   StopOnSignal stop;
+  warn_of_damage(options.recording);
   const auto specs = specs_of(options.recording);
   if (!specs) return specs.error();
   nlohmann::json report = {{"recording", options.recording}, {"sensors", nlohmann::json::array()}};
@@ -113,6 +157,9 @@ Status run_info(const InfoOptions& options) {
       print_text(*info);
     }
   }
+  if (!options.thumbnails.empty()) {
+    if (auto status = write_thumbnails(options, stop.token()); !status) return status;
+  }
   if (options.json) fmt::print("{}\n", report.dump(1));
   return {};
 }
@@ -123,10 +170,14 @@ void add_info_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command =
       app.add_subcommand("info", "Read a recording from end to end and say what is in it");
-  command->add_option("recording", options->recording, "Folder of a rig or of a TUM recording")
+  command
+      ->add_option("recording", options->recording,
+                   "FILE.mcap, or the folder of a rig or of a TUM recording")
       ->required();
   command->add_flag("--json", options->json, "For scripts; with a CRC-32 of every depth picture");
-  command->footer("Example:\n  roomcast info recordings/lab --json");
+  command->add_option("--thumbnails", options->thumbnails,
+                      "Write OUT.png: what each sensor saw, from the beginning to the end");
+  command->footer("Example:\n  roomcast info lab.mcap --thumbnails lab.png");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("info", run_info(*options)); }; });
 }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast export: a recording into the files of other programs.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/export/set_writer.h"
+#include "roomcast/frame_sets/frame_set_reader.h"
+
+namespace roomcast::cli {
+namespace {
+
+struct ExportOptions {
+  std::string recording;
+  std::string format = "ply";
+  std::filesystem::path out;
+  double from_s = 0;
+  double to_s = 0;  // 0: to the end
+  std::uint64_t every = 1;
+  std::vector<float> crop;
+  MergedCloudOptions cloud;
+  bool json = false;
+};
+
+nanoseconds seconds(double value) {
+  return nanoseconds(static_cast<std::int64_t>(value * 1e9));
+}
+
+ExportFormat format_of(const std::string& name) {
+  return *std::ranges::find(kExportFormats, name, [](ExportFormat f) { return name_of(f); });
+}
+
+/// Reads sets and hands every n-th on, until the end, `to_s`, or a signal.
+Status copy_sets(const ExportOptions& options, FrameSetReader& reader, SetWriter& writer,
+                 const std::stop_token& stop) {
+  StatusLine line;
+  const double end_s =
+      options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
+  FrameSet set;
+  int damaged_places = 0;
+  while (!stop.stop_requested()) {
+    const auto more = reader.next(set);
+    if (!more && ++damaged_places > 1000) return more.error();
+    if (!more) {
+      fmt::print(stderr, "roomcast export: {}; going on behind it\n", more.error().message);
+      continue;
+    }
+    const double time_s = std::chrono::duration<double>(set.time).count();
+    if (!*more || (options.to_s > 0 && time_s > options.to_s)) return {};
+    if (set.number % options.every != 0) continue;
+    if (auto status = writer.add(set); !status) return status;
+    line.show(end_s > 0 ? fmt::format("{:.1f} of {:.1f} s", time_s, end_s)
+                        : fmt::format("{:.1f} s", time_s));
+  }
+  return Error{ErrorCode::kClosed, "interrupted; the same command goes on with what is missing"};
+}
+
+void report(const ExportOptions& options, const ExportTotals& totals) {
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::json{{"format", options.format},
+                                      {"out", options.out.string()},
+                                      {"sets", totals.sets},
+                                      {"kept", totals.kept},
+                                      {"points", totals.points}}
+                           .dump(1));
+    return;
+  }
+  fmt::print("{}: {} sets written", options.out.string(), totals.sets);
+  if (totals.kept > 0) fmt::print(", {} were there already", totals.kept);
+  if (totals.points > 0) fmt::print(", {} points", totals.points);
+  fmt::print("\n");
+}
+
+Status run_export(ExportOptions options) {
+  StopOnSignal stop;
+  if (!options.crop.empty()) {
+    const auto& c = options.crop;
+    const Eigen::Vector3f a(c[0], c[1], c[2]), b(c[3], c[4], c[5]);
+    options.cloud.crop_m = Eigen::AlignedBox3f(a.cwiseMin(b), a.cwiseMax(b));
+  }
+  auto reader = open_frame_sets(options.recording, seconds(options.from_s));
+  if (!reader) return reader.error();
+  auto writer =
+      make_set_writer(format_of(options.format), options.out, (*reader)->sensors(), options.cloud);
+  if (!writer) return writer.error();
+  Status status = copy_sets(options, **reader, **writer, stop.token());
+  if (auto finished = (*writer)->finish(); status && !finished) status = finished;
+  const ExportTotals totals = (*writer)->totals();
+  if (status && totals.sets + totals.kept == 0)
+    return Error{ErrorCode::kNotFound, "there is nothing to export in that part of the recording"};
+  report(options, totals);
+  return status;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const ExportFormat format : kExportFormats) names.emplace_back(name_of(format));
+  return names;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "Turn a recording into files that other programs read");
+  command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
+      ->required();
+  command->add_option("--format", options->format, "ply, pcd, gltf, rig, tum or foxglove")
+      ->check(CLI::IsMember(format_names()))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Folder to write to")->required();
+  command->add_option("--from", options->from_s, "Begin at this second")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--to", options->to_s, "End at this second")->check(CLI::PositiveNumber);
+  command->add_option("--every", options->every, "Of the frame sets only every n-th")
+      ->check(CLI::Range(1, 1'000'000));
+  command
+      ->add_option("--crop", options->crop,
+                   "Point clouds: only inside the box of two corners x,y,z,x,y,z (metres)")
+      ->delimiter(',')
+      ->expected(6);
+  command
+      ->add_option("--voxel", options->cloud.voxel_m,
+                   "Point clouds: one point for each cube of this size (metres)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_flag("--keep-doubles", options->cloud.keep_doubles,
+                    "Point clouds: also points of surfaces that another sensor sees better");
+  command->add_flag("--json", options->json, "For scripts");
+  command->footer(
+      "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
+      "normals.\n"
+      "gltf: set_NNNNNN.glb, a textured mesh for each sensor. tum: a folder for each sensor, with "
+      "its\n"
+      "pose in groundtruth.txt; depth in millimetres. foxglove: room.mcap with point clouds, VP9 "
+      "video,\n"
+      "calibrations and transforms. Files of sets that are there already are kept.\n"
+      "Example:\n  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01");
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("export", run_export(*options)); };
+  });
+}
+
+}  // namespace roomcast::cli

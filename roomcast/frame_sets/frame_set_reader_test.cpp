@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/frame_sets/frame_set_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/recording/made_up_recording.h"
+#include "roomcast/recording/mcap/scratch_folder.h"
+#include "roomcast/source/rig_writer.h"
+
+namespace roomcast {
+namespace {
+
+using recording::MadeUpRoom;
+
+TEST(FrameSetReader, gives_the_sets_of_a_recording) {
+  const ScratchFolder folder;
+  MadeUpRoom().record(folder.file("a.mcap"), 12);
+  auto reader = open_frame_sets(folder.file("a.mcap"));
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  ASSERT_EQ((*reader)->sensors().size(), 2u);
+  EXPECT_EQ((*reader)->sensors()[1].name, "s1");
+  FrameSet set;
+  for (int instant = 0; instant < 12; ++instant) {
+    ASSERT_TRUE(*(*reader)->next(set));
+    EXPECT_EQ(set.number, static_cast<std::uint64_t>(instant));
+    ASSERT_EQ(set.frames.size(), 2u);
+    for (const SetFrame& frame : set.frames) {
+      EXPECT_EQ(frame.pictures->depth_mm, MadeUpRoom::depth(instant));
+      ASSERT_TRUE(frame.world_from_depth.has_value());
+      EXPECT_EQ(frame.world_from_depth->translation_m.x(), 0.5 * static_cast<double>(frame.sensor));
+    }
+  }
+  EXPECT_FALSE(*(*reader)->next(set));
+}
+
+TEST(FrameSetReader, begins_where_it_is_told_to) {
+  const ScratchFolder folder;
+  MadeUpRoom().record(folder.file("a.mcap"), 40);
+  auto reader = open_frame_sets(folder.file("a.mcap"), std::chrono::milliseconds(2750));
+  FrameSet set;
+  ASSERT_TRUE(*(*reader)->next(set));
+  EXPECT_EQ(set.frames[0].pictures->depth_mm, MadeUpRoom::depth(28));
+}
+
+/// Two sensors of which the second's clock is 3 s ahead; its second frame was lost.
+void write_rig(const std::filesystem::path& folder) {
+  std::vector<RigSensor> sensors(2);
+  for (int i = 0; i < 2; ++i) {
+    sensors[static_cast<std::size_t>(i)].description.name = MadeUpRoom::name(i);
+    sensors[static_cast<std::size_t>(i)].description.calibration = MadeUpRoom::calibration();
+    sensors[static_cast<std::size_t>(i)].description.world_from_depth =
+        MadeUpRoom::world_from_depth(i);
+  }
+  sensors[1].clock_offset_s = 3;
+  auto writer = RigWriter::create(folder, 10, sensors);
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  for (int instant = 0; instant < 4; ++instant) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (i == 1 && instant == 1) continue;
+      CapturedFrame frame;
+      frame.depth_mm = MadeUpRoom::depth(instant);
+      frame.color = MadeUpRoom::color(static_cast<int>(i));
+      frame.index = static_cast<std::uint64_t>(instant);
+      const nanoseconds ahead = i == 1 ? std::chrono::seconds(3) : std::chrono::seconds(0);
+      ASSERT_TRUE(writer->add(i, frame, instant * MadeUpRoom::kPeriod + ahead).ok());
+    }
+  }
+  ASSERT_TRUE(writer->finish().ok());
+}
+
+TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
+  const ScratchFolder folder;
+  write_rig(folder.file("rig"));
+  auto reader = open_frame_sets(folder.file("rig"));
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  FrameSet set;
+  for (int instant = 0; instant < 4; ++instant) {
+    ASSERT_TRUE(*(*reader)->next(set));
+    ASSERT_EQ(set.frames.size(), 2u);
+    EXPECT_EQ(set.frames[0].pictures->depth_mm, MadeUpRoom::depth(instant));
+    const int shown = instant == 1 ? 0 : instant;  // its last one, where it has lost one
+    EXPECT_EQ(set.frames[1].pictures->depth_mm, MadeUpRoom::depth(shown));
+    EXPECT_NEAR(set.frames[1].pictures->color.at(30, 20).r, 160, 4);
+  }
+  EXPECT_FALSE(*(*reader)->next(set));
+}
+
+TEST(FrameSetReader, says_what_is_no_recording) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.file("empty"));
+  EXPECT_EQ(open_frame_sets(folder.file("empty")).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(open_frame_sets(folder.file("nothing")).error().code, ErrorCode::kNotFound);
+}
+
+}  // namespace
+}  // namespace roomcast

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every export is read back by readers by others, and holds the points that the recording's pictures mean.
+import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { writeSmallRig } from '../network/small_rig.mjs';
+import { readIndexed } from './mcap.mjs';
+import { assertFailed, run, scratchFolder } from './program.mjs';
+
+const require = createRequire(new URL('../../web/package.json', import.meta.url));
+const { PLYLoader } = await import(require.resolve('three/examples/jsm/loaders/PLYLoader.js'));
+const { PCDLoader } = await import(require.resolve('three/examples/jsm/loaders/PCDLoader.js'));
+const { NodeIO } = require('@gltf-transform/core');
+const validator = require('gltf-validator');
+const { createFileRegistry, fromBinary } = require('@bufbuild/protobuf');
+const { FileDescriptorSetSchema } = require('@bufbuild/protobuf/wkt');
+const { foxgloveMessageSchemas } = require('@foxglove/schemas/internal');
+
+const cleanups = [];
+after(() => cleanups.forEach((cleanup) => cleanup()));
+let rig;
+before(() => {
+  rig = writeSmallRig(scratchFolder({ after: (cleanup) => cleanups.push(cleanup) }), { fps: 5 });
+});
+
+async function exportRig(t, format, ...options) {
+  const out = join(scratchFolder(t), 'out');
+  const result = await run('export', rig, '--format', format, '--out', out, '--json', ...options);
+  assert.equal(result.code, 0, result.stderr);
+  return { out, totals: JSON.parse(result.stdout) };
+}
+
+/** What the pictures of instant `i` mean, worked out from their formula: world points of all pixels but the border. */
+function truePoints(i) {
+  const { sensors } = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8'));
+  return sensors.flatMap(({ world_from_depth: m }, n) => {
+    const points = [];
+    for (let y = 1; y < 47; ++y) {
+      for (let x = 1; x < 63; ++x) {
+        const z = (1500 + 100 * n + 10 * i + x + y) / 1000;
+        const p = [((x - 31.5) / 60) * z, ((y - 23.5) / 60) * z, z];
+        points.push([0, 1, 2].map((row) => m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3]));
+      }
+    }
+    return points;
+  });
+}
+
+const precision_m = 1e-5;
+
+function assertSamePoints(positions, truth) {
+  assert.equal(positions.length, 3 * truth.length);
+  truth.forEach((point, i) => {
+    for (let axis = 0; axis < 3; ++axis) {
+      assert.ok(Math.abs(positions[3 * i + axis] - point[axis]) < precision_m, `point ${i} of ${truth.length}`);
+    }
+  });
+}
+
+function arrayBuffer(file) {
+  const bytes = readFileSync(file);
+  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+}
+
+test('ply_holds_the_points_and_normals', async (t) => {
+  const { out, totals } = await exportRig(t, 'ply', '--keep-doubles');
+  assert.equal(totals.sets, 10);
+  for (const i of [0, 9]) {
+    const geometry = new PLYLoader().parse(arrayBuffer(join(out, `set_00000${i}.ply`)));
+    assertSamePoints(geometry.getAttribute('position').array, truePoints(i));
+    const normals = geometry.getAttribute('normal');
+    for (let n = 0; n < normals.count; ++n) {
+      assert.ok(Math.abs(Math.hypot(normals.getX(n), normals.getY(n), normals.getZ(n)) - 1) < 1e-5);
+    }
+    assert.ok(geometry.getAttribute('color'));
+  }
+});
+
+test('pcd_holds_the_points', async (t) => {
+  const { out } = await exportRig(t, 'pcd', '--keep-doubles', '--every', '9');
+  assert.deepEqual(readdirSync(out).sort(), ['set_000000.pcd', 'set_000009.pcd']);
+  const { geometry } = new PCDLoader().parse(arrayBuffer(join(out, 'set_000009.pcd')));
+  assertSamePoints(geometry.getAttribute('position').array, truePoints(9));
+});
+
+test('gltf_is_valid_and_its_meshes_have_the_points', async (t) => {
+  const { out } = await exportRig(t, 'gltf', '--to', '0.1');
+  const file = join(out, 'set_000000.glb');
+  const report = await validator.validateBytes(new Uint8Array(readFileSync(file)));
+  assert.equal(report.issues.numErrors, 0, JSON.stringify(report.issues.messages));
+  const document = await new NodeIO().read(file);
+  const nodes = document.getRoot().listNodes();
+  assert.deepEqual(nodes.map((node) => node.getName()), ['s0', 's1', 's2', 's3']);
+  nodes.forEach((node, n) => {
+    const position = node.getMesh().listPrimitives()[0].getAttribute('POSITION');
+    assert.equal(position.getCount(), 64 * 48);
+    for (let i = 0; i < position.getCount(); ++i) {
+      const [x, y, z] = position.getElement(i, []);
+      // The vertex lies on the ray of a pixel, at that pixel's depth.
+      const [px, py] = [(x / z) * 60 + 31.5, (y / z) * 60 + 23.5];
+      assert.ok(Math.abs(px - Math.round(px)) < 1e-3 && Math.abs(py - Math.round(py)) < 1e-3);
+      assert.ok(Math.abs(z - (1500 + 100 * n + Math.round(px) + Math.round(py)) / 1000) < precision_m);
+    }
+  });
+});
+
+test('foxglove_messages_are_those_that_programs_know', async (t) => {
+  const { out } = await exportRig(t, 'foxglove', '--keep-doubles', '--to', '0.3');
+  const { reader, messages } = await readIndexed(join(out, 'room.mcap'));
+  const kinds = new Set();
+  for (const message of messages) {
+    const schema = reader.schemasById.get(reader.channelsById.get(message.channelId).schemaId);
+    const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, schema.data));
+    const type = registry.getMessage(schema.name);
+    const known = foxgloveMessageSchemas[schema.name.replace('foxglove.', '')];
+    assert.ok(known, `${schema.name} is no Foxglove schema`);
+    const names = known.fields.map(({ name }) => name);
+    for (const { name } of type.fields) assert.ok(names.includes(name), `${schema.name} has no field ${name}`);
+    kinds.add(schema.name);
+    const content = fromBinary(type, message.data);
+    if (schema.name === 'foxglove.PointCloud' && message.logTime === messages[0].logTime) {
+      const view = new DataView(content.data.buffer, content.data.byteOffset, content.data.byteLength);
+      const truth = truePoints(0);
+      const positions = truth.flatMap((_, i) => [0, 4, 8].map((offset) => view.getFloat32(16 * i + offset, true)));
+      assert.equal(content.data.length, 16 * truth.length);
+      assertSamePoints(positions, truth);
+      assert.equal(content.frameId, 'world');
+    }
+  }
+  assert.deepEqual([...kinds].sort(), ['foxglove.CameraCalibration', 'foxglove.FrameTransform', 'foxglove.PointCloud']);
+});
+
+test('a_rig_that_was_exported_is_the_same_recording', async (t) => {
+  const { out } = await exportRig(t, 'tum');
+  const [before_, after_] = [await run('info', rig, '--json'), await run('info', out, '--json')];
+  const crcs = ({ stdout }) => JSON.parse(stdout).sensors.map(({ depth_crc32 }) => depth_crc32);
+  assert.deepEqual(crcs(after_), crcs(before_));
+  const lines = readFileSync(join(out, 's1', 'groundtruth.txt'), 'utf8').trim().split('\n');
+  const [, x, y, z] = lines[0].split(' ').map(Number);
+  const pose = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8')).sensors[1].world_from_depth;
+  assert.deepEqual([x, y, z], [pose[3], pose[7], pose[11]]);
+  const single = await run('info', join(out, 's1'), '--json');
+  assert.equal(single.code, 0, single.stderr);
+});
+
+test('an_export_goes_on_where_it_was_interrupted', async (t) => {
+  const { out } = await exportRig(t, 'ply', '--every', '3');
+  const kept = statSync(join(out, 'set_000003.ply')).mtimeMs;
+  const again = await run('export', rig, '--format', 'ply', '--out', out, '--json');
+  const totals = JSON.parse(again.stdout);
+  assert.deepEqual([totals.kept, totals.sets], [4, 6]);
+  assert.equal(statSync(join(out, 'set_000003.ply')).mtimeMs, kept);
+});
+
+test('doubles_are_left_out_and_clouds_are_cropped_and_thinned', async (t) => {
+  const points = async (...options) => (await exportRig(t, 'ply', '--to', '0.1', ...options)).totals.points;
+  const all = await points('--keep-doubles');
+  const merged = await points();
+  assert.ok(merged <= all);
+  const cropped = await points('--crop=-0.2,0,-0.2,0.2,3,0.2');
+  assert.ok(cropped < merged);
+  assert.ok((await points('--voxel', '0.1')) < merged / 2);
+});
+
+test('says_why_it_cannot_export', async (t) => {
+  const out = join(scratchFolder(t), 'out');
+  const at = ['--format', 'ply', '--out', out];
+  assertFailed(await run('export', '/no/such/recording', ...at), 1, /cannot open/);
+  assertFailed(await run('export', rig, ...at, '--from', '100'), 1, /nothing to export/);
+  assertFailed(await run('export', rig, ...at, '--crop=0,0,0,0,0'), 2, /--help/);
+  mkdirSync(join(out, 'full'), { recursive: true });
+  assertFailed(await run('export', rig, '--format', 'rig', '--out', out), 1, /not empty/);
+  assert.ok(existsSync(out));
+});
