@@ -34,7 +34,11 @@ int parse_and_run(int argc, char** argv) {
   add_contact_sheet_command(app, chosen);
   add_calibrate_command(app, chosen);
   add_devices_command(app, chosen);
+  add_record_command(app, chosen);
+  add_play_command(app, chosen);
   add_info_command(app, chosen);
+  add_export_command(app, chosen);
+  add_measure_command(app, chosen);
   add_align_command(app, chosen);
   add_board_command(app, chosen);
   add_nudge_command(app, chosen);
