@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "roomcast/codec/depth_grid_color.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/room/calibration_message.h"
 #include "roomcast/room/room_state.h"
@@ -81,7 +82,7 @@ class RecordedSets final : public FrameSetReader {
     if (index == index_of_.end() || !sensor.picture) return;
     SetFrame frame;
     frame.sensor = index->second;
-    frame.pictures = {sensor.picture, &sensor.picture->frame};
+    frame.pictures = codec::with_color_in_depth_grid({sensor.picture, &sensor.picture->frame});
     if (sensor.placed) frame.world_from_depth = sensor.world_from_depth;
     frame.time =
         sensor.picture->capture_time.time_since_epoch() + unix_minus_room_ - recording_.origin();

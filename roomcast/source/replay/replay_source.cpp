@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "roomcast/codec/depth_grid_color.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/recording/room_recording.h"
@@ -115,8 +116,13 @@ class ReplaySource final : public FrameSource {
       return false;
     }
     chain_.decoded(*header);
+    if (decoded_.color.empty() || same_size(decoded_.color.view(), decoded_.depth_mm.view())) {
+      std::swap(frame.color, decoded_.color);
+    } else {
+      const auto& grid = description_.calibration.depth;
+      frame.color = codec::color_in_depth_grid(decoded_.color, grid.width, grid.height);
+    }
     std::swap(frame.depth_mm, decoded_.depth_mm);
-    std::swap(frame.color, decoded_.color);
     frame.index = index_++;
     frame.device_time = header->capture_time.time_since_epoch();
     return true;
