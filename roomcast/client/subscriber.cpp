@@ -58,6 +58,10 @@ class Subscriber::Link final : public HubLinkEvents {
     return failure_;
   }
 
+  void send(wire::pb::Control message) {
+    boost::asio::post(network_.io(), [this, message = std::move(message)] { link_.send(message); });
+  }
+
   void on_welcome(const wire::pb::Welcome& welcome) override {
     state_.welcome(welcome);
     offer_snapshot();
@@ -65,7 +69,7 @@ class Subscriber::Link final : public HubLinkEvents {
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
   net::SealedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate&) override {}
+  void on_clock(const ClockEstimate& estimate) override { state_.clock_is(estimate); }
   void on_down(const Error& reason, bool final) override;
 
  private:
@@ -84,12 +88,17 @@ class Subscriber::Link final : public HubLinkEvents {
   std::optional<Error> failure_;
 
   // The network thread's own.
-  RoomState state_;
+  SteadyClock clock_;
+  RoomState state_{clock_};
   NetworkThread network_;
   HubLink link_;
 };
 
 void Subscriber::Link::on_control(const wire::pb::Control& message) {
+  if (message.has_viewer_poses()) {
+    state_.poses(message.viewer_poses());
+    return offer_snapshot();
+  }
   if (!message.has_roster()) return;
   if (auto status = state_.roster(message.roster()); !status) warn(status.error().message);
   offer_snapshot();
@@ -149,6 +158,20 @@ std::shared_ptr<const RoomSnapshot> Subscriber::snapshot() const {
 std::shared_ptr<const RoomSnapshot> Subscriber::wait_newer(
     std::uint64_t revision, std::chrono::milliseconds timeout) const {
   return link_->wait_newer(revision, timeout);
+}
+
+void Subscriber::send_pose(const PersonPose& pose) {
+  wire::pb::Control control;
+  *control.mutable_viewer_pose() = message_from_pose(pose);
+  link_->send(std::move(control));
+}
+
+void Subscriber::send_stats(const ShownStats& stats) {
+  wire::pb::Control control;
+  control.mutable_viewer_stats()->set_last_set_id(stats.newest_set.value);
+  control.mutable_viewer_stats()->set_shown_fps(static_cast<float>(stats.fps));
+  control.mutable_viewer_stats()->set_latency_ms(static_cast<float>(stats.latency_ms));
+  link_->send(std::move(control));
 }
 
 std::optional<Error> Subscriber::failure() const {

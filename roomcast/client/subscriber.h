@@ -23,6 +23,13 @@ struct SubscriberOptions {
   LogSink log;
 };
 
+/// How well a viewer can show what comes.
+struct ShownStats {
+  SetId newest_set{};
+  double fps = 0;         // frame sets
+  double latency_ms = 0;  // capture to shown, median of the last second
+};
+
 class Subscriber {
  public:
   /// Connects and joins. Errors as Publisher::open.
@@ -35,6 +42,11 @@ class Subscriber {
   /// Waits until there is a snapshot newer than `revision`, or until `timeout`; gives the newest.
   [[nodiscard]] std::shared_ptr<const RoomSnapshot> wait_newer(
       std::uint64_t revision, std::chrono::milliseconds timeout) const;
+
+  /// Tells the others where this viewer is. Neither waits; while there is no connection it is lost.
+  void send_pose(const PersonPose& pose);
+  /// For the hub's figures, once a second.
+  void send_stats(const ShownStats& stats);
 
   /// Why it is over for good, once it is.
   [[nodiscard]] std::optional<Error> failure() const;

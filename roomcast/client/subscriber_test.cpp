@@ -107,6 +107,36 @@ TEST_F(SubscriberTest, shows_what_the_hub_sends) {
   EXPECT_EQ(room->sensors[0].picture->frame.depth_mm, DepthImage(kWidth, kHeight, 1234));
 }
 
+TEST_F(SubscriberTest, tells_the_hub_where_it_is_and_hears_of_the_others) {
+  open();
+  PersonPose own;
+  own.world_from_head.translation_m = {1, 1.5, 2};
+  subscriber->send_pose(own);
+  subscriber->send_stats({SetId{12}, 29.5, 80});
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  bool heard = false;
+  while (!heard && std::chrono::steady_clock::now() < give_up) {
+    on_hub([&](FakeHub& h) { heard = h.heard.back().has_viewer_stats(); });
+  }
+  on_hub([](FakeHub& h) {
+    ASSERT_EQ(h.heard.size(), 3U);  // a join before them
+    EXPECT_EQ(h.heard[1].viewer_pose().head().y(), 1.5F);
+    EXPECT_EQ(h.heard[2].viewer_stats().last_set_id(), 12U);
+    wire::pb::Control roster;
+    roster.mutable_roster()->add_viewers()->set_id(3);
+    h.say(roster);
+    wire::pb::Control poses;
+    auto& pose = *poses.mutable_viewer_poses()->add_poses();
+    pose.set_viewer_id(3);
+    pose.mutable_head()->set_qw(1);
+    pose.mutable_head()->set_z(4);
+    h.say(poses);
+  });
+  const auto room =
+      wait_for([](const auto& r) { return !r.people.empty() && r.people[0].pose.has_value(); });
+  EXPECT_EQ(room->people[0].pose->world_from_head.translation_m.z(), 4);
+}
+
 TEST_F(SubscriberTest, asks_for_a_key_frame_when_it_cannot_decode) {
   open();
   on_hub([](FakeHub& h) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/room/clock_estimate.h"
+#include "roomcast/room/person_pose.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
@@ -23,6 +25,7 @@ struct SensorPicture {
   std::uint32_t seq = 0;
   SetId set{};
   RoomTime capture_time{};
+  HostTime received{}, decoded{};
   codec::DecodedFrame frame;
 };
 
@@ -31,10 +34,24 @@ struct RoomSensor {
   std::string name;
   bool online = false;
   bool placed = false;  // false: world_from_depth is a guess, so that there is something to see
+  bool moved = false;   // since world_from_depth was known
+  float expected_error_mm = 0;  // of a placement that was found from what sensors see; 0: not one
+  std::string placement_note;   // why it could not be placed, for a person; else empty
   double fps = 0;
   SensorCalibration calibration;
   RigidTransform world_from_depth;
   std::shared_ptr<const SensorPicture> picture;  // null before its first frame
+  std::uint64_t frames_received = 0;
+  std::uint64_t frames_missed = 0;  // left out on their way, or not to be decoded
+  std::uint64_t bytes_received = 0;
+};
+
+/// Somebody who is in the room, the one who looks included.
+struct RoomPerson {
+  ViewerId id{};
+  std::string name;
+  Rgb8 color;
+  std::optional<PersonPose> pose;  // nothing before it is known
 };
 
 struct RoomSnapshot {
@@ -45,6 +62,9 @@ struct RoomSnapshot {
   std::optional<RigidTransform>
       start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
   std::vector<RoomSensor> sensors;  // by id
+  ViewerId self{};
+  std::vector<RoomPerson> people;      // nobody is known while there is no connection
+  std::optional<ClockEstimate> clock;  // room time, once it is known
   SetId newest_set{};
   std::uint64_t sets_received = 0;
   std::uint64_t bytes_received = 0;

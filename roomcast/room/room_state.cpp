@@ -13,6 +13,8 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.connected = true;
   room_.problem.clear();
   room_.room = welcome.room();
+  room_.self = ViewerId{welcome.viewer_id()};
+  room_.clock.reset();
   if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;
   decoding_.clear();  // nothing of an earlier connection can be built on
 }
@@ -20,9 +22,37 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
 void RoomState::disconnected(std::string problem) {
   room_.connected = false;
   room_.problem = std::move(problem);
+  room_.people.clear();
+}
+
+void RoomState::poses(const wire::pb::ViewerPoses& poses) {
+  for (const auto& message : poses.poses()) {
+    const auto person = std::ranges::find(room_.people, ViewerId{message.viewer_id()},
+                                          [](const RoomPerson& p) { return p.id; });
+    if (person != room_.people.end()) person->pose = pose_from_message(message);
+  }
+}
+
+/// Who stays keeps the pose that is known of them.
+void RoomState::update_people(const wire::pb::Roster& roster) {
+  std::vector<RoomPerson> people;
+  for (const auto& entry : roster.viewers()) {
+    const std::uint32_t rgb = entry.color_rgb();
+    RoomPerson person{ViewerId{entry.id()},
+                      entry.name(),
+                      {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>(rgb >> 8U),
+                       static_cast<std::uint8_t>(rgb)},
+                      {}};
+    const auto known =
+        std::ranges::find(room_.people, person.id, [](const RoomPerson& p) { return p.id; });
+    if (known != room_.people.end()) person.pose = known->pose;
+    people.push_back(std::move(person));
+  }
+  room_.people = std::move(people);
 }
 
 Status RoomState::roster(const wire::pb::Roster& roster) {
+  update_people(roster);
   for (const auto& entry : roster.sensors()) {
     if (auto status = update_sensor(entry); !status) return status;
   }
@@ -46,6 +76,10 @@ Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
   known->name = entry.name();
   known->online = entry.online();
   known->placed = entry.placement() != wire::pb::PLACEMENT_UNPLACED;
+  known->moved = entry.moved();
+  known->expected_error_mm =
+      entry.placement() == wire::pb::PLACEMENT_ALIGNED ? entry.expected_error_mm() : 0;
+  known->placement_note = entry.placement_note();
   known->fps = entry.fps();
   known->calibration = *calibration;
   known->world_from_depth = *world_from_depth;
@@ -64,9 +98,15 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   if (sensor == room_.sensors.end()) {
     return Error{ErrorCode::kMalformed, "a frame came of a sensor that is not in the roster"};
   }
+  const HostTime received = clock_.now();
   room_.bytes_received += message.size();
+  sensor->bytes_received += message.size();
   SensorDecoding& decoding = decoding_[header->sensor];
-  if (!decoding.chain.may_decode(*header)) return FrameOutcome::kNeedsKey;
+  sensor->frames_missed += decoding.count_gap(header->seq);
+  if (!decoding.chain.may_decode(*header)) {
+    ++sensor->frames_missed;
+    return FrameOutcome::kNeedsKey;
+  }
   if (!decoding.decoder) {
     auto decoder = codec::FrameDecoder::create(sensor->calibration.depth.width,
                                                sensor->calibration.depth.height);
@@ -78,17 +118,29 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
           decoding.decoder->decode(message.subspan(header->header_length), picture->frame);
       !status) {
     decoding.chain.broke();
+    ++sensor->frames_missed;
     return FrameOutcome::kNeedsKey;
   }
   decoding.chain.decoded(*header);
   picture->seq = header->seq;
   picture->set = header->set;
   picture->capture_time = header->capture_time;
+  picture->received = received;
+  picture->decoded = clock_.now();
+  ++sensor->frames_received;
   sensor->picture = std::move(picture);
   room_.newest_set = std::max(room_.newest_set, header->set);
   if (!header->last) return FrameOutcome::kDecoded;
   ++room_.sets_received;
   return FrameOutcome::kSetComplete;
+}
+
+/// Frames between the newest one and the one before it. Sensors count from where they like, anew
+/// after a restart.
+std::uint64_t RoomState::SensorDecoding::count_gap(std::uint32_t seq) {
+  const std::uint32_t step = newest_seq ? seq - *newest_seq : 1;
+  newest_seq = seq;
+  return step > 0 && step <= kLongestGap ? step - 1 : 0;
 }
 
 std::shared_ptr<SensorPicture> RoomState::free_picture(SensorDecoding& decoding) {

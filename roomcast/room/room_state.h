@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoomState: a viewer's copy of the room, built from what the hub sends: roster in, frames in,
-// snapshots out. Pure (no sockets, no clocks), single-threaded.
+// snapshots out. No sockets; its only clock is the one it is given. Single-threaded.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -19,9 +20,15 @@ namespace roomcast {
 
 class RoomState {
  public:
+  /// `clock` outlives this: it says when frames were received and decoded.
+  explicit RoomState(const Clock& clock) : clock_(clock) {}
+
   void welcome(const wire::pb::Welcome& welcome);
   /// kMalformed when a sensor's calibration makes no sense; the sensors before it are taken.
   Status roster(const wire::pb::Roster& roster);
+  /// Of people who are not in the roster (yet, or any more) nothing is shown.
+  void poses(const wire::pb::ViewerPoses& poses);
+  void clock_is(const ClockEstimate& estimate) { room_.clock = estimate; }
   void disconnected(std::string problem);
 
   enum class FrameOutcome {
@@ -36,7 +43,11 @@ class RoomState {
   [[nodiscard]] std::shared_ptr<const RoomSnapshot> snapshot();
 
  private:
+  static constexpr std::uint32_t kLongestGap = 100'000;  // more means that it counts anew
   struct SensorDecoding {
+    std::uint64_t count_gap(std::uint32_t seq);
+
+    std::optional<std::uint32_t> newest_seq;
     std::unique_ptr<codec::FrameDecoder> decoder;
     FrameChain chain;
     std::vector<std::shared_ptr<SensorPicture>>
@@ -44,8 +55,10 @@ class RoomState {
   };
 
   Status update_sensor(const wire::pb::SensorEntry& entry);
+  void update_people(const wire::pb::Roster& roster);
   std::shared_ptr<SensorPicture> free_picture(SensorDecoding& decoding);
 
+  const Clock& clock_;
   RoomSnapshot room_;
   std::unordered_map<SensorId, SensorDecoding> decoding_;
 };

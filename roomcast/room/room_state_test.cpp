@@ -82,9 +82,69 @@ class RoomStateTest : public testing::Test {
     EXPECT_TRUE(state.roster(roster).ok());
   }
 
-  RoomState state;
+  FakeClock clock;
+  RoomState state{clock};
   SendingSensor sensor;
 };
+
+wire::pb::Roster roster_with(std::initializer_list<unsigned> viewers) {
+  wire::pb::Roster roster;
+  for (const unsigned id : viewers) {
+    auto& entry = *roster.add_viewers();
+    entry.set_id(id);
+    entry.set_name("v" + std::to_string(id));
+    entry.set_color_rgb(0x102030);
+  }
+  return roster;
+}
+
+wire::pb::ViewerPoses poses_of(unsigned viewer, float x) {
+  wire::pb::ViewerPoses poses;
+  auto& pose = *poses.add_poses();
+  pose.set_viewer_id(viewer);
+  pose.mutable_head()->set_x(x);
+  pose.mutable_head()->set_qw(1);
+  return poses;
+}
+
+TEST_F(RoomStateTest, people_are_those_of_the_roster_at_their_newest_poses) {
+  state.poses(poses_of(7, 1));  // nobody knows who that is
+  ASSERT_TRUE(state.roster(roster_with({7, 8})).ok());
+  EXPECT_FALSE(state.snapshot()->people[0].pose);
+  state.poses(poses_of(7, 2));
+  state.poses(poses_of(7, 3));
+  ASSERT_TRUE(state.roster(roster_with({6, 7})).ok());
+  const auto room = state.snapshot();
+  ASSERT_EQ(room->people.size(), 2U);
+  EXPECT_FALSE(room->people[0].pose);
+  EXPECT_EQ(room->people[1].name, "v7");
+  EXPECT_EQ(room->people[1].color, (Rgb8{0x10, 0x20, 0x30}));
+  ASSERT_TRUE(room->people[1].pose);
+  EXPECT_EQ(room->people[1].pose->world_from_head.translation_m.x(), 3);
+}
+
+TEST_F(RoomStateTest, without_a_connection_nobody_is_known_to_be_there) {
+  ASSERT_TRUE(state.roster(roster_with({7})).ok());
+  state.disconnected("the hub has gone");
+  EXPECT_TRUE(state.snapshot()->people.empty());
+}
+
+TEST_F(RoomStateTest, frames_that_did_not_come_are_counted) {
+  for (const std::uint32_t seq : {10U, 11U, 14U, 3U}) {
+    ASSERT_TRUE(state.frame(sensor.message(header_of(0, seq), depth_picture(0))).ok());
+  }
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 9, false), depth_picture(0))).ok());
+  const auto room = state.snapshot();
+  EXPECT_EQ(room->sensors[0].frames_received, 4U);
+  EXPECT_EQ(room->sensors[0].frames_missed, 2U + 5U + 1U) << "12, 13; 4 to 8; and 9 needs its base";
+  EXPECT_EQ(room->sensors[0].bytes_received, room->bytes_received);
+}
+
+TEST_F(RoomStateTest, a_picture_says_when_it_came) {
+  clock.advance(std::chrono::seconds(5));
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
+  EXPECT_EQ(state.snapshot()->sensors[0].picture->received, clock.now());
+}
 
 TEST_F(RoomStateTest, pictures_arrive_bit_for_bit) {
   const DepthImage depth = depth_picture(7);

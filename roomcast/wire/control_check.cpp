@@ -104,14 +104,19 @@ Status check_join(const pb::Join& join) {
   return malformed("a Join says whether it is a sensor's, a viewer's or an aligner's");
 }
 
+/// Anything with x, y, z in metres.
+template <class Place>
+bool is_within_reach(const Place& place) {
+  const auto is_near = [](float metres) {
+    return std::abs(metres) <= kMaxPosition_m;
+  };  // false for NaN
+  return is_near(place.x()) && is_near(place.y()) && is_near(place.z());
+}
+
 Status check_pose(const pb::Pose& pose) {
   const double norm2 =
       pose.qx() * pose.qx() + pose.qy() * pose.qy() + pose.qz() * pose.qz() + pose.qw() * pose.qw();
-  const auto in_range = [](float metres) {
-    return std::abs(metres) <= kMaxPosition_m;
-  };  // false for NaN
-  if (!in_range(pose.x()) || !in_range(pose.y()) || !in_range(pose.z()))
-    return malformed("a pose is out of range");
+  if (!is_within_reach(pose)) return malformed("a pose is out of range");
   if (!(std::abs(norm2 - 1) < 0.01))
     return malformed("a pose's quaternion has to have unit length");
   return {};
@@ -124,6 +129,9 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
     if (part == nullptr) continue;
     if (auto s = check_pose(*part); !s) return s;
   }
+  const pb::Beam& beam = pose.pointer();  // all zero where there is none
+  if (!is_within_reach(beam.from()) || !is_within_reach(beam.to()))
+    return malformed("a pointer's beam is out of range");
   return {};
 }
 

@@ -128,6 +128,11 @@ TEST(ControlCheck, poses_need_a_head_a_unit_quaternion_and_a_place_in_reach) {
   auto scaled = viewer_pose();
   scaled.mutable_viewer_pose()->mutable_left_hand()->set_qw(2);
   EXPECT_FALSE(check_control(scaled).ok());
+  auto pointing = viewer_pose();
+  pointing.mutable_viewer_pose()->mutable_pointer()->mutable_to()->set_x(3);
+  EXPECT_TRUE(check_control(pointing).ok());
+  pointing.mutable_viewer_pose()->mutable_pointer()->mutable_to()->set_x(2 * kMaxPosition_m);
+  EXPECT_FALSE(check_control(pointing).ok());
   auto nowhere = viewer_pose();
   nowhere.mutable_viewer_pose()->mutable_head()->set_y(std::numeric_limits<float>::quiet_NaN());
   EXPECT_FALSE(check_control(nowhere).ok());

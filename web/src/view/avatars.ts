@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The other viewers: a head with a visor, their name above it, their hands where they are tracked and where these
-// point. Part frames are x right, y up, -z forward. Poses come 20 times a second and are eased in between.
+// point, the beam of their laser pointer. Part frames are x right, y up, -z forward. Poses come 20 times a second and
+// are eased in between.
 import * as THREE from 'three';
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
+import { beamOf, shine } from './pointer_beam';
 import { pointerRay } from './pointer_ray';
 
 const easing_perS = 14;
@@ -23,6 +25,7 @@ interface Avatar {
   color: number;
   head: Part;
   hands: [Part, Part];
+  beam: THREE.Group;
 }
 
 function partOf(object: THREE.Object3D): Part {
@@ -137,13 +140,14 @@ export class Avatars {
   /** False when none of them is known. */
   move(poses: readonly ViewerPose[]): boolean {
     let moved = false;
-    for (const { viewerId, head, leftHand, rightHand } of poses) {
+    for (const { viewerId, head, leftHand, rightHand, pointer } of poses) {
       const avatar = this.byViewer.get(viewerId);
       if (!avatar) continue;
       moved = true;
       aim(avatar.head, head);
       aim(avatar.hands[0], leftHand);
       aim(avatar.hands[1], rightHand);
+      shine(avatar.beam, pointer);
     }
     return moved;
   }
@@ -166,8 +170,9 @@ export class Avatars {
     const head = headOf(color);
     head.add(labelOf(name || `viewer ${id}`));
     const hands: [Part, Part] = [partOf(handOf(color)), partOf(handOf(color))];
-    const avatar = { root: new THREE.Group(), name, color, head: partOf(head), hands };
-    avatar.root.add(head, hands[0].object, hands[1].object);
+    const beam = beamOf(color);
+    const avatar = { root: new THREE.Group(), name, color, head: partOf(head), hands, beam };
+    avatar.root.add(head, hands[0].object, hands[1].object, beam);
     this.byViewer.set(id, avatar);
     this.root.add(avatar.root);
   }

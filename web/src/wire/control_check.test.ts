@@ -106,6 +106,15 @@ describe("a viewer's pose", () => {
     expect(refusalOfHead({ qw: 0.9 })).toMatch(/unit length/);
     expect(refusalOfHead({ qw: NaN })).toMatch(/unit length/);
   });
+  test('that points out of the world is refused', () => {
+    const pointing = (x: number) =>
+      refusal({
+        case: 'viewerPoses',
+        value: { poses: [{ viewerId: 1, head: { qw: 1 }, pointer: { to: { x } } }] },
+      });
+    expect(pointing(3)).toBeUndefined();
+    expect(pointing(1e5)).toMatch(/range/);
+  });
   test('without a head is refused', () => {
     expect(refusal({ case: 'viewerPoses', value: { poses: [{ viewerId: 1 }] } })).toMatch(/head/);
   });

@@ -79,10 +79,12 @@ function checkWelcome(welcome: Welcome): void {
   if (welcome.startPose.length > 0) checkRigid(welcome.startPose, 'start_pose');
 }
 
+function isWithinReach(place: { x: number; y: number; z: number }): boolean {
+  return [place.x, place.y, place.z].every((metres) => Math.abs(metres) <= maxPosition_m);
+}
+
 function checkPose(pose: Pose): void {
-  if (![pose.x, pose.y, pose.z].every((metres) => Math.abs(metres) <= maxPosition_m)) {
-    throw malformed('a pose is out of range');
-  }
+  if (!isWithinReach(pose)) throw malformed('a pose is out of range');
   const norm2 = pose.qx ** 2 + pose.qy ** 2 + pose.qz ** 2 + pose.qw ** 2;
   if (!(Math.abs(norm2 - 1) < unitQuaternionTolerance)) {
     throw malformed("a pose's quaternion has to have unit length");
@@ -93,6 +95,9 @@ function checkViewerPose(pose: ViewerPose): void {
   if (!pose.head) throw malformed("a viewer's pose has a head");
   for (const part of [pose.head, pose.leftHand, pose.rightHand]) {
     if (part) checkPose(part);
+  }
+  for (const end of [pose.pointer?.from, pose.pointer?.to]) {
+    if (end && !isWithinReach(end)) throw malformed("a pointer's beam is out of range");
   }
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a person's head and hands are and what they point at, as geometry and as a message of the
+// wire (docs/spec/wire.md section 3). World frame, metres; part frames x right, y up, -z forward.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast {
+
+/// A laser pointer's light.
+struct PointerBeam {
+  Eigen::Vector3d from_m, to_m;
+};
+
+struct PersonPose {
+  RigidTransform world_from_head;
+  std::optional<RigidTransform> world_from_left_hand, world_from_right_hand;  // while tracked
+  std::optional<PointerBeam> pointer;                                         // while pointing
+};
+
+/// Without the viewer's id, which the hub knows.
+[[nodiscard]] wire::pb::ViewerPose message_from_pose(const PersonPose& pose);
+
+/// Of a message that wire::decode_control has let through.
+[[nodiscard]] PersonPose pose_from_message(const wire::pb::ViewerPose& message);
+
+}  // namespace roomcast
