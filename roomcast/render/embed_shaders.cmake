@@ -1,5 +1,9 @@
 # Writes shader sources into a C++ file, one string_view per shader: shaders/points.vert -> shaders::points_vert.
-#   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" -P embed_shaders.cmake
+#   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" [-DHEADER=roomcast/viewer/people/shader_sources.h] -P embed_shaders.cmake
+# HEADER declares them.
+if(NOT HEADER)
+  set(HEADER roomcast/render/shader_sources.h)
+endif()
 set(definitions "")
 foreach(shader IN LISTS SHADERS)
   get_filename_component(name "${shader}" NAME)
@@ -7,8 +11,8 @@ foreach(shader IN LISTS SHADERS)
   file(READ "${shader}" text)
   string(APPEND definitions "const std::string_view ${name} = R\"glsl(${text})glsl\";\n\n")
 endforeach()
-file(WRITE "${OUTPUT}" "// Made from the files in roomcast/render/shaders; do not edit.
-#include \"roomcast/render/shader_sources.h\"
+file(WRITE "${OUTPUT}" "// Made from shader files by embed_shaders.cmake; do not edit.
+#include \"${HEADER}\"
 
 namespace roomcast::shaders {
 

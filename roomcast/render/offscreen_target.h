@@ -28,6 +28,8 @@ class OffscreenTarget {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  /// To copy the picture from. Attachment 0 is colour, attachment 1 the sensors.
+  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
   /// Wait for the drawing to end. Top row first, as every image here.
   [[nodiscard]] ColorImage read_color() const;
