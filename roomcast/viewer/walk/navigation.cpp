@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/walk/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomcast {
+namespace {
+
+// As on the page; a notch of the wheel is 100 of its pixels.
+constexpr double kOrbitPerPixel_rad = 0.006;
+constexpr double kLookPerPixel_rad = 0.004;
+constexpr double kZoomPerNotch = 0.12;
+constexpr double kMostNotches = 3;
+constexpr double kRunFactor = 2.5;
+constexpr double kLongestStep_s = 0.1;
+
+constexpr double kSpeedPerNotch = 0.2;
+constexpr double kStickTurn_rad_per_s = 1.9;
+
+/// Forward, right, up.
+Eigen::Vector3d step_of(WalkKey key) {
+  switch (key) {
+    case WalkKey::kForward:
+      return {1, 0, 0};
+    case WalkKey::kBack:
+      return {-1, 0, 0};
+    case WalkKey::kLeft:
+      return {0, -1, 0};
+    case WalkKey::kRight:
+      return {0, 1, 0};
+    case WalkKey::kUp:
+      return {0, 0, 1};
+    case WalkKey::kDown:
+      return {0, 0, -1};
+  }
+  return {0, 0, 0};
+}
+
+/// Nothing while the stick rests, then from 0 on: no jump at the edge.
+double beyond_rest(double axis) {
+  const double beyond = (std::abs(axis) - kStickRest) / (1 - kStickRest);
+  return std::copysign(std::clamp(beyond, 0.0, 1.0), axis);
+}
+
+Sticks without_rest(const Sticks& sticks) {
+  return {beyond_rest(sticks.walk_right), beyond_rest(sticks.walk_forward),
+          beyond_rest(sticks.walk_up), beyond_rest(sticks.look_right), beyond_rest(sticks.look_up)};
+}
+
+bool is_at_rest(const Sticks& sticks) {
+  return sticks.walk_right == 0 && sticks.walk_forward == 0 && sticks.walk_up == 0 &&
+         sticks.look_right == 0 && sticks.look_up == 0;
+}
+
+}  // namespace
+
+bool Navigation::is_walking() const {
+  return !held_.empty() || !is_at_rest(without_rest(sticks_));
+}
+
+void Navigation::hold(WalkKey key, bool down) {
+  if (down) {
+    held_.insert(key);
+  } else {
+    held_.erase(key);
+  }
+}
+
+void Navigation::release_all() {
+  held_.clear();
+  running_ = false;
+  sticks_ = {};
+}
+
+void Navigation::drag(Drag kind, double dx_px, double dy_px, double picture_height_px,
+                      double vertical_fov_rad) {
+  const double height_m = 2 * view_.pivot_distance_m * std::tan(vertical_fov_rad / 2);
+  const double metres_per_pixel = height_m / std::max(1.0, picture_height_px);
+  switch (kind) {
+    case Drag::kOrbit:
+      view_ = orbit(view_, -dx_px * kOrbitPerPixel_rad, -dy_px * kOrbitPerPixel_rad);
+      return;
+    case Drag::kPan:
+      view_ = pan(view_, -dx_px * metres_per_pixel, dy_px * metres_per_pixel);
+      return;
+    case Drag::kLook:
+      view_ = look(view_, -dx_px * kLookPerPixel_rad, -dy_px * kLookPerPixel_rad);
+      return;
+  }
+}
+
+void Navigation::zoom(double notches) {
+  view_ = dolly(view_, std::exp(-kZoomPerNotch * std::clamp(notches, -kMostNotches, kMostNotches)));
+}
+
+void Navigation::change_speed(double notches) {
+  speed_m_per_s_ = std::clamp(speed_m_per_s_ * std::exp(kSpeedPerNotch * notches),
+                              kSlowestWalk_m_per_s, kFastestWalk_m_per_s);
+}
+
+void Navigation::advance(double seconds) {
+  const double step_s = std::clamp(seconds, 0.0, kLongestStep_s);
+  const Sticks sticks = without_rest(sticks_);
+  Eigen::Vector3d step(sticks.walk_forward, sticks.walk_right, sticks.walk_up);
+  for (const WalkKey key : held_) step += step_of(key);
+  step *= step_s * speed_m_per_s_ * (running_ ? kRunFactor : 1);
+  view_ = walk(view_, step.x(), step.y(), step.z());
+  const double turn_rad = step_s * kStickTurn_rad_per_s;
+  view_ = look(view_, -sticks.look_right * turn_rad, sticks.look_up * turn_rad);
+}
+
+}  // namespace roomcast
