@@ -9,12 +9,15 @@ namespace roomcast {
 Result<RoomView> RoomView::create() {
   auto renderer = RoomRenderer::create();
   if (!renderer) return renderer.error();
-  return RoomView(std::move(*renderer));
+  auto people = PeopleView::create();
+  if (!people) return people.error();
+  return RoomView(std::move(*renderer), std::move(*people));
 }
 
 // One sensor that cannot be drawn must not freeze the others.
 Status RoomView::show(const RoomSnapshot& room) {
   Status first_fault;
+  people_.follow(room);
   for (const RoomSensor& sensor : room.sensors) {
     auto status = show_sensor(sensor);
     if (!status && first_fault) first_fault = std::move(status);
@@ -25,7 +28,7 @@ Status RoomView::show(const RoomSnapshot& room) {
 // A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
 // one.
 Status RoomView::show_sensor(const RoomSensor& sensor) {
-  if (!sensor.online || !sensor.picture) {
+  if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
     renderer_.remove(sensor.id);
     uploaded_.erase(sensor.id);
     return {};
@@ -46,7 +49,9 @@ Status RoomView::show_sensor(const RoomSensor& sensor) {
 }
 
 Status RoomView::draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode) {
-  return renderer_.draw(camera, target, mode);
+  if (auto status = renderer_.draw(camera, target, mode); !status) return status;
+  people_.draw(camera, target);
+  return {};
 }
 
 RigidTransform world_from_start_view(const RoomSnapshot& room) {

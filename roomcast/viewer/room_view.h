@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomView: draws the room that a Subscriber receives. Keeps the renderer in step with the
-// snapshots and uploads only pictures that are new. Threading: the thread of its GL context.
+// RoomView: draws the room that a Subscriber receives, and the people in it. Keeps the renderer in
+// step with the snapshots and uploads only pictures that are new. Threading: the thread of its GL
+// context.
 #pragma once
 
 #include <memory>
+#include <set>
 #include <unordered_map>
 
 #include "roomcast/core/result.h"
@@ -11,6 +13,7 @@
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/view_camera.h"
 #include "roomcast/room/room_snapshot.h"
+#include "roomcast/viewer/people/people_view.h"
 
 namespace roomcast {
 
@@ -23,11 +26,20 @@ class RoomView {
   /// sensors are drawn all the same.
   Status show(const RoomSnapshot& room);
 
+  /// Sensors that are not to be drawn, from the next show() on.
+  void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }
+  /// Errors as RoomRenderer::set_look.
+  Status set_look(const RoomLook& look) { return renderer_.set_look(look); }
+
+  /// The other people, and what is seen of the one who looks.
+  [[nodiscard]] PeopleView& people() { return people_; }
+
   /// Errors as RoomRenderer::draw.
   Status draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode);
 
  private:
-  explicit RoomView(RoomRenderer renderer) : renderer_(std::move(renderer)) {}
+  RoomView(RoomRenderer renderer, PeopleView people)
+      : renderer_(std::move(renderer)), people_(std::move(people)) {}
   struct Uploaded {
     std::shared_ptr<const SensorPicture> picture;
     CameraIntrinsics lens;  // another lens empties the surface
@@ -35,6 +47,8 @@ class RoomView {
   Status show_sensor(const RoomSensor& sensor);
 
   RoomRenderer renderer_;
+  PeopleView people_;
+  std::set<SensorId> hidden_;
   std::unordered_map<SensorId, Uploaded> uploaded_;
 };
 

@@ -66,6 +66,32 @@ TEST_F(RoomViewTest, a_sensor_that_left_is_not_drawn) {
   EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
 }
 
+TEST_F(RoomViewTest, a_sensor_that_is_switched_off_is_not_drawn) {
+  view->hide({SensorId{0}});
+  ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
+  EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
+  view->hide({});
+  ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10}));
+}
+
+TEST_F(RoomViewTest, people_are_hidden_by_walls_and_hide_walls) {
+  RoomSnapshot room = room_with(wall({200, 10, 10}));
+  RoomPerson person{ViewerId{4}, "Ada", {10, 10, 250}, PersonPose{}};
+  person.pose->world_from_head.translation_m = {0, 1, -3};
+  room.people = {person};
+  ASSERT_TRUE(view->show(room).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10})) << "the wall is 2 m away";
+  room.people[0].pose->world_from_head.translation_m = {0, 1, -1};
+  room.people[0].pose->world_from_head.rotation =
+      Eigen::Vector3d(-1, 1, -1).asDiagonal();  // shows its back: the visor is dark
+  ASSERT_TRUE(view->show(room).ok());
+  while (view->people().advance(0.1)) {
+  }
+  const Rgb8 head = middle_of_picture();
+  EXPECT_GT(head.b, head.r);
+}
+
 TEST_F(RoomViewTest, a_sensor_without_a_picture_is_no_error) {
   EXPECT_TRUE(view->show(room_with(nullptr)).ok());
   EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));

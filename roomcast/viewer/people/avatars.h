@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Avatars: the other people of a room between the poses that the hub tells of them. Poses come 20
+// times a second; heads, hands and beams glide to the newest one, as on the page
+// (web/src/view/avatars.ts). Pure, single-threaded.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomcast/room/room_snapshot.h"
+
+namespace roomcast {
+
+struct Avatar {
+  ViewerId id{};
+  std::string name;  // never empty
+  Rgb8 color;
+  PersonPose shown;
+};
+
+class Avatars {
+ public:
+  /// Everybody but the one who looks. Who has no pose yet is not shown.
+  void follow(const RoomSnapshot& room);
+
+  /// True while somebody still moves: draw again.
+  bool advance(double seconds);
+
+  [[nodiscard]] std::span<const Avatar> shown() const { return shown_; }
+
+ private:
+  std::vector<Avatar> shown_;
+  std::vector<PersonPose> wanted_;  // of each of those
+};
+
+}  // namespace roomcast

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/people/label_renderer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "roomcast/render/surface_view.h"
+#include "roomcast/viewer/people/drawing_over.h"
+#include "roomcast/viewer/people/shader_sources.h"
+
+namespace roomcast {
+namespace {
+
+// As in shaders/label.*.
+enum UniformLocation : GLint { kClipFromLabel = 0, kLetters = 1, kColor = 2, kPlate = 3 };
+enum Attribute : GLuint { kPlace = 0, kInAtlas = 1 };
+constexpr GLsizei kPlateCorners = 6;
+
+constexpr float kLetterHeight_m = 0.058F;
+constexpr float kPlateHeight_m = 0.09F;
+constexpr float kPlateMargin_m = 0.03F;
+constexpr double kAboveHead_m = 0.27;
+
+std::vector<LabelCorner> plate_of(float width_m) {
+  const float x_m = width_m / 2 + kPlateMargin_m, y_m = kPlateHeight_m / 2;
+  std::vector<LabelCorner> corners;
+  for (const auto& [x, y] :
+       {std::pair{-1.F, 1.F}, {-1.F, -1.F}, {1.F, 1.F}, {1.F, 1.F}, {-1.F, -1.F}, {1.F, -1.F}}) {
+    corners.push_back({{x * x_m, y * y_m}, {x, y}});
+  }
+  return corners;
+}
+
+GlVertexArray vertices_in(const GlBuffer& buffer) {
+  GlVertexArray vertices = GlVertexArray::create();
+  const GLuint name = vertices.name();
+  glVertexArrayVertexBuffer(name, 0, buffer.name(), 0, sizeof(LabelCorner));
+  const auto add = [name](Attribute attribute, std::size_t offset) {
+    glEnableVertexArrayAttrib(name, attribute);
+    glVertexArrayAttribFormat(name, attribute, 2, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(name, attribute, 0);
+  };
+  add(kPlace, offsetof(LabelCorner, place_m));
+  add(kInAtlas, offsetof(LabelCorner, in_atlas));
+  return vertices;
+}
+
+}  // namespace
+
+RigidTransform world_from_label(const RigidTransform& world_from_view,
+                                const RigidTransform& world_from_head) {
+  const Eigen::Vector3d place_m =
+      world_from_head.translation_m + kAboveHead_m * Eigen::Vector3d::UnitY();
+  Eigen::Vector3d towards_eye = world_from_view.translation_m - place_m;
+  towards_eye.y() = 0;
+  if (towards_eye.norm() < 1e-3) towards_eye = Eigen::Vector3d::UnitZ();
+  RigidTransform label{Eigen::Matrix3d::Identity(), place_m};
+  label.rotation.col(2) = towards_eye.normalized();
+  label.rotation.col(0) = Eigen::Vector3d::UnitY().cross(label.rotation.col(2)).normalized();
+  label.rotation.col(1) = label.rotation.col(2).cross(label.rotation.col(0));
+  return label;
+}
+
+Result<LabelRenderer> LabelRenderer::create() {
+  Result<GlProgram> program = make_program(
+      {{GL_VERTEX_SHADER, {shaders::label_vert}}, {GL_FRAGMENT_SHADER, {shaders::label_frag}}});
+  if (!program) return std::move(program).error();
+  return LabelRenderer(std::move(program).value());
+}
+
+void LabelRenderer::draw(const ViewCamera& camera, std::span<const Avatar> avatars) {
+  forget_who_left(avatars);
+  const DrawingOver room(DrawingOver::kTransparent);
+  const Eigen::Matrix4f clip_from_world =
+      clip_from_view(camera) * matrix_from_transform(camera.world_from_view.inverse());
+  glUseProgram(program_.name());
+  glBindTextureUnit(0, font_.texture().name());
+  glProgramUniform1i(program_.name(), kLetters, 0);
+  for (const Avatar& avatar : avatars) {
+    const RigidTransform world_from_name =
+        world_from_label(camera.world_from_view, avatar.shown.world_from_head);
+    draw_label(label_of(avatar), clip_from_world * matrix_from_transform(world_from_name));
+  }
+}
+
+void LabelRenderer::forget_who_left(std::span<const Avatar> avatars) {
+  std::erase_if(labels_, [&](const auto& label) {
+    return std::ranges::find(avatars, label.first, &Avatar::id) == avatars.end();
+  });
+}
+
+const LabelRenderer::Label& LabelRenderer::label_of(const Avatar& avatar) {
+  Label& label = labels_[avatar.id];
+  if (label.text != avatar.name) label = make_label(avatar.name);
+  return label;
+}
+
+LabelRenderer::Label LabelRenderer::make_label(const std::string& text) const {
+  const LabelText letters = font_.lay_out(text, kLetterHeight_m);
+  std::vector<LabelCorner> corners = plate_of(letters.width_m);
+  corners.insert(corners.end(), letters.corners.begin(), letters.corners.end());
+  Label label;
+  label.text = text;
+  label.width_m = letters.width_m;
+  label.letter_corners = static_cast<GLsizei>(letters.corners.size());
+  label.corners = GlBuffer::create();
+  glNamedBufferStorage(label.corners.name(),
+                       static_cast<GLsizeiptr>(corners.size() * sizeof(LabelCorner)),
+                       corners.data(), 0);
+  label.vertices = vertices_in(label.corners);
+  return label;
+}
+
+void LabelRenderer::draw_label(const Label& label, const Eigen::Matrix4f& clip_from_label) const {
+  const GLuint program = program_.name();
+  glProgramUniformMatrix4fv(program, kClipFromLabel, 1, GL_FALSE, clip_from_label.data());
+  glBindVertexArray(label.vertices.name());
+  glProgramUniform2f(program, kPlate, label.width_m / 2 + kPlateMargin_m, kPlateHeight_m / 2);
+  glProgramUniform4f(program, kColor, 0.05F, 0.067F, 0.09F, 0.72F);
+  glDrawArrays(GL_TRIANGLES, 0, kPlateCorners);
+  glProgramUniform2f(program, kPlate, 0, 0);
+  glProgramUniform4f(program, kColor, 0.95F, 0.96F, 0.97F, 1);
+  glDrawArrays(GL_TRIANGLES, kPlateCorners, label.letter_corners);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws people's names above their heads, facing the eye, hidden by what is in front of them. Draws
+// into the bound framebuffer; needs the GL context it was made with.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/render/gl_program.h"
+#include "roomcast/render/view_camera.h"
+#include "roomcast/viewer/people/avatars.h"
+#include "roomcast/viewer/people/label_font.h"
+
+namespace roomcast {
+
+class LabelRenderer {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<LabelRenderer> create();
+
+  void draw(const ViewCamera& camera, std::span<const Avatar> avatars);
+
+ private:
+  struct Label {
+    std::string text;
+    GlBuffer corners;
+    GlVertexArray vertices;
+    GLsizei letter_corners = 0;
+    float width_m = 0;
+  };
+
+  explicit LabelRenderer(GlProgram program) : program_(std::move(program)) {}
+  const Label& label_of(const Avatar& avatar);
+  [[nodiscard]] Label make_label(const std::string& text) const;
+  void draw_label(const Label& label, const Eigen::Matrix4f& clip_from_label) const;
+  void forget_who_left(std::span<const Avatar> avatars);
+
+  GlProgram program_;
+  LabelFont font_;
+  std::map<ViewerId, Label> labels_;
+};
+
+/// x right and y up in the picture, above the head's place, turned to the eye.
+[[nodiscard]] RigidTransform world_from_label(const RigidTransform& world_from_view,
+                                              const RigidTransform& world_from_head);
+
+}  // namespace roomcast

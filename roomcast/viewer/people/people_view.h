@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// PeopleView: the people of a room, drawn into the room's picture. Needs the GL context it was made
+// with.
+#pragma once
+
+#include <optional>
+
+#include "roomcast/render/offscreen_target.h"
+#include "roomcast/room/room_snapshot.h"
+#include "roomcast/viewer/people/avatars.h"
+#include "roomcast/viewer/people/body_renderer.h"
+#include "roomcast/viewer/people/label_renderer.h"
+
+namespace roomcast {
+
+class PeopleView {
+ public:
+  /// kUnsupported with the driver's log when it does not take the shaders.
+  static Result<PeopleView> create();
+
+  void follow(const RoomSnapshot& room);
+  /// True while somebody still moves: draw again.
+  bool advance(double seconds) { return avatars_.advance(seconds); }
+  /// Hands and beam of the one who looks; nothing: neither is seen.
+  void set_own(const std::optional<PersonPose>& own) { own_ = own; }
+  [[nodiscard]] std::span<const Avatar> others() const { return avatars_.shown(); }
+
+  /// Over the room that `target` holds.
+  void draw(const ViewCamera& camera, const OffscreenTarget& target);
+
+ private:
+  PeopleView(BodyRenderer bodies, LabelRenderer labels)
+      : bodies_(std::move(bodies)), labels_(std::move(labels)) {}
+
+  BodyRenderer bodies_;
+  LabelRenderer labels_;
+  Avatars avatars_;
+  std::optional<PersonPose> own_;
+  Rgb8 own_color_ = {255, 90, 60};
+};
+
+}  // namespace roomcast

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/render/gl_fixture.h"
+#include "roomcast/viewer/people/people_view.h"
+
+namespace roomcast {
+namespace {
+
+constexpr int kSide = 200;
+constexpr Rgb8 kBackground = {20, 20, 20};
+constexpr Rgb8 kBlue = {30, 60, 240};
+
+class PeopleViewTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    auto made = PeopleView::create();
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    people.emplace(std::move(*made));
+    room.self = ViewerId{1};
+    room.people.push_back({ViewerId{2}, "Ada", kBlue, PersonPose{}});
+    room.people[0].pose->world_from_head = {Eigen::Vector3d(-1, 1, -1).asDiagonal(),
+                                            {0, 1.6, -1.5}};
+    camera.width = camera.height = kSide;
+    camera.world_from_view.translation_m = {0, 1.6, 0};
+  }
+  void TearDown() override {
+    people.reset();
+    GlTest::TearDown();
+  }
+
+  ColorImage draw() {
+    auto target = OffscreenTarget::create(kSide, kSide);
+    target->clear(kBackground);
+    people->follow(room);
+    people->draw(camera, *target);
+    sensors = target->read_sensors();
+    depth_m = target->read_depth_m(camera);
+    return target->read_color();
+  }
+
+  static bool is_blue(Rgb8 color) { return color.b > 1.5 * color.r && color.b > 80; }
+
+  /// Where a place of the world lies in the picture.
+  Eigen::Vector2i pixel_of(const Eigen::Vector3d& world_m) const {
+    const Eigen::Vector3d view_m = camera.world_from_view.inverse() * world_m;
+    const double focal = focal_length_px(camera);
+    return {static_cast<int>(kSide / 2.0 - focal * view_m.x() / view_m.z()),
+            static_cast<int>(kSide / 2.0 + focal * view_m.y() / view_m.z())};
+  }
+
+  std::optional<PeopleView> people;
+  RoomSnapshot room;
+  ViewCamera camera;
+  Image<std::int32_t> sensors;
+  Image<float> depth_m;
+};
+
+TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
+  const ColorImage picture = draw();
+  const auto middle = pixel_of({0, 1.6, -1.5});
+  EXPECT_TRUE(is_blue(picture.at(middle.x(), middle.y())));
+  EXPECT_NEAR(depth_m.at(middle.x(), middle.y()), 1.5 - 0.115, 0.01);
+  const auto inside = pixel_of({0.09, 1.6, -1.5}), outside = pixel_of({0.13, 1.6, -1.5});
+  EXPECT_TRUE(is_blue(picture.at(inside.x(), inside.y())));
+  EXPECT_EQ(picture.at(outside.x(), outside.y()), kBackground);
+  EXPECT_EQ(sensors.at(middle.x(), middle.y()), kDrawnByNoSensor);
+}
+
+TEST_F(PeopleViewTest, the_visor_shows_where_somebody_looks) {
+  room.people[0].pose->world_from_head.rotation.setIdentity();  // away: -z is forward
+  const ColorImage back = draw();
+  room.people[0].pose->world_from_head.rotation = Eigen::Vector3d(-1, 1, -1).asDiagonal();
+  people->follow({});  // no gliding
+  const ColorImage front = draw();
+  const auto visor = pixel_of({0, 1.62, -1.42});
+  EXPECT_TRUE(is_blue(back.at(visor.x(), visor.y())));
+  EXPECT_FALSE(is_blue(front.at(visor.x(), visor.y())));
+}
+
+TEST_F(PeopleViewTest, a_name_stands_above_the_head_and_faces_the_eye) {
+  const ColorImage picture = draw();
+  const auto plate = pixel_of({0, 1.6 + 0.27, -1.5});
+  int bright = 0, dark = 0;
+  for (int y = plate.y() - 4; y <= plate.y() + 4; ++y) {
+    for (int x = plate.x() - 15; x <= plate.x() + 15; ++x) {
+      const Rgb8 color = picture.at(x, y);
+      bright += color.g > 150 ? 1 : 0;
+      dark += color.g < 19 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bright, 10) << "letters";
+  EXPECT_GT(dark, 50) << "the plate behind them";
+}
+
+TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_what_is_pointed_at) {
+  room.people[0].pose->world_from_right_hand =
+      RigidTransform{Eigen::Matrix3d::Identity(), {0.3, 1.4, -1.5}};
+  room.people[0].pose->pointer = PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
+  const ColorImage picture = draw();
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(0.3, 1.4, -1.5), Eigen::Vector3d(-0.05, 1.35, -1.5),
+        Eigen::Vector3d(-0.4, 1.3, -1.5)}) {
+    const auto pixel = pixel_of(place);
+    bool is_near = false;
+    for (int dy = -1; dy <= 1; ++dy) is_near |= is_blue(picture.at(pixel.x(), pixel.y() + dy));
+    EXPECT_TRUE(is_near) << place.transpose();
+  }
+}
+
+TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
+  room.people[0].id = room.self;
+  PersonPose own;
+  own.world_from_head = camera.world_from_view;
+  own.world_from_left_hand = RigidTransform{Eigen::Matrix3d::Identity(), {-0.2, 1.5, -0.6}};
+  people->set_own(own);
+  const ColorImage picture = draw();
+  const auto hand = pixel_of({-0.2, 1.5, -0.6});
+  EXPECT_TRUE(is_blue(picture.at(hand.x(), hand.y())));
+  EXPECT_EQ(picture.at(kSide / 2, kSide / 2), kBackground);
+}
+
+TEST(WorldFromLabel, faces_the_eye_and_stays_upright_even_from_right_below) {
+  RigidTransform head;
+  head.translation_m = {1, 1.6, 1};
+  for (const Eigen::Vector3d& eye :
+       {Eigen::Vector3d(4, 1, 1), Eigen::Vector3d(1, 0, 1), Eigen::Vector3d(-1, 5, -2)}) {
+    RigidTransform view;
+    view.translation_m = eye;
+    const Eigen::Matrix3d label = world_from_label(view, head).rotation;
+    EXPECT_TRUE((label.transpose() * label).isIdentity(1e-9));
+    EXPECT_NEAR(label.col(1).y(), 1, 1e-9);
+    EXPECT_GE(label.col(2).dot(eye - head.translation_m), 0);
+  }
+}
+
+TEST_F(PeopleViewTest, any_bytes_can_be_a_name) {
+  const LabelFont font;
+  EXPECT_TRUE(font.lay_out("", 0.05F).corners.empty());
+  EXPECT_EQ(font.lay_out("Ada", 0.05F).corners.size(), 3U * 6U);
+  EXPECT_FALSE(font.lay_out("\xff\xfe\x80", 0.05F).corners.empty());
+  const LabelText longest = font.lay_out(std::string(500, 'W'), 0.05F);
+  EXPECT_LE(longest.width_m, kWidestLabel_m);
+}
+
+}  // namespace
+}  // namespace roomcast

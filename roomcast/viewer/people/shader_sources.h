@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text of every file in shaders/, as roomcast/render/shader_sources.h.
+#pragma once
+
+#include <string_view>
+
+namespace roomcast::shaders {
+
+extern const std::string_view body_frag;
+extern const std::string_view body_vert;
+extern const std::string_view label_frag;
+extern const std::string_view label_vert;
+
+}  // namespace roomcast::shaders
