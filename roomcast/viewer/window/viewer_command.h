@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a person can ask the desktop viewer for besides moving, and the keys for it: one table, read
+// by the keyboard and shown as help.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace roomcast {
+
+enum class ViewerCommand {
+  kStart,
+  kMouseLook,
+  kModePoints,
+  kModeSplats,
+  kModeMesh,
+  kModeAdaptive,
+  kModeBlend,
+  kPanel,
+  kHelp,
+  kFullScreen,
+  kScreenshot,
+  kVideo,
+  kRecenter,
+  kRelease,
+  kQuit,
+};
+
+struct KeyHelp {
+  std::string_view keys, what;
+};
+
+/// As shown in the panel and in docs/guides/viewer.md.
+inline constexpr std::array kKeyHelp = {
+    KeyHelp{"drag", "turn around the middle"},
+    KeyHelp{"right drag, Shift drag", "shift"},
+    KeyHelp{"Ctrl drag", "look around"},
+    KeyHelp{"wheel", "nearer, farther"},
+    KeyHelp{"M", "look with the mouse; the wheel then sets the speed"},
+    KeyHelp{"W A S D, arrows", "walk (Shift: faster)"},
+    KeyHelp{"Q E", "down, up"},
+    KeyHelp{"R", "back to the start"},
+    KeyHelp{"L (hold)", "laser pointer at the mouse"},
+    KeyHelp{"1 2 3 4 5", "points, splats, mesh, adaptive, blend"},
+    KeyHelp{"Tab", "panel"},
+    KeyHelp{"H, F1", "this help"},
+    KeyHelp{"F, F11", "full screen"},
+    KeyHelp{"P, F12", "screenshot"},
+    KeyHelp{"V", "video: start, stop"},
+    KeyHelp{"C", "headset: this way is forward"},
+    KeyHelp{"Esc", "release the mouse, leave full screen"},
+    KeyHelp{"Ctrl Q", "quit"},
+    KeyHelp{"gamepad", "left stick walks, right stick looks, triggers down and up"},
+    KeyHelp{"gamepad buttons", "A laser, B start, X blend, Y panel, shoulders speed"},
+};
+
+}  // namespace roomcast
