@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/report/room_problems.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomcast {
+namespace {
+
+using Severity = RoomProblem::Severity;
+using Seconds = std::chrono::duration<double>;
+
+std::string with_full_stop(std::string sentence) {
+  if (!sentence.empty() && sentence.back() != '.') sentence += '.';
+  return sentence;
+}
+
+RoomProblem lost_hub(const RoomSnapshot& room) {
+  const std::string why = room.problem.empty() ? "there is no connection to the hub" : room.problem;
+  return {Severity::kError, "hub",
+          "The hub is lost: " + with_full_stop(why) +
+              " The last pictures are shown; it is tried again."};
+}
+
+bool is_silent(const RoomSensor& sensor, HostTime now) {
+  if (!sensor.picture) return false;
+  const Seconds three_frames(sensor.fps > 0 ? 3 / sensor.fps : 0);
+  return Seconds(now - sensor.picture->received) > std::max<Seconds>(kSilence, three_frames);
+}
+
+std::optional<RoomProblem> problem_of(const RoomSensor& sensor, HostTime now) {
+  const std::string name = "Sensor " + sensor.name;
+  if (!sensor.online) return RoomProblem{Severity::kNotice, sensor.name, name + " is gone."};
+  if (is_silent(sensor, now)) {
+    const auto silence_s = std::lround(Seconds(now - sensor.picture->received).count());
+    return RoomProblem{Severity::kError, sensor.name,
+                       name + " has been silent for " + std::to_string(silence_s) + " s."};
+  }
+  if (!sensor.picture)
+    return RoomProblem{Severity::kNotice, sensor.name, name + " has not sent a picture yet."};
+  if (sensor.moved)
+    return RoomProblem{Severity::kNotice, sensor.name,
+                       name + " was moved: it is shown where it was until it is aligned again."};
+  if (sensor.placed) return std::nullopt;
+  const std::string why =
+      sensor.placement_note.empty() ? "." : ": " + with_full_stop(sensor.placement_note);
+  return RoomProblem{Severity::kNotice, sensor.name,
+                     "Nobody knows yet where sensor " + sensor.name + " stands" + why +
+                         " It is shown at a place that was made up."};
+}
+
+}  // namespace
+
+std::vector<RoomProblem> room_problems(const RoomSnapshot& room, HostTime now) {
+  if (!room.connected) return {lost_hub(room)};
+  if (room.sensors.empty()) return {{Severity::kNotice, "room", "No sensor is in the room yet."}};
+  if (std::ranges::none_of(room.sensors, &RoomSensor::online))
+    return {{Severity::kError, "room", "All sensors are gone."}};
+  std::vector<RoomProblem> problems;
+  for (const RoomSensor& sensor : room.sensors) {
+    if (auto problem = problem_of(sensor, now)) problems.push_back(std::move(*problem));
+  }
+  std::ranges::stable_sort(problems, {}, &RoomProblem::severity);
+  return problems;
+}
+
+}  // namespace roomcast

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/report/room_problems.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+const HostTime kNow(1h);
+
+RoomSensor good_sensor(const std::string& name) {
+  RoomSensor sensor;
+  sensor.name = name;
+  sensor.online = sensor.placed = true;
+  sensor.fps = 30;
+  auto picture = std::make_shared<SensorPicture>();
+  picture->received = kNow - 20ms;
+  sensor.picture = std::move(picture);
+  return sensor;
+}
+
+RoomSnapshot good_room() {
+  RoomSnapshot room;
+  room.connected = true;
+  room.sensors = {good_sensor("left"), good_sensor("right")};
+  return room;
+}
+
+std::shared_ptr<SensorPicture> picture_from(nanoseconds ago) {
+  auto picture = std::make_shared<SensorPicture>();
+  picture->received = kNow - ago;
+  return picture;
+}
+
+TEST(RoomProblems, there_are_none_in_a_good_room) {
+  EXPECT_TRUE(room_problems(good_room(), kNow).empty());
+}
+
+TEST(RoomProblems, a_lost_hub_is_the_only_one_that_matters) {
+  RoomSnapshot room = good_room();
+  room.sensors[0].online = false;
+  room.connected = false;
+  room.problem = "the connection to the hub ended: reset";
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].about, "hub");
+  EXPECT_EQ(problems[0].sentence,
+            "The hub is lost: the connection to the hub ended: reset. The last pictures are shown; "
+            "it is tried again.");
+}
+
+TEST(RoomProblems, a_sensor_that_left_is_named) {
+  RoomSnapshot room = good_room();
+  room.sensors[1].online = false;
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].sentence, "Sensor right is gone.");
+}
+
+TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
+  RoomSnapshot room = good_room();
+  room.sensors[0].placed = false;
+  room.sensors[0].placement_note = "it shares no surface with the others";
+  room.sensors[1].picture = picture_from(5s);
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].sentence, "Sensor right has been silent for 5 s.");
+  EXPECT_EQ(
+      problems[1].sentence,
+      "Nobody knows yet where sensor left stands: it shares no surface with the others. It is "
+      "shown at a place that was made up.");
+}
+
+TEST(RoomProblems, a_slow_sensor_is_not_a_silent_one) {
+  RoomSnapshot room = good_room();
+  room.sensors[1].fps = 0.5;
+  room.sensors[1].picture = picture_from(5s);
+  EXPECT_TRUE(room_problems(room, kNow).empty());
+}
+
+TEST(RoomProblems, an_empty_room_and_one_that_everybody_left_differ) {
+  RoomSnapshot room;
+  room.connected = true;
+  EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "No sensor is in the room yet.");
+  room = good_room();
+  for (RoomSensor& sensor : room.sensors) sensor.online = false;
+  EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "All sensors are gone.");
+}
+
+TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_told) {
+  RoomSnapshot room = good_room();
+  room.sensors[0].moved = true;
+  room.sensors[1].picture.reset();
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_NE(problems[0].sentence.find("was moved"), std::string::npos);
+  EXPECT_NE(problems[1].sentence.find("has not sent a picture"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace roomcast
