@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// PanelLayer: Dear ImGui over a ViewWindow: its context, its letters, its events and its drawing.
+// What it shows is said between begin() and end(). Threading: the window's thread; one at a time in
+// a process (Dear ImGui has one current context).
+#pragma once
+
+#include <memory>
+
+#include "roomcast/core/result.h"
+#include "roomcast/viewer/window/view_window.h"
+
+struct ImGuiContext;
+union SDL_Event;
+
+namespace roomcast {
+
+class PanelLayer {
+ public:
+  /// The window outlives it. kUnavailable when the driver's library cannot be loaded.
+  static Result<std::unique_ptr<PanelLayer>> create(const ViewWindow& window);
+  ~PanelLayer();
+  PanelLayer(const PanelLayer&) = delete;
+  PanelLayer& operator=(const PanelLayer&) = delete;
+
+  /// True when the event was meant for the panel.
+  bool take(const SDL_Event& event);
+
+  void begin();
+  /// Draws over what is in the window.
+  void end();
+
+ private:
+  explicit PanelLayer(const ViewWindow& window);
+  bool start_backends();
+  void set_style();
+
+  struct Destroy {
+    void operator()(ImGuiContext* context) const;
+  };
+  const ViewWindow& window_;
+  std::unique_ptr<ImGuiContext, Destroy> context_;
+  bool has_sdl_ = false, has_gl_ = false;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a person can set while looking: how the room is drawn, and comfort in a headset.
+#pragma once
+
+#include <numbers>
+#include <set>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/render/blend/blend_renderer.h"
+#include "roomcast/render/render_mode.h"
+
+namespace roomcast {
+
+/// Comfort in a headset. Docs: docs/guides/viewer.md.
+struct ComfortOptions {
+  bool smooth_walk = true;  // else the walking stick teleports, too
+  bool snap_turn = true;    // turns by steps; smooth turning makes many people sick
+  double snap_rad = std::numbers::pi / 6;
+  double smooth_turn_rad_per_s = 1.4;
+  double walk_speed_m_per_s = 1.4;
+};
+
+struct ViewSettings {
+  RenderMode mode = RenderMode::kBlend;
+  Unseen unseen = Unseen::kSurroundings;
+  bool floor_grid = true;
+  bool automatic_scale = true;  // of the picture, so that drawing keeps up
+  double picture_scale = 1;     // of the window's pixels
+  double vertical_fov_rad = std::numbers::pi / 3;
+  std::set<SensorId> hidden;
+  ComfortOptions comfort;
+};
+
+}  // namespace roomcast
