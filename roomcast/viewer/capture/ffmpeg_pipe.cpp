@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "roomcast/viewer/capture/video_sink.h"
+
+namespace roomcast {
+namespace {
+
+Error ffmpeg_failed(const std::string& what) {
+  return {ErrorCode::kUnavailable, "the video could not be written: " + what};
+}
+
+std::vector<std::string> ffmpeg_arguments(const std::filesystem::path& file, PictureSize size,
+                                          int fps) {
+  return {"ffmpeg", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format",
+          "rgb24", "-video_size", fmt::format("{}x{}", size.width, size.height), "-framerate",
+          std::to_string(fps), "-i", "pipe:0",
+          // Players want even sides and this pixel format.
+          "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", file.string()};
+}
+
+/// `input` becomes the program's standard input; it has no part in our terminal's Ctrl-C.
+Result<pid_t> spawn(const std::vector<std::string>& arguments, int input) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  pid_t pid = 0;
+  const int fault = posix_spawnp(&pid, argv[0], &files, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (fault != 0) return ffmpeg_failed("ffmpeg does not start");
+  return pid;
+}
+
+/// While it lives, writing to a program that has ended is an error and not the end of ours.
+class NoBrokenPipeSignal {
+ public:
+  NoBrokenPipeSignal() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~NoBrokenPipeSignal() {
+    const timespec at_once{};
+    while (sigtimedwait(&pipe_, nullptr, &at_once) > 0) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoBrokenPipeSignal(const NoBrokenPipeSignal&) = delete;
+  NoBrokenPipeSignal& operator=(const NoBrokenPipeSignal&) = delete;
+
+ private:
+  sigset_t pipe_{}, before_{};
+};
+
+class FfmpegPipe final : public VideoSink {
+ public:
+  FfmpegPipe(pid_t pid, int pipe) : pid_(pid), pipe_(pipe) {}
+  ~FfmpegPipe() override { static_cast<void>(finish()); }
+
+  Status write(ColorView frame) override {
+    const NoBrokenPipeSignal guard;
+    for (int y = 0; y < frame.height; ++y) {
+      if (auto status =
+              write_bytes(frame.row(y), sizeof(Rgb8) * static_cast<std::size_t>(frame.width));
+          !status)
+        return status;
+    }
+    return {};
+  }
+
+  Status finish() override {
+    if (pid_ == 0) return {};
+    ::close(pipe_);
+    int state = 0;
+    while (::waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = 0;
+    if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return {};
+    return ffmpeg_failed("ffmpeg ended with a fault");
+  }
+
+ private:
+  Status write_bytes(const void* data, std::size_t size) const {
+    const auto* next = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t written = ::write(pipe_, next, size);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return ffmpeg_failed("ffmpeg has ended early");
+      next += written;
+      size -= static_cast<std::size_t>(written);
+    }
+    return {};
+  }
+
+  pid_t pid_;
+  int pipe_;
+};
+
+}  // namespace
+
+bool is_on_path(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+Result<std::unique_ptr<VideoSink>> open_ffmpeg(const std::filesystem::path& file, PictureSize size,
+                                               int fps) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) return ffmpeg_failed("there is no pipe to be had");
+  const auto pid = spawn(ffmpeg_arguments(file, size, fps), ends[0]);
+  ::close(ends[0]);
+  if (pid) return std::unique_ptr<VideoSink>(std::make_unique<FfmpegPipe>(*pid, ends[1]));
+  ::close(ends[1]);
+  return pid.error();
+}
+
+}  // namespace roomcast

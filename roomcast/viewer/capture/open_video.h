@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses how a video is kept: one file by ffmpeg where it is installed, else a folder of pictures.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "roomcast/viewer/capture/video_sink.h"
+
+namespace roomcast {
+
+struct OpenedVideo {
+  std::unique_ptr<VideoSink> sink;
+  std::filesystem::path path;
+  std::string note;  // for the person; may be empty
+};
+
+/// In `folder`, under a free name that begins with `stem`. Errors as next_free_path and
+/// open_ffmpeg.
+[[nodiscard]] Result<OpenedVideo> open_video(const std::filesystem::path& folder,
+                                             const std::string& stem, PictureSize size,
+                                             const PictureWriter& write_png);
+
+}  // namespace roomcast
