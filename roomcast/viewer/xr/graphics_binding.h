@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// GraphicsBinding: tells a headset's software which GL context draws for it: the current one of
+// this thread, made by GLX (XR_KHR_opengl_enable) or by EGL (XR_MNDX_egl_enable).
+#pragma once
+
+#include <memory>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::xr {
+
+class GraphicsBinding {
+ public:
+  /// kUnavailable when there is neither.
+  static Result<GraphicsBinding> of_current_context();
+  ~GraphicsBinding();
+  GraphicsBinding(GraphicsBinding&&) noexcept;
+  GraphicsBinding& operator=(GraphicsBinding&&) noexcept;
+
+  /// Needed beside XR_KHR_opengl_enable; null for GLX.
+  [[nodiscard]] const char* extension() const;
+  /// For XrSessionCreateInfo::next.
+  [[nodiscard]] const void* chain() const;
+
+ private:
+  struct Handles;
+  explicit GraphicsBinding(std::unique_ptr<Handles> handles);
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace roomcast::xr

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// A session with the test runtime, through the loader that people have.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/render/gl_fixture.h"
+#include "roomcast/viewer/room_picture.h"
+#include "roomcast/viewer/window/view_window.h"
+#include "roomcast/viewer/xr/headset.h"
+#include "roomcast/viewer/xr/test_runtime/test_runtime.h"
+#include "roomcast/viewer/xr/x_server.h"
+
+namespace roomcast::xr {
+namespace {
+
+/// A wall 2 m ahead with a red left half, a green right half, and a black border below.
+RoomSnapshot room_with_wall() {
+  constexpr int kSide = 96;
+  auto picture = std::make_shared<SensorPicture>();
+  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
+  picture->frame.color = ColorImage(kSide, kSide, {200, 10, 10});
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = kSide / 2; x < kSide; ++x) picture->frame.color.at(x, y) = {10, 190, 10};
+  }
+  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
+  RoomSnapshot room;
+  RoomSensor& sensor = room.sensors.emplace_back();
+  sensor.online = true;
+  sensor.calibration.depth = {
+      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 47.5, .cy = 47.5};
+  sensor.world_from_depth = world_from_optical_looking_at({0, 1.6, 0}, {0, 1.6, -1});
+  sensor.picture = picture;
+  return room;
+}
+
+void use_test_runtime() {
+  ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+  ::setenv("XR_LOADER_DEBUG", "none", 1);
+  ::unsetenv("XR_ENABLE_API_LAYERS");
+  TestRuntime::instance().reset();
+}
+
+/// Looks around and moves, the same way every time.
+XrPosef nodding_head(XrTime time) {
+  const double seconds = 1e-9 * static_cast<double>(time - TestRuntime::kBegin_ns);
+  const auto half_yaw = static_cast<float>(0.15 * std::sin(9 * seconds));
+  return {{0, std::sin(half_yaw), 0, std::cos(half_yaw)},
+          {static_cast<float>(0.1 * std::sin(7 * seconds)), 1.62F, 0.05F}};
+}
+
+Status draw_frame(Headset& headset, RoomView& room, RoomPicture& picture) {
+  const auto frame = headset.begin_frame();
+  if (!frame) return frame.error();
+  for (std::size_t eye = 0; eye < kEyes && frame->is_seen; ++eye) {
+    if (auto status = picture.draw(room, headset.stage_camera(eye), RenderMode::kMesh); !status)
+      return status;
+    headset.eye(eye).show(*picture.target());
+  }
+  return headset.end_frame();
+}
+
+/// What the renderer draws without a headset for the pose and the angles that an eye was given
+/// with.
+ColorImage mono_picture(RoomView& room, const GivenEye& eye) {
+  const double left = std::tan(-eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
+  const double down = std::tan(-eye.fov.angleDown), up = std::tan(eye.fov.angleUp);
+  const double focal = eye.color.width() / (left + right);
+  const auto pixels = [focal](double tangent) {
+    return static_cast<int>(std::lround(focal * tangent));
+  };
+  ViewCamera camera;
+  camera.width = 2 * pixels(std::max(left, right));
+  camera.height = 2 * pixels(std::max(up, down));
+  camera.vertical_fov_rad = 2 * std::atan(0.5 * camera.height / focal);
+  camera.world_from_view = transform_from_pose(eye.pose);
+  RoomPicture picture;
+  EXPECT_TRUE(picture.draw(room, camera, RenderMode::kMesh).ok());
+  const ColorImage whole = picture.target()->read_color();
+  ColorImage part(eye.color.width(), eye.color.height());
+  const int x0 = camera.width / 2 - pixels(left), y0 = camera.height / 2 - pixels(up);
+  for (int y = 0; y < part.height(); ++y) {
+    for (int x = 0; x < part.width(); ++x) part.at(x, y) = whole.at(x0 + x, y0 + y);
+  }
+  return part;
+}
+
+double share_of_other_pixels(const ColorImage& a, const ColorImage& b) {
+  int others = 0;
+  for (std::size_t i = 0; i < a.view().pixel_count(); ++i)
+    others += a.data()[i] == b.data()[i] ? 0 : 1;
+  return static_cast<double>(others) / static_cast<double>(a.view().pixel_count());
+}
+
+class HeadsetTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    use_test_runtime();
+    runtime.head_at = nodding_head;
+    auto made = RoomView::create();
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    room.emplace(std::move(*made));
+    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    picture.emplace();
+  }
+  void TearDown() override {
+    headset.reset();
+    EXPECT_EQ(runtime.open_handles, 0);
+    for (const std::string& what : runtime.violations) ADD_FAILURE() << what;
+    picture.reset();
+    room.reset();
+    GlTest::TearDown();
+  }
+
+  void open() {
+    auto opened = Headset::open();
+    ASSERT_TRUE(opened.ok()) << opened.error().message;
+    headset = std::move(*opened);
+    ASSERT_TRUE(headset->poll().ok());
+    ASSERT_TRUE(headset->is_running());
+  }
+  Status draw() { return draw_frame(*headset, *room, *picture); }
+
+  TestRuntime& runtime = TestRuntime::instance();
+  std::optional<RoomView> room;
+  std::optional<RoomPicture> picture;
+  std::unique_ptr<Headset> headset;
+};
+
+TEST_F(HeadsetTest, both_eyes_see_what_the_renderer_draws_without_a_headset) {
+  open();
+  EXPECT_TRUE(runtime.uses_egl);
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(draw().ok());
+    for (const GivenEye& eye : runtime.given) {
+      ASSERT_LE(eye.color.width(), TestRuntime::kEyeWidth);
+      EXPECT_LT(share_of_other_pixels(eye.color, mono_picture(*room, eye)), 1e-3);
+    }
+  }
+  EXPECT_EQ(runtime.frames_with_layer, 5U);
+}
+
+TEST_F(HeadsetTest, each_eye_sees_from_its_own_side) {
+  open();
+  ASSERT_TRUE(draw().ok());
+  const auto& [left, right] = runtime.given;
+  const Eigen::Vector3d apart =
+      transform_from_pose(right.pose).translation_m - transform_from_pose(left.pose).translation_m;
+  EXPECT_NEAR(apart.norm(), 2 * TestRuntime::kHalfEyeDistance_m, 1e-6);
+  EXPECT_GT(share_of_other_pixels(left.color, right.color), 0.01);
+}
+
+TEST_F(HeadsetTest, the_depth_of_what_is_seen_goes_with_it) {
+  runtime.head_at = [](XrTime) { return XrPosef{{0, 0, 0, 1}, {0, 1.6F, 0}}; };
+  open();
+  ASSERT_TRUE(draw().ok());
+  const GivenEye& eye = runtime.given[0];
+  ASSERT_EQ(eye.depth.width(), eye.color.width());
+  const double ndc = 2 * eye.depth.at(eye.depth.width() / 2, eye.depth.height() / 2) - 1.0;
+  const double near = eye.near_m, far = eye.far_m;
+  EXPECT_NEAR(2 * far * near / (far + near - ndc * (far - near)), 2, 0.01);
+}
+
+TEST_F(HeadsetTest, one_that_takes_no_depth_gets_none) {
+  runtime.offers_depth = false;
+  open();
+  ASSERT_TRUE(draw().ok());
+  EXPECT_TRUE(runtime.given[0].depth.empty());
+  EXPECT_FALSE(runtime.given[0].color.empty());
+}
+
+TEST_F(HeadsetTest, wants_no_frames_while_nobody_wears_it_and_goes_on_afterwards) {
+  open();
+  ASSERT_TRUE(draw().ok());
+  runtime.take_off();
+  ASSERT_TRUE(headset->poll().ok());
+  EXPECT_FALSE(headset->is_running());
+  runtime.put_on();
+  ASSERT_TRUE(headset->poll().ok());
+  EXPECT_TRUE(headset->is_running());
+  ASSERT_TRUE(draw().ok());
+  EXPECT_EQ(runtime.frames_with_layer, 2U);
+}
+
+TEST_F(HeadsetTest, says_when_the_person_ends_it_there) {
+  open();
+  ASSERT_TRUE(draw().ok());
+  runtime.ask_for_end();
+  const Status over = headset->poll();
+  ASSERT_FALSE(over.ok());
+  EXPECT_EQ(over.error().code, ErrorCode::kClosed);
+  EXPECT_EQ(over.error().message, "the headset was put away");
+}
+
+TEST_F(HeadsetTest, ends_in_good_order_when_asked) {
+  open();
+  ASSERT_TRUE(draw().ok());
+  ASSERT_TRUE(headset->request_exit().ok());
+  EXPECT_FALSE(headset->poll().ok());
+  EXPECT_FALSE(headset->is_running());
+}
+
+TEST_F(HeadsetTest, that_is_lost_can_be_found_again) {
+  open();
+  ASSERT_TRUE(draw().ok());
+  runtime.lose_session();
+  const Status lost = draw();
+  ASSERT_FALSE(lost.ok());
+  EXPECT_EQ(lost.error().code, ErrorCode::kClosed);
+  EXPECT_FALSE(headset->poll().ok());
+  headset.reset();
+  open();
+  EXPECT_TRUE(draw().ok());
+}
+
+TEST_F(HeadsetTest, a_head_that_is_not_tracked_sees_nothing) {
+  runtime.is_tracked = false;
+  open();
+  ASSERT_TRUE(draw().ok());
+  EXPECT_EQ(runtime.frames, 1U);
+  EXPECT_EQ(runtime.frames_with_layer, 0U);
+}
+
+TEST_F(HeadsetTest, hands_are_where_they_are_and_do_what_they_do) {
+  open();
+  runtime.hands.sticks["walk"] = {0.5F, 1};
+  runtime.hands.buttons["point"] = true;
+  runtime.hands.buttons["recenter"] = true;
+  runtime.hands.is_tracked = {false, true};
+  const auto first = headset->begin_frame();
+  ASSERT_TRUE(first.ok());
+  EXPECT_EQ(first->input.walk, Eigen::Vector2d(0.5, 1));
+  EXPECT_TRUE(first->input.points);
+  EXPECT_TRUE(first->input.recenters);
+  EXPECT_FALSE(first->input.stage_from_left_hand);
+  ASSERT_TRUE(first->input.stage_from_right_hand);
+  EXPECT_NEAR(first->input.stage_from_right_hand->translation_m.y(), 1.2, 1e-6);
+  EXPECT_NEAR(first->input.stage_from_head.translation_m.y(), 1.62, 1e-6);
+  EXPECT_FALSE(headset->end_frame().ok()) << "its eyes were given nothing";
+  const auto second = headset->begin_frame();
+  ASSERT_TRUE(second.ok());
+  EXPECT_FALSE(second->input.recenters) << "once for each press";
+  EXPECT_FALSE(headset->end_frame().ok());
+}
+
+TEST_F(HeadsetTest, its_frames_are_timed) {
+  open();
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(draw().ok());
+  EXPECT_EQ(headset->timing().frames(), 3U);
+  EXPECT_EQ(headset->timing().missed(), 0U);
+  EXPECT_NEAR(headset->timing().headset_per_s(), 90, 0.1);
+  EXPECT_GT(headset->timing().ours().count(), 0);
+}
+
+TEST_F(HeadsetTest, without_one_there_is_a_sentence) {
+  runtime.is_connected = false;
+  const auto none = Headset::open();
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().message, "no headset is connected: connect it, or wake it up");
+}
+
+TEST_F(HeadsetTest, without_its_software_there_is_a_sentence) {
+  ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
+  const auto none = Headset::open();
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().message.find("no headset software runs here"), std::string::npos)
+      << none.error().message;
+}
+
+// Khronos' own checks of every call. They do not know EGL contexts, so this one is made by GLX.
+TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
+  const char* const layer =
+      "/usr/share/openxr/1/api_layers/explicit.d/"
+      "XrApiLayer_core_validation.x86_64-linux-gnu.json";
+  if (!std::filesystem::exists(layer))
+    GTEST_SKIP() << "Khronos' core validation is not installed (openxr-layer-corevalidation)";
+  const auto server = XServer::start();
+  if (!server) GTEST_SKIP() << "there is no X server to be had (xvfb)";
+  use_test_runtime();
+  TestRuntime::instance().head_at = nodding_head;
+  const auto log = std::filesystem::temp_directory_path() /
+                   ("roomcast-openxr-" + std::to_string(::getpid()) + ".txt");
+  ::setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation", 1);
+  ::setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
+  ::setenv("XR_CORE_VALIDATION_FILE_NAME", log.c_str(), 1);
+  ::setenv("DISPLAY", server->display().c_str(), 1);
+  ::setenv("SDL_VIDEODRIVER", "x11", 1);
+  {
+    auto window = ViewWindow::open({});
+    ASSERT_TRUE(window.ok()) << window.error().message;
+    auto room = RoomView::create();
+    ASSERT_TRUE(room.ok()) << room.error().message;
+    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    RoomPicture picture;
+    auto headset = Headset::open();
+    ASSERT_TRUE(headset.ok()) << headset.error().message;
+    EXPECT_FALSE(TestRuntime::instance().uses_egl);
+    ASSERT_TRUE((*headset)->poll().ok());
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(draw_frame(**headset, *room, picture).ok());
+    EXPECT_TRUE((*headset)->request_exit().ok());
+    EXPECT_FALSE((*headset)->poll().ok());
+  }
+  ::unsetenv("XR_ENABLE_API_LAYERS");
+  EXPECT_TRUE(TestRuntime::instance().violations.empty());
+  std::ifstream written(log);
+  const std::string complaints(std::istreambuf_iterator<char>(written), {});
+  EXPECT_EQ(complaints, "");
+  std::filesystem::remove(log);
+}
+
+}  // namespace
+}  // namespace roomcast::xr

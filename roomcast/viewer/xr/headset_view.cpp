@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/xr/headset_view.h"
+
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace roomcast::xr {
+namespace {
+
+constexpr double kFarthestPointer_m = 8;
+/// What lies along the pointer is found by drawing it: a few pixels, seen from the hand.
+constexpr int kPointerPixels = 9;
+constexpr double kPointerFov_rad = 0.02;
+
+HostTime now() {
+  return SteadyClock().now();
+}
+
+ViewCamera pointer_camera(const RigidTransform& world_from_aim) {
+  ViewCamera camera;
+  camera.width = camera.height = kPointerPixels;
+  camera.vertical_fov_rad = kPointerFov_rad;
+  camera.world_from_view = world_from_aim;
+  return camera;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<HeadsetView>> HeadsetView::open() {
+  auto headset = Headset::open();
+  if (!headset) return headset.error();
+  return std::unique_ptr<HeadsetView>(new HeadsetView(std::move(*headset)));
+}
+
+Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const ViewState& start) {
+  const auto frame = headset_->begin_frame();
+  if (!frame) return frame.error();
+  if (frame->is_seen) {
+    move(frame->input, settings, start);
+    Status drawn = find_pointed_at(room, frame->input);
+    room.people().set_own(seen_of_self(frame->input));
+    if (drawn) drawn = draw_eyes(room, settings.mode);
+    room.people().set_own(std::nullopt);
+    if (!drawn) {
+      static_cast<void>(headset_->end_frame());  // what was begun has to end, whatever happened
+      return drawn;
+    }
+  }
+  return headset_->end_frame();
+}
+
+void HeadsetView::move(const VrInput& input, const ViewSettings& settings, const ViewState& start) {
+  const HostTime at = now();
+  const std::chrono::duration<double> step = at - std::exchange(last_frame_, at);
+  if (!std::exchange(is_placed_, true) || input.recenters)
+    walk_.stand_at(start, input.stage_from_head);
+  walk_.advance(input, settings.comfort, step.count());
+  const auto in_world = [&](const std::optional<RigidTransform>& stage_from_part) {
+    return stage_from_part ? std::optional(walk_.world_from_stage() * *stage_from_part)
+                           : std::nullopt;
+  };
+  pose_.world_from_head = walk_.world_from_stage() * input.stage_from_head;
+  pose_.world_from_left_hand = in_world(input.stage_from_left_hand);
+  pose_.world_from_right_hand = in_world(input.stage_from_right_hand);
+}
+
+Status HeadsetView::find_pointed_at(RoomView& room, const VrInput& input) {
+  pose_.pointer.reset();
+  if (!input.points || !input.stage_from_aim) return {};
+  const RigidTransform world_from_aim = walk_.world_from_stage() * *input.stage_from_aim;
+  const ViewCamera camera = pointer_camera(world_from_aim);
+  if (auto status = pointed_at_.draw(room, camera, RenderMode::kMesh); !status) return status;
+  const auto place_m =
+      surface_at(*pointed_at_.target(), camera, kPointerPixels / 2, kPointerPixels / 2);
+  pose_.pointer =
+      PointerBeam{world_from_aim.translation_m,
+                  place_m.value_or(world_from_aim * Eigen::Vector3d(0, 0, -kFarthestPointer_m))};
+  return {};
+}
+
+/// Hands, and where the pointer or a teleport leads.
+PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
+  PersonPose seen = pose_;
+  if (const auto& target_m = walk_.teleport_target_m()) {
+    const RigidTransform& from = input.stage_from_aim.value_or(input.stage_from_head);
+    seen.pointer = PointerBeam{(walk_.world_from_stage() * from).translation_m, *target_m};
+  }
+  return seen;
+}
+
+Status HeadsetView::draw_eyes(RoomView& room, RenderMode mode) {
+  for (std::size_t eye = 0; eye < kEyes; ++eye) {
+    ViewCamera camera = headset_->stage_camera(eye);
+    camera.world_from_view = walk_.world_from_stage() * camera.world_from_view;
+    if (auto status = pictures_[eye].draw(room, camera, mode); !status) return status;
+    headset_->eye(eye).show(*pictures_[eye].target());
+  }
+  return {};
+}
+
+std::string HeadsetView::report() const {
+  const FrameTiming& timing = headset_->timing();
+  if (!is_running()) return headset_->name() + ": nobody wears it";
+  return fmt::format("{}: {:.0f} Hz, {:.1f} ms a frame, {} of {} missed", headset_->name(),
+                     timing.headset_per_s(),
+                     std::chrono::duration<double, std::milli>(timing.ours()).count(),
+                     timing.missed(), timing.frames());
+}
+
+}  // namespace roomcast::xr

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// HeadsetView: the room in a headset: moves its wearer, draws both eyes one after the other, and
+// says where head and hands are. Threading: the thread of the GL context.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "roomcast/room/person_pose.h"
+#include "roomcast/viewer/room_picture.h"
+#include "roomcast/viewer/room_view.h"
+#include "roomcast/viewer/view_settings.h"
+#include "roomcast/viewer/xr/headset.h"
+#include "roomcast/viewer/xr/vr_walk.h"
+
+namespace roomcast::xr {
+
+class HeadsetView {
+ public:
+  /// Errors as Headset::open.
+  static Result<std::unique_ptr<HeadsetView>> open();
+
+  /// Errors as Headset::poll.
+  Status poll() { return headset_->poll(); }
+  /// Somebody wears it: draw() then.
+  [[nodiscard]] bool is_running() const { return headset_->is_running(); }
+
+  /// Waits until the headset wants a frame, moves the wearer and draws. `start`: where the wearer
+  /// stands at first, and after recentring. Errors as Headset's and RoomView::draw.
+  Status draw(RoomView& room, const ViewSettings& settings, const ViewState& start);
+  /// At the next frame the wearer stands at the start again.
+  void recenter() { is_placed_ = false; }
+
+  /// In the world; of the newest frame.
+  [[nodiscard]] const PersonPose& pose() const { return pose_; }
+  /// What the left eye sees; null before the first frame.
+  [[nodiscard]] const OffscreenTarget* left_eye() const { return pictures_[0].target(); }
+  [[nodiscard]] std::optional<nanoseconds> take_drawing_time() {
+    return pictures_[1].take_drawing_time();
+  }
+  /// For the panel: the headset's name, its rate, our time for a frame, frames missed.
+  [[nodiscard]] std::string report() const;
+
+ private:
+  explicit HeadsetView(std::unique_ptr<Headset> headset) : headset_(std::move(headset)) {}
+  void move(const VrInput& input, const ViewSettings& settings, const ViewState& start);
+  Status find_pointed_at(RoomView& room, const VrInput& input);
+  Status draw_eyes(RoomView& room, RenderMode mode);
+  [[nodiscard]] PersonPose seen_of_self(const VrInput& input) const;
+
+  std::unique_ptr<Headset> headset_;
+  VrWalk walk_;
+  bool is_placed_ = false;
+  HostTime last_frame_{};
+  PersonPose pose_;
+  std::array<RoomPicture, kEyes> pictures_;
+  RoomPicture pointed_at_;
+};
+
+}  // namespace roomcast::xr

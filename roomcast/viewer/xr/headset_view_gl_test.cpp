@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/render/gl_fixture.h"
+#include "roomcast/viewer/xr/headset_view.h"
+#include "roomcast/viewer/xr/test_runtime/test_runtime.h"
+
+namespace roomcast::xr {
+namespace {
+
+RoomSnapshot room_with_wall() {
+  constexpr int kSide = 96;
+  auto picture = std::make_shared<SensorPicture>();
+  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
+  picture->frame.color = ColorImage(kSide, kSide, {200, 200, 200});
+  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
+  RoomSnapshot room;
+  RoomSensor& sensor = room.sensors.emplace_back();
+  sensor.online = true;
+  sensor.calibration.depth = {
+      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 47.5, .cy = 47.5};
+  sensor.world_from_depth = world_from_optical_looking_at({5, 1.6, 0}, {5, 1.6, -1});
+  sensor.picture = picture;
+  return room;
+}
+
+class HeadsetViewTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+    ::setenv("XR_LOADER_DEBUG", "none", 1);
+    runtime.reset();
+    auto made = RoomView::create();
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    room.emplace(std::move(*made));
+    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    auto opened = HeadsetView::open();
+    ASSERT_TRUE(opened.ok()) << opened.error().message;
+    view = std::move(*opened);
+    settings.mode = RenderMode::kMesh;
+    ASSERT_TRUE(view->poll().ok());
+  }
+  void TearDown() override {
+    view.reset();
+    for (const std::string& what : runtime.violations) ADD_FAILURE() << what;
+    room.reset();
+    GlTest::TearDown();
+  }
+  void draw() {
+    const Status drawn = view->draw(*room, settings, start);
+    ASSERT_TRUE(drawn.ok()) << drawn.error().message;
+  }
+
+  TestRuntime& runtime = TestRuntime::instance();
+  std::optional<RoomView> room;
+  std::unique_ptr<HeadsetView> view;
+  ViewSettings settings;
+  const ViewState start = look_from({5, 1.2, 0}, {5, 1.2, -2});
+};
+
+TEST_F(HeadsetViewTest, begins_at_the_start_at_the_wearers_height) {
+  draw();
+  EXPECT_LT((view->pose().world_from_head.translation_m - Eigen::Vector3d(5, 1.6, 0)).norm(), 1e-6);
+  EXPECT_EQ(runtime.frames_with_layer, 1U);
+  const ColorImage& left = runtime.given[0].color;
+  EXPECT_EQ(left.at(left.width() / 2, left.height() / 2), (Rgb8{200, 200, 200})) << "the wall";
+}
+
+TEST_F(HeadsetViewTest, hands_are_told_and_seen) {
+  draw();
+  ASSERT_TRUE(view->pose().world_from_left_hand);
+  EXPECT_LT(
+      (view->pose().world_from_left_hand->translation_m - Eigen::Vector3d(4.8, 1.2, -0.4)).norm(),
+      1e-6);
+  const ColorImage with_hands = runtime.given[0].color;
+  runtime.hands.is_tracked = {false, false};
+  draw();
+  EXPECT_FALSE(view->pose().world_from_left_hand);
+  EXPECT_NE(runtime.given[0].color, with_hands);
+}
+
+TEST_F(HeadsetViewTest, the_trigger_points_at_the_wall) {
+  runtime.hands.buttons["point"] = true;
+  draw();
+  ASSERT_TRUE(view->pose().pointer);
+  EXPECT_NEAR(view->pose().pointer->to_m.z(), -2, 0.01);
+  EXPECT_NEAR(view->pose().pointer->to_m.x(), 5.2, 0.01);
+  runtime.hands.buttons["point"] = false;
+  draw();
+  EXPECT_FALSE(view->pose().pointer);
+}
+
+TEST_F(HeadsetViewTest, a_push_turns_and_recentring_undoes_it) {
+  draw();
+  const Eigen::Matrix3d straight = view->pose().world_from_head.rotation;
+  runtime.hands.sticks["turn"] = {1, 0};
+  draw();
+  EXPECT_FALSE(view->pose().world_from_head.rotation.isApprox(straight, 0.1));
+  runtime.hands.sticks["turn"] = {0, 0};
+  runtime.hands.buttons["recenter"] = true;
+  draw();
+  EXPECT_TRUE(view->pose().world_from_head.rotation.isApprox(straight, 1e-6));
+}
+
+TEST_F(HeadsetViewTest, reports_how_it_does) {
+  draw();
+  EXPECT_NE(view->report().find("test headset (roomcast test runtime): 90 Hz"), std::string::npos)
+      << view->report();
+  runtime.take_off();
+  ASSERT_TRUE(view->poll().ok());
+  EXPECT_NE(view->report().find("nobody wears it"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace roomcast::xr

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/xr/runtime.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr_platform.h>
+
+#include "roomcast/viewer/xr/xr_status.h"
+#include "roomcast/viewer/xr/xr_struct.h"
+
+namespace roomcast::xr {
+namespace {
+
+constexpr const char* kOpenGl = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
+constexpr const char* kDepth = XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME;
+
+Result<std::vector<XrExtensionProperties>> offered_extensions() {
+  std::uint32_t count = 0;
+  ROOMCAST_XR_TRY(xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr),
+                  "asking the headset's software what it can");
+  std::vector<XrExtensionProperties> offered(count, {XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0});
+  ROOMCAST_XR_TRY(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, offered.data()),
+                  "asking the headset's software what it can");
+  return offered;
+}
+
+bool has(const std::vector<XrExtensionProperties>& offered, std::string_view name) {
+  return std::ranges::any_of(
+      offered, [&](const XrExtensionProperties& e) { return name == e.extensionName; });
+}
+
+Result<XrInstance> create_instance(const std::vector<const char*>& extensions) {
+  auto info = xr_struct<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
+  std::strncpy(info.applicationInfo.applicationName, "roomcast", XR_MAX_APPLICATION_NAME_SIZE - 1);
+  info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
+  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  info.enabledExtensionNames = extensions.data();
+  XrInstance instance = XR_NULL_HANDLE;
+  ROOMCAST_XR_TRY(xrCreateInstance(&info, &instance), "connecting to the headset's software");
+  return instance;
+}
+
+}  // namespace
+
+Result<Runtime> Runtime::open(const char* binding_extension) {
+  auto offered = offered_extensions();
+  if (!offered) return offered.error();
+  std::vector<const char*> wanted = {kOpenGl};
+  if (binding_extension != nullptr) wanted.push_back(binding_extension);
+  for (const char* name : wanted) {
+    if (!has(*offered, name)) {
+      return Error{ErrorCode::kUnavailable,
+                   std::string("the headset's software does not offer ") + name +
+                       ", which this window needs; on X11 another driver may help "
+                       "(SDL_VIDEO_X11_FORCE_EGL=0 or 1)"};
+    }
+  }
+  Runtime runtime;
+  runtime.takes_depth_ = has(*offered, kDepth);
+  if (runtime.takes_depth_) wanted.push_back(kDepth);
+  auto instance = create_instance(wanted);
+  if (!instance) return instance.error();
+  runtime.instance_ = *instance;
+  if (auto status = runtime.find_headset(); !status) return status.error();
+  if (auto status = runtime.ask_for_graphics_requirements(); !status) return status.error();
+  return runtime;
+}
+
+Status Runtime::find_headset() {
+  auto wanted = xr_struct<XrSystemGetInfo>(XR_TYPE_SYSTEM_GET_INFO);
+  wanted.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
+  ROOMCAST_XR_TRY(xrGetSystem(instance_, &wanted, &system_), "looking for a headset");
+  auto headset = xr_struct<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
+  ROOMCAST_XR_TRY(xrGetSystemProperties(instance_, system_, &headset), "asking the headset");
+  auto software = xr_struct<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
+  ROOMCAST_XR_TRY(xrGetInstanceProperties(instance_, &software), "asking the headset's software");
+  name_ = std::string(headset.systemName) + " (" + software.runtimeName + ")";
+  return {};
+}
+
+/// OpenXR wants to be asked before a session is made, whatever the answer.
+Status Runtime::ask_for_graphics_requirements() const {
+  PFN_xrGetOpenGLGraphicsRequirementsKHR ask = nullptr;
+  ROOMCAST_XR_TRY(xrGetInstanceProcAddr(instance_, "xrGetOpenGLGraphicsRequirementsKHR",
+                                        reinterpret_cast<PFN_xrVoidFunction*>(&ask)),
+                  "asking which OpenGL the headset needs");
+  auto needs = xr_struct<XrGraphicsRequirementsOpenGLKHR>(XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
+  ROOMCAST_XR_TRY(ask(instance_, system_, &needs), "asking which OpenGL the headset needs");
+  const int version = epoxy_gl_version();
+  if (XR_MAKE_VERSION(version / 10, version % 10, 0) >= needs.minApiVersionSupported) return {};
+  return Error{ErrorCode::kUnavailable, "the headset needs a newer OpenGL than this driver has"};
+}
+
+Runtime::~Runtime() {
+  if (instance_ != XR_NULL_HANDLE) xrDestroyInstance(instance_);
+}
+
+Runtime::Runtime(Runtime&& other) noexcept
+    : instance_(std::exchange(other.instance_, XR_NULL_HANDLE)),
+      system_(other.system_),
+      takes_depth_(other.takes_depth_),
+      name_(std::move(other.name_)) {}
+
+Runtime& Runtime::operator=(Runtime&& other) noexcept {
+  std::swap(instance_, other.instance_);
+  std::swap(system_, other.system_);
+  std::swap(takes_depth_, other.takes_depth_);
+  std::swap(name_, other.name_);
+  return *this;
+}
+
+}  // namespace roomcast::xr

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Swapchain: the images of one eye that the headset's software shows in turn.
+// Source: OpenXR 1.0, section 10.1.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <epoxy/gl.h>
+#include <openxr/openxr.h>
+
+#include "roomcast/core/result.h"
+#include "roomcast/viewer/view_target.h"
+
+namespace roomcast::xr {
+
+/// The first of `wanted` that the session offers; 0: none.
+[[nodiscard]] Result<std::int64_t> choose_format(XrSession session,
+                                                 std::span<const std::int64_t> wanted);
+
+class Swapchain {
+ public:
+  /// `format`: of OpenGL, one that the session offers. `use`: XR_SWAPCHAIN_USAGE_...
+  static Result<Swapchain> create(XrSession session, std::int64_t format, PictureSize size,
+                                  XrSwapchainUsageFlags use);
+  ~Swapchain();
+  Swapchain(Swapchain&& other) noexcept;
+  Swapchain& operator=(Swapchain&& other) noexcept;
+
+  [[nodiscard]] XrSwapchain handle() const { return handle_; }
+  [[nodiscard]] PictureSize size() const { return size_; }
+
+  /// The texture to draw into, once the headset no longer shows it. Errors as xr_status.
+  Result<GLuint> acquire();
+  /// What was drawn is ready. Only after acquire().
+  Status release();
+
+ private:
+  Swapchain(XrSwapchain handle, PictureSize size) : handle_(handle), size_(size) {}
+  Status find_textures();
+
+  XrSwapchain handle_ = XR_NULL_HANDLE;
+  PictureSize size_;
+  std::vector<GLuint> textures_;
+};
+
+}  // namespace roomcast::xr

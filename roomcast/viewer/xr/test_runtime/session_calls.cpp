@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// TestRuntime: sessions, spaces and swapchains (OpenXR 1.0, sections 7, 9 and 10.1).
+#include <memory>
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr_platform.h>
+
+#include "roomcast/viewer/xr/test_runtime/session_record.h"
+#include "roomcast/viewer/xr/test_runtime/test_runtime.h"
+
+namespace roomcast::xr {
+namespace {
+
+void tell(XrSessionState state) {
+  SessionRecord& session = session_record();
+  session.state = state;
+  session.events.push_back(
+      {XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display});
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info,
+                                              XrSession* made) {
+  SessionRecord& session = session_record();
+  if (!session.asked_for_requirements)
+    return violation("a session before its graphics requirements",
+                     XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING);
+  const auto* binding = static_cast<const XrBaseInStructure*>(info->next);
+  const bool is_egl = binding != nullptr && binding->type == XR_TYPE_GRAPHICS_BINDING_EGL_MNDX;
+  const bool is_glx =
+      binding != nullptr && binding->type == XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR;
+  if (!is_egl && !is_glx)
+    return violation("a session without a GL context", XR_ERROR_GRAPHICS_DEVICE_INVALID);
+  TestRuntime::instance().uses_egl = is_egl;
+  session.exists = true;
+  session.display = TestRuntime::kBegin_ns;
+  *made = kTheSession;
+  tell(XR_SESSION_STATE_IDLE);
+  tell(XR_SESSION_STATE_READY);
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL destroy_session(XrSession) {
+  session_record() = {};
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo*) {
+  SessionRecord& session = session_record();
+  if (session.running) return violation("a session begun twice", XR_ERROR_SESSION_RUNNING);
+  if (session.state != XR_SESSION_STATE_READY)
+    return violation("a session begun before it is ready", XR_ERROR_SESSION_NOT_READY);
+  session.running = true;
+  tell(XR_SESSION_STATE_SYNCHRONIZED);
+  tell(XR_SESSION_STATE_VISIBLE);
+  tell(XR_SESSION_STATE_FOCUSED);
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL end_session(XrSession) {
+  SessionRecord& session = session_record();
+  if (!session.running)
+    return violation("a session ended that does not run", XR_ERROR_SESSION_NOT_RUNNING);
+  session.running = false;
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL request_exit(XrSession) {
+  if (!session_record().running)
+    return violation("an end asked for that has come", XR_ERROR_SESSION_NOT_RUNNING);
+  TestRuntime::instance().ask_for_end();
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL enumerate_spaces(XrSession, std::uint32_t capacity,
+                                                std::uint32_t* count, XrReferenceSpaceType* out) {
+  return fill<XrReferenceSpaceType>(
+      capacity, count, out,
+      {XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE});
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession, const XrReferenceSpaceCreateInfo* info,
+                                            XrSpace* space) {
+  ++TestRuntime::instance().open_handles;
+  *space = handle_from<XrSpace>(new SpaceRecord{info->poseInReferenceSpace, -1});
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL destroy_space(XrSpace space) {
+  --TestRuntime::instance().open_handles;
+  delete reinterpret_cast<SpaceRecord*>(space);
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL enumerate_formats(XrSession, std::uint32_t capacity,
+                                                 std::uint32_t* count, std::int64_t* out) {
+  return fill<std::int64_t>(
+      capacity, count, out,
+      {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F});
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL create_swapchain(XrSession, const XrSwapchainCreateInfo* info,
+                                                XrSwapchain* made) {
+  constexpr GLsizei kImages = 3;
+  auto chain = std::make_unique<SwapchainRecord>();
+  chain->info = *info;
+  chain->textures.resize(kImages);
+  glCreateTextures(GL_TEXTURE_2D, kImages, chain->textures.data());
+  for (const GLuint texture : chain->textures) {
+    glTextureStorage2D(texture, 1, static_cast<GLenum>(info->format),
+                       static_cast<GLsizei>(info->width), static_cast<GLsizei>(info->height));
+  }
+  ++TestRuntime::instance().open_handles;
+  *made = handle_from<XrSwapchain>(chain.release());
+  return XR_SUCCESS;
+}
+
+SwapchainRecord& record_of(XrSwapchain chain) {
+  return *reinterpret_cast<SwapchainRecord*>(chain);
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL destroy_swapchain(XrSwapchain handle) {
+  const std::unique_ptr<SwapchainRecord> chain(&record_of(handle));
+  glDeleteTextures(static_cast<GLsizei>(chain->textures.size()), chain->textures.data());
+  --TestRuntime::instance().open_handles;
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL acquire_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo*,
+                                             std::uint32_t* index) {
+  SwapchainRecord& chain = record_of(handle);
+  if (chain.acquired >= 0)
+    return violation("a picture acquired before the last was released",
+                     XR_ERROR_CALL_ORDER_INVALID);
+  chain.acquired = static_cast<int>(chain.next);
+  chain.waited = false;
+  *index = chain.next;
+  chain.next = (chain.next + 1) % static_cast<std::uint32_t>(chain.textures.size());
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL wait_image(XrSwapchain handle, const XrSwapchainImageWaitInfo*) {
+  SwapchainRecord& chain = record_of(handle);
+  if (chain.acquired < 0)
+    return violation("a picture waited for before it was acquired", XR_ERROR_CALL_ORDER_INVALID);
+  chain.waited = true;
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL release_image(XrSwapchain handle,
+                                             const XrSwapchainImageReleaseInfo*) {
+  SwapchainRecord& chain = record_of(handle);
+  if (chain.acquired < 0 || !chain.waited)
+    return violation("a picture released without a wait", XR_ERROR_CALL_ORDER_INVALID);
+  chain.released = chain.acquired;
+  chain.acquired = -1;
+  return XR_SUCCESS;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL enumerate_images(XrSwapchain handle, std::uint32_t capacity,
+                                                std::uint32_t* count,
+                                                XrSwapchainImageBaseHeader* out) {
+  const SwapchainRecord& chain = record_of(handle);
+  *count = static_cast<std::uint32_t>(chain.textures.size());
+  if (capacity == 0) return XR_SUCCESS;
+  auto* const images = reinterpret_cast<XrSwapchainImageOpenGLKHR*>(out);
+  for (std::size_t i = 0; i < chain.textures.size(); ++i) images[i].image = chain.textures[i];
+  return XR_SUCCESS;
+}
+
+}  // namespace
+
+PFN_xrVoidFunction session_function(const std::string& name) {
+  static const std::map<std::string, PFN_xrVoidFunction> functions = {
+      {"xrCreateSession", untyped(create_session)},
+      {"xrDestroySession", untyped(destroy_session)},
+      {"xrBeginSession", untyped(begin_session)},
+      {"xrEndSession", untyped(end_session)},
+      {"xrRequestExitSession", untyped(request_exit)},
+      {"xrEnumerateReferenceSpaces", untyped(enumerate_spaces)},
+      {"xrCreateReferenceSpace", untyped(create_space)},
+      {"xrDestroySpace", untyped(destroy_space)},
+      {"xrEnumerateSwapchainFormats", untyped(enumerate_formats)},
+      {"xrCreateSwapchain", untyped(create_swapchain)},
+      {"xrDestroySwapchain", untyped(destroy_swapchain)},
+      {"xrEnumerateSwapchainImages", untyped(enumerate_images)},
+      {"xrAcquireSwapchainImage", untyped(acquire_image)},
+      {"xrWaitSwapchainImage", untyped(wait_image)},
+      {"xrReleaseSwapchainImage", untyped(release_image)}};
+  const auto found = functions.find(name);
+  return found != functions.end() ? found->second : nullptr;
+}
+
+}  // namespace roomcast::xr

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/xr/vr_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace roomcast::xr {
+namespace {
+
+constexpr double kLongestStep_s = 0.1;
+constexpr double kStickRest = 0.15;
+constexpr double kSnapPush = 0.7, kSnapRelease = 0.4;
+constexpr double kAimPush = 0.7, kAimRelease = 0.3;
+constexpr double kThrow_m_per_s = 6;
+constexpr double kGravity_m_per_s2 = 9.81;
+constexpr double kFarthestThrow_m = 8;
+
+double yaw_of(const RigidTransform& transform) {
+  const Eigen::Vector3d forward = transform.rotation * Eigen::Vector3d(0, 0, -1);
+  return std::atan2(-forward.x(), -forward.z());
+}
+
+Eigen::Matrix3d yaw_matrix(double yaw_rad) {
+  return Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+}
+
+double beyond_rest(double axis) {
+  return std::abs(axis) > kStickRest ? std::clamp(axis, -1.0, 1.0) : 0;
+}
+
+}  // namespace
+
+void VrWalk::stand_at(const ViewState& view, const RigidTransform& stage_from_head) {
+  world_from_stage_.rotation = yaw_matrix(view.yaw_rad - yaw_of(stage_from_head));
+  world_from_stage_.translation_m.setZero();
+  Eigen::Vector3d shift_m = view.position_m - world_from_stage_ * stage_from_head.translation_m;
+  shift_m.y() = 0;
+  world_from_stage_.translation_m = shift_m;
+}
+
+void VrWalk::advance(const VrInput& input, const ComfortOptions& comfort, double seconds) {
+  const double step_s = std::clamp(seconds, 0.0, kLongestStep_s);
+  turn(input, comfort, step_s);
+  const bool walks = comfort.smooth_walk && input.walk.norm() > kStickRest;
+  if (walks) walk(input, comfort, step_s);
+  // The turning stick pushed forward teleports; so does the walking one of who would not glide.
+  const double push = std::max(input.turn.y(), comfort.smooth_walk ? 0.0 : input.walk.y());
+  teleport(input, push > (aims_ ? kAimRelease : kAimPush));
+}
+
+void VrWalk::turn(const VrInput& input, const ComfortOptions& comfort, double seconds) {
+  const double push = input.turn.x();
+  if (!comfort.snap_turn) {
+    const double yaw_rad = -beyond_rest(push) * comfort.smooth_turn_rad_per_s * seconds;
+    return turn_around_head(input.stage_from_head, yaw_rad);
+  }
+  const bool is_turned = std::abs(push) > (stick_is_turned_ ? kSnapRelease : kSnapPush);
+  if (is_turned && !stick_is_turned_)
+    turn_around_head(input.stage_from_head, -std::copysign(comfort.snap_rad, push));
+  stick_is_turned_ = is_turned;
+}
+
+void VrWalk::turn_around_head(const RigidTransform& stage_from_head, double yaw_rad) {
+  const Eigen::Vector3d head_m = world_from_stage_ * stage_from_head.translation_m;
+  const Eigen::Matrix3d turn = yaw_matrix(yaw_rad);
+  world_from_stage_.rotation = turn * world_from_stage_.rotation;
+  world_from_stage_.translation_m = turn * (world_from_stage_.translation_m - head_m) + head_m;
+}
+
+/// Where the head looks is forward.
+void VrWalk::walk(const VrInput& input, const ComfortOptions& comfort, double seconds) {
+  const Eigen::Matrix3d forward = yaw_matrix(yaw_of(world_from_stage_ * input.stage_from_head));
+  const Eigen::Vector3d push(beyond_rest(input.walk.x()), 0, -beyond_rest(input.walk.y()));
+  const Eigen::Vector3d step_m = comfort.walk_speed_m_per_s * seconds * (forward * push);
+  world_from_stage_.translation_m = (world_from_stage_.translation_m + step_m)
+                                        .cwiseMax(-kFarthestWalk_m)
+                                        .cwiseMin(kFarthestWalk_m);
+}
+
+void VrWalk::teleport(const VrInput& input, bool aims) {
+  const bool lets_go = aims_ && !aims;
+  aims_ = aims;
+  if (aims) {
+    const RigidTransform& stage_from_aim = input.stage_from_aim.value_or(input.stage_from_head);
+    target_m_ = landing_place_m(world_from_stage_ * stage_from_aim);
+    return;
+  }
+  if (lets_go && target_m_) {
+    Eigen::Vector3d step_m = *target_m_ - world_from_stage_ * input.stage_from_head.translation_m;
+    step_m.y() = 0;
+    world_from_stage_.translation_m += step_m;
+  }
+  target_m_.reset();
+}
+
+std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_aim) {
+  const Eigen::Vector3d from_m = world_from_aim.translation_m;
+  const Eigen::Vector3d speed = world_from_aim.rotation * Eigen::Vector3d(0, 0, -kThrow_m_per_s);
+  if (!(from_m.y() >= 0)) return std::nullopt;
+  // from.y + speed.y t - g t^2 / 2 = 0
+  const double time_s =
+      (speed.y() + std::sqrt(speed.y() * speed.y() + 2 * kGravity_m_per_s2 * from_m.y())) /
+      kGravity_m_per_s2;
+  Eigen::Vector3d place_m = from_m + time_s * speed;
+  place_m.y() = 0;
+  if ((place_m - from_m).norm() > kFarthestThrow_m) return std::nullopt;
+  return place_m;
+}
+
+}  // namespace roomcast::xr

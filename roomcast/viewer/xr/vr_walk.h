@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// VrWalk: how a person in a headset gets around: the stage (the piece of floor on which the person
+// really walks) is moved through the world by thumbsticks: smoothly, or by teleporting; turned
+// smoothly, or by steps. Pure.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/room/person_pose.h"
+#include "roomcast/viewer/view_settings.h"
+#include "roomcast/viewer/walk/view_state.h"
+
+namespace roomcast::xr {
+
+/// What a headset and its controllers say. Sticks: right and forward are positive, -1..1.
+struct VrInput {
+  RigidTransform stage_from_head;
+  std::optional<RigidTransform> stage_from_left_hand, stage_from_right_hand;
+  std::optional<RigidTransform> stage_from_aim;  // of the right hand: points along -z
+  Eigen::Vector2d walk = Eigen::Vector2d::Zero(), turn = Eigen::Vector2d::Zero();
+  bool points = false;     // the trigger is held
+  bool recenters = false;  // has just been pressed
+};
+
+class VrWalk {
+ public:
+  [[nodiscard]] const RigidTransform& world_from_stage() const { return world_from_stage_; }
+
+  /// Puts the head where the view is, and its level direction; the floor stays the floor.
+  void stand_at(const ViewState& view, const RigidTransform& stage_from_head);
+
+  /// What the sticks say for so long. Long pauses count as short ones.
+  void advance(const VrInput& input, const ComfortOptions& comfort, double seconds);
+
+  /// On the floor, where letting go of the stick would lead; nothing while nobody teleports.
+  [[nodiscard]] const std::optional<Eigen::Vector3d>& teleport_target_m() const {
+    return target_m_;
+  }
+
+ private:
+  void turn(const VrInput& input, const ComfortOptions& comfort, double seconds);
+  void turn_around_head(const RigidTransform& stage_from_head, double yaw_rad);
+  void walk(const VrInput& input, const ComfortOptions& comfort, double seconds);
+  void teleport(const VrInput& input, bool aims);
+
+  RigidTransform world_from_stage_;
+  bool stick_is_turned_ = false;
+  bool aims_ = false;
+  std::optional<Eigen::Vector3d> target_m_;
+};
+
+/// Where what is thrown along `world_from_aim`'s -z comes down on the floor (y = 0); nothing when
+/// that is out of reach.
+[[nodiscard]] std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_aim);
+
+}  // namespace roomcast::xr

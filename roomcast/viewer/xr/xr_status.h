@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What OpenXR answers, as a Status.
+#pragma once
+
+#include <string>
+
+#include <openxr/openxr.h>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::xr {
+
+/// kClosed when the session or the runtime is lost; kUnavailable for every other failure. `what` is
+/// what failed: "drawing for the headset".
+[[nodiscard]] Status xr_status(XrResult result, const std::string& what);
+
+/// The same for what has no status of its own on success.
+#define ROOMCAST_XR_TRY(call, what)                                                               \
+  do {                                                                                            \
+    if (::roomcast::Status xr_try_status = ::roomcast::xr::xr_status(call, what); !xr_try_status) \
+      return std::move(xr_try_status).error();                                                    \
+  } while (false)
+
+}  // namespace roomcast::xr
