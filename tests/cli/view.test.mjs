@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast view in a room with nothing to see: it says so, and no picture of an empty room is left behind.
-import { deepEqual } from 'node:assert/strict';
+// roomcast view: in a room with nothing to see it says so, and no picture of an empty room is left behind; a window
+// opens without a display, and says so where it cannot.
+import { deepEqual, equal } from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -34,4 +35,41 @@ test('room_whose_sensors_have_left_is_not_drawn', async (t) => {
   const code = await viewer.ended;
   assertFailed({ code, stderr: viewer.stderr }, 1, /all sensors have left this room/);
   deepEqual(readdirSync(folder), []);
+});
+
+test('window_opens_and_its_last_picture_is_kept', async (t) => {
+  const hub = await startHub(t);
+  const folder = scratchFolder(t);
+  const picture = join(folder, 'window.png');
+  const viewer = new Program(
+    ['view', '--hub', hub.url, '--size', '320,240', '--mode', 'mesh', '--seconds', '1', '--last-picture', picture],
+    { through: ['env', 'SDL_VIDEODRIVER=offscreen'] },
+  );
+  t.after(() => viewer.stop('SIGKILL'));
+  equal(await viewer.ended, 0, viewer.stderr);
+  deepEqual(readdirSync(folder), ['window.png']);
+});
+
+test('window_closes_when_it_is_told_to_stop', async (t) => {
+  const hub = await startHub(t);
+  const witness = await RoomClient.join(t, hub.url);
+  const viewer = new Program(['view', '--hub', hub.url, '--size', '64,48'], {
+    through: ['env', 'SDL_VIDEODRIVER=offscreen'],
+  });
+  t.after(() => viewer.stop('SIGKILL'));
+  await witness.until('both viewers', () => witness.rosters.at(-1)?.viewers === 2);
+  equal(await viewer.stop('SIGTERM'), 0, viewer.stderr);
+});
+
+test('window_without_a_display_is_refused_in_a_sentence', async (t) => {
+  const hub = await startHub(t);
+  const viewer = new Program(['view', '--hub', hub.url], {
+    through: ['env', '-u', 'DISPLAY', 'SDL_VIDEODRIVER=x11'],
+  });
+  const code = await viewer.ended;
+  assertFailed({ code, stderr: viewer.stderr }, 1, /no window can be opened here.*--headless --png/);
+});
+
+test('headless_without_a_file_is_wrong_usage', async () => {
+  assertFailed(await run('view', '--hub', 'ws://127.0.0.1:1', '--headless'), 2, /--png/);
 });

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `roomcast view` was asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/client/subscriber.h"
+#include "roomcast/render/render_mode.h"
+#include "roomcast/render/view_camera.h"
+
+namespace roomcast::cli {
+
+struct ViewOptions {
+  SubscriberOptions subscriber;
+  bool headless = false;
+  std::string png;
+  std::vector<double> at, look;
+  std::vector<int> size = {1280, 720};
+  double fov_deg = 60;
+  double seconds = 0;
+  RenderMode mode = RenderMode::kBlend;
+  bool json = false;
+  // Of the window.
+  bool full_screen = false;
+  bool panel = true;
+  bool vr = false;
+  std::string pictures = ".";
+  std::string last_picture;
+
+  [[nodiscard]] double fov_rad() const;
+  /// Where it was told to stand; `start` turns it where nobody says what to look at.
+  [[nodiscard]] std::optional<RigidTransform> world_from_view(const RigidTransform& start) const;
+};
+
+/// A picture drawn without a window.
+[[nodiscard]] Status view_without_window(const ViewOptions& options);
+/// The room in a window, until the person leaves or the time is over.
+[[nodiscard]] Status view_in_window(const ViewOptions& options);
+
+}  // namespace roomcast::cli

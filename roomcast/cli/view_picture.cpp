@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast view --headless: a picture of the room, drawn without a window.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/frame_log.h"
+#include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/view_options.h"
+#include "roomcast/render/gl_context.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/viewer/room_view.h"
+
+namespace roomcast::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using RoomPtr = std::shared_ptr<const RoomSnapshot>;
+constexpr auto kPicturesWithin = 10s;
+
+/// Sensors that are online and have not sent a picture yet.
+std::string missing_sensors(const RoomSnapshot& room) {
+  std::string names;
+  for (const auto& sensor : room.sensors) {
+    if (sensor.online && !sensor.picture) names += (names.empty() ? "" : ", ") + sensor.name;
+  }
+  return names;
+}
+
+/// Connected (else the pictures are old), and all sensors that are there can be seen.
+bool can_be_drawn(const RoomSnapshot& room) {
+  const auto is_seen = [](const RoomSensor& sensor) { return sensor.online && sensor.picture; };
+  return room.connected && std::ranges::any_of(room.sensors, is_seen) &&
+         missing_sensors(room).empty();
+}
+
+/// Why there is nothing to draw yet.
+Error still_waiting(const RoomSnapshot& room) {
+  if (!room.connected) return {ErrorCode::kUnavailable, room.problem};
+  const std::string missing = missing_sensors(room);
+  if (!missing.empty()) {
+    return {ErrorCode::kUnavailable, fmt::format("no picture came from {} within {} s", missing,
+                                                 std::chrono::seconds(kPicturesWithin).count())};
+  }
+  return {ErrorCode::kUnavailable, room.sensors.empty()
+                                       ? "no sensor has joined this room; nothing was drawn"
+                                       : "all sensors have left this room; nothing was drawn"};
+}
+
+/// The room, once every sensor that is online has sent a picture.
+Result<RoomPtr> wait_for_pictures(const Subscriber& viewer, const std::stop_token& stop) {
+  const auto give_up = std::chrono::steady_clock::now() + kPicturesWithin;
+  RoomPtr room = viewer.snapshot();
+  while (!can_be_drawn(*room)) {
+    if (auto failure = viewer.failure()) return *failure;
+    if (stop.stop_requested())
+      return Error{ErrorCode::kClosed, "interrupted before there was a picture"};
+    if (std::chrono::steady_clock::now() > give_up) return still_waiting(*room);
+    room = viewer.wait_newer(room->revision, 100ms);
+  }
+  return room;
+}
+
+void watch(const Subscriber& viewer, double seconds, const std::stop_token& stop) {
+  StatusLine line;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto first_sets = viewer.snapshot()->sets_received;
+  for (;;) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    if (elapsed.count() >= seconds || stop.stop_requested()) return;
+    std::this_thread::sleep_for(100ms);
+    line.show(fmt::format("{} frame sets in {:.1f} s",
+                          viewer.snapshot()->sets_received - first_sets, elapsed.count()));
+  }
+}
+
+ViewCamera camera_for(const ViewOptions& options, const RoomSnapshot& room) {
+  const RigidTransform start = world_from_start_view(room);
+  ViewCamera camera;
+  camera.width = options.size[0];
+  camera.height = options.size[1];
+  camera.vertical_fov_rad = options.fov_rad();
+  camera.world_from_view = options.world_from_view(start).value_or(start);
+  return camera;
+}
+
+Result<ColorImage> draw(const ViewOptions& options, const RoomSnapshot& room) {
+  const ViewCamera camera = camera_for(options, room);
+  if (auto status = camera.check(); !status) return status.error();
+  auto context = EglContext::create();
+  if (!context) return context.error();
+  auto target = OffscreenTarget::create(camera.width, camera.height);
+  if (!target) return target.error();
+  auto view = RoomView::create();
+  if (!view) return view.error();
+  if (auto status = view->show(room); !status) return status.error();
+  if (auto status = view->draw(camera, *target, options.mode); !status) return status.error();
+  return target->read_color();
+}
+
+void print_json(const ViewOptions& options, const RoomSnapshot& room) {
+  nlohmann::json report = {
+      {"png", options.png}, {"room", room.room}, {"set_id", room.newest_set.value}};
+  for (const auto& sensor : room.sensors) {
+    if (!sensor.online || !sensor.picture) continue;
+    report["sensors"].push_back(
+        {{"id", sensor.id.value},
+         {"name", sensor.name},
+         {"placed", sensor.placed},
+         {"seq", sensor.picture->seq},
+         {"capture_ns", sensor.picture->capture_time.time_since_epoch().count()},
+         {"depth_crc32", depth_crc32(sensor.picture->frame.depth_mm)}});
+  }
+  fmt::print("{}\n", report.dump(1));
+}
+
+}  // namespace
+
+Status view_without_window(const ViewOptions& options) {
+  StopOnSignal stop;
+  auto viewer = Subscriber::open(options.subscriber);
+  if (!viewer) return viewer.error();
+  auto room = wait_for_pictures(**viewer, stop.token());
+  if (room && options.seconds > 0) {
+    watch(**viewer, options.seconds, stop.token());
+    room = wait_for_pictures(**viewer, stop.token());  // sensors may have left, or the hub
+  }
+  if (!room) return room.error();
+  const auto picture = draw(options, **room);
+  if (!picture) return picture.error();
+  if (auto status = write_color_png(options.png, *picture); !status) return status;
+  if (options.json) print_json(options, **room);
+  return {};
+}
+
+}  // namespace roomcast::cli

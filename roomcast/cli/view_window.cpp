@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast view: the room in a window.
+#include <chrono>
+#include <cstdlib>
+
+#include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/view_options.h"
+#include "roomcast/source/image_file.h"
+#include "roomcast/viewer/desktop_viewer.h"
+
+namespace roomcast::cli {
+namespace {
+
+constexpr double kPivotDistance_m = 3;
+
+DesktopViewerOptions desktop_options(const ViewOptions& options, const RoomSnapshot& room) {
+  DesktopViewerOptions desktop;
+  desktop.window.title = room.room.empty() ? "roomcast" : room.room + " - roomcast";
+  desktop.window.size = {options.size[0], options.size[1]};
+  desktop.window.full_screen = options.full_screen;
+  desktop.settings.mode = options.mode;
+  desktop.settings.vertical_fov_rad = options.fov_rad();
+  if (const auto pose = options.world_from_view(world_from_start_view(room)))
+    desktop.start = view_from_pose(*pose, kPivotDistance_m);
+  desktop.panel = options.panel;
+  desktop.pictures = options.pictures;
+  desktop.write_png = write_color_png;
+  desktop.headset = options.vr;
+  return desktop;
+}
+
+Status check_size(const ViewOptions& options) {
+  ViewCamera camera;
+  camera.width = options.size[0];
+  camera.height = options.size[1];
+  return camera.check();
+}
+
+}  // namespace
+
+Status view_in_window(const ViewOptions& options) {
+  if (auto status = check_size(options); !status) return status;
+  constexpr int kUnlessTheUserSaysSo = 0;
+  ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // one sentence is enough
+  StopOnSignal stop;
+  auto hub = Subscriber::open(options.subscriber);
+  if (!hub) return hub.error();
+  auto viewer = DesktopViewer::open(**hub, desktop_options(options, *(*hub)->snapshot()));
+  if (!viewer) return viewer.error();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto is_over = [&] {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return stop.token().stop_requested() ||
+           (options.seconds > 0 && elapsed.count() >= options.seconds);
+  };
+  while (!is_over() && (*viewer)->step()) {
+  }
+  if (options.last_picture.empty()) return {};
+  return write_color_png(options.last_picture, (*viewer)->window_picture());
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// DesktopViewer: `roomcast view` in a window: draws the newest RoomSnapshot, moves its person,
+// tells the hub where that person is. Never waits for the network: when the hub or a sensor is
+// lost it goes on drawing what it has and says what is missing. Threading: one thread, the
+// window's.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "roomcast/client/subscriber.h"
+#include "roomcast/viewer/capture/picture_files.h"
+#include "roomcast/viewer/capture/picture_keeper.h"
+#include "roomcast/viewer/hub_report.h"
+#include "roomcast/viewer/panel/panel.h"
+#include "roomcast/viewer/panel/panel_layer.h"
+#include "roomcast/viewer/picture_scale.h"
+#include "roomcast/viewer/report/room_report.h"
+#include "roomcast/viewer/report/toasts.h"
+#include "roomcast/viewer/room_picture.h"
+#include "roomcast/viewer/room_view.h"
+#include "roomcast/viewer/view_settings.h"
+#include "roomcast/viewer/walk/navigation.h"
+#include "roomcast/viewer/window/desktop_input.h"
+#include "roomcast/viewer/window/view_window.h"
+#include "roomcast/viewer/xr/headset_view.h"
+
+namespace roomcast {
+
+struct DesktopViewerOptions {
+  ViewWindowOptions window;
+  ViewSettings settings;
+  std::optional<ViewState> start;        // else where the hub puts a viewer
+  bool panel = true;                     // open at first
+  std::filesystem::path pictures = ".";  // folder for screenshots and videos
+  PictureWriter write_png;               // has to be given
+  bool headset = false;                  // draw for one, too, when there is one
+};
+
+class DesktopViewer {
+ public:
+  /// `hub` outlives it. Errors as ViewWindow::open, PanelLayer::create and RoomView::create.
+  static Result<std::unique_ptr<DesktopViewer>> open(Subscriber& hub, DesktopViewerOptions options);
+
+  /// One round: input, movement, the newest room, drawing, news for the hub. False: the person
+  /// wants to leave.
+  bool step();
+
+  /// What the window shows: the room and the panel.
+  [[nodiscard]] ColorImage window_picture();
+  [[nodiscard]] const ViewState& view() const { return navigation_.view(); }
+  [[nodiscard]] std::vector<Toast> toasts() const;
+  [[nodiscard]] std::uint64_t pictures_drawn() const { return pictures_drawn_; }
+
+ private:
+  DesktopViewer(Subscriber& hub, DesktopViewerOptions options, std::unique_ptr<ViewWindow> window,
+                std::unique_ptr<PanelLayer> panel_layer, RoomView room_view);
+
+  [[nodiscard]] HostTime now() const { return clock_.now(); }
+  void take_events();
+  void obey(ViewerCommand command);
+  void choose_mode(ViewerCommand command);
+  void set_mouse_look(bool on);
+  void release();
+  void advance(HostTime now);
+  void follow_room(HostTime now);
+  void go_to_start();
+  void point();
+  [[nodiscard]] bool must_draw() const;
+  void draw_room(HostTime now);
+  void note_shown_pictures(HostTime begin);
+  void apply_settings();
+  void show(HostTime now);
+  void draw_window();
+  [[nodiscard]] PanelFacts facts(HostTime now) const;
+  [[nodiscard]] ViewCamera camera() const;
+  [[nodiscard]] PersonPose own_pose() const;
+  void save_screenshot();
+  void start_or_stop_video();
+  void say(const Toast& toast);
+  void look_for_headset(HostTime now);
+  [[nodiscard]] bool is_in_headset() const { return headset_ && headset_->is_running(); }
+  void draw_headset(HostTime now);
+  void headset_is_over(const Error& why, HostTime now);
+  [[nodiscard]] ViewState start_view() const;
+  [[nodiscard]] const OffscreenTarget* shown_picture() const;
+
+  SteadyClock clock_;
+  Subscriber& hub_;
+  DesktopViewerOptions options_;
+  ViewSettings settings_, applied_;
+  std::unique_ptr<ViewWindow> window_;  // first: its GL context outlives what follows
+  std::unique_ptr<PanelLayer> panel_layer_;
+  RoomView room_view_;
+  RoomPicture picture_;
+  std::unique_ptr<xr::HeadsetView> headset_;  // null while there is none
+  std::string driver_;
+
+  std::shared_ptr<const RoomSnapshot> room_ = std::make_shared<const RoomSnapshot>();
+  std::unordered_map<SensorId, std::uint32_t> shown_seq_;
+  Navigation navigation_;
+  DesktopInput input_;
+  std::optional<PointerBeam> pointer_;
+  Panel panel_;
+  RoomReport report_;
+  LatencyBudget latency_;
+  HubReport hub_report_;
+  PictureKeeper keeper_;
+  Toasts toasts_;
+  PictureScale automatic_scale_;
+
+  bool wants_to_leave_ = false;
+  bool has_start_ = false;      // the view is where it should be at first, or where the person went
+  bool picture_is_old_ = true;  // the room, the people or the settings have changed
+  bool had_input_ = false;
+  std::optional<ViewCamera> drawn_camera_;
+  RateMeter drawn_rate_;
+  std::uint64_t pictures_drawn_ = 0;
+  nanoseconds drawing_time_{};
+  HostTime last_step_{}, last_report_{}, last_shown_{}, headset_looked_for_{};
+  std::string headset_trouble_;  // the last one that was told
+};
+
+}  // namespace roomcast

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole desktop viewer, in a window without a display (SDL_VIDEODRIVER=offscreen), beside a
+// hub that says what the test wants.
+#include <cstdlib>
+#include <future>
+
+#include <SDL2/SDL.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/network_thread.h"
+#include "roomcast/viewer/capture/scratch_folder.h"
+#include "roomcast/viewer/desktop_viewer.h"
+#include "roomcast/viewer/xr/test_runtime/test_runtime.h"
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr PictureSize kSize = {320, 240};
+
+class DesktopViewerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
+    network.start();
+    auto joined = Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
+    ASSERT_TRUE(joined.ok()) << joined.error().message;
+    subscriber = std::move(*joined);
+    options.window.size = kSize;
+    options.settings.mode = RenderMode::kMesh;
+    options.panel = false;
+    options.pictures = folder.path();
+    options.write_png = [this](const auto& path, ColorView picture) {
+      written.push_back(path.filename().string());
+      written_size = {picture.width, picture.height};
+      return Status{};
+    };
+    open();
+  }
+  void open() {
+    viewer.reset();
+    auto opened = DesktopViewer::open(*subscriber, options);
+    ASSERT_TRUE(opened.ok()) << opened.error().message;
+    viewer = std::move(*opened);
+  }
+  void TearDown() override {
+    viewer.reset();
+    subscriber.reset();
+    network.finish([this] { hub.reset(); });
+  }
+
+  template <class Action>
+  void on_hub(Action action) {
+    std::promise<void> done;
+    boost::asio::post(network.io(), [&] {
+      action(*hub);
+      done.set_value();
+    });
+    done.get_future().get();
+  }
+
+  /// Rounds until `wanted` is true.
+  template <class Wanted>
+  bool steps_until(Wanted wanted) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while (!wanted() && std::chrono::steady_clock::now() < give_up) {
+      if (!viewer->step()) return wanted();
+    }
+    return wanted();
+  }
+
+  static void press(SDL_Keycode key, bool down = true) {
+    SDL_Event event{};
+    event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
+    event.key.keysym.sym = key;
+    event.key.keysym.scancode = SDL_GetScancodeFromKey(key);
+    SDL_PushEvent(&event);
+  }
+
+  bool says(const std::string& words) {
+    for (const Toast& toast : viewer->toasts()) {
+      if (toast.sentence.find(words) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  NetworkThread network;
+  std::optional<FakeHub> hub{std::in_place, network.io()};
+  std::unique_ptr<Subscriber> subscriber;
+  ScratchFolder folder;
+  DesktopViewerOptions options;
+  std::vector<std::string> written;
+  PictureSize written_size;
+  std::unique_ptr<DesktopViewer> viewer;
+};
+
+TEST_F(DesktopViewerTest, draws_an_empty_room_and_says_that_it_is_empty) {
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  EXPECT_TRUE(steps_until([&] { return says("No sensor is in the room yet."); }));
+  const ColorImage picture = viewer->window_picture();
+  EXPECT_EQ(picture.width(), kSize.width);
+  EXPECT_EQ(picture.at(160, 5), RoomLook{}.background);
+}
+
+TEST_F(DesktopViewerTest, walks_and_tells_the_hub_where_it_is) {
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  const Eigen::Vector3d before = viewer->view().position_m;
+  press(SDLK_w);
+  EXPECT_TRUE(steps_until([&] { return (viewer->view().position_m - before).norm() > 0.3; }));
+  press(SDLK_w, false);
+  const auto told = [&] {
+    bool is_told = false;
+    const Eigen::Vector3d here = viewer->view().position_m;
+    on_hub([&](FakeHub& h) {
+      const auto& last = h.heard.back();
+      is_told = last.has_viewer_pose() && std::abs(last.viewer_pose().head().z() - here.z()) < 1e-4;
+    });
+    return is_told;
+  };
+  EXPECT_TRUE(steps_until(told));
+}
+
+TEST_F(DesktopViewerTest, begins_where_the_hub_says_and_goes_back_there) {
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  const Eigen::Vector3d start = viewer->view().position_m;
+  EXPECT_EQ(start, world_from_start_view(*subscriber->snapshot()).translation_m);
+  press(SDLK_d);
+  EXPECT_TRUE(steps_until([&] { return (viewer->view().position_m - start).norm() > 0.1; }));
+  press(SDLK_d, false);
+  press(SDLK_r);
+  EXPECT_TRUE(steps_until([&] { return (viewer->view().position_m - start).norm() < 1e-9; }));
+}
+
+TEST_F(DesktopViewerTest, rests_while_nothing_happens) {
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  const auto drawn = viewer->pictures_drawn();
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_LE(viewer->pictures_drawn(), drawn + 1);
+}
+
+TEST_F(DesktopViewerTest, shows_its_panel_and_its_help_when_asked) {
+  EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
+  const ColorImage plain = viewer->window_picture();
+  press(SDLK_TAB);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(viewer->step());
+  const ColorImage with_panel = viewer->window_picture();
+  EXPECT_NE(plain.at(30, 30), with_panel.at(30, 30));
+  press(SDLK_h);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_NE(with_panel.at(300, 120), viewer->window_picture().at(300, 120));
+}
+
+TEST_F(DesktopViewerTest, keeps_pictures_of_the_room_without_the_panel) {
+  press(SDLK_TAB);
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  press(SDLK_p);
+  EXPECT_TRUE(steps_until([&] { return !written.empty(); }));
+  EXPECT_EQ(written[0], "roomcast-lab-0001.png");
+  EXPECT_EQ(written_size, kSize);
+  EXPECT_TRUE(says("Saved as"));
+}
+
+TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  press(SDLK_v);
+  press(SDLK_a);  // something happens
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
+  press(SDLK_a, false);
+  press(SDLK_v);
+  EXPECT_TRUE(steps_until([&] { return says("Saved as"); }));
+  ::setenv("PATH", path.c_str(), 1);
+  ASSERT_FALSE(written.empty());
+  EXPECT_EQ(written[0], "frame-000001.png");
+}
+
+TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resumes) {
+  EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
+  on_hub([](FakeHub& h) { h.hang_up(); });
+  EXPECT_TRUE(steps_until([&] { return says("The hub is lost"); }));
+  const auto drawn = viewer->pictures_drawn();
+  press(SDLK_a);
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > drawn + 1; }));
+  EXPECT_TRUE(steps_until([&] { return says("The hub is back"); }));
+}
+
+TEST_F(DesktopViewerTest, shows_who_else_is_there) {
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  const ColorImage alone = viewer->window_picture();
+  on_hub([&](FakeHub& h) {
+    wire::pb::Control roster;
+    auto& entry = *roster.mutable_roster()->add_viewers();
+    entry.set_id(9);
+    entry.set_name("Grace");
+    entry.set_color_rgb(0x2060F0);
+    h.say(roster);
+    PersonPose pose;
+    pose.world_from_head =
+        world_from_view(viewer->view()) * RigidTransform{Eigen::Matrix3d::Identity(), {0, 0, -1}};
+    wire::pb::Control poses;
+    *poses.mutable_viewer_poses()->add_poses() = message_from_pose(pose);
+    poses.mutable_viewer_poses()->mutable_poses(0)->set_viewer_id(9);
+    h.say(poses);
+  });
+  EXPECT_TRUE(steps_until([&] {
+    const Rgb8 middle = viewer->window_picture().at(kSize.width / 2, kSize.height / 2);
+    return middle.b > 100 && middle.b > middle.r;
+  }));
+}
+
+TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken_off_or_lost) {
+  xr::TestRuntime& runtime = xr::TestRuntime::instance();
+  runtime.reset();
+  ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+  options.headset = true;
+  open();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
+  EXPECT_TRUE(steps_until([&] {
+    bool hands_are_told = false;
+    on_hub([&](FakeHub& h) {
+      const auto& last = h.heard.back();
+      hands_are_told = last.has_viewer_pose() && last.viewer_pose().has_right_hand();
+    });
+    return hands_are_told;
+  }));
+  runtime.take_off();
+  const auto frames = runtime.frames;
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_EQ(runtime.frames, frames);
+  runtime.put_on();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames > frames; }));
+  runtime.lose_session();
+  EXPECT_TRUE(steps_until([&] { return says("the headset is lost"); }));
+  const auto drawn = viewer->pictures_drawn();
+  press(SDLK_a);
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > drawn; }));
+  viewer.reset();
+  EXPECT_TRUE(runtime.violations.empty());
+}
+
+TEST_F(DesktopViewerTest, without_a_headset_says_so_and_shows_the_room) {
+  ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
+  ::setenv("XR_LOADER_DEBUG", "none", 1);
+  options.headset = true;
+  open();
+  EXPECT_TRUE(steps_until([&] { return says("The room is shown on the desktop only"); }));
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+}
+
+TEST_F(DesktopViewerTest, ends_when_its_window_is_closed) {
+  SDL_Event close{};
+  close.type = SDL_QUIT;
+  SDL_PushEvent(&close);
+  EXPECT_FALSE(viewer->step());
+}
+
+}  // namespace
+}  // namespace roomcast
