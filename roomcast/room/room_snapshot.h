@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/room/clock_estimate.h"
-#include "roomcast/room/person_pose.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/room/clock_estimate.h"
+#include "roomcast/room/person_pose.h"
 
 namespace roomcast {
 
