@@ -60,6 +60,7 @@ class PeopleViewTest : public GlTest {
 };
 
 TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
+  room.people[0].pose->world_from_head.rotation.setIdentity();  // seen from behind, without visor
   const ColorImage picture = draw();
   const auto middle = pixel_of({0, 1.6, -1.5});
   EXPECT_TRUE(is_blue(picture.at(middle.x(), middle.y())));
