@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomcast/codec/depth_grid_color.h"
+#include "roomcast/core/clock.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/room/calibration_message.h"
 #include "roomcast/room/room_state.h"
@@ -95,7 +96,8 @@ class RecordedSets final : public FrameSetReader {
   const nanoseconds from_;
   std::map<std::string, std::size_t> index_of_;
   RecordingCursor cursor_;
-  RoomState state_;
+  SteadyClock clock_;  // when a picture was read, which nobody asks
+  RoomState state_{clock_};
   nanoseconds unix_minus_room_{};
   SetId open_set_{};
   bool has_frames_ = false;  // of the open set
