@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/clock.h"
 #include "roomcast/recording/made_up_recording.h"
 #include "roomcast/recording/mcap/scratch_folder.h"
 #include "roomcast/recording/recording_cursor.h"
@@ -78,7 +79,8 @@ TEST_F(RoomRecordingTest, decodes_from_the_key_frames_before_a_moment) {
   const auto recording = open();
   const auto time = MadeUpRoom::capture(28) + MadeUpRoom::kUnixMinusRoom;
   RecordingCursor cursor(*recording, recording->chunk_to_decode_from(time, recording->sensors()));
-  RoomState state;
+  const SteadyClock clock;
+  RoomState state(clock);
   ASSERT_TRUE(state.roster(recording->roster_at(time)).ok());
   RecordedMessage message;
   std::uint32_t first_seq = 0, decoded = 0;

@@ -161,9 +161,11 @@ void draw_people(const PanelFacts& facts) {
 }
 
 void draw_mode(ViewSettings& settings) {
-  for (const RenderMode mode : kRenderModes) {
-    if (mode != kRenderModes.front()) ImGui::SameLine();
-    if (ImGui::RadioButton(name_of(mode).data(), settings.mode == mode)) settings.mode = mode;
+  if (ImGui::BeginCombo("way of drawing", name_of(settings.mode).data())) {
+    for (const RenderMode mode : kRenderModes) {
+      if (ImGui::Selectable(name_of(mode).data(), settings.mode == mode)) settings.mode = mode;
+    }
+    ImGui::EndCombo();
   }
   if (settings.mode == RenderMode::kBlend) {
     int unseen = static_cast<int>(settings.unseen);
