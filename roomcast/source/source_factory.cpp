@@ -32,7 +32,7 @@ Spec split(const std::string& text) {
   const std::size_t kind_end = std::min(text.find_first_of(":#"), text.size());
   Spec spec{text.substr(0, kind_end), {}, {}};
   std::string rest = text.substr(kind_end);
-  const bool has_sensors = spec.kind == "sim" || spec.kind == "rig";
+  const bool has_sensors = spec.kind == "sim" || spec.kind == "rig" || spec.kind == "mcap";
   const std::size_t hash = has_sensors ? rest.rfind('#') : std::string::npos;
   if (hash != std::string::npos) {
     spec.sensor = rest.substr(hash + 1);

@@ -47,6 +47,9 @@ TEST(SourceFactory, a_folder_that_is_not_named_or_not_there_is_refused) {
   EXPECT_EQ(open_source("tum").error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(open_source("rig:/nowhere#s0").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(open_source("tum:/nowhere").error().code, ErrorCode::kNotFound);
+  const auto recorded = open_source("mcap:/nowhere.mcap#s0");
+  ASSERT_FALSE(recorded.ok());
+  EXPECT_EQ(recorded.error().message.find('#'), std::string::npos) << recorded.error().message;
 }
 
 TEST(SourceFactory, lists_the_sensors_of_a_rig) {
