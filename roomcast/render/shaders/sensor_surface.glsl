@@ -3,7 +3,7 @@
 
 layout(binding = 0) uniform usampler2D depth_mm;  // 0 = no reading
 layout(binding = 1) uniform sampler2D rays;       // undistorted (x/z, y/z); kNoRay and more = none
-layout(binding = 2) uniform sampler2D color;      // in the depth grid, color_scale() pixels for each of its own
+layout(binding = 2) uniform sampler2D color;      // in the depth grid, or two pixels for each of its own, both ways
 layout(binding = 3) uniform usampler2D seen;      // 0 = the colour camera did not see this surface
 
 layout(location = 0) uniform mat4 clip_from_view;
@@ -33,14 +33,14 @@ vec3 point_in_view(ivec2 pixel, float z) {
 
 bool color_is_seen(ivec2 pixel) { return texelFetch(seen, pixel, 0).r != 0u; }
 
-int color_scale() { return textureSize(color, 0).x / grid_width(); }
+bool color_is_fine() { return textureSize(color, 0).x > grid_width(); }  // two pixels for one, both ways
 
 vec3 tint_at(ivec2 pixel) {
   if (!color_is_seen(pixel)) return kUnseenGrey;
-  int scale = color_scale();
+  if (!color_is_fine()) return texelFetch(color, pixel, 0).rgb;
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < scale * scale; ++i) sum += texelFetch(color, scale * pixel + ivec2(i % scale, i / scale), 0).rgb;
-  return sum / float(scale * scale);
+  for (int i = 0; i < 4; ++i) sum += texelFetch(color, 2 * pixel + ivec2(i & 1, i >> 1), 0).rgb;
+  return 0.25 * sum;
 }
 
 // Adding a constant to clip.z moves a point back by a share of its distance, to first order: with

@@ -13,9 +13,9 @@ const float kMostColors = 32.0;
 const float kReadingsOfFarther = 3.0;
 
 void remember_colors(ivec2 pixel, bool is_new) {
-  int scale = color_scale();
-  for (int i = 0; i < scale * scale; ++i) {
-    ivec2 at = scale * pixel + ivec2(i % scale, i / scale);
+  int shift = color_is_fine() ? 1 : 0;
+  for (int i = 0; i < 1 << (2 * shift); ++i) {
+    ivec2 at = (pixel << shift) + ivec2(i & 1, i >> 1);
     vec4 known = is_new ? vec4(0.0) : imageLoad(background_color, at);
     if (color_is_seen(pixel)) {
       known.a = min(known.a + 1.0, kMostColors);
