@@ -14,6 +14,7 @@ struct HttpResponse {
   int status = 200;
   std::string content_type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = {};  // null = empty
+  std::shared_ptr<const std::string> gzip = {};  // the same, for who takes it; null = there is none
   /// Quoted, as in the header; empty = none. A request that has it already is answered with 304.
   std::string etag = {};
   std::string cache_control = "no-cache";
@@ -26,6 +27,7 @@ struct HttpResponse {
   return {.status = status,
           .content_type = "text/plain; charset=utf-8",
           .body = std::make_shared<const std::string>(std::move(text)),
+          .gzip = {},
           .etag = {},
           .cache_control = "no-store",
           .headers = {}};

@@ -25,7 +25,7 @@ using ::testing::StartsWith;
 
 class HttpServerTest : public LoopbackTest {
  protected:
-  /// Answers /page and /large, and takes every WebSocket unless told otherwise.
+  /// Answers /page, /large and /squeezed, and takes every WebSocket unless told otherwise.
   HttpServerOptions options() {
     HttpServerOptions options;
     options.port = 0;
@@ -41,6 +41,12 @@ class HttpServerTest : public LoopbackTest {
   std::optional<HttpResponse> answer(std::string_view path) {
     ++times_asked_;
     if (path == "/large") return text_response(200, std::string(3'000'000, 'x'));
+    if (path == "/squeezed") {
+      HttpResponse page = text_response(200, "a long page");
+      page.gzip = std::make_shared<const std::string>("small");
+      page.etag = "\"v2\"";
+      return page;
+    }
     if (path != "/page") return std::nullopt;
     HttpResponse page = text_response(200, "a page");
     page.etag = "\"v1\"";
@@ -87,7 +93,9 @@ TEST_F(HttpServerTest, answers_get_with_the_body_and_security_headers) {
   EXPECT_THAT(exchange(request("GET", "/page?version=1")),
               AllOf(StartsWith("HTTP/1.1 200 OK\r\n"), HasSubstr("Content-Length: 6\r\n"),
                     HasSubstr("X-Content-Type-Options: nosniff\r\n"),
-                    HasSubstr("Content-Security-Policy: default-src 'self';"),
+                    HasSubstr("Content-Security-Policy: default-src 'none';"),
+                    HasSubstr("Cross-Origin-Opener-Policy: same-origin\r\n"),
+                    HasSubstr("Cross-Origin-Embedder-Policy: require-corp\r\n"),
                     HasSubstr("ETag: \"v1\"\r\n"), EndsWith("\r\n\r\na page")));
 }
 
@@ -106,6 +114,19 @@ TEST_F(HttpServerTest, answers_404_405_and_400) {
   EXPECT_THAT(exchange(request("GET", "/page", "Content-Length: 3\r\n") + "abc"),
               StartsWith("HTTP/1.1 400 "));
   EXPECT_EQ(times_asked_, 1);
+}
+
+TEST_F(HttpServerTest, gives_the_compressed_page_to_who_takes_it) {
+  listen();
+  const std::string takes = "Accept-Encoding: gzip, br\r\nConnection: close\r\n";
+  EXPECT_THAT(exchange(request("GET", "/squeezed", takes)),
+              AllOf(HasSubstr("Content-Encoding: gzip\r\n"), HasSubstr("Vary: Accept-Encoding\r\n"),
+                    HasSubstr("ETag: \"v2-gzip\"\r\n"), EndsWith("\r\n\r\nsmall")));
+  EXPECT_THAT(exchange(request("GET", "/squeezed", "If-None-Match: \"v2-gzip\"\r\n" + takes)),
+              StartsWith("HTTP/1.1 304 "));
+  EXPECT_THAT(exchange(request("GET", "/squeezed")),
+              AllOf(Not(HasSubstr("Content-Encoding")), HasSubstr("Vary: Accept-Encoding\r\n"),
+                    EndsWith("\r\n\r\na long page")));
 }
 
 TEST_F(HttpServerTest, answers_304_to_who_has_it) {

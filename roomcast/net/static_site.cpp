@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kIndex = "index.html";
+constexpr std::string_view kCompressed = ".gz";
 
 /// Vite writes the contents' hash into the names of what it puts here, so such a file never
 /// changes.
@@ -90,11 +91,27 @@ Result<StaticSite> StaticSite::load(const fs::path& directory) {
     auto response = file_response(path, *std::move(content));
     site.files_.emplace(std::move(path), std::move(response));
   }
+  site.join_compressed();
   if (!site.find("/")) {
     return Error{ErrorCode::kNotFound,
                  "There is no index.html in " + directory.string() + "; build the page first."};
   }
   return site;
+}
+
+void StaticSite::join_compressed() {
+  for (auto file = files_.begin(); file != files_.end();) {
+    const std::string& path = file->first;
+    const auto plain = path.ends_with(kCompressed)
+                           ? files_.find(path.substr(0, path.size() - kCompressed.size()))
+                           : files_.end();
+    if (plain == files_.end()) {
+      ++file;
+      continue;
+    }
+    plain->second.gzip = file->second.body;
+    file = files_.erase(file);
+  }
 }
 
 std::optional<HttpResponse> StaticSite::find(std::string_view path) const {

@@ -22,7 +22,8 @@ class StaticSite {
   static constexpr std::size_t kMaxFiles = 2000;
 
   /// Reads `directory` and what is below it. Symbolic links and names that start with a dot are
-  /// left out. Errors: kNotFound (no such folder, no index.html in it, unreadable file), kTooLarge.
+  /// left out. FILE.gz beside FILE is FILE compressed, for who takes that. Errors: kNotFound (no
+  /// such folder, no index.html in it, unreadable file), kTooLarge.
   static Result<StaticSite> load(const std::filesystem::path& directory);
 
   /// The file at `path` ("/assets/main-8d1f.js"); "/" and "/folder/" give their index.html.
@@ -31,6 +32,8 @@ class StaticSite {
   [[nodiscard]] std::size_t file_count() const { return files_.size(); }
 
  private:
+  void join_compressed();
+
   std::map<std::string, HttpResponse, std::less<>> files_;  // by path, "/" first
 };
 

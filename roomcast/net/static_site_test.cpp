@@ -55,6 +55,19 @@ TEST_F(StaticSiteTest, a_folder_is_its_index) {
   EXPECT_FALSE(site->find("/console"));
 }
 
+TEST_F(StaticSiteTest, a_compressed_file_is_another_form_of_the_one_beside_it) {
+  write("index.html", "top");
+  write("index.html.gz", "squeezed");
+  write("archive.gz", "on its own");
+  const auto site = StaticSite::load(folder_);
+  ASSERT_TRUE(site.ok());
+  EXPECT_EQ(*site->find("/")->body, "top");
+  EXPECT_EQ(*site->find("/")->gzip, "squeezed");
+  EXPECT_FALSE(site->find("/index.html.gz"));
+  EXPECT_EQ(*site->find("/archive.gz")->body, "on its own");
+  EXPECT_EQ(site->find("/archive.gz")->gzip, nullptr);
+}
+
 TEST_F(StaticSiteTest, only_names_with_a_hash_are_kept_for_ever) {
   write("index.html", "top");
   write("assets/main-1a2b.js", "run()");
