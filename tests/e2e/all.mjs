@@ -5,6 +5,7 @@ import './codec.test.mjs';
 import './memory.test.mjs';
 import './picture.test.mjs';
 import './room.test.mjs';
+import './security.test.mjs';
 import './console.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';
