@@ -7,10 +7,10 @@
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/client/subscriber.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/hub_server.h"
 #include "roomcast/source/freenect/fakenect_recording.h"
 #include "roomcast/source/freenect/kinect_depth.h"
@@ -25,10 +25,8 @@ using namespace std::chrono_literals;
 class CameraInARoom : public testing::Test {
  protected:
   CameraInARoom() {
-    std::string pattern = (fs::temp_directory_path() / "roomcast-camera-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    ::setenv("FAKENECT_PATH", folder_.c_str(), 1);
-    ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.c_str(), 1);
+    ::setenv("FAKENECT_PATH", folder_.path().c_str(), 1);
+    ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.path().c_str(), 1);
     hub::HubOptions options;
     options.port = 0;
     hub_ = std::move(*hub::HubServer::open(options));
@@ -39,7 +37,6 @@ class CameraInARoom : public testing::Test {
     viewer_.reset();
     hub_thread_.request_stop();
     hub_thread_.join();
-    fs::remove_all(folder_);
   }
 
   void unplug() { std::ofstream(folder_ / "unplugged"); }
@@ -87,7 +84,7 @@ class CameraInARoom : public testing::Test {
     EXPECT_FALSE(feed_->result());
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
   std::unique_ptr<hub::HubServer> hub_;
   std::jthread hub_thread_;
   std::unique_ptr<cli::SensorFeed> feed_;
@@ -99,7 +96,7 @@ const DepthImage& depth_in(const RoomSnapshot& room) {
 }
 
 TEST_F(CameraInARoom, a_replayed_kinect_is_seen_as_it_was_recorded) {
-  write_fakenect_recording(folder_, 60);
+  write_fakenect_recording(folder_.path(), 60);
   stream("freenect:0");
   const auto room = room_after(2);
   EXPECT_EQ(room->sensors[0].name, "freenect-A00367813501053A");
@@ -109,7 +106,7 @@ TEST_F(CameraInARoom, a_replayed_kinect_is_seen_as_it_was_recorded) {
 }
 
 TEST_F(CameraInARoom, a_replayed_kinect_goes_on_after_it_was_unplugged) {
-  write_fakenect_recording(folder_, 120);
+  write_fakenect_recording(folder_.path(), 120);
   stream("freenect:A00367813501053A");
   goes_on_after_it_was_unplugged();
 }
@@ -127,7 +124,7 @@ TEST_F(CameraInARoom, a_virtual_openni_camera_goes_on_after_it_was_unplugged) {
 }
 
 TEST_F(CameraInARoom, several_cameras_work_side_by_side_in_one_process) {
-  write_fakenect_recording(folder_, 30);
+  write_fakenect_recording(folder_.path(), 30);
   auto kinect = open_source("freenect:0"), xtion = open_source("openni2:");
   ASSERT_TRUE(kinect.ok() && xtion.ok());
   CapturedFrame frame;

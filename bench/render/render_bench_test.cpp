@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/render/synthetic_sensor.h"
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/rig_writer.h"
@@ -20,12 +20,6 @@ namespace fs = std::filesystem;
 
 class RenderBenchTest : public testing::Test {
  protected:
-  RenderBenchTest() {
-    std::string name = (fs::temp_directory_path() / "roomcast-render-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  ~RenderBenchTest() override { fs::remove_all(folder); }
-
   /// A striped wall 2 m away, of which a sensor and an eye at the same place see the same. Four
   /// frames; between the two instants of the views nothing moves.
   void write_rig() const {
@@ -79,11 +73,11 @@ class RenderBenchTest : public testing::Test {
   }
 
   const CameraIntrinsics kLens = pinhole(96, 72, 80);
-  fs::path folder;
+  const TemporaryFolder folder;
 };
 
 TEST_F(RenderBenchTest, without_true_views_says_how_to_get_them) {
-  const auto report = run_render_bench({.rig = folder}, {});
+  const auto report = run_render_bench({.rig = folder.path()}, {});
   ASSERT_FALSE(report.ok());
   EXPECT_NE(report.error().message.find("--views"), std::string::npos) << report.error().message;
 }
@@ -92,7 +86,7 @@ TEST_F(RenderBenchTest, damaged_views_are_named) {
   fs::create_directories(folder / "truth");
   std::ofstream(folder / "rig.json") << R"({"fps": 30, "sensors": []})";
   std::ofstream(folder / "truth" / "views.json") << R"({"views": [{"view": "zero"}]})";
-  const auto report = run_render_bench({.rig = folder}, {});
+  const auto report = run_render_bench({.rig = folder.path()}, {});
   ASSERT_FALSE(report.ok());
   EXPECT_NE(report.error().message.find("json"), std::string::npos) << report.error().message;
 }

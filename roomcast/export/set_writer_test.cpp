@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/export/cloud_files.h"
 #include "roomcast/export/folder_writer.h"
 #include "roomcast/export/foxglove_writer.h"
 #include "roomcast/export/gltf_scene.h"
 #include "roomcast/export/wall_fixture.h"
 #include "roomcast/recording/mcap/reader.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 
 namespace roomcast {
 namespace {
@@ -21,8 +21,8 @@ class SetWriterTest : public testing::Test {
   Result<std::unique_ptr<SetWriter>> make(ExportFormat format) const {
     return make_set_writer(format, out, wall_sensors(), {});
   }
-  ScratchFolder folder;
-  std::filesystem::path out = folder.file("out");
+  TemporaryFolder folder;
+  std::filesystem::path out = folder / "out";
 };
 
 class EveryFormat : public SetWriterTest, public testing::WithParamInterface<ExportFormat> {};

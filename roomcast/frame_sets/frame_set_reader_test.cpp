@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/made_up_recording.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 #include "roomcast/source/rig_writer.h"
 
 namespace roomcast {
@@ -13,9 +13,9 @@ namespace {
 using recording::MadeUpRoom;
 
 TEST(FrameSetReader, gives_the_sets_of_a_recording) {
-  const ScratchFolder folder;
-  MadeUpRoom().record(folder.file("a.mcap"), 12);
-  auto reader = open_frame_sets(folder.file("a.mcap"));
+  const TemporaryFolder folder;
+  MadeUpRoom().record(folder / "a.mcap", 12);
+  auto reader = open_frame_sets(folder / "a.mcap");
   ASSERT_TRUE(reader.ok()) << reader.error().message;
   ASSERT_EQ((*reader)->sensors().size(), 2u);
   EXPECT_EQ((*reader)->sensors()[1].name, "s1");
@@ -34,9 +34,9 @@ TEST(FrameSetReader, gives_the_sets_of_a_recording) {
 }
 
 TEST(FrameSetReader, begins_where_it_is_told_to) {
-  const ScratchFolder folder;
-  MadeUpRoom().record(folder.file("a.mcap"), 40);
-  auto reader = open_frame_sets(folder.file("a.mcap"), std::chrono::milliseconds(2750));
+  const TemporaryFolder folder;
+  MadeUpRoom().record(folder / "a.mcap", 40);
+  auto reader = open_frame_sets(folder / "a.mcap", std::chrono::milliseconds(2750));
   FrameSet set;
   ASSERT_TRUE(*(*reader)->next(set));
   EXPECT_EQ(set.frames[0].pictures->depth_mm, MadeUpRoom::depth(28));
@@ -69,9 +69,9 @@ void write_rig(const std::filesystem::path& folder) {
 }
 
 TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
-  const ScratchFolder folder;
-  write_rig(folder.file("rig"));
-  auto reader = open_frame_sets(folder.file("rig"));
+  const TemporaryFolder folder;
+  write_rig(folder / "rig");
+  auto reader = open_frame_sets(folder / "rig");
   ASSERT_TRUE(reader.ok()) << reader.error().message;
   FrameSet set;
   for (int instant = 0; instant < 4; ++instant) {
@@ -86,10 +86,10 @@ TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
 }
 
 TEST(FrameSetReader, says_what_is_no_recording) {
-  const ScratchFolder folder;
-  std::filesystem::create_directory(folder.file("empty"));
-  EXPECT_EQ(open_frame_sets(folder.file("empty")).error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(open_frame_sets(folder.file("nothing")).error().code, ErrorCode::kNotFound);
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "empty");
+  EXPECT_EQ(open_frame_sets(folder / "empty").error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(open_frame_sets(folder / "nothing").error().code, ErrorCode::kNotFound);
 }
 
 }  // namespace

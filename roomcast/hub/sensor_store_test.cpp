@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
+
+#include "roomcast/core/temporary_folder.h"
 
 namespace roomcast::hub {
 namespace {
@@ -16,13 +17,7 @@ namespace fs = std::filesystem;
 
 class SensorStoreTest : public testing::Test {
  protected:
-  SensorStoreTest() {
-    std::string name = (fs::temp_directory_path() / "roomcast-sensors-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  ~SensorStoreTest() override { fs::remove_all(folder); }
-
-  fs::path folder;
+  const TemporaryFolder folder;
 };
 
 KnownSensor sensor_at(const std::string& name, std::uint16_t id, double x) {

@@ -9,8 +9,8 @@
 
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/made_up_recording.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 #include "roomcast/recording/recording_cursor.h"
 
 namespace roomcast {
@@ -68,8 +68,8 @@ class RecorderTest : public testing::Test {
   NetworkThread network;
   std::optional<FakeHub> hub{std::in_place, network.io()};
   recording::MadeUpRoom room;
-  ScratchFolder folder;
-  std::filesystem::path path = folder.file("room.mcap");
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "room.mcap";
   std::unique_ptr<Recorder> recorder;
 };
 

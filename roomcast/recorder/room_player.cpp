@@ -2,11 +2,10 @@
 #include "roomcast/recorder/room_player.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <utility>
 
+#include "roomcast/core/interruptible_wait.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
@@ -21,20 +20,6 @@ using recording::RecordingCursor;
 
 constexpr auto kLookForTurn = 2ms;
 constexpr auto kGiveUpTurn = 2s;  // the hub is away: what is due now is left out
-
-/// False if `stop` came first.
-bool wait_until(HostTime time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock(mutex);
-  never.wait_until(lock, stop, std::chrono::steady_clock::time_point(time.time_since_epoch()),
-                   [] { return false; });
-  return !stop.stop_requested();
-}
-
-bool wait_for(nanoseconds time, const std::stop_token& stop) {
-  return wait_until(SteadyClock().now() + time, stop);
-}
 
 Result<PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
                                            const RoomPlayerOptions& options) {

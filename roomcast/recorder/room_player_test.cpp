@@ -8,8 +8,8 @@
 
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/made_up_recording.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 
 namespace roomcast {
 namespace {
@@ -48,8 +48,8 @@ class RoomPlayerTest : public testing::Test {
 
   NetworkThread network;
   std::optional<FakeHub> hub{std::in_place, network.io()};
-  ScratchFolder folder;
-  std::filesystem::path path = folder.file("room.mcap");
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "room.mcap";
   std::optional<RoomRecording> recording;
   std::unique_ptr<RoomPlayer> player;
 };

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/clock.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/made_up_recording.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/room/room_state.h"
 
@@ -16,8 +16,8 @@ class RoomRecordingTest : public testing::Test {
  protected:
   Result<RoomRecording> open() const { return RoomRecording::open(path); }
 
-  ScratchFolder folder;
-  std::filesystem::path path = folder.file("room.mcap");
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "room.mcap";
   MadeUpRoom room;
 };
 

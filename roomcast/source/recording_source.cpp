@@ -2,9 +2,9 @@
 #include "roomcast/source/recording_source.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
+
+#include "roomcast/core/interruptible_wait.h"
 
 namespace roomcast {
 namespace {
@@ -15,16 +15,6 @@ std::vector<nanoseconds> positions_of(const Recording& recording) {
     positions.push_back(frame.true_time - recording.start);
   }
   return positions;
-}
-
-/// False if `stop` came first.
-bool wait_until(HostTime time, std::stop_token stop) {
-  const std::chrono::steady_clock::time_point due(time.time_since_epoch());
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock(mutex);
-  never.wait_until(lock, stop, due, [] { return false; });
-  return !stop.stop_requested();
 }
 
 ImageSize size_of(const CameraIntrinsics& camera) {

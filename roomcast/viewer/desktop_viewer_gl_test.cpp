@@ -9,7 +9,7 @@
 
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/viewer/capture/scratch_folder.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/viewer/desktop_viewer.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
@@ -89,7 +89,7 @@ class DesktopViewerTest : public testing::Test {
   NetworkThread network;
   std::optional<FakeHub> hub{std::in_place, network.io()};
   std::unique_ptr<Subscriber> subscriber;
-  ScratchFolder folder;
+  TemporaryFolder folder;
   DesktopViewerOptions options;
   std::vector<std::string> written;
   PictureSize written_size;

@@ -7,15 +7,15 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "roomcast/recording/mcap/scratch_folder.h"
+#include "roomcast/core/temporary_folder.h"
 
 namespace roomcast::mcap {
 namespace {
 
 TEST(OutputFile, overwrites_nothing) {
-  const ScratchFolder folder;
-  ASSERT_TRUE(OutputFile::create(folder.file("a")).ok());
-  const auto again = OutputFile::create(folder.file("a"));
+  const TemporaryFolder folder;
+  ASSERT_TRUE(OutputFile::create(folder / "a").ok());
+  const auto again = OutputFile::create(folder / "a");
   ASSERT_FALSE(again.ok());
   EXPECT_NE(again.error().message.find("nothing is overwritten"), std::string::npos);
 }
@@ -47,8 +47,8 @@ class SmallDisk {
 };
 
 TEST(OutputFile, a_piece_that_does_not_fit_leaves_no_trace) {
-  const ScratchFolder folder;
-  auto file = OutputFile::create(folder.file("a"));
+  const TemporaryFolder folder;
+  auto file = OutputFile::create(folder / "a");
   ASSERT_TRUE(file.ok());
   const std::vector<std::uint8_t> piece(3000, 1);
   const SmallDisk disk(5000);
@@ -56,9 +56,9 @@ TEST(OutputFile, a_piece_that_does_not_fit_leaves_no_trace) {
   const auto status = file->append(piece);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::kUnavailable);
-  EXPECT_EQ(std::filesystem::file_size(folder.file("a")), 3000u);
+  EXPECT_EQ(std::filesystem::file_size(folder / "a"), 3000u);
   EXPECT_TRUE(file->append(std::span(piece).first(1000)).ok());  // a smaller one still fits
-  EXPECT_EQ(std::filesystem::file_size(folder.file("a")), 4000u);
+  EXPECT_EQ(std::filesystem::file_size(folder / "a"), 4000u);
 }
 
 }  // namespace

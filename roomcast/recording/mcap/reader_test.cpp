@@ -9,8 +9,8 @@
 #include <zstd.h>
 
 #include "roomcast/core/crc32.h"
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/mcap/fields.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 #include "roomcast/recording/mcap/writer.h"
 
 namespace roomcast::mcap {
@@ -51,10 +51,10 @@ class WrittenFile {
       EXPECT_TRUE(writer->finish().ok());
     }
   }
-  [[nodiscard]] std::filesystem::path path() const { return folder_.file("a.mcap"); }
+  [[nodiscard]] std::filesystem::path path() const { return folder_ / "a.mcap"; }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 std::size_t expect_messages_in_order(const Reader& reader) {

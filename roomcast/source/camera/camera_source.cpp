@@ -2,11 +2,10 @@
 #include "roomcast/source/camera/camera_source.h"
 
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
 #include <random>
 #include <utility>
 
+#include "roomcast/core/interruptible_wait.h"
 #include "roomcast/source/camera/open_camera.h"
 
 namespace roomcast {
@@ -27,13 +26,6 @@ std::string sensor_name(const std::string& kind, const CameraDescription& camera
 /// A serial number finds the same camera in another port; without one, what the user said has to.
 std::string place_again(const std::string& place, const CameraDescription& camera) {
   return camera.serial.empty() ? place : camera.serial;
-}
-
-void pause(nanoseconds length, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock(mutex);
-  never.wait_for(lock, stop, length, [] { return false; });
 }
 
 }  // namespace
@@ -124,7 +116,7 @@ void CameraSource::wait_for_return(const Status& loss, const std::stop_token& st
   pairing_.forget();
   say(LogLevel::kWarning, "the camera is lost: " + loss.error().message + "; waiting for it");
   pace_.succeeded();
-  do pause(pace_.next(), stop);
+  do wait_for(pace_.next(), stop);
   while (!stop.stop_requested() && !reopen());
 }
 

@@ -6,7 +6,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include "roomcast/core/temporary_folder.h"
 
 namespace roomcast {
 namespace {
@@ -16,12 +17,7 @@ namespace fs = std::filesystem;
 /// A made-up /sys/bus/usb/devices and /dev/bus/usb.
 class Usb : public testing::Test {
  protected:
-  Usb() {
-    std::string pattern = (fs::temp_directory_path() / "roomcast-usb-XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-    fs::create_directories(root_ / "dev/001");
-  }
-  ~Usb() override { fs::remove_all(root_); }
+  Usb() { fs::create_directories(root_ / "dev/001"); }
 
   void plug_in(const std::string& port, const std::string& vendor, const std::string& product,
                const std::string& speed, int number) {
@@ -42,7 +38,7 @@ class Usb : public testing::Test {
     return usb_cameras(root_ / "sys", root_ / "dev");
   }
 
-  fs::path root_;
+  const TemporaryFolder root_;
 };
 
 TEST_F(Usb, depth_cameras_are_told_from_everything_else) {
@@ -76,7 +72,7 @@ TEST_F(Usb, attributes_that_are_missing_or_absurd_do_no_harm) {
   plug_in("1-2", "zzzz", "", "fast", 5);
   plug_in("1-3", "045e", "02ae", std::string(100'000, '9'), 6);
   EXPECT_EQ(cameras().size(), 1U);
-  EXPECT_TRUE(usb_cameras(root_ / "nowhere", root_).empty());
+  EXPECT_TRUE(usb_cameras(root_ / "nowhere", root_.path()).empty());
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/camera/camera_source.h"
 #include "roomcast/source/freenect/fakenect_recording.h"
 #include "roomcast/source/freenect/kinect_depth.h"
@@ -24,12 +24,9 @@ namespace fs = std::filesystem;
 class ReplayedKinect : public testing::Test {
  protected:
   ReplayedKinect() {
-    std::string pattern = (fs::temp_directory_path() / "roomcast-kinect-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    write_fakenect_recording(folder_, 10);
-    ::setenv("FAKENECT_PATH", folder_.c_str(), 1);
+    write_fakenect_recording(folder_.path(), 10);
+    ::setenv("FAKENECT_PATH", folder_.path().c_str(), 1);
   }
-  ~ReplayedKinect() override { fs::remove_all(folder_); }
 
   void unplug() { std::ofstream(folder_ / "unplugged"); }
   void plug_in() { fs::remove(folder_ / "unplugged"); }
@@ -40,7 +37,7 @@ class ReplayedKinect : public testing::Test {
     return source.ok() ? std::move(*source) : nullptr;
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
   std::shared_ptr<CameraBackend> backend_ = freenect_backend();
 };
 

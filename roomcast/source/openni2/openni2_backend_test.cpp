@@ -12,8 +12,8 @@
 #include <OpenNI.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/camera/camera_source.h"
 #include "roomcast/source/openni2/openni2_session.h"
 #include "roomcast/source/openni2/openni2_streams.h"
@@ -25,15 +25,8 @@ namespace fs = std::filesystem;
 
 class OpenNi2 : public testing::Test {
  protected:
-  OpenNi2() {
-    std::string pattern = (fs::temp_directory_path() / "roomcast-openni-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.c_str(), 1);
-  }
-  ~OpenNi2() override {
-    ::unsetenv("ROOMCAST_VIRTUAL_CAMERAS");
-    fs::remove_all(folder_);
-  }
+  OpenNi2() { ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.path().c_str(), 1); }
+  ~OpenNi2() override { ::unsetenv("ROOMCAST_VIRTUAL_CAMERAS"); }
 
   void unplug() { std::ofstream(folder_ / "unplugged"); }
   void plug_in() { fs::remove(folder_ / "unplugged"); }
@@ -73,7 +66,7 @@ class OpenNi2 : public testing::Test {
     return file;
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
   std::shared_ptr<CameraBackend> backend_ = openni2_backend();
 };
 

@@ -2,12 +2,11 @@
 #include "roomcast/source/replay/replay_source.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 #include "roomcast/codec/depth_grid_color.h"
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/core/interruptible_wait.h"
 #include "roomcast/recording/recording_cursor.h"
 #include "roomcast/recording/room_recording.h"
 #include "roomcast/room/calibration_message.h"
@@ -21,16 +20,6 @@ using recording::RecordedMessage;
 using recording::RecordedSensor;
 using recording::RecordingCursor;
 using recording::RoomRecording;
-
-/// False if `stop` came first.
-bool wait_until(HostTime time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock(mutex);
-  never.wait_until(lock, stop, std::chrono::steady_clock::time_point(time.time_since_epoch()),
-                   [] { return false; });
-  return !stop.stop_requested();
-}
 
 /// What was recorded is in the depth grid already, whatever the sensor's colour camera was.
 Result<SensorDescription> describe(const RoomRecording& recording, const RecordedSensor& sensor) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/made_up_recording.h"
-#include "roomcast/recording/mcap/scratch_folder.h"
 
 namespace roomcast {
 namespace {
@@ -21,8 +21,8 @@ class ReplaySourceTest : public testing::Test {
     return open_replay_source(path, sensor, options);
   }
 
-  ScratchFolder folder;
-  std::filesystem::path path = folder.file("room.mcap");
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "room.mcap";
 };
 
 TEST_F(ReplaySourceTest, gives_every_frame_as_it_was) {

@@ -3,10 +3,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 
+#include "roomcast/core/interruptible_wait.h"
 #include "roomcast/source/simulator/simulated_room.h"
 #include "roomcast/source/simulator/simulated_sensor.h"
 #include "roomcast/source/simulator/simulated_spec.h"
@@ -18,16 +17,6 @@ constexpr nanoseconds kPhaseStep =
     std::chrono::microseconds(2300);  // between sensors, real time only
 constexpr nanoseconds kDeviceOffset =
     std::chrono::milliseconds(1250);  // between the sensors' clocks
-
-/// Sleeps until the host clock shows `instant`. False when `stop` was requested first.
-bool sleep_until(HostTime instant, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any wake;
-  std::unique_lock lock(mutex);
-  const std::chrono::steady_clock::time_point due(instant.time_since_epoch());
-  wake.wait_until(lock, stop, due, [] { return false; });
-  return !stop.stop_requested();
-}
 
 class SimulatedSource final : public FrameSource {
  public:
@@ -55,7 +44,7 @@ class SimulatedSource final : public FrameSource {
     if (stop.stop_requested()) return false;
     if (pace_ == Pace::kRealTime) {
       skip_missed_instants();
-      if (!sleep_until(HostTime(time_of(next_instant_)), stop)) return false;
+      if (!wait_until(HostTime(time_of(next_instant_)), stop)) return false;
     }
     const nanoseconds scene_time = time_of(next_instant_++);
     frame.index = frame_count_++;

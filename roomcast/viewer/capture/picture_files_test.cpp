@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/viewer/capture/scratch_folder.h"
+#include "roomcast/core/temporary_folder.h"
 
 namespace roomcast {
 namespace {
 
 TEST(PictureFiles, are_numbered_and_never_written_over) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto first = next_free_path(folder.path() / "new", "roomcast-lab", ".png");
   ASSERT_TRUE(first.ok());
   EXPECT_EQ(first->filename(), "roomcast-lab-0001.png");
@@ -26,7 +26,7 @@ TEST(PictureFiles, a_rooms_name_cannot_leave_the_folder) {
 }
 
 TEST(PictureFiles, a_folder_that_cannot_be_made_is_named) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";
   const auto path = next_free_path(folder.path() / "file" / "sub", "a", ".png");
   ASSERT_FALSE(path.ok());

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/render/gl_fixture.h"
 #include "roomcast/viewer/capture/picture_keeper.h"
-#include "roomcast/viewer/capture/scratch_folder.h"
 
 namespace roomcast {
 namespace {
@@ -35,7 +35,7 @@ class PictureKeeperTest : public GlTest {
   }
 
   const std::string path = std::getenv("PATH");
-  ScratchFolder folder;
+  TemporaryFolder folder;
   std::vector<std::string> written;
   bool disk_is_full = false;
   std::optional<OffscreenTarget> picture;

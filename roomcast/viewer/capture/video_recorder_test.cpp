@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/viewer/capture/open_video.h"
-#include "roomcast/viewer/capture/scratch_folder.h"
 
 namespace roomcast {
 namespace {
@@ -77,7 +77,7 @@ TEST(VideoRecorder, says_why_it_could_not_write) {
 }
 
 TEST(PngSequence, numbers_its_pictures) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   std::vector<std::string> names;
   auto sequence = open_png_sequence(folder.path() / "video", [&](const auto& path, ColorView) {
     names.push_back(path.filename().string());
@@ -104,7 +104,7 @@ class FakeFfmpeg {
   }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
   std::string before_ = std::getenv("PATH");
 };
 
@@ -127,7 +127,7 @@ TEST(Ffmpeg, is_given_every_pixel_and_is_waited_for) {
 }
 
 TEST(OpenVideo, is_a_file_where_there_is_ffmpeg_and_else_a_folder) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   {
     const FakeFfmpeg ffmpeg("cat > /dev/null\n");
     auto video = open_video(folder.path(), "roomcast-lab", {4, 3}, {});

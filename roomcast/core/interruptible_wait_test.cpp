@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/core/interruptible_wait.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(InterruptibleWait, ends_when_its_time_has_come) {
+  const HostTime due = SteadyClock().now() + 2ms;
+  EXPECT_TRUE(wait_until(due, {}));
+  EXPECT_GE(SteadyClock().now(), due);
+  EXPECT_TRUE(wait_for(0ms, {}));
+}
+
+TEST(InterruptibleWait, ends_at_once_when_it_is_asked_to) {
+  bool waited_to_the_end = true;
+  {
+    std::jthread waits(
+        [&](const std::stop_token& stop) { waited_to_the_end = wait_for(1h, stop); });
+  }  // asks, and waits for the thread
+  EXPECT_FALSE(waited_to_the_end);
+}
+
+TEST(InterruptibleWait, does_not_begin_where_it_was_asked_before) {
+  std::stop_source asked;
+  asked.request_stop();
+  EXPECT_FALSE(wait_for(1h, asked.get_token()));
+}
+
+}  // namespace
+}  // namespace roomcast
