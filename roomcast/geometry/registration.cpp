@@ -51,15 +51,14 @@ Status check_calibration(const SensorCalibration& calibration) {
 
 /// As small as leaves no gaps: a look-up covers three cells, so where the lens spreads the depth
 /// pixels most, two cells may lie between them.
-int cell_size(const ColorProjection& projection) {
-  const auto spacing = projection.spacing();
+int cell_size(const ColorProjection::Spacing& spacing) {
   const float size = std::max(spacing.typical, spacing.largest / 2);
   return std::clamp(static_cast<int>(std::ceil(size)), 1, kLargestCell);
 }
 
-int box_size(const ColorProjection& projection, int color_scale) {
+int box_size(const ColorProjection::Spacing& spacing, int color_scale) {
   const float scale = static_cast<float>(color_scale);
-  return std::max(1, static_cast<int>(std::lround(projection.spacing().typical / scale)));
+  return std::max(1, static_cast<int>(std::lround(spacing.typical / scale)));
 }
 
 void copy_where_depth(DepthView depth_mm, ColorView color, RegisteredColor& out) {
@@ -99,9 +98,10 @@ Registration::Registration(const SensorCalibration& calibration, const Registrat
       copy_only_(calibration.color_is_registered),
       options_(options),
       projection_(calibration),
-      grid_(color_width_, color_height_, cell_size(projection_)),
+      spacing_(projection_.spacing()),
+      grid_(color_width_, color_height_, cell_size(spacing_)),
       sample_row_(
-          box_sampler(box_size(projection_, options.color_scale), color_width_, color_height_)) {
+          box_sampler(box_size(spacing_, options.color_scale), color_width_, color_height_)) {
   const auto count =
       static_cast<std::size_t>(depth_width_) * static_cast<std::size_t>(depth_height_);
   for (auto* buffer : {&u_, &v_, &z_m_, &occluder_limit_m_}) buffer->resize(count);
@@ -197,7 +197,7 @@ void Registration::sample_quarters(ColorView color, int y, RegisteredColor& out)
                                  u_.data(),
                                  v_.data(),
                                  z_m_.data(),
-                                 projection_.spacing().typical,
+                                 spacing_.typical,
                                  static_cast<float>(color_width_ - 1),
                                  static_cast<float>(color_height_ - 1)};
   find_quarters(surface, y, upper_, lower_);

@@ -61,6 +61,7 @@ class Registration {
   bool copy_only_;  // colour comes registered
   RegistrationOptions options_;
   ColorProjection projection_;
+  ColorProjection::Spacing spacing_;
   OcclusionGrid grid_;
   SampleRow sample_row_;
 
