@@ -37,6 +37,7 @@ extern const std::string_view resolve_frag;
 extern const std::string_view sensor_surface_glsl;
 extern const std::string_view shrink_comp;
 extern const std::string_view smooth_comp;
+extern const std::string_view still_color_comp;
 extern const std::string_view surface_mesh_comp;
 extern const std::string_view weighted_color_comp;
 extern const std::string_view whole_picture_vert;

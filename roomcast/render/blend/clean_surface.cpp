@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/clean_surface.h"
 
+#include <bit>
 #include <utility>
 
 #include "roomcast/render/shader_sources.h"
@@ -20,7 +21,7 @@ enum TextureUnit : GLuint {
   kReadings = 6,
 };
 constexpr int kLostAtRims_px = 2;
-enum ColorUniform : GLint { kIsBackground = 0, kGain = 1 };
+enum ColorUniform : GLint { kColorShift = 0, kGain = 1 };
 
 void bind_texture(GLuint unit, const GlTexture& texture) {
   glBindTextureUnit(unit, texture.name());
@@ -40,7 +41,9 @@ CleanSurface::CleanSurface(const CameraIntrinsics& lens)
 }
 
 void CleanSurface::set_color_scale(int scale) {
+  color_scale = scale;
   weighted_color = make_smooth_texture(GL_RGBA16F, scale * width, scale * height);
+  still_color = make_texture(GL_RGBA16F, scale * width, scale * height);
 }
 
 Result<SurfaceCleaner> SurfaceCleaner::create() {
@@ -54,13 +57,16 @@ Result<SurfaceCleaner> SurfaceCleaner::create() {
   if (!edges) return std::move(edges).error();
   auto quality = ComputePass::create({shaders::quality_comp});
   if (!quality) return std::move(quality).error();
-  auto color = ComputePass::create({shaders::depth_noise_glsl, shaders::weighted_color_comp});
+  auto still = ComputePass::create({shaders::depth_noise_glsl, shaders::still_color_comp});
+  if (!still) return std::move(still).error();
+  auto color = ComputePass::create({shaders::weighted_color_comp});
   if (!color) return std::move(color).error();
   auto mesher = AdaptiveMesher::create();
   if (!mesher) return std::move(mesher).error();
-  return SurfaceCleaner({*std::move(fill), *std::move(extend), *std::move(smooth),
-                         *std::move(edges), *std::move(quality), *std::move(color)},
-                        *std::move(mesher));
+  return SurfaceCleaner(
+      {*std::move(fill), *std::move(extend), *std::move(smooth), *std::move(edges),
+       *std::move(quality), *std::move(still), *std::move(color)},
+      *std::move(mesher));
 }
 
 SurfaceCleaner::SurfaceCleaner(Passes passes, AdaptiveMesher mesher)
@@ -91,24 +97,37 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& backg
   bind_texture(kEdges, surface.edge_in_row);
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
   passes_.quality.run(surface.width, surface.height);
-  weigh_colors(sensor, background, shows, options.gain, surface);
+  if (shows == Shows::kNewest) still_colors(sensor, background, surface);
+  weigh_colors(shows == Shows::kNewest ? surface.still_color : background.color, options.gain,
+               surface);
 
   mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
                 surface.width, surface.height, options.mesh, surface.mesh);
 }
 
-void SurfaceCleaner::weigh_colors(const SensorSurface& sensor, const Background& background,
-                                  Shows shows, const Eigen::Vector3f& gain, CleanSurface& surface) {
+void SurfaceCleaner::still_colors(const SensorSurface& sensor, const Background& background,
+                                  CleanSurface& surface) {
   bind_texture(kColor, sensor.color());
   bind_texture(kSeen, sensor.seen());
-  bind_texture(kQuality, surface.quality);
   bind_texture(kBackgroundColor, background.color);
   bind_texture(kReadings, background.readings);
-  const GLuint program = passes_.color.program().name();
-  glProgramUniform1i(program, kIsBackground, shows == Shows::kBackground);
-  glProgramUniform3fv(program, kGain, 1, gain.data());
+  bind_image(0, surface.still_color, ImageAccess::kWrite, GL_RGBA16F);
+  run_on_colors(passes_.still, surface);
+}
+
+void SurfaceCleaner::weigh_colors(const GlTexture& color, const Eigen::Vector3f& gain,
+                                  CleanSurface& surface) {
+  bind_texture(kColor, color);
+  bind_texture(kQuality, surface.quality);
+  glProgramUniform3fv(passes_.color.program().name(), kGain, 1, gain.data());
   bind_image(0, surface.weighted_color, ImageAccess::kWrite, GL_RGBA16F);
-  passes_.color.run(sensor.color_scale() * surface.width, sensor.color_scale() * surface.height);
+  run_on_colors(passes_.color, surface);
+}
+
+void SurfaceCleaner::run_on_colors(const ComputePass& pass, const CleanSurface& surface) {
+  glProgramUniform1i(pass.program().name(), kColorShift,
+                     std::countr_zero(static_cast<unsigned>(surface.color_scale)));
+  pass.run(surface.color_scale * surface.width, surface.color_scale * surface.height);
 }
 
 }  // namespace roomcast

@@ -16,15 +16,16 @@ namespace roomcast {
 
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
-  /// Colour pixels for each pixel of depth and direction, from 1 on.
+  /// Colour pixels for each pixel of depth and direction: 1, 2, 4, ...
   void set_color_scale(int scale);
 
   int width, height;
+  int color_scale = 1;
   GlTexture depth_m;         // R32F, 0: nothing
   GlTexture quality;         // R16F: how much it counts beside others
   GlTexture weighted_color;  // RGBA16F, scaled: rgb times quality, quality; 0 without a colour
   AdaptiveMesh mesh;
-  GlTexture between, edge_in_row;  // of the steps on the way
+  GlTexture between, edge_in_row, still_color;  // of the steps on the way
 };
 
 class SurfaceCleaner {
@@ -54,12 +55,14 @@ class SurfaceCleaner {
 
  private:
   struct Passes {
-    ComputePass fill, extend, smooth, edges, quality, color;
+    ComputePass fill, extend, smooth, edges, quality, still, color;
   };
   SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
   static void filter(const ComputePass& pass, CleanSurface& surface);
-  void weigh_colors(const SensorSurface& sensor, const Background& background, Shows shows,
-                    const Eigen::Vector3f& gain, CleanSurface& surface);
+  void still_colors(const SensorSurface& sensor, const Background& background,
+                    CleanSurface& surface);
+  void weigh_colors(const GlTexture& color, const Eigen::Vector3f& gain, CleanSurface& surface);
+  static void run_on_colors(const ComputePass& pass, const CleanSurface& surface);
 
   Passes passes_;
   AdaptiveMesher mesher_;
