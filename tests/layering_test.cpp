@@ -76,6 +76,8 @@ const std::vector<Layer> kLayers = {
     {"roomcast/recorder",                {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",
                                           "roomcast/room", "roomcast/net", "roomcast/client", "roomcast/recording",
                                           "roomcast/recording/mcap"}},
+    {"roomcast/capi",                    {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/room",
+                                          "roomcast/client", "roomcast/recorder"}},
     {"roomcast/aligner",                 {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",
                                           "roomcast/room", "roomcast/net", "roomcast/source", "roomcast/source/frame_source.h",
                                           "roomcast/source/source_factory.h", "roomcast/align", "roomcast/client"}},

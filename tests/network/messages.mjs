@@ -8,7 +8,7 @@ const version = 1;
 const preambleBytes = 4;
 const headerBytes = 48;
 const messageTypes = { frame: 1, control: 2 };
-const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, error: 10 };
+const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, viewerPoses: 8, error: 10 };
 const flagKey = 1;
 const flagLast = 2;
 
@@ -125,7 +125,7 @@ function readControl(bytes) {
   let message = { case: 'unknown' };
   readFields(bytes, (number, reader) => {
     const name = Object.keys(controls).find((key) => controls[key] === number);
-    const read = { welcome: readWelcome, roster: readRoster, clockPong: readPong, error: readError }[name];
+    const read = { welcome: readWelcome, roster: readRoster, clockPong: readPong, viewerPoses: readPoses, error: readError }[name];
     if (name) message = { case: name, ...read?.(reader.bytes()) };
   });
   return message;
@@ -173,6 +173,29 @@ function readPong(bytes) {
     if (number === 2) pong.hubNs = BigInt(reader.fixed64());
   });
   return pong;
+}
+
+/** Where each viewer's head is: [x, y, z]. */
+function readPoses(bytes) {
+  const heads = [];
+  readFields(bytes, (number, reader) => {
+    if (number === 1) heads.push(readHead(reader.bytes()));
+  });
+  return { heads };
+}
+
+function readHead(bytes) {
+  const place_m = [0, 0, 0];
+  readFields(bytes, (number, reader) => {
+    if (number === 2) readPlace(reader.bytes(), place_m);
+  });
+  return place_m;
+}
+
+function readPlace(bytes, place_m) {
+  readFields(bytes, (number, reader) => {
+    if (number <= 3) place_m[number - 1] = reader.float();
+  });
 }
 
 function readError(bytes) {

@@ -12,6 +12,7 @@ export class RoomClient {
   sets = []; // {id, at_ms, frames: [header...]}, oldest first
   rosters = [];
   errors = [];
+  heads = []; // of other viewers that moved last
   welcome = null;
   #changed = [];
 
@@ -99,6 +100,7 @@ export class RoomClient {
     else if (control.case === 'welcome') this.welcome = control;
     else if (control.case === 'roster') this.rosters.push(control);
     else if (control.case === 'clockPong') this.pong = control;
+    else if (control.case === 'viewerPoses') this.heads = control.heads;
     else if (control.case === 'error') this.errors.push(control);
     this.#tellWaiters();
   }

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Receives one frame set of a room and writes its points as a PLY file.
+ *   cc points.c $(pkg-config --cflags --libs roomcast) -o points && ./points ws://127.0.0.1:7600 room.ply */
+#include <roomcast.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static int write_ply(const char* path, const roomcast_point* points, size_t count) {
+  FILE* file = fopen(path, "wb");
+  if (!file) return 0;
+  fprintf(file,
+          "ply\nformat binary_little_endian 1.0\nelement vertex %zu\n"
+          "property float x\nproperty float y\nproperty float z\n"
+          "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n",
+          count);
+  fwrite(points, sizeof(*points), count, file);
+  return fclose(file) == 0;
+}
+
+int main(int argc, char** argv) {
+  char error[256];
+  roomcast_options options = {sizeof(options), argc > 1 ? argv[1] : "ws://127.0.0.1:7600", NULL, "points.c", NULL};
+  roomcast_viewer* viewer = roomcast_connect(&options, error, sizeof(error));
+  if (!viewer) {
+    fprintf(stderr, "%s\n", error);
+    return 1;
+  }
+  int done = 0;
+  for (int tries = 0; tries < 20 && !done; ++tries) {
+    roomcast_frames* frames = roomcast_wait_frames(viewer, 1000);
+    if (!frames) continue;
+    const size_t count = roomcast_get_points(frames, NULL, 0);
+    if (count > 0) {
+      roomcast_point* points = malloc(count * sizeof(*points));
+      roomcast_get_points(frames, points, count);
+      done = write_ply(argc > 2 ? argv[2] : "room.ply", points, count);
+      printf("%zu points of %zu sensors\n", count, roomcast_sensor_count(frames));
+      free(points);
+    }
+    roomcast_free_frames(frames);
+  }
+  roomcast_disconnect(viewer);
+  return done ? 0 : 1;
+}

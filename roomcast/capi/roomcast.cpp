@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/capi/roomcast.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "roomcast/capi/received_sensor.h"
+#include "roomcast/capi/room_points.h"
+#include "roomcast/client/subscriber.h"
+#include "roomcast/recorder/recorder.h"
+
+struct roomcast_viewer {
+  std::unique_ptr<roomcast::Subscriber> subscriber;
+  std::mutex mutex;
+  roomcast::SetId last_set{};
+  std::uint64_t last_revision = 0;
+  roomcast::SensorRays rays;
+};
+
+struct roomcast_frames {
+  std::shared_ptr<const roomcast::RoomSnapshot> room;  // whose parts `sensors` point at
+  std::vector<roomcast::ReceivedSensor> sensors;
+};
+
+struct roomcast_recorder {
+  std::unique_ptr<roomcast::Recorder> recorder;
+};
+
+namespace {
+
+using namespace roomcast;
+
+std::string text(const char* string) {
+  return string == nullptr ? "" : string;
+}
+
+void say(const std::string& sentence, char* error, std::size_t size) {
+  if (error == nullptr || size == 0) return;
+  const std::size_t length = std::min(sentence.size(), size - 1);
+  std::memcpy(error, sentence.data(), length);
+  error[length] = '\0';
+}
+
+/// Whatever happens inside, memory that has run out included, nothing is thrown at a caller who may
+/// not even have exceptions.
+template <class Value, class Call>
+Value guarded(Value otherwise, char* error, std::size_t size, Call call) noexcept {
+  try {
+    return call();
+  } catch (const std::exception& problem) {
+    say(problem.what(), error, size);
+  } catch (...) {
+    say("an unknown problem", error, size);
+  }
+  return otherwise;
+}
+
+/// A caller that was built against an earlier header knows less of a structure.
+template <class Struct>
+void copy_known_part(const Struct& from, Struct& to) {
+  const std::size_t size = std::min(to.size, sizeof(Struct));
+  Struct copy = from;
+  copy.size = to.size;
+  std::memcpy(static_cast<void*>(&to), &copy, size);
+}
+
+/// What the caller does not know of is left at nothing.
+template <class Struct>
+Struct known_part(const Struct& given) {
+  Struct known{};
+  std::memcpy(static_cast<void*>(&known), &given, std::min(given.size, sizeof(known)));
+  return known;
+}
+
+roomcast_sensor describe(const ReceivedSensor& received) {
+  const RoomSensor& sensor = *received.sensor;
+  const codec::DecodedFrame& frame = *received.frame;
+  const CameraIntrinsics& camera = sensor.calibration.depth;
+  roomcast_sensor out{};
+  out.name = sensor.name.c_str();
+  out.id = sensor.id.value;
+  out.width = frame.depth_mm.width();
+  out.height = frame.depth_mm.height();
+  out.fx = camera.fx;
+  out.fy = camera.fy;
+  out.cx = camera.cx;
+  out.cy = camera.cy;
+  out.k1 = camera.k1;
+  out.k2 = camera.k2;
+  out.k3 = camera.k3;
+  out.p1 = camera.p1;
+  out.p2 = camera.p2;
+  std::ranges::copy(row_major_from_transform(sensor.world_from_depth), out.world_from_depth);
+  out.placed = sensor.placed ? 1 : 0;
+  out.seq = sensor.picture->seq;
+  out.capture_ns = sensor.picture->capture_time.time_since_epoch().count();
+  out.depth_mm = frame.depth_mm.data();
+  if (!frame.color.empty()) {
+    out.color_rgb = &frame.color.data()->r;
+    out.color_seen = frame.color_seen.data();
+  }
+  return out;
+}
+
+Result<std::optional<RigidTransform>> tracked(const double* row_major, const char* what) {
+  if (row_major == nullptr) return std::optional<RigidTransform>();
+  auto transform = transform_from_row_major(std::span(row_major, 16));
+  if (transform) return std::optional(*transform);
+  return Error{transform.error().code, std::string(what) + ": " + transform.error().message};
+}
+
+Result<PersonPose> person_pose(const roomcast_pose& given) {
+  const auto head = tracked(given.world_from_head, "world_from_head");
+  const auto left = tracked(given.world_from_left_hand, "world_from_left_hand");
+  const auto right = tracked(given.world_from_right_hand, "world_from_right_hand");
+  for (const auto* part : {&head, &left, &right}) {
+    if (!*part) return part->error();
+  }
+  if (!*head) return Error{ErrorCode::kInvalidArgument, "world_from_head is NULL"};
+  return PersonPose{.world_from_head = **head,
+                    .world_from_left_hand = *left,
+                    .world_from_right_hand = *right,
+                    .pointer = {}};
+}
+
+using WallClock = std::chrono::steady_clock;
+
+std::shared_ptr<const RoomSnapshot> wait_newer(roomcast_viewer& viewer,
+                                               WallClock::time_point until) {
+  std::uint64_t revision = 0;
+  {
+    std::lock_guard lock(viewer.mutex);
+    revision = viewer.last_revision;
+  }
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - WallClock::now());
+  return viewer.subscriber->wait_newer(revision, std::max(left, std::chrono::milliseconds(0)));
+}
+
+/// Null where `room` has no set that is newer than the last one given.
+roomcast_frames* new_frames(roomcast_viewer& viewer,
+                            const std::shared_ptr<const RoomSnapshot>& room) {
+  std::lock_guard lock(viewer.mutex);
+  viewer.last_revision = std::max(viewer.last_revision, room->revision);
+  if (!(room->newest_set > viewer.last_set)) return nullptr;
+  viewer.last_set = room->newest_set;
+  auto frames = std::make_unique<roomcast_frames>();
+  frames->room = room;
+  frames->sensors = received_sensors(*room, viewer.rays);
+  return frames.release();
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* roomcast_version(void) {
+  return ROOMCAST_LIBRARY_VERSION;
+}
+
+roomcast_viewer* roomcast_connect(const roomcast_options* given, char* error, size_t error_size) {
+  return guarded<roomcast_viewer*>(nullptr, error, error_size, [&]() -> roomcast_viewer* {
+    const roomcast_options options = known_part(*given);
+    SubscriberOptions subscriber;
+    subscriber.hub_url = text(options.hub);
+    subscriber.room = text(options.room);
+    subscriber.name = text(options.name);
+    auto opened = Subscriber::open(std::move(subscriber));
+    if (!opened) {
+      say(opened.error().message, error, error_size);
+      return nullptr;
+    }
+    auto viewer = std::make_unique<roomcast_viewer>();
+    viewer->subscriber = std::move(*opened);
+    return viewer.release();
+  });
+}
+
+void roomcast_disconnect(roomcast_viewer* viewer) {
+  delete viewer;
+}
+
+int roomcast_is_connected(roomcast_viewer* viewer, char* error, size_t error_size) {
+  return guarded(0, error, error_size, [&] {
+    const auto room = viewer->subscriber->snapshot();
+    if (!room->connected) say(room->problem, error, error_size);
+    return room->connected ? 1 : 0;
+  });
+}
+
+roomcast_frames* roomcast_wait_frames(roomcast_viewer* viewer, int timeout_ms) {
+  return guarded<roomcast_frames*>(nullptr, nullptr, 0, [&]() -> roomcast_frames* {
+    const auto until = WallClock::now() + std::chrono::milliseconds(timeout_ms);
+    for (;;) {
+      const auto room = wait_newer(*viewer, until);
+      if (roomcast_frames* frames = new_frames(*viewer, room)) return frames;
+      if (WallClock::now() >= until || viewer->subscriber->failure()) return nullptr;
+    }
+  });
+}
+
+void roomcast_free_frames(roomcast_frames* frames) {
+  delete frames;
+}
+
+size_t roomcast_sensor_count(const roomcast_frames* frames) {
+  return frames->sensors.size();
+}
+
+int roomcast_get_sensor(const roomcast_frames* frames, size_t number, roomcast_sensor* sensor) {
+  if (number >= frames->sensors.size()) return 0;
+  copy_known_part(describe(frames->sensors[number]), *sensor);
+  return 1;
+}
+
+size_t roomcast_get_points(const roomcast_frames* frames, roomcast_point* points, size_t capacity) {
+  return guarded<std::size_t>(0, nullptr, 0, [&] {
+    return write_points(frames->sensors, std::span(points, points == nullptr ? 0 : capacity));
+  });
+}
+
+int roomcast_send_pose(roomcast_viewer* viewer, const roomcast_pose* given, char* error,
+                       size_t error_size) {
+  return guarded(0, error, error_size, [&] {
+    const auto pose = person_pose(known_part(*given));
+    if (!pose) {
+      say(pose.error().message, error, error_size);
+      return 0;
+    }
+    viewer->subscriber->send_pose(*pose);
+    return 1;
+  });
+}
+
+roomcast_recorder* roomcast_record(const roomcast_options* given, const char* path, char* error,
+                                   size_t error_size) {
+  return guarded<roomcast_recorder*>(nullptr, error, error_size, [&]() -> roomcast_recorder* {
+    const roomcast_options options = known_part(*given);
+    RecorderOptions recorder;
+    recorder.hub_url = text(options.hub);
+    recorder.room = text(options.room);
+    recorder.token = text(options.token);
+    recorder.path = text(path);
+    auto opened = Recorder::open(std::move(recorder));
+    if (!opened) {
+      say(opened.error().message, error, error_size);
+      return nullptr;
+    }
+    auto out = std::make_unique<roomcast_recorder>();
+    out->recorder = std::move(*opened);
+    return out.release();
+  });
+}
+
+int roomcast_is_recording(roomcast_recorder* recorder, char* error, size_t error_size) {
+  return guarded(0, error, error_size, [&] {
+    const auto failure = recorder->recorder->failure();
+    if (failure) say(failure->message, error, error_size);
+    return failure ? 0 : 1;
+  });
+}
+
+int roomcast_stop_recording(roomcast_recorder* recorder, char* error, size_t error_size) {
+  const std::unique_ptr<roomcast_recorder> ends(recorder);
+  return guarded(0, error, error_size, [&] {
+    const Status status = ends->recorder->finish();
+    if (!status) say(status.error().message, error, error_size);
+    return status ? 1 : 0;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The examples of libroomcast against a real hub: C, C++ and Python receive and record a room.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { RoomClient } from '../network/room_client.mjs';
+import { writeSmallRig } from '../network/small_rig.mjs';
+import { Program, binary, run, scratchFolder, startHub } from './program.mjs';
+
+const build = resolve(dirname(binary), '..');
+const examples = resolve(dirname(fileURLToPath(import.meta.url)), '../../examples');
+const library = join(build, 'lib/libroomcast.so.1');
+const skip = existsSync(library) ? false : `${library} is not built`;
+
+async function runExample(command, ...args) {
+  const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'], timeout: 25_000 });
+  let stdout = '';
+  let stderr = '';
+  child.stdout.setEncoding('utf8').on('data', (text) => (stdout += text));
+  child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text));
+  const [code, signal] = await once(child, 'close');
+  return { code: code ?? signal, stdout, stderr };
+}
+
+async function startRoom(t) {
+  const hub = await startHub(t);
+  const rig = writeSmallRig(scratchFolder(t));
+  for (const sensor of ['s0', 's1']) {
+    const program = new Program(['sensor', '--source', `rig:${rig}#${sensor}`, '--hub', hub.url, '--verbose']);
+    t.after(() => program.stop('SIGKILL'));
+    await program.prints(/joined/);
+  }
+  return hub;
+}
+
+test('library_shows_the_functions_of_its_header_and_nothing_else', { skip }, async () => {
+  const header = readFileSync(join(examples, '../roomcast/capi/roomcast.h'), 'utf8');
+  const declared = [...header.matchAll(/^ROOMCAST_API [^(]*?(roomcast_\w+)\(/gm)].map(([, name]) => name);
+  const { stdout } = await runExample('nm', '--dynamic', '--defined-only', '--format=posix', library);
+  const shown = stdout.split('\n').filter((line) => / T /.test(line)).map((line) => line.split(/[@ ]/)[0]);
+  assert.ok(declared.length >= 13);
+  assert.deepEqual(shown.sort(), declared.sort());
+});
+
+test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
+  const hub = await startRoom(t);
+  const ply = join(scratchFolder(t), 'room.ply');
+  const { code, stdout, stderr } = await runExample(join(build, 'bin/roomcast_example_points'), hub.url, ply);
+  assert.equal(code, 0, stderr);
+  const [, count] = /^(\d+) points of/.exec(stdout);
+  assert.ok(Number(count) > 1000);
+  const bytes = readFileSync(ply);
+  const header = bytes.indexOf('end_header\n') + 'end_header\n'.length;
+  assert.equal(bytes.length - header, 16 * Number(count));
+});
+
+test('cpp_example_records_the_room', { skip }, async (t) => {
+  const hub = await startRoom(t);
+  const file = join(scratchFolder(t), 'room.mcap');
+  const example = join(build, 'bin/roomcast_example_record');
+  const { code, stdout, stderr } = await runExample(example, hub.url, file, '2');
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /s0: frame \d+, \d+\.\d+ m ahead/);
+  const info = await run('info', file, '--json');
+  assert.equal(info.code, 0, info.stderr);
+  assert.ok(JSON.parse(info.stdout).sensors.every(({ frames }) => frames > 5));
+});
+
+test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => {
+  const hub = await startRoom(t);
+  const other = await RoomClient.join(t, hub.url);
+  const { code, stdout, stderr } = await runExample('python3', join(examples, 'depth.py'), hub.url, library);
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^s\d: 64x48, \d+ readings, median \d+\.\d\d m$/m);
+  await other.until('the pose', () => other.heads.some((head) => head.join() === '0.5,1.5,2'));
+});
+
+test('an_example_without_a_hub_says_so', { skip }, async () => {
+  const { code, stderr } = await runExample('python3', join(examples, 'depth.py'), 'ws://127.0.0.1:1', library);
+  assert.equal(code, 1);
+  assert.match(stderr, /127\.0\.0\.1/);
+});
