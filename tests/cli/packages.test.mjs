@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The packages that cpack makes, unpacked into an empty folder: what is in them, and that a program can be built against
+// the library and run with nothing else. (scripts/package --prove installs them in a fresh Debian.)
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gunzipSync } from 'node:zlib';
+
+import { binary } from './program.mjs';
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+const build = resolve(dirname(binary), '..');
+const packages = ['libroomcast-dev', 'libroomcast1', 'roomcast'];
+const isBuilt = [join(build, 'CPackConfig.cmake'), join(build, 'lib/libroomcast.so.1'), join(root, 'build/web/index.html')];
+const absent = isBuilt.find((path) => !existsSync(path));
+const skip = absent ? `${absent} is not built` : false;
+const run = (command, args, options) => execFileSync(command, args, { encoding: 'utf8', stdio: 'pipe', ...options });
+
+let folder, debs;
+const unpacked = (...path) => join(folder, 'root/usr', ...path);
+
+before(() => {
+  if (skip) return;
+  folder = mkdtempSync(join(tmpdir(), 'roomcast-packages-'));
+  run('cpack', ['-G', 'DEB', '--config', join(build, 'CPackConfig.cmake'), '-B', folder]);
+  debs = readdirSync(folder).filter((name) => name.endsWith('.deb')).sort();
+  for (const deb of debs) run('dpkg-deb', ['-x', join(folder, deb), join(folder, 'root')]);
+});
+
+after(() => folder && rmSync(folder, { recursive: true, force: true }));
+
+test('three_packages_are_made', { skip }, () => {
+  assert.deepEqual(debs.map((name) => name.split('_')[0]), packages);
+});
+
+test('program_finds_its_page_and_has_a_man_page_for_each_command', { skip }, () => {
+  const help = run(unpacked('bin/roomcast'), ['--help']);
+  const commands = help.split('Subcommands:')[1].split('\n\n')[0].match(/^ {2}\w[\w-]*/gm).map((name) => name.trim());
+  assert.ok(commands.length > 10);
+  for (const command of commands) {
+    const page = gunzipSync(readFileSync(unpacked(`share/man/man1/roomcast-${command}.1.gz`))).toString();
+    assert.match(page, /^\.SH NAME$/m);
+  }
+  assert.ok(existsSync(unpacked('share/roomcast/web/index.html')));
+});
+
+test('completion_knows_commands_and_their_options', { skip }, () => {
+  const complete = (...words) =>
+    run('bash', ['-c', `source "$1"; COMP_WORDS=("\${@:2}"); COMP_CWORD=$(($# - 2)); _roomcast; echo "\${COMPREPLY[@]}"`, 'bash',
+      unpacked('share/bash-completion/completions/roomcast'), ...words],
+      { env: { ...process.env, PATH: `${unpacked('bin')}:${process.env.PATH}` } }).trim();
+  assert.equal(complete('roomcast', 'reco'), 'record');
+  assert.match(complete('roomcast', 'record', '--sec'), /^--seconds$/);
+});
+
+test('services_start_programs_and_options_that_there_are', { skip }, () => {
+  const units = unpacked('lib/systemd/system');
+  for (const unit of readdirSync(units)) {
+    const text = readFileSync(join(units, unit), 'utf8').replaceAll('\\\n', ' ');
+    const starts = [...text.matchAll(/^ExecStart\w*=.*?roomcast (\w+)(.*)$/gm)];
+    assert.ok(starts.length > 0, unit);
+    for (const [, command, options] of starts) {
+      const help = run(unpacked('bin/roomcast'), [command, '--help']);
+      for (const option of options.match(/--[a-z-]+/g) ?? []) assert.ok(help.includes(option), `${unit}: ${command} ${option}`);
+    }
+  }
+});
+
+test('program_is_built_against_the_unpacked_library_by_pkg_config', { skip }, () => {
+  const config = run('find', [join(folder, 'root'), '-name', 'roomcast.pc']).trim();
+  const env = { ...process.env, PKG_CONFIG_PATH: dirname(config) };
+  const flags = run('pkg-config', ['--cflags', '--libs', 'roomcast'], { env }).trim().split(/\s+/);
+  assert.ok(flags.some((flag) => flag.startsWith(`-I${folder}`)), flags.join(' '));
+  const program = join(folder, 'points');
+  run('cc', [unpacked('share/doc/libroomcast-dev/examples/points.c'), ...flags, '-o', program]);
+  const linked = run('ldd', [program], { env: { ...process.env, LD_LIBRARY_PATH: dirname(dirname(config)) } });
+  assert.match(linked, new RegExp(`libroomcast\\.so\\.1 => ${folder}`));
+});
