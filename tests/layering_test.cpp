@@ -85,6 +85,8 @@ const std::vector<Layer> kLayers = {
                                          {"roomcast/core", "roomcast/geometry", "roomcast/align", "roomcast/client",
                                           "roomcast/aligner", "roomcast/hub"}},
     {"roomcast/viewer",                  {"roomcast/core", "roomcast/geometry", "roomcast/render", "roomcast/room", "roomcast/client"}},
+    {"roomcast/film",                    {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/source",
+                                          "roomcast/frame_sets", "roomcast/export", "roomcast/render", "roomcast/viewer"}},
     {"web/wasm",                         {"roomcast/core", "roomcast/codec"}},
     {"bench",                            {"roomcast"}},
     {"fuzz",                             {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/film_command_options.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/export/set_writer.h"
@@ -29,6 +30,7 @@ struct ExportOptions {
   std::uint64_t every = 1;
   std::vector<float> crop;
   MergedCloudOptions cloud;
+  FilmCommandOptions film;
   bool json = false;
 };
 
@@ -36,8 +38,21 @@ nanoseconds seconds(double value) {
   return nanoseconds(static_cast<std::int64_t>(value * 1e9));
 }
 
+constexpr const char* kFilm = "video";  // made in another place than the other formats
+
 ExportFormat format_of(const std::string& name) {
   return *std::ranges::find(kExportFormats, name, [](ExportFormat f) { return name_of(f); });
+}
+
+Result<std::unique_ptr<SetWriter>> make_writer(const ExportOptions& options,
+                                               const FrameSetReader& reader) {
+  if (options.format != kFilm)
+    return make_set_writer(format_of(options.format), options.out, reader.sensors(), options.cloud);
+  const double end_s =
+      options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
+  auto film = options.film.film(end_s - options.from_s);
+  if (!film) return film.error();
+  return make_film(options.out, reader.sensors(), *std::move(film));
 }
 
 /// Reads sets and hands every n-th on, until the end, `to_s`, or a signal.
@@ -62,7 +77,10 @@ Status copy_sets(const ExportOptions& options, FrameSetReader& reader, SetWriter
     line.show(end_s > 0 ? fmt::format("{:.1f} of {:.1f} s", time_s, end_s)
                         : fmt::format("{:.1f} s", time_s));
   }
-  return Error{ErrorCode::kClosed, "interrupted; the same command goes on with what is missing"};
+  return Error{ErrorCode::kClosed,
+               options.format == kFilm
+                   ? "interrupted; the film ends there"
+                   : "interrupted; the same command goes on with what is missing"};
 }
 
 void report(const ExportOptions& options, const ExportTotals& totals) {
@@ -71,13 +89,15 @@ void report(const ExportOptions& options, const ExportTotals& totals) {
                                       {"out", options.out.string()},
                                       {"sets", totals.sets},
                                       {"kept", totals.kept},
-                                      {"points", totals.points}}
+                                      {"points", totals.points},
+                                      {"pictures", totals.pictures}}
                            .dump(1));
     return;
   }
   fmt::print("{}: {} sets written", options.out.string(), totals.sets);
   if (totals.kept > 0) fmt::print(", {} were there already", totals.kept);
   if (totals.points > 0) fmt::print(", {} points", totals.points);
+  if (totals.pictures > 0) fmt::print(", {} pictures", totals.pictures);
   fmt::print("\n");
 }
 
@@ -90,8 +110,7 @@ Status run_export(ExportOptions options) {
   }
   auto reader = open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
-  auto writer =
-      make_set_writer(format_of(options.format), options.out, (*reader)->sensors(), options.cloud);
+  auto writer = make_writer(options, **reader);
   if (!writer) return writer.error();
   Status status = copy_sets(options, **reader, **writer, stop.token());
   if (auto finished = (*writer)->finish(); status && !finished) status = finished;
@@ -105,6 +124,7 @@ Status run_export(ExportOptions options) {
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
   for (const ExportFormat format : kExportFormats) names.emplace_back(name_of(format));
+  names.emplace_back(kFilm);
   return names;
 }
 
@@ -116,7 +136,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("export", "Turn a recording into files that other programs read");
   command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
       ->required();
-  command->add_option("--format", options->format, "ply, pcd, gltf, rig, tum or foxglove")
+  command->add_option("--format", options->format, "ply, pcd, gltf, rig, tum, foxglove or video")
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->required();
@@ -136,6 +156,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--keep-doubles", options->cloud.keep_doubles,
                     "Point clouds: also points of surfaces that another sensor sees better");
+  add_film_options(*command, options->film);
   command->add_flag("--json", options->json, "For scripts");
   command->footer(
       "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
@@ -144,8 +165,14 @@ void add_export_command(CLI::App& app, Command& chosen) {
       "its\n"
       "pose in groundtruth.txt; depth in millimetres. foxglove: room.mcap with point clouds, VP9 "
       "video,\n"
-      "calibrations and transforms. Files of sets that are there already are kept.\n"
-      "Example:\n  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01");
+      "calibrations and transforms. video: film.mp4 by ffmpeg, or pictures where that is not "
+      "installed;\n"
+      "--path FILE is {\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}. "
+      "Files of\n"
+      "sets that are there already are kept.\n"
+      "Examples:\n"
+      "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
+      "  roomcast export lab.mcap --format video --out film --path walk.json");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("export", run_export(*options)); };
   });

@@ -32,9 +32,10 @@ inline constexpr std::array kExportFormats = {ExportFormat::kPly,  ExportFormat:
 [[nodiscard]] std::string_view name_of(ExportFormat format);
 
 struct ExportTotals {
-  std::uint64_t sets = 0;    // written
-  std::uint64_t kept = 0;    // that were there already
-  std::uint64_t points = 0;  // of clouds
+  std::uint64_t sets = 0;      // written
+  std::uint64_t kept = 0;      // that were there already
+  std::uint64_t points = 0;    // of clouds
+  std::uint64_t pictures = 0;  // of a film
 };
 
 class SetWriter {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every export is read back by readers by others, and holds the points that the recording's pictures mean.
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { writeSmallRig } from '../network/small_rig.mjs';
 import { readIndexed } from './mcap.mjs';
-import { assertFailed, run, scratchFolder } from './program.mjs';
+import { Program, assertFailed, run, scratchFolder } from './program.mjs';
 
 const require = createRequire(new URL('../../web/package.json', import.meta.url));
 const { PLYLoader } = await import(require.resolve('three/examples/jsm/loaders/PLYLoader.js'));
@@ -174,4 +175,53 @@ test('says_why_it_cannot_export', async (t) => {
   mkdirSync(join(out, 'full'), { recursive: true });
   assertFailed(await run('export', rig, '--format', 'rig', '--out', out), 1, /not empty/);
   assert.ok(existsSync(out));
+});
+
+/** From the place of the first sensor half a metre to its right; what it sees 2 m ahead stays in the middle. */
+function writeWalk(folder) {
+  const file = join(folder, 'walk.json');
+  const m = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8')).sensors[0].world_from_depth;
+  const place = (x, z) => [0, 1, 2].map((row) => m[4 * row] * x + m[4 * row + 2] * z + m[4 * row + 3]);
+  const keys = [{ time_s: 0, at: place(0, 0), look: place(0, 2) }, { time_s: 1.8, at: place(0.5, 0), look: place(0, 2) }];
+  writeFileSync(file, JSON.stringify({ keys }));
+  return file;
+}
+
+const film = ['--format', 'video', '--size', '64,48', '--fps', '10', '--mode', 'mesh', '--json'];
+
+test('video_is_a_folder_of_pictures_where_there_is_no_ffmpeg', async (t) => {
+  const folder = scratchFolder(t);
+  const out = join(folder, 'out');
+  const program = new Program(['export', rig, ...film, '--out', out, '--path', writeWalk(folder)], {
+    through: ['/usr/bin/env', 'PATH=/nowhere'],
+  });
+  assert.equal(await program.ended, 0, program.stderr);
+  const pictures = readdirSync(join(out, 'film')).sort();
+  assert.equal(pictures.length, 19, '1.8 s at 10 a second, and the last set');
+  assert.equal(JSON.parse(program.stdout).pictures, 19);
+  const [first, last] = [pictures[0], pictures.at(-1)].map((name) => readFileSync(join(out, 'film', name)));
+  assert.deepEqual([first.readUInt32BE(16), first.readUInt32BE(20)], [64, 48]);
+  assert.notDeepEqual(first, last, 'the camera has moved');
+});
+
+const noFfmpeg = spawnSync('ffprobe', ['-version']).error ? 'ffmpeg is not installed' : false;
+
+test('video_has_the_length_and_size_that_were_asked_for', { skip: noFfmpeg }, async (t) => {
+  const folder = scratchFolder(t);
+  const out = join(folder, 'out');
+  const result = await run('export', rig, ...film, '--out', out);
+  assert.equal(result.code, 0, result.stderr);
+  assert.deepEqual(readdirSync(out), ['film.mp4'], 'nothing half done is left');
+  const probe = ['-v', 'error', '-count_frames', '-show_entries', 'stream=nb_read_frames,width,height,r_frame_rate', '-of', 'json'];
+  const { streams } = JSON.parse(execFileSync('ffprobe', [...probe, join(out, 'film.mp4')], { encoding: 'utf8' }));
+  assert.deepEqual(streams, [{ width: 64, height: 48, r_frame_rate: '10/1', nb_read_frames: '19' }]);
+  assertFailed(await run('export', rig, ...film, '--out', out), 1, /film\.mp4 already/);
+});
+
+test('camera_path_that_is_none_is_named', async (t) => {
+  const folder = scratchFolder(t);
+  const path = join(folder, 'walk.json');
+  writeFileSync(path, '{"keys": [{"time_s": 0, "at": [0, 0, 0], "look": [0, 0, 0]}]}');
+  const result = await run('export', rig, ...film, '--out', join(folder, 'out'), '--path', path);
+  assertFailed(result, 2, /walk\.json.*key 0.*looks at the place where it is/);
 });

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/film_command_options.h"
+
+#include <numbers>
+
+#include "roomcast/cli/render_mode_option.h"
+
+namespace roomcast::cli {
+
+Result<FilmOptions> FilmCommandOptions::film(double length_s) const {
+  FilmOptions film;
+  film.size = {size[0], size[1]};
+  film.fps = fps;
+  film.vertical_fov_rad = fov_deg * std::numbers::pi / 180;
+  film.mode = mode;
+  film.length_s = length_s;
+  if (path.empty()) return film;
+  auto read = read_camera_path(path);
+  if (!read) return read.error();
+  film.path = *std::move(read);
+  return film;
+}
+
+void add_film_options(CLI::App& command, FilmCommandOptions& options) {
+  command.add_option("--path", options.path,
+                     "Video: the camera's way, a JSON file (default: a slow swing)");
+  command.add_option("--size", options.size, "Video: width,height")
+      ->delimiter(',')
+      ->expected(2)
+      ->capture_default_str();
+  command.add_option("--fps", options.fps, "Video: pictures per second")
+      ->check(CLI::Range(1, 120))
+      ->capture_default_str();
+  command.add_option("--fov", options.fov_deg, "Video: vertical field of view, degrees")
+      ->check(CLI::Range(1.0, 170.0))
+      ->capture_default_str();
+  add_mode_option(command, "--mode", options.mode);
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `roomcast export --format video` was asked for.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "roomcast/core/result.h"
+#include "roomcast/film/film_writer.h"
+
+namespace roomcast::cli {
+
+struct FilmCommandOptions {
+  std::filesystem::path path;
+  std::vector<int> size = {1280, 720};
+  int fps = 30;
+  double fov_deg = 60;
+  RenderMode mode = RenderMode::kBlend;
+
+  /// A film of so many seconds. Errors as read_camera_path.
+  [[nodiscard]] Result<FilmOptions> film(double length_s) const;
+};
+
+void add_film_options(CLI::App& command, FilmCommandOptions& options);
+
+}  // namespace roomcast::cli
