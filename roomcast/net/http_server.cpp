@@ -35,6 +35,10 @@ std::size_t HttpServer::connection_count() const {
   return state_->connection_count();
 }
 
+void HttpServer::set_tls(std::shared_ptr<const TlsServerContext> tls) {
+  state_->set_tls(std::move(tls));
+}
+
 void HttpServer::stop() {
   state_->stop();
 }

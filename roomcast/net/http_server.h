@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HttpServer: one listening port for the page, the few plain HTTP answers, and the WebSocket.
-// GET and HEAD only. A WebSocket is accepted when path, version, subprotocol and Origin are right
-// (docs/spec/wire.md section 1).
+// Pages answer GET and HEAD; what programs are asked (`on_request`) may have a body. A WebSocket is
+// accepted when path, version, subprotocol and Origin are right (docs/spec/wire.md section 1).
 // Threading: lives on the one thread that runs its first io_context. Given more, it deals out its
 // connections among them; each stays on one thread for life, and its callbacks come from there.
 // Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server handshake); parsing by Boost.Beast.
@@ -23,6 +23,8 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/net/allowed_names.h"
+#include "roomcast/net/http_request.h"
 #include "roomcast/net/http_response.h"
 #include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_connection.h"
@@ -40,6 +42,12 @@ struct HttpServerOptions {
   /// it.
   std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
 
+  /// Is asked for paths that begin with one of `request_paths`, on any of the server's threads; a
+  /// null `on_request` means 404.
+  std::function<void(HttpRequest, Respond)> on_request = {};
+  std::vector<std::string> request_paths = {"/api/"};
+  std::size_t max_body_bytes = 64 * 1024;
+
   /// A WebSocket is open on one of the server's threads, and is started with the handler that this
   /// returns. Null refuses it (closed with 1013).
   std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>,
@@ -47,6 +55,15 @@ struct HttpServerOptions {
       on_websocket = {};
   std::string websocket_path = "/ws";
   std::string subprotocol = "roomcast.v1";
+
+  AllowedNames names = {};
+
+  /// Asked on the first thread, with peer_name(): whoever may not connect is dropped without a
+  /// word.
+  std::function<bool(const std::string& peer)> may_connect = {};
+  /// Connections of one peer that are not settled (WebSocketConnection::settle); more are dropped.
+  std::size_t max_unsettled_per_peer = 64;
+  std::vector<std::string> uncounted_peers = {};  // a proxy has everyone's connections
 
   std::size_t max_message_bytes = 16 * 1024;  // of a new WebSocket; its handler may change it
   std::size_t max_connections = 1024;       // open sockets of all kinds; more are turned away (503)
@@ -76,6 +93,9 @@ class HttpServer {
   [[nodiscard]] std::uint16_t port() const;
   /// Sockets of all kinds that are open now.
   [[nodiscard]] std::size_t connection_count() const;
+
+  /// For connections from now on. On the first thread; only when there was one from the start.
+  void set_tls(std::shared_ptr<const TlsServerContext> tls);
 
   /// Listens no more and closes all connections, WebSockets with 1001. They end while the threads
   /// go on running.

@@ -378,5 +378,84 @@ TEST_F(EncryptedServerTest, drops_who_never_shakes_hands) {
   EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
 }
 
+TEST_F(HttpServerTest, what_programs_ask_may_have_a_body_and_is_answered_later) {
+  auto with_program = options();
+  std::optional<HttpRequest> asked;
+  Respond respond;
+  with_program.on_request = [&](HttpRequest request, Respond answer) {
+    asked = std::move(request);
+    respond = std::move(answer);
+  };
+  listen(std::move(with_program));
+  auto socket = raw_connection(server_->port());
+  send(socket,
+       "POST /api/v1/rooms?x=1 HTTP/1.1\r\nHost: x\r\nConnection: close\r\n"
+       "Authorization: Bearer abc\r\nContent-Length: 5\r\n\r\nhello");
+  ASSERT_TRUE(run_until([&] { return asked.has_value(); }));
+  EXPECT_EQ(asked->method, "POST");
+  EXPECT_EQ(asked->path, "/api/v1/rooms");
+  EXPECT_EQ(asked->authorization, "Bearer abc");
+  EXPECT_EQ(asked->body, "hello");
+  EXPECT_EQ(asked->peer, "127.0.0.1");
+  respond(text_response(201, "made"));
+  EXPECT_THAT(receive(socket), AllOf(StartsWith("HTTP/1.1 201 "), EndsWith("made")));
+}
+
+TEST_F(HttpServerTest, a_body_beyond_the_limit_is_refused) {
+  auto with_program = options();
+  with_program.on_request = [](const HttpRequest&, const Respond&) { FAIL(); };
+  with_program.max_body_bytes = 10;
+  listen(std::move(with_program));
+  EXPECT_THAT(exchange(request("POST", "/api/x", "Content-Length: 11\r\n") + "hello world"),
+              StartsWith("HTTP/1.1 413 "));
+  EXPECT_THAT(exchange(request("POST", "/api/x", "Transfer-Encoding: chunked\r\n") +
+                       "b\r\nhello world\r\n0\r\n\r\n"),
+              StartsWith("HTTP/1.1 413 "));
+}
+
+TEST_F(HttpServerTest, an_answer_without_content_has_none) {
+  auto with_program = options();
+  with_program.on_request = [](const HttpRequest&, const Respond& respond) {
+    respond(text_response(204, ""));
+  };
+  listen(std::move(with_program));
+  const std::string answer = exchange(request("DELETE", "/api/x"));
+  EXPECT_THAT(answer, StartsWith("HTTP/1.1 204 "));
+  EXPECT_THAT(answer, Not(HasSubstr("Content-Length")));
+}
+
+TEST_F(HttpServerTest, a_name_that_is_not_its_own_is_not_answered) {
+  auto strict = options();
+  strict.names = {.any_host = false, .hosts = {"hub.example"}, .origins = {}};
+  listen(std::move(strict));
+  EXPECT_THAT(exchange(request("GET", "/page")), StartsWith("HTTP/1.1 421 "));
+  EXPECT_THAT(exchange("GET /page HTTP/1.1\r\nHost: hub.example\r\nConnection: close\r\n\r\n"),
+              StartsWith("HTTP/1.1 200 "));
+  EXPECT_THAT(exchange("GET /page HTTP/1.1\r\nHost: " + host() + "\r\nConnection: close\r\n\r\n"),
+              StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(HttpServerTest, whoever_may_not_connect_is_dropped_without_a_word) {
+  auto closed = options();
+  closed.may_connect = [](const std::string& peer) { return peer != "127.0.0.1"; };
+  listen(std::move(closed));
+  EXPECT_EQ(exchange(request("GET", "/page")), "");
+}
+
+TEST_F(HttpServerTest, a_renewed_certificate_is_shown_to_who_comes_after) {
+  const auto before = self_signed(), after = self_signed();
+  auto encrypted = options();
+  encrypted.tls = server_context(before);
+  listen(std::move(encrypted));
+  server_->set_tls(server_context(after));
+  std::optional<Result<std::shared_ptr<WebSocketConnection>>> connected;
+  connect(
+      io_,
+      {.host = "127.0.0.1", .port = server_->port(), .tls = true, .pinned = after.fingerprint()},
+      {}, [&](auto connection) { connected = std::move(connection); });
+  ASSERT_TRUE(run_until([&] { return connected.has_value(); }));
+  EXPECT_TRUE(connected->ok()) << connected->error().message;
+}
+
 }  // namespace
 }  // namespace roomcast::net

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/http_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/dispatch.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
@@ -94,7 +96,7 @@ std::size_t size_of(const HttpResponse& response) {
 std::shared_ptr<EmptyResponse> without_body(const HttpResponse& response, bool keep_alive) {
   auto message = std::make_shared<EmptyResponse>(static_cast<http::status>(response.status), 11);
   set_fields(*message, response, keep_alive);
-  if (message->result() == http::status::not_modified) return message;
+  if (response.status == 304 || response.status == 204) return message;
   message->set(http::field::content_type, response.content_type);
   message->content_length(size_of(response));
   return message;
@@ -124,22 +126,22 @@ class TurnedAway final : public ConnectionHandler {
 }  // namespace
 
 HttpSession::HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
-                         std::size_t thread, std::shared_ptr<OpenConnections::Lease> lease)
+                         Origins origins)
     : stream_(std::move(stream)),
       deadline_(stream_.get_executor()),
       options_(std::move(options)),
-      thread_(thread),
-      lease_(std::move(lease)),
+      origins_(std::move(origins)),
       buffer_(options_->max_header_bytes + 1) {}
 
 void HttpSession::start() {
-  lease_->end_with([weak = weak_from_this()] {
+  origins_.lease->end_with([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->abort();
   });
   read_request();
 }
 
 void HttpSession::read_request() {
+  body_parser_.reset();
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(options_->max_header_bytes));
   abort_after(options_->header_within);
@@ -177,6 +179,13 @@ void HttpSession::answer_fault(ErrorCode error) {
 
 void HttpSession::answer_request() {
   const auto& request = parser_->get();
+  const auto host = request[http::field::host];
+  if (!options_->names.allows_host({host.data(), host.size()})) {
+    return send(
+        text_response(421, "This server has another name than the one that was asked for.\n"),
+        false);
+  }
+  if (is_for_program(path_of(request.target()))) return read_body();
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     HttpResponse response = text_response(405, "Only GET and HEAD are answered here.\n");
     response.headers = {{"Allow", "GET, HEAD"}};
@@ -187,7 +196,65 @@ void HttpSession::answer_request() {
   }
   const std::string_view path = path_of(request.target());
   if (path == options_->websocket_path) return upgrade();
-  send(response_for(path), request.keep_alive());
+  send(response_for(path), wants_more());
+}
+
+bool HttpSession::is_for_program(std::string_view path) const {
+  return options_->on_request && std::ranges::any_of(options_->request_paths, [&](const auto& own) {
+           return path.starts_with(own);
+         });
+}
+
+/// The parser holds a body's announced length against a limit that it knew with the header; what
+/// comes in chunks it counts.
+void HttpSession::read_body() {
+  if (parser_->content_length().value_or(0) > options_->max_body_bytes) return refuse_body();
+  body_parser_.emplace(std::move(*parser_));
+  body_parser_->body_limit(options_->max_body_bytes);
+  http::async_read(
+      stream_, buffer_, *body_parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
+        if (!self->stream_.is_open()) return;
+        if (!error) return self->ask_program();
+        if (error != http::error::body_limit) return self->abort();
+        self->refuse_body();
+      });
+}
+
+void HttpSession::refuse_body() {
+  send(text_response(413, "A request's body has at most " +
+                              std::to_string(options_->max_body_bytes) + " bytes here.\n"),
+       false);
+}
+
+/// The answer may come from another thread.
+void HttpSession::ask_program() {
+  abort_after(options_->response_within);
+  auto& message = body_parser_->get();
+  const auto authorization = message[http::field::authorization];
+  HttpRequest request{
+      .method = message.method() == http::verb::head ? "GET" : std::string(message.method_string()),
+      .path = std::string(path_of(message.target())),
+      .authorization = {authorization.data(), authorization.size()},
+      .body = std::move(message.body()),
+      .peer = origins_.peer};
+  auto waiting = std::make_shared<std::shared_ptr<HttpSession>>(shared_from_this());
+  options_->on_request(std::move(request), [waiting](HttpResponse response) {
+    auto self = std::exchange(*waiting, nullptr);  // let go on its own thread and nowhere else
+    if (self == nullptr) return;                   // answered already
+    const auto executor = self->stream_.get_executor();
+    asio::dispatch(executor, [self = std::move(self), response = std::move(response)]() mutable {
+      if (self->stream_.is_open()) self->send(std::move(response), self->wants_more());
+    });
+  });
+}
+
+const RequestHeader& HttpSession::header() const {
+  if (body_parser_) return body_parser_->get();
+  return parser_->get();
+}
+
+bool HttpSession::wants_more() const {
+  return body_parser_ ? body_parser_->keep_alive() : parser_->keep_alive();
 }
 
 HttpResponse HttpSession::response_for(std::string_view path) const {
@@ -198,10 +265,10 @@ HttpResponse HttpSession::response_for(std::string_view path) const {
 }
 
 void HttpSession::send(HttpResponse response, bool keep_alive) {
-  const auto& request = parser_->get();
+  const auto& request = header();
   choose_encoding(request, response);
   if (response.status == 200 && has_it_already(request, response.etag)) response.status = 304;
-  if (response.status == 304 || request.method() == http::verb::head) {
+  if (response.status == 304 || response.status == 204 || request.method() == http::verb::head) {
     return write(without_body(response, keep_alive), keep_alive);
   }
   auto message = with_body(response, keep_alive);
@@ -240,7 +307,7 @@ void HttpSession::say_goodbye() {
 
 void HttpSession::upgrade() {
   const auto& request = parser_->get();
-  if (auto refusal = refuse_upgrade(request, options_->subprotocol)) {
+  if (auto refusal = refuse_upgrade(request, options_->subprotocol, options_->names)) {
     return send(*std::move(refusal), false);
   }
   auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
@@ -259,16 +326,18 @@ void HttpSession::become_websocket() {
   connection_options.role = WebSocketRole::kServer;
   connection_options.max_message_bytes = options_->max_message_bytes;
   connection_options.timings = options_->websocket_timings;
-  connection_options.lease = lease_;
+  connection_options.lease = origins_.lease;
+  connection_options.place = std::move(origins_.place);
   auto connection = std::make_shared<WebSocketConnection>(
       std::move(stream_), std::move(connection_options),
       std::span(static_cast<const std::uint8_t*>(received.data()), received.size()));
-  lease_->end_with([weak = std::weak_ptr(connection)] {
+  origins_.lease->end_with([weak = std::weak_ptr(connection)] {
     if (const auto open = weak.lock()) open->close(close_code::kGoingAway, "The hub stops.");
   });
-  lease_.reset();
+  origins_.lease.reset();
 
-  auto handler = options_->on_websocket ? options_->on_websocket(connection, thread_) : nullptr;
+  auto handler =
+      options_->on_websocket ? options_->on_websocket(connection, origins_.thread) : nullptr;
   if (handler != nullptr) return connection->start(std::move(handler));
   connection->close(close_code::kTryAgainLater, "No more connections are taken.");
   connection->start(std::make_shared<TurnedAway>());

@@ -15,10 +15,12 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
 
 #include "roomcast/net/http_response.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/open_connections.h"
+#include "roomcast/net/peer_counts.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_handshake.h"
 
@@ -26,23 +28,35 @@ namespace roomcast::net {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  /// `thread`: which of the server's it lives on.
-  HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options, std::size_t thread,
-              std::shared_ptr<OpenConnections::Lease> lease);
+  /// Where it comes from and what it holds.
+  struct Origins {
+    std::size_t thread = 0;  // which of the server's it lives on
+    std::string peer;        // peer_name()
+    std::shared_ptr<OpenConnections::Lease> lease = {};
+    std::shared_ptr<PeerCounts::Place> place = {};
+  };
+  HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options, Origins origins);
 
   void start();
 
  private:
   using Parser = boost::beast::http::request_parser<boost::beast::http::empty_body>;
+  using BodyParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
   using ErrorCode = boost::beast::error_code;
 
   void read_request();
   void on_header(ErrorCode error);
   void answer_fault(ErrorCode error);
   void answer_request();
+  [[nodiscard]] bool is_for_program(std::string_view path) const;
+  void read_body();
+  void refuse_body();
+  void ask_program();
   [[nodiscard]] HttpResponse response_for(std::string_view path) const;
 
   void send(HttpResponse response, bool keep_alive);
+  [[nodiscard]] const RequestHeader& header() const;
+  [[nodiscard]] bool wants_more() const;
   template <class Message>
   void write(std::shared_ptr<Message> message, bool keep_alive,
              std::shared_ptr<const std::string> viewed = nullptr);
@@ -58,10 +72,10 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   Stream stream_;
   boost::asio::steady_timer deadline_;
   std::shared_ptr<const HttpServerOptions> options_;
-  const std::size_t thread_;
-  std::shared_ptr<OpenConnections::Lease> lease_;
+  Origins origins_;
   boost::beast::flat_buffer buffer_;
   std::optional<Parser> parser_;
+  std::optional<BodyParser> body_parser_;  // of a request for programs
   std::array<char, 1024> discarded_{};
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <boost/asio/ip/address.hpp>
 
 #include "roomcast/net/http_session.h"
+#include "roomcast/net/peer_name.h"
 
 namespace roomcast::net {
 
@@ -39,16 +41,16 @@ void warn(const LogSink& log, const std::string& why) {
 
 /// On the thread that the socket lives on.
 void serve(const std::shared_ptr<const HttpServerOptions>& options, const LogSink& log,
-           std::size_t thread, asio::ip::tcp::socket socket,
-           std::shared_ptr<OpenConnections::Lease> lease) {
-  std::optional<TlsSession> tls;
-  if (options->tls != nullptr) {
-    auto session = TlsSession::accept(socket.native_handle(), *options->tls);
-    if (!session) return warn(log, session.error().message);
-    tls = *std::move(session);
+           const std::shared_ptr<const TlsServerContext>& tls, asio::ip::tcp::socket socket,
+           HttpSession::Origins origins) {
+  std::optional<TlsSession> session;
+  if (tls != nullptr) {
+    auto accepted = TlsSession::accept(socket.native_handle(), *tls);
+    if (!accepted) return warn(log, accepted.error().message);
+    session = *std::move(accepted);
   }
-  Stream stream(std::move(socket), std::move(tls));
-  std::make_shared<HttpSession>(std::move(stream), options, thread, std::move(lease))->start();
+  Stream stream(std::move(socket), std::move(session));
+  std::make_shared<HttpSession>(std::move(stream), options, std::move(origins))->start();
 }
 
 }  // namespace
@@ -58,6 +60,7 @@ ServerState::ServerState(std::span<asio::io_context* const> threads, HttpServerO
     : acceptor_(*threads.front()),
       retry_(*threads.front()),
       options_(std::make_shared<const HttpServerOptions>(std::move(options))),
+      tls_(options_->tls),
       log_(std::move(log)) {
   for (asio::io_context* io : threads) {
     workers_.push_back({io, std::make_shared<OpenConnections>()});
@@ -120,16 +123,28 @@ std::size_t ServerState::connection_count() const {
 void ServerState::on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket) {
   if (!acceptor_.is_open()) return;
   if (error) return accept_later(error);
-  if (connection_count() >= options_->max_connections) {
-    turn_away(std::move(socket));
-  } else {
-    asio::dispatch(*workers_[worker].io,
-                   [options = options_, log = log_, worker, socket = std::move(socket),
-                    lease = workers_[worker].connections->open()]() mutable {
-                     serve(options, log, worker, std::move(socket), std::move(lease));
-                   });
-  }
+  take_in(worker, std::move(socket));
   accept();
+}
+
+void ServerState::take_in(std::size_t worker, Tcp::socket socket) {
+  HttpSession::Origins origins{.thread = worker, .peer = peer_name(socket)};
+  if (options_->may_connect && !options_->may_connect(origins.peer)) return;
+  origins.place = unsettled_.enter(origins.peer, places_for(origins.peer));
+  if (origins.place == nullptr) return;
+  if (connection_count() >= options_->max_connections) return turn_away(std::move(socket));
+  origins.lease = workers_[worker].connections->open();
+  asio::dispatch(*workers_[worker].io,
+                 [options = options_, log = log_, tls = tls_, socket = std::move(socket),
+                  origins = std::move(origins)]() mutable {
+                   serve(options, log, tls, std::move(socket), std::move(origins));
+                 });
+}
+
+std::size_t ServerState::places_for(const std::string& peer) const {
+  const auto& uncounted = options_->uncounted_peers;
+  const bool counted = std::ranges::find(uncounted, peer) == uncounted.end();
+  return counted ? options_->max_unsettled_per_peer : std::numeric_limits<std::size_t>::max();
 }
 
 void ServerState::accept_later(ErrorCode error) {
@@ -142,7 +157,7 @@ void ServerState::accept_later(ErrorCode error) {
 
 /// As far as that goes without spending anything on it.
 void ServerState::turn_away(Tcp::socket socket) const {
-  if (options_->tls != nullptr) return;  // a reason inside TLS would cost a handshake
+  if (tls_ != nullptr) return;  // a reason inside TLS would cost a handshake
   ErrorCode ignored;
   socket.non_blocking(true, ignored);
   socket.write_some(asio::buffer(kTurnedAway), ignored);

@@ -20,6 +20,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/open_connections.h"
+#include "roomcast/net/peer_counts.h"
 
 namespace roomcast::net {
 
@@ -31,6 +32,7 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   Status listen();
   void accept();
   void stop();
+  void set_tls(std::shared_ptr<const TlsServerContext> tls) { tls_ = std::move(tls); }
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
   [[nodiscard]] std::size_t connection_count() const;
@@ -48,11 +50,15 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   [[nodiscard]] std::size_t least_busy() const;
   void on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket);
   void accept_later(ErrorCode error);
+  void take_in(std::size_t worker, Tcp::socket socket);
   void turn_away(Tcp::socket socket) const;
+  [[nodiscard]] std::size_t places_for(const std::string& peer) const;
 
   Tcp::acceptor acceptor_;
   boost::asio::steady_timer retry_;
   std::shared_ptr<const HttpServerOptions> options_;
+  std::shared_ptr<const TlsServerContext> tls_;
+  PeerCounts unsettled_;
   LogSink log_;
   std::vector<Worker> workers_;
   std::uint16_t port_ = 0;

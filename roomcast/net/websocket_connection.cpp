@@ -12,6 +12,7 @@
 #include <boost/asio/post.hpp>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/net/peer_name.h"
 #include "roomcast/net/random_bytes.h"
 #include "roomcast/net/socket_tuning.h"
 
@@ -52,6 +53,7 @@ WebSocketConnection::WebSocketConnection(Stream stream, ConnectionOptions option
       timer_(stream_.get_executor()),
       options_(std::move(options)),
       peer_address_(address_of(stream_.socket())),
+      peer_(peer_name(stream_.socket())),
       reader_(options_.role, options_.max_message_bytes),
       received_before_start_(received.begin(), received.end()),
       pull_limit_bytes_(kMaxPull) {
@@ -329,6 +331,7 @@ void WebSocketConnection::shut(CloseReason reason) {
   stream_.close();
   outgoing_.clear();
   options_.lease.reset();
+  options_.place.reset();
   report(std::move(reason));
 }
 

@@ -70,6 +70,8 @@ struct ConnectionOptions {
   ConnectionTimings timings = {};
   /// Held as long as the socket is open; for counting open connections. May be null.
   std::shared_ptr<void> lease = {};
+  /// Held until settle(). May be null.
+  std::shared_ptr<void> place = {};
 };
 
 struct ConnectionCounters {
@@ -101,11 +103,16 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   void close(std::uint16_t code, std::string sentence);
   void close_after(SealedMessagePtr last, std::uint16_t code, std::string sentence);
 
+  /// The peer has shown what it is here for: see HttpServerOptions::max_unsettled_per_peer.
+  void settle() { options_.place.reset(); }
+
   /// Holds from the next frame on.
   void set_max_message_bytes(std::size_t bytes) { reader_.set_max_message_bytes(bytes); }
 
   /// "127.0.0.1:50312"
   [[nodiscard]] const std::string& peer_address() const { return peer_address_; }
+  /// For counting and banning: peer_name().
+  [[nodiscard]] const std::string& peer() const { return peer_; }
   [[nodiscard]] const ConnectionCounters& counters() const { return counters_; }
   /// Bytes taken from the handler that the kernel has not taken yet.
   [[nodiscard]] std::size_t unwritten_bytes() const { return outgoing_.unwritten_bytes(); }
@@ -159,6 +166,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   boost::asio::steady_timer timer_;
   ConnectionOptions options_;
   std::string peer_address_;
+  std::string peer_;
   std::shared_ptr<ConnectionHandler> handler_;
   ConnectionCounters counters_;
   Stage stage_ = Stage::kOpen;

@@ -108,7 +108,8 @@ bool asks_for_websocket(const RequestHeader& request) {
 }
 
 std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
-                                           std::string_view subprotocol) {
+                                           std::string_view subprotocol,
+                                           const AllowedNames& names) {
   if (request.method() != http::verb::get || request.version() < 11 ||
       !asks_for_websocket(request) ||
       field(request, http::field::sec_websocket_version) != kVersion) {
@@ -118,8 +119,8 @@ std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
     return text_response(400, "Sec-WebSocket-Key must be 16 bytes in base64.\n");
   }
   const auto origin = request.find(http::field::origin);
-  if (origin != request.end() &&
-      !is_same_host(field(request, http::field::origin), field(request, http::field::host))) {
+  if (origin != request.end() && !names.allows_origin(field(request, http::field::origin),
+                                                      field(request, http::field::host))) {
     return text_response(403, "Pages of other sites may not connect here.\n");
   }
   if (!offers(all_of(request, http::field::sec_websocket_protocol), subprotocol)) {

@@ -11,6 +11,7 @@
 #include <boost/beast/http/fields.hpp>
 #include <boost/beast/http/message.hpp>
 
+#include "roomcast/net/allowed_names.h"
 #include "roomcast/net/http_response.h"
 
 namespace roomcast::net {
@@ -29,7 +30,8 @@ using EmptyResponse = boost::beast::http::response<boost::beast::http::empty_bod
 [[nodiscard]] bool asks_for_websocket(const RequestHeader& request);
 /// The answer that refuses the upgrade, with a sentence; nothing when the request is right.
 [[nodiscard]] std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
-                                                         std::string_view subprotocol);
+                                                         std::string_view subprotocol,
+                                                         const AllowedNames& names = {});
 /// 101 for a request that refuse_upgrade() let pass.
 [[nodiscard]] EmptyResponse make_upgrade(const RequestHeader& request,
                                          std::string_view subprotocol);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/http_request.h"
+
+#include <charconv>
+
+#include <boost/beast/core/string.hpp>
+
+namespace roomcast::net {
+
+std::string bearer_token(const HttpRequest& request) {
+  constexpr std::string_view kScheme = "Bearer ";
+  const std::string_view value = request.authorization;
+  const std::string_view scheme = value.substr(0, kScheme.size());
+  if (!boost::beast::iequals({scheme.data(), scheme.size()}, {kScheme.data(), kScheme.size()})) {
+    return "";
+  }
+  return std::string(value.substr(kScheme.size()));
+}
+
+std::string percent_decoded(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned value = 0;
+    if (text[i] == '%' && i + 2 < text.size()) {
+      const char* end = text.data() + i + 3;
+      if (std::from_chars(text.data() + i + 1, end, value, 16).ptr == end) {
+        plain += static_cast<char>(value);
+        i += 2;
+        continue;
+      }
+    }
+    plain += text[i];
+  }
+  return plain;
+}
+
+}  // namespace roomcast::net

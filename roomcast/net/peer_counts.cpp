@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/peer_counts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast::net {
+
+PeerCounts::Place::Place(std::shared_ptr<std::atomic<std::size_t>> count)
+    : count_(std::move(count)) {
+  ++*count_;
+}
+
+PeerCounts::Place::~Place() {
+  --*count_;
+}
+
+std::shared_ptr<PeerCounts::Place> PeerCounts::enter(const std::string& address,
+                                                     std::size_t limit) {
+  if (counts_.size() >= forget_at_) forget_the_gone();
+  auto& count = counts_[address];
+  if (count == nullptr) count = std::make_shared<std::atomic<std::size_t>>(0);
+  if (*count >= limit) return nullptr;
+  return std::make_shared<Place>(count);
+}
+
+/// What is left is no more than there are connections, so the map is bounded by twice that.
+void PeerCounts::forget_the_gone() {
+  std::erase_if(counts_, [](const auto& entry) { return *entry.second == 0; });
+  forget_at_ = std::max<std::size_t>(1024, 2 * counts_.size());
+}
+
+}  // namespace roomcast::net
