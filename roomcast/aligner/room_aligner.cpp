@@ -24,7 +24,8 @@ pb::Join join_message(const RoomAlignerOptions& options) {
   pb::Join join;
   join.set_room(options.room);
   join.set_name("aligner");
-  join.mutable_aligner()->set_key(options.key);
+  join.set_token(options.token);
+  join.mutable_aligner();
   return join;
 }
 

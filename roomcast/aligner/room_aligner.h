@@ -14,9 +14,9 @@ namespace roomcast::aligner {
 
 struct RoomAlignerOptions {
   std::string hub_url;
-  std::string room;  // empty: the hub's only one
-  std::string key;   // that the hub was started with
-  LogSink log;       // from both threads
+  std::string room;   // empty: the hub's only one
+  std::string token;  // an admin's
+  LogSink log;        // from both threads
 };
 
 class RoomAligner {

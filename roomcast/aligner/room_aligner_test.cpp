@@ -23,7 +23,6 @@ class RoomAlignerTest : public testing::Test {
   RoomAlignerTest() {
     hub::HubOptions options;
     options.port = 0;
-    options.aligner_key = "open sesame";
     hub_ = *hub::HubServer::open(options);
     thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
   }
@@ -50,7 +49,7 @@ TEST_F(RoomAlignerTest, sensors_of_a_running_room_are_placed) {
   const auto first_pose = align::corner_pose(2, 1.5), second_pose = align::corner_pose(-2, 1.5);
   const auto first = add_sensor("left", first_pose);
   const auto aligner =
-      RoomAligner::open({.hub_url = url(), .room = {}, .key = "open sesame", .log = {}});
+      RoomAligner::open({.hub_url = url(), .room = {}, .token = hub_->own_token(), .log = {}});
   ASSERT_TRUE(aligner.ok()) << aligner.error().message;
   const auto second = add_sensor("right", second_pose);
 
@@ -72,11 +71,11 @@ TEST_F(RoomAlignerTest, sensors_of_a_running_room_are_placed) {
   EXPECT_GT(room->sensors[0].world_from_depth.translation_m.y(), 1.5) << "the floor is at 0";
 }
 
-TEST_F(RoomAlignerTest, an_aligner_without_the_key_places_nothing) {
+TEST_F(RoomAlignerTest, an_aligner_without_a_token_places_nothing) {
   std::atomic<bool> refused = false;
   const auto aligner = RoomAligner::open({.hub_url = url(),
                                           .room = {},
-                                          .key = "guessed",
+                                          .token = "guessed",
                                           .log = [&](LogLevel level, std::string_view) {
                                             if (level == LogLevel::kError) refused = true;
                                           }});

@@ -27,7 +27,9 @@ class FakeHub {
     net::HttpServerOptions options;
     options.port = port;
     options.max_message_bytes = wire::kMaxFrameBytes;
-    options.on_websocket = [this](auto connection, std::size_t) { return accept(std::move(connection)); };
+    options.on_websocket = [this](auto connection, std::size_t) {
+      return accept(std::move(connection));
+    };
     server_ = std::move(*net::HttpServer::listen(io, std::move(options)));
   }
 

@@ -188,6 +188,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     case pb::Control::kWelcome:
       was_welcome_ = true;
       welcomed_at_ = clock_.now();
+      keep_token(control->welcome());
       events_.on_welcome(control->welcome());
       return ping();
     case pb::Control::kClockPong:
@@ -199,6 +200,13 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     default:
       events_.on_control(*control);
   }
+}
+
+/// A code is used up; what came for it lets us in again.
+void HubLink::keep_token(const pb::Welcome& welcome) {
+  if (welcome.token().empty()) return;
+  join_.set_token(welcome.token());
+  join_.clear_code();
 }
 
 void HubLink::take_pong(const pb::ClockPong& pong) {

@@ -74,12 +74,13 @@ class HubLink {
   void ping();
   void take(net::MessageBuffer message);
   void take_control(std::span<const std::uint8_t> message);
+  void keep_token(const wire::pb::Welcome& welcome);
   void take_pong(const wire::pb::ClockPong& pong);
   void give_up(const Error& reason);
 
   boost::asio::io_context& io_;
   const net::HubUrl hub_;
-  const wire::pb::Join join_;
+  wire::pb::Join join_;
   HubLinkEvents& events_;
   const net::ConnectionTimings timings_;
   SteadyClock clock_;

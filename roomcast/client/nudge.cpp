@@ -21,7 +21,8 @@ using Answer = Result<NudgedSensor>;
 pb::Join join_message(const NudgeOptions& options) {
   pb::Join join;
   join.set_room(options.room);
-  join.mutable_viewer()->set_key(options.key);
+  show(options.credential, join);
+  join.mutable_viewer();
   return join;
 }
 

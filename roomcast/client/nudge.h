@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "roomcast/client/credential.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
@@ -15,8 +16,8 @@ namespace roomcast {
 
 struct NudgeOptions {
   std::string hub_url;
-  std::string room;  // empty: the hub's only one
-  std::string key;   // that the hub was started with
+  std::string room;            // empty: the hub's only one
+  Credential credential = {};  // an admin's
   std::string sensor;
   Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // along the world's axes, y up
   double turn_rad = 0;  // about the vertical, counter-clockwise from above, where it stands

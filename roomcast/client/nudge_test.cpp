@@ -46,7 +46,7 @@ class NudgeTest : public testing::Test {
     network.start();
     options.hub_url = hub->url();
     options.sensor = "left";
-    options.key = "sesame";
+    options.credential.token = "sesame";
     options.shift_m = {0.5, 0, 0};
   }
   ~NudgeTest() override {

@@ -25,6 +25,7 @@ constexpr std::size_t kMaxUnsentFrames =
 wire::pb::Join join_message(const PublisherOptions& options) {
   wire::pb::Join join;
   join.set_room(options.room);
+  show(options.credential, join);
   join.set_name(options.name);
   auto& sensor = *join.mutable_sensor();
   sensor.set_fps(options.fps);

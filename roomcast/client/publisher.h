@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "roomcast/client/credential.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/log.h"
@@ -24,7 +25,8 @@ namespace roomcast {
 struct PublisherOptions {
   std::string hub_url;  // "ws://host:port", "host:port", ...
   std::string room;     // empty: the hub's only one
-  std::string name;     // the sensor's identity in the room
+  Credential credential = {};
+  std::string name;  // the sensor's identity in the room
   SensorCalibration calibration;
   std::optional<RigidTransform> world_from_depth;
   double fps = 30;

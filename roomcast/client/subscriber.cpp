@@ -16,6 +16,7 @@ namespace {
 wire::pb::Join join_message(const SubscriberOptions& options) {
   wire::pb::Join join;
   join.set_room(options.room);
+  show(options.credential, join);
   join.set_name(options.name);
   join.mutable_viewer();
   return join;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/room/room_snapshot.h"
@@ -19,6 +20,7 @@ namespace roomcast {
 struct SubscriberOptions {
   std::string hub_url;
   std::string room;  // empty: the hub's only one
+  Credential credential = {};
   std::string name;  // shown to others; may be empty
   LogSink log;
 };

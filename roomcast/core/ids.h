@@ -15,6 +15,8 @@ struct Id {
   friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };
 
+/// One room of a hub. Never used twice while a hub runs.
+using RoomId = Id<struct RoomTag, std::uint32_t>;
 /// A sensor of one room. Given by the hub, kept by the sensor's name when it comes back.
 using SensorId = Id<struct SensorTag, std::uint16_t>;
 /// A person's program in one room. Never used twice while a hub runs.

@@ -90,14 +90,18 @@ Status check_sensor_role(const pb::SensorRole& sensor) {
 Status check_join(const pb::Join& join) {
   if (auto s = check_name(join.room(), "room"); !s) return s;
   if (auto s = check_name(join.name(), "client"); !s) return s;
+  if (auto s = check_name(join.code(), "code"); !s) return s;
+  if (join.token().size() > kMaxTokenBytes) {
+    return Error{ErrorCode::kTooLarge,
+                 "a token has at most " + std::to_string(kMaxTokenBytes) + " bytes"};
+  }
   switch (join.role_case()) {
     case pb::Join::kSensor:
       if (join.name().empty()) return malformed("a sensor needs a name");
       return check_sensor_role(join.sensor());
     case pb::Join::kViewer:
-      return check_name(join.viewer().key(), "key");
     case pb::Join::kAligner:
-      return check_name(join.aligner().key(), "key");
+      return {};
     case pb::Join::ROLE_NOT_SET:
       break;
   }

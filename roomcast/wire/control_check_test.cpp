@@ -216,11 +216,15 @@ TEST(ControlCheck, placements_are_rigid_and_bounded_and_may_be_none) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
-TEST(ControlCheck, an_aligners_key_is_a_short_text) {
+TEST(ControlCheck, a_token_and_a_code_have_an_end) {
   pb::Control control;
-  control.mutable_join()->mutable_aligner()->set_key("open sesame");
+  control.mutable_join()->mutable_aligner();
+  control.mutable_join()->set_token(std::string(kMaxTokenBytes, 'x'));
   EXPECT_TRUE(check_control(control).ok());
-  control.mutable_join()->mutable_aligner()->set_key(std::string(kMaxNameBytes + 1, 'x'));
+  control.mutable_join()->set_token(std::string(kMaxTokenBytes + 1, 'x'));
+  EXPECT_EQ(check_control(control).error().code, ErrorCode::kTooLarge);
+  control.mutable_join()->clear_token();
+  control.mutable_join()->set_code(std::string(kMaxNameBytes + 1, 'x'));
   EXPECT_FALSE(check_control(control).ok());
 }
 

@@ -16,15 +16,22 @@ inline constexpr std::size_t kMaxBundleBytes = 2u << 20;  // a control message w
 
 // Connections.
 inline constexpr std::chrono::seconds kJoinDeadline{5};
-inline constexpr std::size_t kMaxUnjoinedConnections = 64;
+inline constexpr std::size_t kMaxUnjoinedConnections = 256;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxViewers = 512;
 inline constexpr std::size_t kMaxAligners = 4;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
+// What one connection may send.
+inline constexpr double kMaxMessagesPerSecond = 1000;  // a sensor at 240 frames/s, a viewer's poses
+inline constexpr double kMaxMessagesAtOnce = 2000;     // after a network that stood still
+inline constexpr double kMaxBytesPerSecond = 64e6;
+inline constexpr double kMaxBytesAtOnce = 128e6;
+
 // What they may say.
 inline constexpr std::size_t kMaxNameBytes = 64;
 inline constexpr std::size_t kMaxNoteBytes = 300;
+inline constexpr std::size_t kMaxTokenBytes = 1024;
 inline constexpr int kMaxSightings = 64;  // of a kind, in a message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;

@@ -15,10 +15,15 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxControlFromHubBytes, 262'144u);
   EXPECT_EQ(kMaxBundleBytes, 2'097'152u);
   EXPECT_EQ(kMaxNoteBytes, 300u);
+  EXPECT_EQ(kMaxTokenBytes, 1024u);
   EXPECT_EQ(kMaxSightings, 64);
   EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);
-  EXPECT_EQ(kMaxUnjoinedConnections, 64u);
+  EXPECT_EQ(kMaxUnjoinedConnections, 256u);
+  EXPECT_EQ(kMaxMessagesPerSecond, 1000);
+  EXPECT_EQ(kMaxMessagesAtOnce, 2000);
+  EXPECT_EQ(kMaxBytesPerSecond, 64e6);
+  EXPECT_EQ(kMaxBytesAtOnce, 128e6);
   EXPECT_EQ(kMaxSensors, 32u);
   EXPECT_EQ(kMaxViewers, 512u);
   EXPECT_EQ(kMaxQueuedControlMessages, 64u);
