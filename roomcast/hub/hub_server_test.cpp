@@ -2,147 +2,14 @@
 #include "roomcast/hub/hub_server.h"
 
 #include <algorithm>
-#include <deque>
-#include <functional>
-#include <thread>
 
-#include <boost/asio/io_context.hpp>
-#include <gtest/gtest.h>
-
-#include "roomcast/core/clock.h"
-#include "roomcast/hub/control_message.h"
-#include "roomcast/net/websocket_client.h"
-#include "roomcast/wire/frame_header.h"
-#include "roomcast/wire/limits.h"
+#include "roomcast/hub/hub_server_fixture.h"
 
 namespace roomcast::hub {
 namespace {
 
-using namespace std::chrono_literals;
-namespace pb = wire::pb;
-
-/// Speaks to the hub in bytes; remembers what it said.
-class RawClient final : public net::ConnectionHandler {
- public:
-  explicit RawClient(std::deque<net::SealedMessagePtr> to_send) : to_send_(std::move(to_send)) {}
-  void on_message(net::MessageBuffer message) override {
-    if (*wire::message_type(message.payload()) == wire::MessageType::kFrame) {
-      frames.push_back(*wire::parse_frame(message.payload()));
-      return;
-    }
-    auto control = wire::decode_control(message.payload(), wire::Sender::kHub);
-    ASSERT_TRUE(control.ok());
-    heard.push_back(std::move(*control));
-  }
-  net::SealedMessagePtr next_message() override {
-    if (to_send_.empty()) return nullptr;
-    auto message = to_send_.front();
-    to_send_.pop_front();
-    return message;
-  }
-  void on_closed(const net::CloseReason& reason) override { closed = reason; }
-
-  void say(net::SealedMessagePtr message) { to_send_.push_back(std::move(message)); }
-
-  std::vector<pb::Control> heard;
-  std::vector<wire::FrameHeader> frames;
-  std::optional<net::CloseReason> closed;
-
- private:
-  std::deque<net::SealedMessagePtr> to_send_;
-};
-
-net::SealedMessagePtr clock_ping(std::uint64_t client_ns) {
-  pb::Control control;
-  control.mutable_clock_ping()->set_client_ns(client_ns);
-  return sealed_control(control);
-}
-
-void set_camera(pb::Intrinsics& camera) {
-  camera.set_width(512);
-  camera.set_height(424);
-  camera.set_fx(360);
-  camera.set_fy(360);
-  camera.set_cx(256);
-  camera.set_cy(212);
-}
-
-net::SealedMessagePtr sensor_join(const std::string& name) {
-  pb::Control control;
-  control.mutable_join()->set_name(name);
-  auto& sensor = *control.mutable_join()->mutable_sensor();
-  sensor.set_fps(wire::kMaxFps);
-  auto& calibration = *sensor.mutable_calibration();
-  set_camera(*calibration.mutable_depth());
-  set_camera(*calibration.mutable_color());
-  for (int i = 0; i < 16; ++i) calibration.add_color_from_depth(i % 5 == 0 ? 1 : 0);
-  return sealed_control(control);
-}
-
-net::SealedMessagePtr key_frame(std::uint32_t seq) {
-  const wire::FrameHeader header{.key = true,
-                                 .seq = seq,
-                                 .capture_time = RoomTime(SteadyClock().now().time_since_epoch()),
-                                 .base_seq = seq};
-  std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
-  wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
-  return net::seal(net::MessageBuffer(bytes));
-}
-
-net::SealedMessagePtr viewer_join() {
-  pb::Control control;
-  control.mutable_join()->mutable_viewer();
-  return sealed_control(control);
-}
-
-class HubServerTest : public testing::Test {
- protected:
-  explicit HubServerTest(std::chrono::milliseconds join_within = wire::kJoinDeadline,
-                         std::size_t threads = 1) {
-    HubOptions options;
-    options.port = 0;
-    options.join_within = join_within;
-    options.threads = threads;
-    hub = std::move(*HubServer::open(options));
-    thread = std::jthread([this](const std::stop_token& stop) { hub->run(stop); });
-  }
-  ~HubServerTest() override {
-    if (!thread.joinable()) return;
-    thread.request_stop();
-    io.run_for(100ms);  // so that the clients answer the hub's close frames
-    thread.join();
-  }
-
-  /// A connected client that is about to say this.
-  std::shared_ptr<RawClient> connect(std::deque<net::SealedMessagePtr> to_send) {
-    auto client = std::make_shared<RawClient>(std::move(to_send));
-    const net::HubUrl url{.host = "127.0.0.1", .port = hub->port()};
-    bool answered = false;
-    net::connect(io, url, {}, [&](auto connection) {
-      answered = true;
-      ASSERT_TRUE(connection.ok()) << connection.error().message;
-      (*connection)->start(client);
-      sockets.push_back(*connection);
-    });
-    run_until([&] { return answered; });
-    return client;
-  }
-
-  void run_until(const std::function<bool()>& done) {
-    const auto give_up = std::chrono::steady_clock::now() + 5s;
-    while (!done() && io.run_one_until(give_up) > 0) {
-    }
-    ASSERT_TRUE(done()) << "nothing happened in 5 s";
-  }
-
-  std::unique_ptr<HubServer> hub;
-  std::jthread thread;
-  boost::asio::io_context io;
-  std::vector<std::shared_ptr<net::WebSocketConnection>> sockets;
-};
-
 TEST_F(HubServerTest, a_viewer_is_welcomed_and_told_who_is_there) {
-  const auto viewer = connect({viewer_join()});
+  const auto viewer = connect(viewer_join());
   run_until([&] { return viewer->heard.size() >= 2; });
   EXPECT_TRUE(viewer->heard[0].has_welcome());
   EXPECT_TRUE(viewer->heard[1].has_roster());
@@ -159,12 +26,12 @@ TEST_F(HubServerTest, nonsense_is_answered_with_a_reason_and_a_closed_door) {
 }
 
 TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
-  const auto viewer = connect({viewer_join()});
+  const auto viewer = connect(viewer_join());
   run_until([&] { return viewer->heard.size() >= 2; });
   const auto stranger =
       connect({net::seal(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
-  const auto another = connect({viewer_join()});
+  const auto another = connect(viewer_join());
   run_until([&] { return another->heard.size() >= 2 && viewer->heard.size() >= 3; });
   EXPECT_FALSE(viewer->closed);
   EXPECT_EQ(viewer->heard.back().roster().viewers_size(), 2);
@@ -172,7 +39,7 @@ TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
 
 TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
   const auto before = SteadyClock().now();
-  const auto viewer = connect({viewer_join(), clock_ping(5)});
+  const auto viewer = connect({sealed_control(viewer_join()), clock_ping(5)});
   const auto pong = [&] {
     return std::ranges::find_if(viewer->heard, [](const auto& m) { return m.has_clock_pong(); });
   };
@@ -186,15 +53,15 @@ TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
 /// The same hub on one thread and on several.
 class HubOnThreadsTest : public HubServerTest, public testing::WithParamInterface<std::size_t> {
  protected:
-  HubOnThreadsTest() : HubServerTest(wire::kJoinDeadline, GetParam()) {}
+  HubOnThreadsTest() : HubServerTest({.threads = GetParam()}) {}
 };
 INSTANTIATE_TEST_SUITE_P(Threads, HubOnThreadsTest, testing::Values(1, 2, 3));
 
 TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
   std::vector<std::shared_ptr<RawClient>> viewers;
-  for (int i = 0; i < 5; ++i) viewers.push_back(connect({viewer_join()}));
+  for (int i = 0; i < 5; ++i) viewers.push_back(connect(viewer_join()));
   for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
-  const auto sensor = connect({sensor_join("left")});
+  const auto sensor = connect(sensor_join("left"));
   run_until([&] { return sensor->heard.size() >= 1 && sensor->heard[0].has_welcome(); });
   constexpr std::uint32_t kFrames = 20;
   for (std::uint32_t seq = 0; seq < kFrames; ++seq) {
@@ -209,9 +76,9 @@ TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
 
 TEST_P(HubOnThreadsTest, viewers_come_and_go) {
   for (std::size_t round = 0; round < 4; ++round) {
-    const auto staying = connect({viewer_join()});
+    const auto staying = connect(viewer_join());
     run_until([&] { return staying->heard.size() >= 2; });
-    const auto going = connect({viewer_join()});
+    const auto going = connect(viewer_join());
     run_until([&] { return going->heard.size() >= 2; });
     sockets.back()->close(net::close_code::kNormal, "");
     run_until([&] {
@@ -223,17 +90,17 @@ TEST_P(HubOnThreadsTest, viewers_come_and_go) {
 
 class ImpatientHubTest : public HubServerTest {
  protected:
-  ImpatientHubTest() : HubServerTest(50ms) {}
+  ImpatientHubTest() : HubServerTest({.join_within = 50ms}) {}
 };
 
 TEST_F(ImpatientHubTest, who_says_nothing_is_shown_the_door) {
-  const auto silent = connect({});
+  const auto silent = connect(std::deque<net::SealedMessagePtr>());
   run_until([&] { return silent->closed.has_value(); });
   EXPECT_EQ(silent->heard.at(0).error().code(), pb::ERROR_UNEXPECTED);
 }
 
 TEST_F(HubServerTest, joining_twice_ends_the_connection) {
-  const auto viewer = connect({viewer_join(), viewer_join()});
+  const auto viewer = connect({sealed_control(viewer_join()), sealed_control(viewer_join())});
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_UNEXPECTED);
 }
@@ -245,17 +112,22 @@ TEST_F(HubServerTest, control_messages_of_strangers_are_small) {
   EXPECT_EQ(stranger->closed->code, net::close_code::kTooLarge);
 }
 
-TEST_F(HubServerTest, so_many_may_wait_at_the_door_and_no_more) {
+class SmallHubTest : public HubServerTest {
+ protected:
+  SmallHubTest() : HubServerTest({.limits = {.max_unjoined = 8}}) {}
+};
+
+TEST_F(SmallHubTest, so_many_may_wait_at_the_door_and_no_more) {
   std::vector<std::shared_ptr<RawClient>> crowd;
-  for (std::size_t i = 0; i < wire::kMaxUnjoinedConnections; ++i) crowd.push_back(connect({}));
-  const auto one_more = connect({});
+  for (int i = 0; i < 8; ++i) crowd.push_back(connect(std::deque<net::SealedMessagePtr>()));
+  const auto one_more = connect(std::deque<net::SealedMessagePtr>());
   run_until([&] { return one_more->closed.has_value(); });
   EXPECT_EQ(one_more->closed->code, net::close_code::kTryAgainLater);
 }
 
 TEST_P(HubOnThreadsTest, a_stopping_hub_says_good_bye) {
   std::vector<std::shared_ptr<RawClient>> viewers;
-  for (int i = 0; i < 3; ++i) viewers.push_back(connect({viewer_join()}));
+  for (int i = 0; i < 3; ++i) viewers.push_back(connect(viewer_join()));
   for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
   thread.request_stop();
   for (const auto& viewer : viewers) {

@@ -18,45 +18,56 @@ namespace pb = wire::pb;
 constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                         0x0072B2, 0xD55E00, 0xCC79A7};
 
-pb::Control welcome_message(const std::string& room, const std::string& hub_version) {
-  pb::Control control;
-  control.mutable_welcome()->set_room(room);
-  control.mutable_welcome()->set_hub_version(hub_version);
-  return control;
+/// One sensor cannot send as another: the name of one that is online is its own.
+bool may_replace(const RoomSensor& sensor, const Entry& entry) {
+  return !sensor.connection || sensor.token_id == entry.token_id || entry.takes_over_name;
 }
 
 }  // namespace
 
-Room::Room(std::string name, std::string hub_version, std::string aligner_key)
-    : name_(std::move(name)),
+Room::Room(RoomSettings settings, std::string hub_version, bool recalls_poses)
+    : settings_(std::move(settings)),
       hub_version_(std::move(hub_version)),
-      aligner_key_(std::move(aligner_key)) {}
+      recalls_poses_(recalls_poses) {}
 
-RoomActions Room::join(ConnectionId from, const pb::Join& join, RoomTime now) {
+RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now) {
   ROOMCAST_ASSERT(sensors_.find(from) == nullptr && !viewers_.contains(from));
-  if (!join.room().empty() && join.room() != name_) {
-    return refuse(from, pb::ERROR_NO_SUCH_ROOM,
-                  "this hub has no room \"" + join.room() + "\", only \"" + name_ + "\"", now);
-  }
   RoomActions out;
   switch (join.role_case()) {
     case pb::Join::kSensor:
-      join_sensor(from, join, now, out);
+      join_sensor(from, join, entry, now, out);
       break;
     case pb::Join::kAligner:
-      join_aligner(from, join, now, out);
+      join_aligner(from, entry, now, out);
       break;
     default:
-      join_viewer(from, join, now, out);
+      join_viewer(from, join, entry, now, out);
   }
   return out;
 }
 
-void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
-  RoomSensor* sensor = known_or_new_sensor(join.name(), out);
-  if (sensor == nullptr) {
+pb::Control Room::welcome_message(const Entry& entry) const {
+  pb::Control control;
+  pb::Welcome& welcome = *control.mutable_welcome();
+  welcome.set_room(settings_.name);
+  welcome.set_hub_version(hub_version_);
+  welcome.set_token(entry.new_token);
+  return control;
+}
+
+void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
+                       RoomActions& out) {
+  if (sensors_.find(join.name()) == nullptr && sensors_.count() >= settings_.max_sensors) {
     out = refuse(from, pb::ERROR_ROOM_FULL,
-                 "this room knows " + std::to_string(wire::kMaxSensors) + " sensors already", now);
+                 "this room knows " + std::to_string(settings_.max_sensors) + " sensors already",
+                 now);
+    return;
+  }
+  RoomSensor* sensor = known_or_new_sensor(join.name(), out);
+  ROOMCAST_ASSERT(sensor != nullptr);  // there are ids for kMaxSensors
+  if (!may_replace(*sensor, entry)) {
+    out = refuse(from, pb::ERROR_WRONG_ROLE,
+                 "another sensor is here as \"" + sensor->name + "\"; choose another --name", now);
     return;
   }
   if (sensor->connection) {
@@ -64,6 +75,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
                              "sensor \"" + sensor->name + "\" has joined again from elsewhere"});
   }
   sensors_.connect(*sensor, from);
+  sensor->token_id = entry.token_id;
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->bundle.reset();
@@ -71,7 +83,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   sets_.remove_sensor(sensor->id);
   sets_.add_sensor(sensor->id, join.sensor().fps());
 
-  pb::Control welcome = welcome_message(name_, hub_version_);
+  pb::Control welcome = welcome_message(entry);
   welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
   out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
@@ -85,20 +97,18 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   send_closed_sets(now, out);
 }
 
-void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
-  const std::string& key = join.viewer().key();
-  if (!key.empty() && key != aligner_key_) {
-    out = refuse(from, pb::ERROR_UNEXPECTED,
-                 "this is not the hub's key; without one you may look, but not move sensors", now);
+void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
+                       RoomActions& out) {
+  if (viewers_.size() >= settings_.max_viewers) {
+    out = refuse(
+        from, pb::ERROR_ROOM_FULL,
+        "this room holds " + std::to_string(settings_.max_viewers) + " viewers and is full", now);
     return;
   }
-  if (viewers_.size() >= wire::kMaxViewers) {
-    out = refuse(from, pb::ERROR_ROOM_FULL,
-                 "this room holds " + std::to_string(wire::kMaxViewers) + " viewers and is full",
-                 now);
-    return;
-  }
-  pb::Control welcome = welcome_message(name_, hub_version_);
+  pb::Control welcome = welcome_message(entry);
+  welcome.mutable_welcome()->set_may_place(entry.may_place);
+  welcome.mutable_welcome()->set_may_record(entry.may_record);
+  welcome.mutable_welcome()->set_may_export(entry.may_share);
   const Matrix4 pose = next_start_pose();
   welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
@@ -107,7 +117,9 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
-                    .may_nudge = !key.empty()};
+                    .may_nudge = entry.may_place,
+                    .records = join.viewer().records(),
+                    .token_id = entry.token_id};
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
@@ -117,18 +129,14 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, RoomTime now, Ro
   }
 }
 
-void Room::join_aligner(ConnectionId from, const pb::Join& join, RoomTime now, RoomActions& out) {
-  if (aligner_key_.empty() || join.aligner().key() != aligner_key_) {
-    out = refuse(from, pb::ERROR_UNEXPECTED, "this hub takes no placements from strangers", now);
-    return;
-  }
+void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out) {
   if (aligners_.size() >= wire::kMaxAligners) {
     out = refuse(from, pb::ERROR_ROOM_FULL, "this room has aligners enough", now);
     return;
   }
   aligners_.push_back(from);
   out.push_back(AcceptConnection{from, Role::kAligner});
-  out.push_back(SendControl{{from}, welcome_message(name_, hub_version_)});
+  out.push_back(SendControl{{from}, welcome_message(entry)});
   out.push_back(SendControl{{from}, roster_message()});
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
@@ -141,7 +149,7 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
   if (added == nullptr) return nullptr;
   const KnownSensor* earlier = sensors_.remembered(name);
   const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
-  if (pose && !aligner_key_.empty()) added->place.recall(*pose);
+  if (pose && recalls_poses_) added->place.recall(*pose);
   if (earlier == nullptr || earlier->id != added->id) {
     out.push_back(KeepSensors{{{name, added->id, pose}}});
   }
@@ -189,6 +197,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       return out;
     case pb::Control::kViewerStats:
       if (viewer == viewers_.end()) break;
+      viewer->second.told = message.viewer_stats();
       return out;
     case pb::Control::MESSAGE_NOT_SET:
       return out;  // of a later version
@@ -326,6 +335,14 @@ std::vector<ConnectionId> Room::readers_of_roster() const {
   return connections;
 }
 
+std::vector<ConnectionId> Room::connections() const {
+  std::vector<ConnectionId> connections = readers_of_roster();
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) connections.push_back(*sensor.connection);
+  }
+  return connections;
+}
+
 pb::Roster Room::roster() const {
   pb::Roster roster;
   roster.set_revision(roster_revision_);
@@ -350,17 +367,33 @@ pb::Roster Room::roster() const {
 
 RoomStats Room::stats() const {
   RoomStats stats = set_stats_;
-  stats.room = name_;
-  stats.viewers = viewers_.size();
+  stats.room = settings_.name;
   for (const RoomSensor& sensor : sensors_.all()) {
-    stats.sensors.push_back(sensor.stats);
-    stats.sensors.back().name = sensor.name;
-    stats.sensors.back().online = sensor.connection.has_value();
+    SensorStats& entry = stats.sensors.emplace_back(sensor.stats);
+    entry.id = sensor.id;
+    entry.name = sensor.name;
+    entry.online = sensor.connection.has_value();
+    entry.connection = sensor.connection.value_or(ConnectionId{});
+    entry.token_id = sensor.connection ? sensor.token_id : "";
+    entry.place = sensor.place;
   }
+  for (const auto& [connection, viewer] : viewers_) {
+    stats.viewers.push_back({.id = viewer.id,
+                             .name = viewer.name,
+                             .connection = connection,
+                             .token_id = viewer.token_id,
+                             .records = viewer.records,
+                             .shown_fps = viewer.told.shown_fps(),
+                             .latency_ms = viewer.told.latency_ms()});
+  }
+  std::ranges::sort(stats.viewers, {}, &ViewerStats::id);
   return stats;
 }
 
 Matrix4 Room::next_start_pose() const {
+  if (const auto& positions = settings_.start_positions; !positions.empty()) {
+    return world_from_viewer(positions[viewers_.size() % positions.size()]);
+  }
   std::vector<Matrix4> placed;
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;

@@ -14,9 +14,11 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
+#include "roomcast/hub/access/entry.h"
 #include "roomcast/hub/frame_set_builder.h"
 #include "roomcast/hub/pose_relay.h"
 #include "roomcast/hub/room_action.h"
+#include "roomcast/hub/room_settings.h"
 #include "roomcast/hub/room_stats.h"
 #include "roomcast/hub/sensor_list.h"
 #include "roomcast/hub/start_pose.h"
@@ -28,17 +30,22 @@ namespace roomcast::hub {
 
 class Room {
  public:
-  /// `aligner_key`: what an aligner has to say to be let in; empty: none is.
-  Room(std::string name, std::string hub_version, std::string aligner_key = {});
+  /// `recalls_poses`: of sensors that were here before; only where an aligner verifies them.
+  Room(RoomSettings settings, std::string hub_version, bool recalls_poses = true);
 
-  /// Who was here before the hub was started. They get their ids back when they come, and their
-  /// poses if there may be an aligner to verify them. Call it first.
+  /// Hold for who comes from now on. The name stays.
+  void change(RoomSettings settings) { settings_ = std::move(settings); }
+  [[nodiscard]] const RoomSettings& settings() const { return settings_; }
+
+  /// Who was here before the hub was started. They get their ids back when they come. Call it
+  /// first.
   void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
 
   // Events. Messages have passed wire::decode_control or wire::parse_frame.
 
-  /// The first message of a connection has come.
-  [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, RoomTime now);
+  /// Somebody was let in, and may do what `entry` says.
+  [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, const Entry& entry,
+                                 RoomTime now);
   /// Any later control message.
   [[nodiscard]] RoomActions control(ConnectionId from, const wire::pb::Control& message,
                                     RoomTime now);
@@ -54,7 +61,9 @@ class Room {
   /// When `tick` should be called next, if nothing happens before.
   [[nodiscard]] std::optional<RoomTime> next_tick() const;
 
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return settings_.name; }
+  /// Everybody in it.
+  [[nodiscard]] std::vector<ConnectionId> connections() const;
   [[nodiscard]] std::size_t online_sensor_count() const { return sensors_.online_count(); }
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
   [[nodiscard]] RoomStats stats() const;
@@ -64,12 +73,18 @@ class Room {
     ViewerId id;
     std::string name;
     std::uint32_t color_rgb = 0;
-    bool may_nudge = false;  // it knows the key
+    bool may_nudge = false;
+    bool records = false;
+    std::string token_id;
+    wire::pb::ViewerStats told = {};  // by itself
   };
 
-  void join_sensor(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
-  void join_viewer(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
-  void join_aligner(ConnectionId from, const wire::pb::Join& join, RoomTime now, RoomActions& out);
+  void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
+                   RoomActions& out);
+  void join_viewer(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
+                   RoomActions& out);
+  void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
+  [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
   void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
   void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
@@ -88,9 +103,9 @@ class Room {
   [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
                                    std::string sentence, RoomTime now);
 
-  const std::string name_;
+  RoomSettings settings_;
   const std::string hub_version_;
-  const std::string aligner_key_;
+  const bool recalls_poses_;
   SensorList sensors_;
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;

@@ -31,24 +31,5 @@ TEST(RoomStats, of_a_sensor_that_catches_up_the_newest_frame_counts) {
   EXPECT_EQ(sensor_count(set), 2U);
 }
 
-TEST(RoomStats, text_is_what_prometheus_reads) {
-  RoomStats stats{
-      .room = "lab", .viewers = 3, .sets = 40, .incomplete_sets = 2, .set_skew_s = 0.012};
-  stats.sensors.push_back({.name = "left", .online = true, .frames = 41, .bytes = 900});
-  const std::string text = metrics_text(stats, 7);
-  EXPECT_THAT(text, HasSubstr("# TYPE roomcast_sensor_frames_total counter\n"
-                              "roomcast_sensor_frames_total{room=\"lab\",sensor=\"left\"} 41\n"));
-  EXPECT_THAT(text, HasSubstr("roomcast_viewers{room=\"lab\"} 3\n"));
-  EXPECT_THAT(text, HasSubstr("roomcast_set_skew_seconds{room=\"lab\"} 0.012\n"));
-  EXPECT_THAT(text, HasSubstr("roomcast_dropped_sets_total{room=\"lab\"} 7\n"));
-  EXPECT_THAT(text, Not(HasSubstr("sensor_clock_error_seconds{"))) << "it is not known";
-}
-
-TEST(RoomStats, names_cannot_break_out_of_their_quotes) {
-  RoomStats stats{.room = "lab"};
-  stats.sensors.push_back({.name = "a\"} 1\\"});
-  EXPECT_THAT(metrics_text(stats, 0), HasSubstr("sensor=\"a\\\"} 1\\\\\"}"));
-}
-
 }  // namespace
 }  // namespace roomcast::hub

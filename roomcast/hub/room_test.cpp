@@ -219,14 +219,73 @@ TEST_F(RoomTest, an_unknown_kind_of_message_is_ignored) {
   EXPECT_THAT(room.control(viewer, pb::Control(), at(0s)), IsEmpty());
 }
 
-TEST_F(RoomTest, another_rooms_guest_is_turned_away) {
-  auto join = viewer_join();
-  join.set_room("kitchen");
-  enter(join);
-  EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_NO_SUCH_ROOM);
-  join.set_room("lab");
-  enter(join);
+TEST_F(RoomTest, nobody_sends_under_the_name_of_a_sensor_that_is_here_with_another_token) {
+  enter(sensor_join("left"), 0s, {.token_id = "one"});
+  enter(sensor_join("left"), 1s, {.token_id = "another"});
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_WRONG_ROLE);
+  EXPECT_EQ(all<Disconnect>(actions).size(), 1U) << "who was here stays";
+  enter(sensor_join("left"), 2s);
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_WRONG_ROLE);
+}
+
+TEST_F(RoomTest, the_same_token_one_for_this_name_and_an_admins_replace_a_sensor) {
+  enter(sensor_join("left"), 0s, {.token_id = "one"});
+  enter(sensor_join("left"), 1s, {.token_id = "one"});
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_REPLACED);
+  enter(sensor_join("left"), 2s, {.token_id = "another", .takes_over_name = true});
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_REPLACED);
+}
+
+TEST_F(RoomTest, a_sensor_that_has_gone_leaves_its_name_to_others) {
+  const auto first = enter(sensor_join("left"), 0s, {.token_id = "one"});
+  (void)room.leave(first, at(1s));
+  enter(sensor_join("left"), 2s, {.token_id = "another"});
   EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
+}
+
+TEST_F(RoomTest, a_smaller_room_holds_fewer) {
+  room.change({.name = "lab", .max_sensors = 1, .max_viewers = 1});
+  enter(sensor_join("left"));
+  enter(sensor_join("right"));
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_ROOM_FULL);
+  enter(sensor_join("left"));
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_REPLACED) << "it is known already";
+  enter(viewer_join());
+  enter(viewer_join());
+  EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_ROOM_FULL);
+}
+
+TEST_F(RoomTest, viewers_enter_where_the_rooms_owner_says) {
+  room.change({.name = "lab", .start_positions = {{.x_m = 3, .z_m = 4}, {.x_m = 5, .z_m = 6}}});
+  for (const double x : {3, 5, 3}) {
+    enter(viewer_join());
+    const auto welcome = messages(actions, pb::Control::kWelcome).at(0).message.welcome();
+    EXPECT_EQ(welcome.start_pose(3), x);
+  }
+}
+
+TEST_F(RoomTest, a_welcome_says_what_a_viewer_may_do) {
+  enter(viewer_join(), 0s,
+        {.may_place = true, .may_record = true, .may_share = true, .new_token = "t"});
+  const auto welcome = messages(actions, pb::Control::kWelcome).at(0).message.welcome();
+  EXPECT_TRUE(welcome.may_place());
+  EXPECT_TRUE(welcome.may_record());
+  EXPECT_TRUE(welcome.may_export());
+  EXPECT_EQ(welcome.token(), "t");
+}
+
+TEST_F(RoomTest, tells_who_is_in_it_and_how_they_do) {
+  const auto sensor = enter(sensor_join("left"), 0s, {.token_id = "one"});
+  const auto viewer = enter(viewer_join("Ada"), 0s, {.token_id = "two"});
+  pb::Control told;
+  told.mutable_viewer_stats()->set_latency_ms(80);
+  (void)room.control(viewer, told, at(1s));
+  const RoomStats stats = room.stats();
+  EXPECT_EQ(stats.sensors.at(0).token_id, "one");
+  EXPECT_EQ(stats.sensors.at(0).connection, sensor);
+  EXPECT_EQ(stats.viewers.at(0).name, "Ada");
+  EXPECT_EQ(stats.viewers.at(0).latency_ms, 80);
+  EXPECT_THAT(room.connections(), testing::UnorderedElementsAre(sensor, viewer));
 }
 
 TEST_F(RoomTest, a_room_holds_so_many_sensors_and_viewers_and_no_more) {

@@ -70,9 +70,9 @@ inline pb::Roster newest_roster(const RoomActions& actions) {
 
 class RoomTest : public testing::Test {
  protected:
-  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s) {
+  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s, const Entry& entry = {}) {
     const ConnectionId connection{next_connection++};
-    actions = room.join(connection, join, at(now));
+    actions = room.join(connection, join, entry, at(now));
     return connection;
   }
 
@@ -84,7 +84,7 @@ class RoomTest : public testing::Test {
     return room.frame(from, header, net::MessageBuffer(bytes), at(arrived));
   }
 
-  Room room{"lab", "test", "open sesame"};
+  Room room{RoomSettings{.name = "lab"}, "test"};
   RoomActions actions;  // of the last enter()
   std::uint64_t next_connection = 1;
 };

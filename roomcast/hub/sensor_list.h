@@ -32,6 +32,7 @@ struct RoomSensor {
   SensorPlace place = {};
   std::optional<wire::pb::Control> bundle = {};  // the newest since it joined
   std::uint32_t bundles = 0;                     // that it has sent, ever
+  std::string token_id = {};                     // that it came with
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // what changes with its frames
 };
@@ -57,6 +58,7 @@ class SensorList {
   void connect(RoomSensor& sensor, ConnectionId connection);
   void disconnect(RoomSensor& sensor);
 
+  [[nodiscard]] std::size_t count() const { return sensors_.size(); }
   [[nodiscard]] std::size_t online_count() const { return by_connection_.size(); }
   /// In the order of their ids.
   [[nodiscard]] auto all() { return std::views::values(sensors_); }

@@ -40,10 +40,19 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
 }  // namespace
 
 Session::Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
-                 const Clock& clock)
-    : id_(id), connection_(connection), hub_(hub), clock_(clock) {}
+                 const Clock& clock, const SessionLimits& limits)
+    : id_(id),
+      connection_(connection),
+      hub_(hub),
+      clock_(clock),
+      messages_(limits.messages_per_s, limits.messages_at_once),
+      bytes_(limits.bytes_per_s, limits.bytes_at_once) {}
 
 void Session::on_message(net::MessageBuffer message) {
+  const HostTime now = clock_.now();
+  if (!messages_.take(1, now) || !bytes_.take(static_cast<double>(message.size()), now)) {
+    return disconnect(pb::ERROR_TOO_FAST, "more comes from here than one connection may send");
+  }
   const auto type = wire::message_type(message.payload());
   if (!type) return refuse(type.error());
   if (*type == wire::MessageType::kFrame) return take_frame(std::move(message));
@@ -51,7 +60,7 @@ void Session::on_message(net::MessageBuffer message) {
 }
 
 void Session::take_frame(net::MessageBuffer message) {
-  if (!is_sensor_) {
+  if (!is_sensor_ || !is_accepted_) {
     return disconnect(pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames");
   }
   const auto header = wire::parse_frame(message.payload());
@@ -72,7 +81,7 @@ void Session::take_control(std::span<const std::uint8_t> message) {
   if (!control->has_join()) return hub_.on_control(id_, *control);
   has_joined_ = true;
   is_sensor_ = control->join().has_sensor();
-  hub_.on_join(id_, control->join());
+  hub_.on_join({id_, connection_.peer_address(), connection_.peer()}, control->join());
 }
 
 // Here and at once: what the answer waits for on its way makes the client's clock uncertain.
@@ -88,7 +97,7 @@ void Session::tell_time(const wire::pb::ClockPing& ping) {
 
 net::SealedMessagePtr Session::next_message() {
   auto message = outbox_.next();
-  if (auto sensors = outbox_.take_key_needs(); !sensors.empty()) hub_.on_key_needs(sensors);
+  if (auto sensors = outbox_.take_key_needs(); !sensors.empty()) hub_.on_key_needs(id_, sensors);
   return message;
 }
 
@@ -98,6 +107,7 @@ void Session::on_closed(const net::CloseReason& reason) {
 
 void Session::accept(Role role) {
   is_accepted_ = true;
+  connection_.settle();
   if (role == Role::kSensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
 }
 

@@ -10,33 +10,49 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
+#include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/outbox.h"
 #include "roomcast/hub/room_action.h"
 #include "roomcast/net/websocket_connection.h"
 #include "roomcast/wire/control.pb.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
+
+/// Who knocks.
+struct Arrival {
+  ConnectionId from;
+  std::string address;  // "192.0.2.7:50312"
+  std::string peer;     // for counting and banning
+};
 
 /// What comes in from sessions: told to their shard, and by it to the room.
 class SessionEvents {
  public:
   virtual ~SessionEvents() = default;
   /// Once for each session, before everything else.
-  virtual void on_join(ConnectionId from, const wire::pb::Join& join) = 0;
+  virtual void on_join(const Arrival& arrival, const wire::pb::Join& join) = 0;
   virtual void on_control(ConnectionId from, const wire::pb::Control& message) = 0;
   virtual void on_frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message) = 0;
-  virtual void on_key_needs(const std::vector<SensorId>& sensors) = 0;
+  /// Of these sensors it had to be left frames out.
+  virtual void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) = 0;
   /// The session is over; it is not used after this.
   virtual void on_left(ConnectionId from, const net::CloseReason& reason) = 0;
+};
+
+/// What one connection may send.
+struct SessionLimits {
+  double messages_per_s = wire::kMaxMessagesPerSecond, messages_at_once = wire::kMaxMessagesAtOnce;
+  double bytes_per_s = wire::kMaxBytesPerSecond, bytes_at_once = wire::kMaxBytesAtOnce;
 };
 
 class Session final : public net::ConnectionHandler {
  public:
   /// `connection` is used up to on_closed().
   Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
-          const Clock& clock);
+          const Clock& clock, const SessionLimits& limits = {});
 
   void on_message(net::MessageBuffer message) override;
   net::SealedMessagePtr next_message() override;
@@ -44,6 +60,8 @@ class Session final : public net::ConnectionHandler {
 
   /// The room has taken it in.
   void accept(Role role);
+  [[nodiscard]] std::uint64_t bytes_out() const { return connection_.counters().bytes_out; }
+  [[nodiscard]] ConnectionId id() const { return id_; }
   [[nodiscard]] bool is_accepted() const { return is_accepted_; }
   /// It has asked to be taken in.
   [[nodiscard]] bool has_joined() const { return has_joined_; }
@@ -71,6 +89,7 @@ class Session final : public net::ConnectionHandler {
   bool has_joined_ = false;
   bool is_accepted_ = false;
   bool is_sensor_ = false;  // by its own word; the room knows
+  RateLimit messages_, bytes_;
 };
 
 }  // namespace roomcast::hub

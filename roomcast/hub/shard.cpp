@@ -13,28 +13,27 @@ namespace roomcast::hub {
 
 namespace asio = boost::asio;
 
-Shard::Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined,
-             std::chrono::milliseconds join_within)
+Shard::Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined, ShardLimits limits)
     : place_(place),
       room_(room),
       unjoined_(unjoined),
-      join_within_(join_within),
+      limits_(limits),
       next_connection_(place.count + place.index) {}
 
 std::shared_ptr<net::ConnectionHandler> Shard::welcome(
     const std::shared_ptr<net::WebSocketConnection>& connection) {
-  if (unjoined_ >= wire::kMaxUnjoinedConnections) return nullptr;
+  if (unjoined_ >= limits_.max_unjoined) return nullptr;
   ++unjoined_;
   const ConnectionId id{next_connection_};
   next_connection_ += place_.count;
-  auto session = std::make_shared<Session>(id, *connection, *this, clock_);
+  auto session = std::make_shared<Session>(id, *connection, *this, clock_, limits_.session);
   sessions_[id] = session;
   expect_join(id);
   return session;
 }
 
 void Shard::expect_join(ConnectionId id) {
-  auto deadline = std::make_shared<asio::steady_timer>(place_.io, join_within_);
+  auto deadline = std::make_shared<asio::steady_timer>(place_.io, limits_.join_within);
   deadline->async_wait([this, id, deadline](boost::system::error_code error) {
     Session* session = find(id);
     if (error || session == nullptr || session->has_joined()) return;
@@ -49,13 +48,13 @@ Session* Shard::find(ConnectionId id) const {
 
 // ---- from the room
 
-void Shard::accept(ConnectionId connection, Role role) {
-  asio::dispatch(place_.io, [this, connection, role] {
+void Shard::accept(ConnectionId connection, Role role, RoomId room) {
+  asio::dispatch(place_.io, [this, connection, role, room] {
     Session* session = find(connection);
     if (session == nullptr) return;
     session->accept(role);
     --unjoined_;
-    if (role == Role::kViewer) viewers_.push_back(session);
+    if (role == Role::kViewer) viewers_[room].sessions.push_back(session);
   });
 }
 
@@ -69,21 +68,43 @@ void Shard::send_control(std::vector<ConnectionId> to, net::SealedMessagePtr mes
   });
 }
 
-void Shard::send_set(FrameSetPtr set) {
-  asio::dispatch(place_.io, [this, set = std::move(set)] {
+void Shard::send_set(RoomId room, FrameSetPtr set) {
+  asio::dispatch(place_.io, [this, room, set = std::move(set)] {
+    const auto found = viewers_.find(room);
+    if (found == viewers_.end()) return;
     std::uint64_t dropped = 0;
-    for (Session* viewer : viewers_) {
+    for (Session* viewer : found->second.sessions) {
       dropped -= viewer->dropped_sets();
       viewer->send_set(set);
       dropped += viewer->dropped_sets();
     }
-    dropped_sets_ += dropped;
+    found->second.dropped_sets += dropped;
   });
 }
 
-void Shard::restart_sensor(SensorId sensor) {
-  asio::dispatch(place_.io, [this, sensor] {
-    for (Session* viewer : viewers_) viewer->restart_sensor(sensor);
+void Shard::restart_sensor(RoomId room, SensorId sensor) {
+  asio::dispatch(place_.io, [this, room, sensor] {
+    const auto found = viewers_.find(room);
+    if (found == viewers_.end()) return;
+    for (Session* viewer : found->second.sessions) viewer->restart_sensor(sensor);
+  });
+}
+
+void Shard::forget(RoomId room) {
+  asio::dispatch(place_.io, [this, room] { viewers_.erase(room); });
+}
+
+void Shard::report_traffic(std::function<void(ShardTraffic)> to) {
+  asio::dispatch(place_.io, [this, to = std::move(to)] {
+    ShardTraffic traffic;
+    for (const auto& [room, viewers] : viewers_) {
+      traffic.rooms.push_back({room, viewers.dropped_sets});
+      for (const Session* viewer : viewers.sessions) {
+        traffic.viewers.push_back({viewer->id(), viewer->bytes_out(), viewer->dropped_sets()});
+      }
+    }
+    asio::dispatch(place_.room_io,
+                   [to, traffic = std::move(traffic)]() mutable { to(std::move(traffic)); });
   });
 }
 
@@ -95,8 +116,8 @@ void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::s
 
 // ---- to the room
 
-void Shard::on_join(ConnectionId from, const wire::pb::Join& join) {
-  asio::dispatch(place_.room_io, [this, from, join] { room_.on_join(from, join); });
+void Shard::on_join(const Arrival& arrival, const wire::pb::Join& join) {
+  asio::dispatch(place_.room_io, [this, arrival, join] { room_.on_join(arrival, join); });
 }
 
 void Shard::on_control(ConnectionId from, const wire::pb::Control& message) {
@@ -110,14 +131,14 @@ void Shard::on_frame(ConnectionId from, const wire::FrameHeader& header,
   });
 }
 
-void Shard::on_key_needs(const std::vector<SensorId>& sensors) {
-  asio::dispatch(place_.room_io, [this, sensors] { room_.on_key_needs(sensors); });
+void Shard::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
+  asio::dispatch(place_.room_io, [this, from, sensors] { room_.on_key_needs(from, sensors); });
 }
 
 void Shard::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto found = sessions_.find(from);
   if (!found->second->is_accepted()) --unjoined_;
-  std::erase(viewers_, found->second.get());
+  for (auto& [room, viewers] : viewers_) std::erase(viewers.sessions, found->second.get());
   sessions_.erase(found);
   asio::dispatch(place_.room_io, [this, from, reason] { room_.on_left(from, reason); });
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/entry.h"
+
+#include <optional>
+
+namespace roomcast::hub {
+
+namespace {
+
+namespace pb = wire::pb;
+
+Refusal no_such_room() {
+  return {pb::ERROR_NO_SUCH_ROOM,
+          "there is no such room on this hub, or it asks for a token that is for it"};
+}
+
+std::string wanted_room(const pb::Join& join, const Claims* claims,
+                        const std::string& only_listed_room) {
+  if (!join.room().empty()) return join.room();
+  const bool for_one_room = claims != nullptr && claims->grant.room != kAllRooms;
+  return for_one_room ? claims->grant.room : only_listed_room;
+}
+
+/// Is what `who` asks for met by these claims? Admins may do all but what nobody may.
+bool meets(Who who, const Claims* claims, std::optional<TokenRole> role = std::nullopt) {
+  const bool is_admin = claims != nullptr && claims->grant.role == TokenRole::kAdmin;
+  switch (who) {
+    case Who::kAnyone:
+      return true;
+    case Who::kToken:
+      return is_admin || (claims != nullptr && (!role || claims->grant.role == *role));
+    case Who::kAdmin:
+      return is_admin;
+    case Who::kNobody:
+      break;
+  }
+  return false;
+}
+
+struct Wish {
+  Who who = Who::kAdmin;  // may have it
+  TokenRole role = TokenRole::kAdmin;
+  const char* what = "";  // of a sentence
+};
+
+Wish wish_of(const pb::Join& join, const RoomSettings& room) {
+  switch (join.role_case()) {
+    case pb::Join::kSensor:
+      return {room.send, TokenRole::kSensor, "send"};
+    case pb::Join::kViewer:
+      return {room.view, TokenRole::kViewer, "view"};
+    default:
+      return {Who::kAdmin, TokenRole::kAdmin, "place sensors in"};
+  }
+}
+
+Refusal refuse(const Wish& wish, const Claims* claims) {
+  const std::string what = wish.what;
+  if (wish.who == Who::kNobody) {
+    return {pb::ERROR_NOT_ALLOWED, "nobody may " + what + " this room"};
+  }
+  const std::string needed(name_of(wish.who == Who::kAdmin ? TokenRole::kAdmin : wish.role));
+  if (claims == nullptr) {
+    return {pb::ERROR_UNAUTHENTICATED, "to " + what + " this room takes a token for role " +
+                                           needed + "; ask its owner for one"};
+  }
+  return {pb::ERROR_WRONG_ROLE, "this token is for role " +
+                                    std::string(name_of(claims->grant.role)) + "; to " + what +
+                                    " this room takes one for role " + needed};
+}
+
+bool is_another_sensors(const pb::Join& join, const Claims* claims) {
+  return join.has_sensor() && claims != nullptr && claims->grant.role == TokenRole::kSensor &&
+         !claims->grant.name.empty() && claims->grant.name != join.name();
+}
+
+Entry entry_of(const pb::Join& join, const Claims* claims, const RoomSettings& room) {
+  Entry entry{.room = room.name};
+  entry.may_record = meets(room.record, claims);
+  entry.may_share = meets(room.share, claims);
+  if (claims == nullptr) return entry;
+  entry.token_id = claims->id;
+  entry.expires_at = claims->expires_at;
+  entry.may_place = claims->grant.role == TokenRole::kAdmin;
+  entry.takes_over_name = entry.may_place || claims->grant.name == join.name();
+  return entry;
+}
+
+}  // namespace
+
+bool may_know_of(const RoomSettings& room, const Claims* claims) {
+  return room.listed || (claims != nullptr && covers(claims->grant, room.name));
+}
+
+Verdict<Entry> decide_entry(const pb::Join& join, const Claims* claims, const FindRoom& find_room,
+                            const std::string& only_listed_room) {
+  const std::string name = wanted_room(join, claims, only_listed_room);
+  if (name.empty()) {
+    return Refusal{pb::ERROR_NO_SUCH_ROOM, "this hub has several rooms: say which one"};
+  }
+  if (claims != nullptr && !covers(claims->grant, name)) {
+    return Refusal{pb::ERROR_WRONG_ROOM, "this token is for another room"};
+  }
+  const RoomSettings* room = find_room(name);
+  if (room == nullptr) return no_such_room();
+  const Wish wish = wish_of(join, *room);
+  if (!meets(wish.who, claims, wish.role)) {
+    return may_know_of(*room, claims) ? refuse(wish, claims) : no_such_room();
+  }
+  if (is_another_sensors(join, claims)) {
+    return Refusal{pb::ERROR_WRONG_ROLE,
+                   "this token is for the sensor \"" + claims->grant.name + "\" and no other"};
+  }
+  if (join.viewer().records() && !meets(room->record, claims)) {
+    return Refusal{pb::ERROR_NOT_ALLOWED, "this room's owner does not let you record it"};
+  }
+  return entry_of(join, claims, *room);
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/entry.h"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+pb::Join viewer(const std::string& room, bool records = false) {
+  pb::Join join;
+  join.set_room(room);
+  join.mutable_viewer()->set_records(records);
+  return join;
+}
+
+pb::Join sensor(const std::string& room, const std::string& name) {
+  pb::Join join;
+  join.set_room(room);
+  join.set_name(name);
+  join.mutable_sensor();
+  return join;
+}
+
+pb::Join aligner(const std::string& room) {
+  pb::Join join;
+  join.set_room(room);
+  join.mutable_aligner();
+  return join;
+}
+
+Claims claims(const std::string& room, TokenRole role, const std::string& name = "") {
+  return {.id = "t1", .grant = {.room = room, .role = role, .name = name}, .expires_at = 99};
+}
+
+class EntryTest : public testing::Test {
+ protected:
+  EntryTest() {
+    rooms["open"] = {.name = "open"};
+    rooms["lab"] = {.name = "lab", .send = Who::kToken, .view = Who::kToken, .record = Who::kAdmin};
+    rooms["cellar"] = {.name = "cellar", .listed = false, .send = Who::kToken, .view = Who::kToken};
+    rooms["hall"] = {.name = "hall", .listed = false};
+  }
+
+  Verdict<Entry> decide(const pb::Join& join, const std::optional<Claims>& shown = {}) {
+    const FindRoom find = [this](const std::string& name) -> const RoomSettings* {
+      const auto found = rooms.find(name);
+      return found == rooms.end() ? nullptr : &found->second;
+    };
+    return decide_entry(join, shown ? &*shown : nullptr, find, only_listed);
+  }
+  pb::ErrorCode fault(const pb::Join& join, const std::optional<Claims>& shown = {}) {
+    const auto verdict = decide(join, shown);
+    const Refusal* why = refusal(verdict);
+    return why == nullptr ? pb::ERROR_UNSPECIFIED : why->code;
+  }
+
+  std::map<std::string, RoomSettings> rooms;
+  std::string only_listed;
+};
+
+TEST_F(EntryTest, an_open_room_takes_everybody_but_lets_nobody_place) {
+  EXPECT_EQ(fault(viewer("open")), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(sensor("open", "left")), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(aligner("open")), pb::ERROR_UNAUTHENTICATED);
+  EXPECT_FALSE(std::get<Entry>(decide(viewer("open"))).may_place);
+}
+
+TEST_F(EntryTest, who_has_no_token_is_told_to_get_one) {
+  EXPECT_EQ(fault(viewer("lab")), pb::ERROR_UNAUTHENTICATED);
+  EXPECT_EQ(fault(sensor("lab", "left")), pb::ERROR_UNAUTHENTICATED);
+}
+
+TEST_F(EntryTest, a_token_opens_its_room_in_its_role) {
+  EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kViewer)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(sensor("lab", "left"), claims("lab", TokenRole::kSensor)), pb::ERROR_UNSPECIFIED);
+}
+
+TEST_F(EntryTest, a_token_for_another_room_is_refused_whether_that_room_exists_or_not) {
+  for (const char* room : {"lab", "open", "cellar", "nowhere"}) {
+    EXPECT_EQ(fault(viewer(room), claims("kitchen", TokenRole::kViewer)), pb::ERROR_WRONG_ROOM);
+  }
+}
+
+TEST_F(EntryTest, a_token_for_another_role_is_refused) {
+  EXPECT_EQ(fault(sensor("lab", "left"), claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
+  EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kSensor)), pb::ERROR_WRONG_ROLE);
+  EXPECT_EQ(fault(aligner("lab"), claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
+}
+
+TEST_F(EntryTest, an_admin_may_do_everything_in_its_room) {
+  const Claims admin = claims("lab", TokenRole::kAdmin);
+  EXPECT_EQ(fault(aligner("lab"), admin), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(sensor("lab", "left"), admin), pb::ERROR_UNSPECIFIED);
+  EXPECT_TRUE(std::get<Entry>(decide(viewer("lab", true), admin)).may_place);
+  EXPECT_EQ(fault(viewer("open"), admin), pb::ERROR_WRONG_ROOM);
+  EXPECT_EQ(fault(viewer("cellar"), claims("*", TokenRole::kAdmin)), pb::ERROR_UNSPECIFIED);
+}
+
+TEST_F(EntryTest, only_an_admins_star_is_all_rooms) {
+  EXPECT_EQ(fault(viewer("lab"), claims("*", TokenRole::kViewer)), pb::ERROR_WRONG_ROOM);
+}
+
+TEST_F(EntryTest, a_private_room_answers_strangers_as_one_that_is_not_there) {
+  for (const auto& [there, nowhere] :
+       {std::pair{viewer("cellar"), viewer("nowhere")},
+        std::pair{sensor("cellar", "left"), sensor("nowhere", "left")},
+        std::pair{aligner("cellar"), aligner("nowhere")}}) {
+    const auto a = decide(there), b = decide(nowhere);
+    ASSERT_NE(refusal(a), nullptr);
+    EXPECT_EQ(refusal(a)->code, refusal(b)->code);
+    EXPECT_EQ(refusal(a)->sentence, refusal(b)->sentence);
+  }
+}
+
+TEST_F(EntryTest, a_room_that_is_not_listed_can_still_be_open_to_who_knows_its_name) {
+  EXPECT_EQ(fault(viewer("hall")), pb::ERROR_UNSPECIFIED);
+  EXPECT_FALSE(may_know_of(rooms["hall"], nullptr));
+}
+
+TEST_F(EntryTest, a_sensors_token_with_a_name_is_good_for_that_sensor_only) {
+  const Claims token = claims("lab", TokenRole::kSensor, "left");
+  EXPECT_EQ(fault(sensor("lab", "right"), token), pb::ERROR_WRONG_ROLE);
+  EXPECT_TRUE(std::get<Entry>(decide(sensor("lab", "left"), token)).takes_over_name);
+}
+
+TEST_F(EntryTest, who_may_record_is_the_rooms_rule) {
+  EXPECT_EQ(fault(viewer("lab", true), claims("lab", TokenRole::kViewer)), pb::ERROR_NOT_ALLOWED);
+  EXPECT_EQ(fault(viewer("open", true)), pb::ERROR_UNSPECIFIED);
+  rooms["open"].record = Who::kNobody;
+  EXPECT_EQ(fault(viewer("open", true)), pb::ERROR_NOT_ALLOWED);
+  EXPECT_EQ(fault(viewer("open", true), claims("open", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);
+}
+
+TEST_F(EntryTest, a_closed_room_is_closed_to_everybody) {
+  rooms["lab"].view = Who::kNobody;
+  EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);
+}
+
+TEST_F(EntryTest, who_names_no_room_gets_the_tokens_or_the_only_one) {
+  EXPECT_EQ(fault(viewer("")), pb::ERROR_NO_SUCH_ROOM);
+  EXPECT_EQ(std::get<Entry>(decide(viewer(""), claims("lab", TokenRole::kViewer))).room, "lab");
+  only_listed = "open";
+  EXPECT_EQ(std::get<Entry>(decide(viewer(""))).room, "open");
+}
+
+}  // namespace
+}  // namespace roomcast::hub

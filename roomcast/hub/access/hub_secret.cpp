@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/hub_secret.h"
+
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "roomcast/net/random_bytes.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+constexpr mode_t kOwnerOnly = 0600;
+
+class File {
+ public:
+  File(const std::filesystem::path& path, int flags)
+      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, kOwnerOnly)) {}
+  ~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  [[nodiscard]] int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+Error unavailable(const std::filesystem::path& file, const char* what) {
+  return {ErrorCode::kUnavailable, std::string("cannot ") + what + " the hub's secret " +
+                                       file.string() + ": " + std::strerror(errno)};
+}
+
+Result<HubSecret> read_secret(const std::filesystem::path& path) {
+  const File file(path, O_RDONLY);
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) return unavailable(path, "read");
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "others may read the hub's secret: run chmod 600 " + path.string()};
+  }
+  HubSecret secret{};
+  if (status.st_size != static_cast<off_t>(secret.size()) ||
+      ::read(file.get(), secret.data(), secret.size()) != static_cast<ssize_t>(secret.size())) {
+    return Error{ErrorCode::kMalformed,
+                 path.string() + " is not a hub's secret; delete it, and all tokens with it"};
+  }
+  return secret;
+}
+
+/// Under another name first: whoever reads it meanwhile, or after a crash, finds all of it or none.
+Status write_secret(const std::filesystem::path& path, const HubSecret& secret) {
+  const std::filesystem::path draft = path.string() + "." + std::to_string(::getpid());
+  {
+    ::unlink(draft.c_str());
+    const File file(draft, O_WRONLY | O_CREAT | O_EXCL);
+    const bool written =
+        file.get() >= 0 &&
+        ::write(file.get(), secret.data(), secret.size()) == static_cast<ssize_t>(secret.size()) &&
+        ::fsync(file.get()) == 0;
+    if (!written) return unavailable(path, "write");
+  }
+  const bool linked = ::link(draft.c_str(), path.c_str()) == 0 || errno == EEXIST;
+  const int reason = errno;
+  ::unlink(draft.c_str());
+  errno = reason;
+  if (!linked) return unavailable(path, "write");
+  return {};
+}
+
+}  // namespace
+
+HubSecret make_hub_secret() {
+  HubSecret secret{};
+  net::fill_with_random_bytes(secret);
+  return secret;
+}
+
+Result<HubSecret> find_hub_secret(const std::filesystem::path& file) {
+  std::error_code absent;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, absent))) {
+    if (auto status = write_secret(file, make_hub_secret()); !status) return status.error();
+  }
+  return read_secret(file);  // of two that start at once, the first one's
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/hub_secret.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/core/temporary_folder.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(HubSecret, is_made_once_and_found_again) {
+  const TemporaryFolder folder;
+  const auto made = find_hub_secret(folder.path() / "secret");
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(*find_hub_secret(folder.path() / "secret"), *made);
+  EXPECT_NE(make_hub_secret(), *made);
+}
+
+TEST(HubSecret, is_for_its_owner_alone) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(find_hub_secret(folder.path() / "secret").ok());
+  EXPECT_EQ(fs::status(folder.path() / "secret").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(HubSecret, that_others_may_read_is_refused) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(find_hub_secret(folder.path() / "secret").ok());
+  fs::permissions(folder.path() / "secret", fs::perms::group_read, fs::perm_options::add);
+  const auto found = find_hub_secret(folder.path() / "secret");
+  ASSERT_FALSE(found.ok());
+  EXPECT_NE(found.error().message.find("chmod 600"), std::string::npos);
+}
+
+TEST(HubSecret, a_file_of_something_else_is_refused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "secret") << "password";
+  fs::permissions(folder.path() / "secret", fs::perms::owner_read);
+  EXPECT_EQ(find_hub_secret(folder.path() / "secret").error().code, ErrorCode::kMalformed);
+}
+
+TEST(HubSecret, is_not_read_through_a_link) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(find_hub_secret(folder.path() / "secret").ok());
+  fs::create_symlink(folder.path() / "secret", folder.path() / "link");
+  EXPECT_FALSE(find_hub_secret(folder.path() / "link").ok());
+}
+
+TEST(HubSecret, where_nothing_can_be_written_it_says_so) {
+  EXPECT_EQ(find_hub_secret("/nonexistent/folder/secret").error().code, ErrorCode::kUnavailable);
+}
+
+}  // namespace
+}  // namespace roomcast::hub

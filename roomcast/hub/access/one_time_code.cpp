@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/one_time_code.h"
+
+#include <cctype>
+
+#include <openssl/evp.h>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/net/random_bytes.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+constexpr std::string_view kDigits = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
+constexpr std::size_t kLength = 16, kGroup = 4;
+
+/// What somebody meant by a letter; 0 for one that cannot be in a code.
+char as_meant(char letter) {
+  const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  if (upper == 'O') return '0';
+  if (upper == 'I' || upper == 'L') return '1';
+  return kDigits.find(upper) != std::string_view::npos ? upper : '\0';
+}
+
+}  // namespace
+
+std::string make_one_time_code() {
+  std::array<std::uint8_t, kLength> random{};
+  net::fill_with_random_bytes(random);
+  std::string code;
+  for (std::size_t i = 0; i < kLength; ++i) {
+    if (i > 0 && i % kGroup == 0) code += '-';
+    code += kDigits[random[i] % kDigits.size()];
+  }
+  return code;
+}
+
+std::optional<CodeDigest> digest_of_code(std::string_view code) {
+  std::string plain;
+  for (const char letter : code) {
+    if (letter == '-' || letter == ' ') continue;
+    const char meant = as_meant(letter);
+    if (meant == '\0' || plain.size() == kLength) return std::nullopt;
+    plain += meant;
+  }
+  if (plain.size() != kLength) return std::nullopt;
+  CodeDigest digest{};
+  unsigned int size = 0;
+  const int done =
+      EVP_Digest(plain.data(), plain.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  ROOMCAST_ASSERT(done == 1 && size == digest.size());
+  return digest;
+}
+
+std::string make_token_id() {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::array<std::uint8_t, 16> random{};
+  net::fill_with_random_bytes(random);
+  std::string id;
+  for (const std::uint8_t byte : random) {
+    id += kHex[byte >> 4];
+    id += kHex[byte & 15];
+  }
+  return id;
+}
+
+}  // namespace roomcast::hub

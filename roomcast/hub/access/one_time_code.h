@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// One-time codes: short enough to read out, exchanged once for a token. Four groups of four of
+// Crockford's base 32 (80 bits): no letter looks like a digit. The hub keeps only their digests.
+// Threading: thread-safe (no state).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace roomcast::hub {
+
+/// "7K2M-9QXA-0C4T-VW3H"
+[[nodiscard]] std::string make_one_time_code();
+
+using CodeDigest = std::array<std::uint8_t, 32>;
+
+/// SHA-256 of a code, however it was typed: hyphens and case do not count, O is 0, I and L are 1.
+/// Nothing: this is no code.
+[[nodiscard]] std::optional<CodeDigest> digest_of_code(std::string_view code);
+
+/// 128 random bits in hexadecimal: a token's id.
+[[nodiscard]] std::string make_token_id();
+
+}  // namespace roomcast::hub

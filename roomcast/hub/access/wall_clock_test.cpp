@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/access/wall_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::hub {
+namespace {
+
+TEST(WallClock, is_past_the_year_this_was_written_in_and_goes_forward) {
+  constexpr UnixSeconds kBefore = 1'750'000'000;
+  const UnixSeconds first = wall_time();
+  EXPECT_GT(first, kBefore);
+  EXPECT_GE(wall_time(), first);
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/admin/admin_api.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/token_request.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+using Json = nlohmann::json;
+namespace pb = wire::pb;
+
+net::HttpResponse no_such_room() {
+  return error_answer(404, "not_found",
+                      "there is no such room on this hub, or it asks for a token that is for it");
+}
+
+net::HttpResponse not_yours() {
+  return error_answer(403, "wrong_role", "this takes an admin's token that covers it");
+}
+
+net::HttpResponse is_nowhere(NoRoute reason) {
+  if (reason == NoRoute::kUnknownMethod) {
+    return error_answer(405, "method_not_allowed", "this address does not take this method");
+  }
+  return error_answer(404, "not_found", "there is nothing at this address");
+}
+
+/// Nothing: the body is no JSON object.
+std::optional<Json> object_in(const std::string& body) {
+  Json json = Json::parse(body, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  return json;
+}
+
+net::HttpResponse no_object() {
+  return error_answer(400, "bad_request", "the body has to be a JSON object");
+}
+
+}  // namespace
+
+AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version)
+    : hall_(hall), desk_(desk), version_(std::move(version)) {}
+
+void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
+  const auto found = match_admin_route(request.method, request.path);
+  if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
+  Call call{std::get<MatchedRoute>(found), std::nullopt, request.body, std::move(respond)};
+  if (request.authorization.empty()) {
+    if (!call.match.route.needs_token) return carry_out(call);
+    return call.respond(error_answer(
+        Refusal{pb::ERROR_UNAUTHENTICATED,
+                "this takes an admin's token, in the header Authorization: Bearer TOKEN"}));
+  }
+  desk_.ask([token = net::bearer_token(request)](HubBook& book) { return book.check(token); },
+            [this, call = std::move(call)](const Verdict<Claims>& verdict) mutable {
+              if (const Refusal* why = refusal(verdict)) return call.respond(error_answer(*why));
+              call.caller = std::get<Claims>(verdict);
+              carry_out(call);
+            });
+}
+
+void AdminApi::carry_out(const Call& call) {
+  switch (call.match.route.call) {
+    case AdminCall::kStatus:
+      return status(call);
+    case AdminCall::kListRooms:
+      return list_rooms(call);
+    case AdminCall::kOpenRoom:
+      return open_room(call);
+    case AdminCall::kRoom:
+      return room(call);
+    case AdminCall::kListTokens:
+      return list_tokens(call);
+    case AdminCall::kMakeToken:
+      return make_token(call);
+    case AdminCall::kRevokeToken:
+      return revoke_token(call);
+    default:
+      return carry_out_in_room(call);
+  }
+}
+
+/// What only an admin of the room may do. Who is none, of a room that it may not know of, is
+/// answered as if there were no room.
+void AdminApi::carry_out_in_room(const Call& call) {
+  const RoomSettings* settings = hall_.find(call.parameter(0));
+  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
+  if (!call.is_admin_of(settings->name)) return call.respond(not_yours());
+  switch (call.match.route.call) {
+    case AdminCall::kChangeRoom:
+      return change_room(call);
+    case AdminCall::kCloseRoom:
+      return close_room(call);
+    case AdminCall::kListSensors:
+      return list_sensors(call);
+    case AdminCall::kEndSensor:
+      return end_sensor(call);
+    case AdminCall::kListViewers:
+      return list_viewers(call);
+    default:
+      return end_viewer(call);
+  }
+}
+
+void AdminApi::status(const Call& call) const {
+  if (!call.is_hub_admin()) return call.respond(not_yours());
+  std::size_t sensors = 0, viewers = 0;
+  for (const RoomStats& stats : hall_.stats()) {
+    sensors += static_cast<std::size_t>(std::ranges::count_if(stats.sensors, &SensorStats::online));
+    viewers += stats.viewers.size();
+  }
+  const double uptime_s = std::chrono::duration<double>(clock_.now() - started_).count();
+  call.respond(json_answer(200, {{"version", version_},
+                                 {"uptime_s", uptime_s},
+                                 {"rooms", hall_.room_count()},
+                                 {"sensors", sensors},
+                                 {"viewers", viewers}}));
+}
+
+// ---- rooms
+
+void AdminApi::list_rooms(const Call& call) const {
+  Json rooms = Json::array();
+  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  for (const RoomStats& stats : hall_.stats()) {
+    const RoomSettings& settings = *hall_.find(stats.room);
+    if (!may_know_of(settings, claims)) continue;
+    rooms.push_back(call.is_admin_of(settings.name) ? whole_room(settings, stats)
+                                                    : brief_room(settings, stats));
+  }
+  call.respond(json_answer(200, {{"rooms", std::move(rooms)}}));
+}
+
+void AdminApi::room(const Call& call) const {
+  const RoomSettings* settings = hall_.find(call.parameter(0));
+  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
+  const RoomStats stats = *hall_.stats(settings->name);
+  call.respond(json_answer(200, call.is_admin_of(settings->name) ? whole_room(*settings, stats)
+                                                                 : brief_room(*settings, stats)));
+}
+
+void AdminApi::open_room(const Call& call) {
+  if (!call.is_hub_admin()) return call.respond(not_yours());
+  const auto json = object_in(call.body);
+  if (!json) return call.respond(no_object());
+  if (!json->contains("name")) {
+    return call.respond(error_answer(400, "bad_request", "a room needs a name"));
+  }
+  const auto settings = changed(
+      {.send = Who::kToken, .view = Who::kToken, .record = Who::kAdmin, .share = Who::kAdmin},
+      *json);
+  if (!settings) return call.respond(error_answer(settings.error()));
+  if (hall_.find(settings->name) != nullptr) {
+    return call.respond(error_answer(409, "conflict", "there is a room of this name already"));
+  }
+  keep_room(call, *settings, true);
+}
+
+void AdminApi::change_room(const Call& call) {
+  const auto json = object_in(call.body);
+  if (!json) return call.respond(no_object());
+  const RoomSettings& before = *hall_.find(call.parameter(0));
+  const auto settings = changed(before, *json);
+  if (!settings) return call.respond(error_answer(settings.error()));
+  if (settings->name != before.name) {
+    return call.respond(error_answer(400, "bad_request", "a room keeps its name"));
+  }
+  keep_room(call, *settings, false);
+}
+
+void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is_new) {
+  desk_.ask([settings](HubBook& book) { return book.rooms().save(settings); },
+            [this, call, settings, is_new](const Status& kept) {
+              if (!kept) return call.respond(error_answer(kept.error()));
+              const bool is_there = hall_.find(settings.name) != nullptr;
+              if (!is_there && !is_new) return call.respond(no_such_room());
+              if (is_there) {
+                hall_.change(settings);
+              } else {
+                hall_.open(settings, {});
+              }
+              call.respond(json_answer(is_new ? 201 : 200,
+                                       whole_room(settings, *hall_.stats(settings.name))));
+            });
+}
+
+void AdminApi::close_room(const Call& call) {
+  if (!call.is_hub_admin()) return call.respond(not_yours());
+  desk_.ask(
+      [name = call.parameter(0)](HubBook& book) {
+        auto forgotten = book.rooms().forget(name);
+        return forgotten ? book.sensors().forget(name) : forgotten;
+      },
+      [this, call](const Status& forgotten) {
+        if (!forgotten) return call.respond(error_answer(forgotten.error()));
+        if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
+        call.respond(no_content());
+      });
+}
+
+// ---- who is in a room
+
+void AdminApi::list_sensors(const Call& call) const {
+  Json sensors = Json::array();
+  const RoomStats stats = *hall_.stats(call.parameter(0));
+  for (const SensorStats& sensor : stats.sensors) {
+    sensors.push_back(sensor_json(sensor, hall_.address_of(sensor.connection)));
+  }
+  call.respond(json_answer(200, {{"sensors", std::move(sensors)}}));
+}
+
+void AdminApi::list_viewers(const Call& call) const {
+  Json viewers = Json::array();
+  const RoomStats stats = *hall_.stats(call.parameter(0));
+  for (const ViewerStats& viewer : stats.viewers) {
+    viewers.push_back(viewer_json(viewer, hall_.address_of(viewer.connection)));
+  }
+  call.respond(json_answer(200, {{"viewers", std::move(viewers)}}));
+}
+
+void AdminApi::end_sensor(const Call& call) {
+  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const auto found = std::ranges::find(stats.sensors, call.parameter(1), &SensorStats::name);
+  if (found == stats.sensors.end() || !found->online) {
+    return call.respond(error_answer(404, "not_found", "no sensor of this name is online"));
+  }
+  hall_.send_away(found->connection, "the room's owner ended this connection");
+  call.respond(no_content());
+}
+
+void AdminApi::end_viewer(const Call& call) {
+  std::uint32_t id = 0;
+  const std::string& text = call.parameter(1);
+  std::from_chars(text.data(), text.data() + text.size(), id);
+  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const auto found = std::ranges::find(stats.viewers, ViewerId{id}, &ViewerStats::id);
+  if (found == stats.viewers.end()) {
+    return call.respond(error_answer(404, "not_found", "no such viewer is in this room"));
+  }
+  hall_.send_away(found->connection, "the room's owner ended this connection");
+  call.respond(no_content());
+}
+
+// ---- tokens
+
+void AdminApi::list_tokens(const Call& call) {
+  if (call.caller->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
+  desk_.ask([room = call.caller->grant.room](HubBook& book) { return book.tokens(room); },
+            [call](const Result<std::vector<IssuedToken>>& tokens) {
+              if (!tokens) return call.respond(error_answer(tokens.error()));
+              Json list = Json::array();
+              for (const IssuedToken& token : *tokens) list.push_back(token_json(token));
+              call.respond(json_answer(200, {{"tokens", std::move(list)}}));
+            });
+}
+
+void AdminApi::make_token(const Call& call) {
+  const auto json = object_in(call.body);
+  if (!json) return call.respond(no_object());
+  const auto wanted = read_token_request(*json);
+  if (!wanted) return call.respond(error_answer(wanted.error()));
+  if (!call.is_admin_of(wanted->grant.room)) return call.respond(not_yours());
+  desk_.ask([wanted = *wanted](HubBook& book) { return make_token_for(wanted, book); },
+            [call](const Result<Json>& made) {
+              call.respond(made ? json_answer(201, *made) : error_answer(made.error()));
+            });
+}
+
+void AdminApi::revoke_token(const Call& call) {
+  if (call.caller->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
+  const std::string& id = call.parameter(0);
+  desk_.ask(
+      [id, grant = call.caller->grant](HubBook& book) -> Status {
+        const auto token = book.token(id);
+        if (!token) return token.error();
+        if (!covers(grant, token->claims.grant.room)) {  // another room's: as if there were none
+          return Error{ErrorCode::kNotFound, "no token \"" + id + "\" was made here"};
+        }
+        return book.revoke(id);
+      },
+      [this, call, id](const Status& revoked) {
+        if (!revoked) return call.respond(error_answer(revoked.error()));
+        hall_.send_away_holders({id});
+        call.respond(no_content());
+      });
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// AdminApi: answers the hub's HTTP interface for whoever runs it (docs/spec/admin.openapi.yaml).
+// What is changed is on disk before it is done, and done before it is acknowledged. Threading: the
+// rooms' thread; answers come later, from there.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/hub/admin/admin_routes.h"
+#include "roomcast/hub/desk.h"
+#include "roomcast/hub/room_hall.h"
+#include "roomcast/net/http_request.h"
+
+namespace roomcast::hub {
+
+class AdminApi {
+ public:
+  AdminApi(RoomHall& hall, Desk& desk, std::string version);
+
+  void answer(const net::HttpRequest& request, net::Respond respond);
+
+ private:
+  /// One call that may be made, and by whom.
+  struct Call {
+    MatchedRoute match;
+    std::optional<Claims> caller;  // nothing: showed no token
+    std::string body;
+    net::Respond respond;
+
+    [[nodiscard]] const std::string& parameter(std::size_t i) const { return match.parameters[i]; }
+    [[nodiscard]] bool is_admin_of(std::string_view room) const {
+      return caller && caller->grant.role == TokenRole::kAdmin && covers(caller->grant, room);
+    }
+    [[nodiscard]] bool is_hub_admin() const { return is_admin_of(kAllRooms); }
+  };
+
+  void carry_out(const Call& call);
+  void carry_out_in_room(const Call& call);
+  void status(const Call& call) const;
+  void list_rooms(const Call& call) const;
+  void room(const Call& call) const;
+  void open_room(const Call& call);
+  void change_room(const Call& call);
+  void close_room(const Call& call);
+  void keep_room(const Call& call, const RoomSettings& settings, bool is_new);
+  void list_sensors(const Call& call) const;
+  void end_sensor(const Call& call);
+  void list_viewers(const Call& call) const;
+  void end_viewer(const Call& call);
+  void list_tokens(const Call& call);
+  void make_token(const Call& call);
+  void revoke_token(const Call& call);
+
+  RoomHall& hall_;
+  Desk& desk_;
+  const std::string version_;
+  SteadyClock clock_;
+  const HostTime started_ = clock_.now();
+};
+
+}  // namespace roomcast::hub

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/admin/admin_api.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::hub {
+namespace {
+
+using Json = nlohmann::json;
+namespace pb = wire::pb;
+
+struct Answer {
+  int status = 0;
+  Json body;
+  [[nodiscard]] std::string code() const { return body["error"]["code"]; }
+};
+
+class AdminApiTest : public testing::Test {
+ protected:
+  AdminApiTest() {
+    hall.open({.name = "lab", .view = Who::kToken}, {});
+    hall.open({.name = "cellar", .listed = false, .view = Who::kToken}, {});
+  }
+
+  Answer ask(const std::string& method, const std::string& path, const std::string& token = "",
+             const Json& body = nullptr) {
+    net::HttpRequest request{.method = method,
+                             .path = "/api/v1" + path,
+                             .authorization = token.empty() ? "" : "Bearer " + token,
+                             .body = body.is_null() ? "" : body.dump(),
+                             .peer = ""};
+    std::optional<net::HttpResponse> response;
+    api.answer(request, [&](net::HttpResponse answer) { response = std::move(answer); });
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (!response && std::chrono::steady_clock::now() < give_up) {
+      io.run_one_for(std::chrono::milliseconds(100));
+      io.restart();
+    }
+    EXPECT_TRUE(response) << method << " " << path;
+    return {response->status, Json::parse(*response->body, nullptr, false)};
+  }
+
+  std::string token(const std::string& room, TokenRole role) {
+    const Answer made =
+        ask("POST", "/tokens", hub_admin, {{"room", room}, {"role", std::string(name_of(role))}});
+    return made.body.value("token", "");
+  }
+
+  boost::asio::io_context io;
+  std::unique_ptr<HubBook> book = *HubBook::open(std::nullopt);
+  const std::string hub_admin = book->sign_own();
+  Desk desk{std::move(book), io};
+  std::vector<std::unique_ptr<Shard>> shards;
+  RoomHall hall{{.hub_version = "test"}, io, desk, shards};
+  AdminApi api{hall, desk, "test"};
+};
+
+TEST_F(AdminApiTest, whoever_asks_learns_of_listed_rooms_only) {
+  const Answer rooms = ask("GET", "/rooms");
+  ASSERT_EQ(rooms.body["rooms"].size(), 1U);
+  EXPECT_EQ(rooms.body["rooms"][0]["name"], "lab");
+  EXPECT_EQ(ask("GET", "/rooms/cellar").body, ask("GET", "/rooms/nowhere").body);
+  EXPECT_EQ(ask("GET", "/rooms", hub_admin).body["rooms"].size(), 2U);
+  EXPECT_EQ(ask("GET", "/rooms", token("cellar", TokenRole::kViewer)).body["rooms"].size(), 2U);
+}
+
+TEST_F(AdminApiTest, a_private_room_is_not_there_for_another_rooms_admin) {
+  const std::string other = token("lab", TokenRole::kAdmin);
+  for (const char* what : {"", "/sensors", "/viewers"}) {
+    const std::string tail = what;
+    EXPECT_EQ(ask("GET", "/rooms/cellar" + tail, other).body,
+              ask("GET", "/rooms/nowhere" + tail, other).body);
+  }
+}
+
+TEST_F(AdminApiTest, what_takes_a_token_says_so) {
+  for (const AdminRoute& route : admin_routes()) {
+    if (!route.needs_token) continue;
+    std::string path(route.path);
+    for (const char* name : {"{room}", "{sensor}", "{viewer}", "{id}"}) {
+      if (const auto at = path.find(name); at != std::string::npos) {
+        path.replace(at, std::string(name).size(), "lab");
+      }
+    }
+    const std::string method(route.method);
+    EXPECT_EQ(ask(method, path).code(), "unauthenticated") << method << path;
+    EXPECT_EQ(ask(method, path, "guessed").code(), "invalid_token") << method << path;
+    EXPECT_EQ(ask(method, path, token("lab", TokenRole::kViewer), Json::object()).status / 100, 4)
+        << method << path;
+  }
+}
+
+TEST_F(AdminApiTest, a_room_is_opened_changed_and_closed) {
+  const Answer opened = ask("POST", "/rooms", hub_admin, {{"name", "hall"}, {"max_viewers", 9}});
+  EXPECT_EQ(opened.status, 201);
+  EXPECT_EQ(opened.body["view"], "token") << "a room is closed until its owner opens it";
+  EXPECT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).code(), "conflict");
+  const Answer changed = ask("PATCH", "/rooms/hall", hub_admin, {{"title", "The hall"}});
+  EXPECT_EQ(changed.body["title"], "The hall");
+  EXPECT_EQ(changed.body["max_viewers"], 9);
+  EXPECT_EQ(ask("DELETE", "/rooms/hall", hub_admin).status, 204);
+  EXPECT_EQ(ask("GET", "/rooms/hall", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, what_makes_no_sense_is_refused_with_a_sentence) {
+  EXPECT_EQ(ask("POST", "/rooms", hub_admin, Json::array()).code(), "bad_request");
+  EXPECT_EQ(ask("POST", "/rooms", hub_admin, {{"title", "nameless"}}).code(), "bad_request");
+  EXPECT_EQ(ask("PATCH", "/rooms/lab", hub_admin, {{"name", "attic"}}).code(), "bad_request");
+  EXPECT_EQ(ask("PATCH", "/rooms/lab", hub_admin, {{"view", "friends"}}).code(), "bad_request");
+  EXPECT_EQ(ask("POST", "/tokens", hub_admin, {{"room", "lab"}}).code(), "bad_request");
+  EXPECT_EQ(ask("PUT", "/rooms", hub_admin).code(), "method_not_allowed");
+  EXPECT_EQ(ask("GET", "/nothing", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, a_rooms_admin_rules_that_room_and_no_other) {
+  const std::string admin = token("lab", TokenRole::kAdmin);
+  EXPECT_EQ(ask("PATCH", "/rooms/lab", admin, {{"title", "Mine"}}).status, 200);
+  EXPECT_EQ(ask("GET", "/rooms/lab/sensors", admin).status, 200);
+  EXPECT_EQ(ask("DELETE", "/rooms/lab", admin).code(), "wrong_role");
+  EXPECT_EQ(ask("POST", "/rooms", admin, {{"name", "more"}}).code(), "wrong_role");
+  EXPECT_EQ(ask("GET", "/status", admin).code(), "wrong_role");
+  EXPECT_EQ(ask("POST", "/tokens", admin, {{"room", "cellar"}, {"role", "viewer"}}).code(),
+            "wrong_role");
+  EXPECT_EQ(ask("POST", "/tokens", admin, {{"room", "*"}, {"role", "admin"}}).code(), "wrong_role");
+}
+
+TEST_F(AdminApiTest, tokens_are_made_listed_and_revoked) {
+  const Answer made =
+      ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "admin"}, {"ttl_s", 60}});
+  EXPECT_EQ(made.status, 201);
+  const std::string shown = made.body["token"], id = made.body["id"];
+  EXPECT_EQ(ask("GET", "/tokens", shown).body["tokens"][0]["id"], id);
+  EXPECT_EQ(ask("DELETE", "/tokens/" + id, hub_admin).status, 204);
+  EXPECT_EQ(ask("GET", "/tokens", shown).code(), "revoked");
+  EXPECT_EQ(ask("GET", "/tokens", hub_admin).body["tokens"][0]["revoked"], true);
+  EXPECT_EQ(ask("DELETE", "/tokens/nobodys", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, another_rooms_tokens_are_not_there) {
+  const std::string admin = token("lab", TokenRole::kAdmin);
+  const Answer made = ask("POST", "/tokens", hub_admin, {{"room", "cellar"}, {"role", "viewer"}});
+  EXPECT_EQ(ask("DELETE", "/tokens/" + made.body["id"].get<std::string>(), admin).code(),
+            "not_found");
+  EXPECT_EQ(ask("GET", "/tokens", admin).body["tokens"].size(), 1U);
+}
+
+TEST_F(AdminApiTest, a_code_comes_with_what_follows_the_pages_address) {
+  const Answer made =
+      ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}, {"once", true}});
+  EXPECT_FALSE(made.body.contains("token"));
+  EXPECT_TRUE(made.body["fragment"].get<std::string>().starts_with("#room=lab&code="));
+}
+
+TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
+  EXPECT_EQ(ask("DELETE", "/rooms/lab/sensors/left", hub_admin).code(), "not_found");
+  EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/7", hub_admin).code(), "not_found");
+  EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/x", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, the_hub_tells_how_it_is) {
+  const Answer status = ask("GET", "/status", hub_admin);
+  EXPECT_EQ(status.body["rooms"], 2);
+  EXPECT_EQ(status.body["version"], "test");
+}
+
+}  // namespace
+}  // namespace roomcast::hub

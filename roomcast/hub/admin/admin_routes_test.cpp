@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/admin/admin_routes.h"
+
+#include <cctype>
+#include <fstream>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace roomcast::hub {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::optional<MatchedRoute> find(std::string_view method, std::string_view path) {
+  const auto found = match_admin_route(method, path);
+  const auto* match = std::get_if<MatchedRoute>(&found);
+  return match == nullptr ? std::nullopt : std::optional(*match);
+}
+
+/// "GET /rooms" ... as the specification lists them: a path is indented by two spaces, a method by
+/// four.
+std::set<std::string> specified_routes() {
+  const std::set<std::string> methods = {"get", "post", "put", "patch", "delete"};
+  std::ifstream file(std::string(ROOMCAST_SOURCE_DIR) + "/docs/spec/admin.openapi.yaml");
+  std::set<std::string> routes;
+  std::string path;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("  /") && line.ends_with(":")) path = line.substr(2, line.size() - 3);
+    if (!line.starts_with("    ") || !line.ends_with(":") || path.empty()) continue;
+    std::string method = line.substr(4, line.size() - 5);
+    if (!methods.contains(method)) continue;
+    for (char& c : method) c = static_cast<char>(std::toupper(c));
+    routes.insert(method + " " + path);
+  }
+  return routes;
+}
+
+TEST(AdminRoutes, are_those_of_the_specification) {
+  std::set<std::string> routes;
+  for (const AdminRoute& route : admin_routes()) {
+    routes.insert(std::string(route.method) + " " + std::string(route.path));
+  }
+  EXPECT_EQ(routes, specified_routes());
+}
+
+TEST(AdminRoutes, are_found_with_their_parameters) {
+  const auto end = find("DELETE", "/api/v1/rooms/my%20lab/sensors/left%2Fright");
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->route.call, AdminCall::kEndSensor);
+  EXPECT_THAT(end->parameters, ElementsAre("my lab", "left/right"));
+  EXPECT_THAT(find("GET", "/api/v1/rooms")->parameters, IsEmpty());
+}
+
+TEST(AdminRoutes, what_is_not_there_is_told_apart_from_what_cannot_be_done_there) {
+  EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v1/nothing")), NoRoute::kUnknownPath);
+  EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v2/rooms")), NoRoute::kUnknownPath);
+  EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v1/rooms/")), NoRoute::kUnknownPath);
+  EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v1/rooms/a/b")),
+            NoRoute::kUnknownPath);
+  EXPECT_EQ(std::get<NoRoute>(match_admin_route("PUT", "/api/v1/rooms")), NoRoute::kUnknownMethod);
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/config/hub_config.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+#define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1  // the library of Debian throws
+#include <toml++/toml.h>
+
+namespace roomcast::hub {
+
+namespace {
+
+using Json = nlohmann::json;
+using Field = std::variant<std::string HubConfig::*, bool HubConfig::*, std::int64_t HubConfig::*,
+                           std::vector<std::string> HubConfig::*>;
+
+struct NamedField {
+  std::string_view name;
+  Field field;
+};
+
+const std::vector<NamedField>& fields() {
+  static const std::vector<NamedField> all = {
+      {"listen", &HubConfig::listen},
+      {"data", &HubConfig::data},
+      {"web", &HubConfig::web},
+      {"threads", &HubConfig::threads},
+      {"align", &HubConfig::align},
+      {"log", &HubConfig::log},
+      {"metrics", &HubConfig::metrics},
+      {"tls.cert", &HubConfig::tls_cert},
+      {"tls.key", &HubConfig::tls_key},
+      {"tls.self_signed", &HubConfig::tls_self_signed},
+      {"tls.insecure", &HubConfig::insecure},
+      {"access.default", &HubConfig::access},
+      {"access.hosts", &HubConfig::hosts},
+      {"access.origins", &HubConfig::origins},
+      {"access.proxies", &HubConfig::proxies},
+      {"limits.connections", &HubConfig::max_connections},
+      {"limits.unjoined", &HubConfig::max_unjoined},
+      {"limits.unsettled_per_peer", &HubConfig::max_unsettled_per_peer},
+      {"limits.ban_after", &HubConfig::ban_after},
+      {"limits.ban_within_s", &HubConfig::ban_within_s},
+      {"limits.ban_s", &HubConfig::ban_s}};
+  return all;
+}
+
+const Field* find_field(std::string_view name) {
+  const auto found = std::ranges::find(fields(), name, &NamedField::name);
+  return found == fields().end() ? nullptr : &found->field;
+}
+
+Error wrong(std::string sentence) {
+  return {ErrorCode::kInvalidArgument, std::move(sentence)};
+}
+
+std::string in_line(const toml::node& node) {
+  return " (line " + std::to_string(node.source().begin.line) + ")";
+}
+
+// From TOML: false for a value of another kind.
+
+bool read(const toml::node& node, std::string& text) {
+  const auto value = node.value_exact<std::string>();
+  if (value) text = *value;
+  return value.has_value();
+}
+
+bool read(const toml::node& node, bool& flag) {
+  const auto value = node.value_exact<bool>();
+  if (value) flag = *value;
+  return value.has_value();
+}
+
+bool read(const toml::node& node, std::int64_t& number) {
+  const auto value = node.value_exact<std::int64_t>();
+  if (value) number = *value;
+  return value.has_value();
+}
+
+bool read(const toml::node& node, std::vector<std::string>& list) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return false;
+  std::vector<std::string> texts(array->size());
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    if (!read((*array)[i], texts[i])) return false;
+  }
+  list = std::move(texts);
+  return true;
+}
+
+// From the environment.
+
+bool read(std::string_view from, std::string& text) {
+  text = from;
+  return true;
+}
+
+bool read(std::string_view from, bool& flag) {
+  flag = from == "true" || from == "1";
+  return flag || from == "false" || from == "0";
+}
+
+bool read(std::string_view from, std::int64_t& number) {
+  const auto [end, fault] = std::from_chars(from.data(), from.data() + from.size(), number);
+  return fault == std::errc() && end == from.data() + from.size();
+}
+
+bool read(std::string_view from, std::vector<std::string>& list) {
+  list.clear();
+  std::istringstream parts{std::string(from)};
+  for (std::string part; std::getline(parts, part, ',');) {
+    if (!part.empty()) list.push_back(part);
+  }
+  return true;
+}
+
+template <class From>
+bool read_into(const From& from, const Field& field, HubConfig& config) {
+  return std::visit([&](auto member) { return read(from, config.*member); }, field);
+}
+
+Json as_json(const toml::node& node) {
+  if (const auto* table = node.as_table()) {
+    Json object = Json::object();
+    for (const auto& [key, value] : *table) object[std::string(key.str())] = as_json(value);
+    return object;
+  }
+  if (const auto* array = node.as_array()) {
+    Json list = Json::array();
+    for (const auto& value : *array) list.push_back(as_json(value));
+    return list;
+  }
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  if (const auto number = node.value_exact<std::int64_t>()) {
+    return *number < 0 ? Json(*number) : Json(static_cast<std::uint64_t>(*number));
+  }
+  return node.value<double>().value_or(0);
+}
+
+Status read_rooms(const toml::node& node, HubConfig& config) {
+  const toml::array* rooms = node.as_array();
+  if (rooms == nullptr) return wrong("rooms are written as [[room]]" + in_line(node));
+  for (const auto& room : *rooms) {
+    const Json json = as_json(room);
+    const auto settings = changed({}, json);
+    if (!settings) return wrong(settings.error().message + in_line(room));
+    if (!json.contains("name")) return wrong("a room needs a name" + in_line(room));
+    config.rooms.push_back(json.dump());
+  }
+  return {};
+}
+
+Status read_table(const toml::table& table, const std::string& prefix, HubConfig& config) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (name == "room") {
+      if (auto status = read_rooms(node, config); !status) return status;
+      continue;
+    }
+    const Field* field = find_field(name);
+    if (field == nullptr && node.is_table() && prefix.empty()) {
+      if (auto status = read_table(*node.as_table(), name + ".", config); !status) return status;
+      continue;
+    }
+    if (field == nullptr) return wrong("there is no field \"" + name + "\"" + in_line(node));
+    if (!read_into(node, *field, config)) {
+      return wrong("this is no value for \"" + name + "\"" + in_line(node));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string environment_name(std::string_view field) {
+  std::string name = "ROOMCAST_HUB_";
+  for (const char c : field) {
+    name += c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return name;
+}
+
+std::vector<std::string> config_fields() {
+  std::vector<std::string> names;
+  for (const auto& [name, field] : fields()) names.emplace_back(name);
+  return names;
+}
+
+Result<HubConfig> read_config(HubConfig config, std::string_view text) {
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    return wrong(std::string(parsed.error().description()) + " (line " +
+                 std::to_string(parsed.error().source().begin.line) + ")");
+  }
+  if (auto status = read_table(parsed.table(), "", config); !status) return status.error();
+  if (auto status = check(config); !status) return status.error();
+  return config;
+}
+
+Result<HubConfig> read_environment(HubConfig config,
+                                   const std::function<const char*(const char*)>& get) {
+  for (const auto& [name, field] : fields()) {
+    const std::string variable = environment_name(name);
+    const char* value = get(variable.c_str());
+    if (value == nullptr) continue;
+    if (!read_into(std::string_view(value), field, config)) {
+      return wrong(variable + " cannot be \"" + value + "\"");
+    }
+  }
+  if (auto status = check(config); !status) return status.error();
+  return config;
+}
+
+Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, Who access) {
+  const RoomSettings open_ends{.send = access, .view = access, .record = access, .share = access};
+  std::vector<RoomSettings> rooms;
+  std::set<std::string> names;
+  for (const std::string& text : config.rooms) {
+    auto room = changed(open_ends, Json::parse(text));
+    if (!room) return room.error();
+    if (!names.insert(room->name).second) {
+      return wrong("there are two rooms \"" + room->name + "\"");
+    }
+    rooms.push_back(*std::move(room));
+  }
+  if (rooms.empty()) rooms.push_back(open_ends);
+  return rooms;
+}
+
+Status check(const HubConfig& config) {
+  const auto is_one_of = [](const std::string& text, std::initializer_list<const char*> words) {
+    return std::ranges::find(words, text) != words.end();
+  };
+  if (!is_one_of(config.log, {"text", "json"})) return wrong("log is \"text\" or \"json\"");
+  if (!is_one_of(config.metrics, {"auto", "anyone", "token"})) {
+    return wrong("metrics is \"auto\", \"anyone\" or \"token\"");
+  }
+  if (!is_one_of(config.access, {"auto", "anyone", "token"})) {
+    return wrong("access.default is \"auto\", \"anyone\" or \"token\"");
+  }
+  if (config.threads < 0 || config.threads > 64) return wrong("threads is 0 to 64");
+  for (const auto& [name, field] : fields()) {
+    const auto* count = std::get_if<std::int64_t HubConfig::*>(&field);
+    if (count == nullptr || !name.starts_with("limits.")) continue;
+    const bool may_be_zero = name == "limits.ban_after";  // never
+    if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > 1'000'000) {
+      return wrong(std::string(name) + " is " + (may_be_zero ? "0" : "1") + " to 1000000");
+    }
+  }
+  return {};
+}
+
+}  // namespace roomcast::hub

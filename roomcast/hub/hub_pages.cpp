@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/hub_pages.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+
+#include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/metrics_text.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+constexpr char kNoPage[] =
+    "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
+    "built page (build/web).\n";
+
+}  // namespace
+
+HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
+                   boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version)
+    : site_(std::move(site)),
+      hall_(hall),
+      desk_(desk),
+      rooms_io_(rooms_io),
+      metrics_for_anyone_(metrics_for_anyone),
+      admin_(hall, desk, std::move(version)) {}
+
+std::vector<std::string> HubPages::request_paths() {
+  return {"/api/", "/healthz", "/metrics"};
+}
+
+std::optional<net::HttpResponse> HubPages::find(std::string_view path) const {
+  if (site_) return site_->find(path);
+  if (path == "/") return net::text_response(200, kNoPage);
+  return std::nullopt;
+}
+
+void HubPages::answer(net::HttpRequest request, net::Respond respond) {
+  boost::asio::post(rooms_io_,
+                    [this, request = std::move(request), respond = std::move(respond)]() mutable {
+                      answer_here(request, std::move(respond));
+                    });
+}
+
+void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond) {
+  if (request.path.starts_with("/api/")) return admin_.answer(request, std::move(respond));
+  if (request.method != "GET") {
+    return respond(net::text_response(405, "Only GET and HEAD are answered here.\n"));
+  }
+  if (request.path == "/healthz") return respond(health());
+  if (request.path != "/metrics") {
+    return respond(net::text_response(404, "There is nothing at this address.\n"));
+  }
+  if (metrics_for_anyone_) return respond(metrics());
+  metrics_for_admins(request, std::move(respond));
+}
+
+/// For whoever asks: of rooms that are not listed it says nothing.
+net::HttpResponse HubPages::health() const {
+  std::ptrdiff_t sensors = 0, viewers = 0;
+  for (const RoomStats& stats : hall_.stats()) {
+    if (!hall_.find(stats.room)->listed) continue;
+    sensors += std::ranges::count_if(stats.sensors, &SensorStats::online);
+    viewers += static_cast<std::ptrdiff_t>(stats.viewers.size());
+  }
+  return net::text_response(200, "ok, " + std::to_string(sensors) + " sensors, " +
+                                     std::to_string(viewers) + " viewers\n");
+}
+
+net::HttpResponse HubPages::metrics() const {
+  const HubStats hub{.connections = server_ == nullptr ? 0 : server_->connection_count(),
+                     .refused_joins = hall_.refused_joins(),
+                     .banned_peers = hall_.banned_count()};
+  return net::text_response(200, metrics_text(hub, hall_.stats()));
+}
+
+void HubPages::metrics_for_admins(const net::HttpRequest& request, net::Respond respond) {
+  desk_.ask([token = net::bearer_token(request)](HubBook& book) { return book.check(token); },
+            [this, respond = std::move(respond)](const Verdict<Claims>& verdict) {
+              if (const Refusal* why = refusal(verdict)) return respond(error_answer(*why));
+              const Grant& grant = std::get<Claims>(verdict).grant;
+              if (grant.role == TokenRole::kAdmin && covers(grant, kAllRooms)) {
+                return respond(metrics());
+              }
+              respond(error_answer(
+                  Refusal{wire::pb::ERROR_WRONG_ROLE, "metrics take a token of the hub's admin"}));
+            });
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// HubPages: what a hub answers to HTTP: the page, `/healthz`, `/metrics`, and the interface for
+// whoever runs it. Threading: find() on any thread; answer() from any, what it looks up lives on
+// the rooms' thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+
+#include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/desk.h"
+#include "roomcast/hub/room_hall.h"
+#include "roomcast/net/http_request.h"
+#include "roomcast/net/http_server.h"
+#include "roomcast/net/static_site.h"
+
+namespace roomcast::hub {
+
+class HubPages {
+ public:
+  HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
+           boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version);
+
+  /// Whose connections `/metrics` counts.
+  void count_connections_of(const net::HttpServer& server) { server_ = &server; }
+
+  /// What answer() is for.
+  [[nodiscard]] static std::vector<std::string> request_paths();
+
+  [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
+  void answer(net::HttpRequest request, net::Respond respond);
+
+ private:
+  void answer_here(const net::HttpRequest& request, net::Respond respond);
+  [[nodiscard]] net::HttpResponse health() const;
+  [[nodiscard]] net::HttpResponse metrics() const;
+  void metrics_for_admins(const net::HttpRequest& request, net::Respond respond);
+
+  const std::optional<net::StaticSite> site_;
+  RoomHall& hall_;
+  Desk& desk_;
+  boost::asio::io_context& rooms_io_;
+  const bool metrics_for_anyone_;
+  AdminApi admin_;
+  const net::HttpServer* server_ = nullptr;
+};
+
+}  // namespace roomcast::hub

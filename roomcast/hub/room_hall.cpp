@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room_hall.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast::hub {
+
+namespace {
+
+namespace pb = wire::pb;
+
+/// What somebody types wrong, or guesses; an old token is an honest mistake.
+bool is_fault(pb::ErrorCode code) {
+  return code == pb::ERROR_TOKEN_INVALID || code == pb::ERROR_CODE_USED;
+}
+
+std::string described(const Arrival& arrival, const pb::Join& join) {
+  const char* role = join.has_sensor() ? "sensor" : join.has_aligner() ? "aligner" : "viewer";
+  return std::string(role) + " \"" + join.name() + "\" from " + arrival.address;
+}
+
+}  // namespace
+
+RoomHall::RoomHall(RoomHallOptions options, boost::asio::io_context& io, Desk& desk,
+                   const std::vector<std::unique_ptr<Shard>>& shards)
+    : options_(std::move(options)),
+      io_(io),
+      desk_(desk),
+      shards_(shards),
+      bans_(options_.bans),
+      timer_(io) {}
+
+// ---- rooms
+
+void RoomHall::open(const RoomSettings& settings, std::vector<KnownSensor> sensors) {
+  Room room(settings, options_.hub_version, options_.recalls_poses);
+  room.remember(std::move(sensors));
+  HostedRoom::Surroundings around{
+      .io = io_,
+      .shards = shards_,
+      .desk = desk_,
+      .clock = clock_,
+      .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
+      .on_let_go = [this](ConnectionId connection) { guests_.erase(connection); }};
+  rooms_[settings.name] =
+      std::make_shared<HostedRoom>(RoomId{next_room_id_++}, std::move(room), std::move(around));
+}
+
+void RoomHall::change(const RoomSettings& settings) {
+  rooms_.at(settings.name)->room().change(settings);
+}
+
+void RoomHall::close(const std::string& name) {
+  const auto found = rooms_.find(name);
+  for (const ConnectionId guest : found->second->room().connections()) {
+    send_away(guest, "this room was closed");
+  }
+  found->second->close();
+  std::erase_if(dropped_sets_,
+                [id = found->second->id()](const auto& entry) { return entry.first.first == id; });
+  rooms_.erase(found);
+}
+
+const RoomSettings* RoomHall::find(const std::string& room) const {
+  const auto found = rooms_.find(room);
+  return found == rooms_.end() ? nullptr : &found->second->room().settings();
+}
+
+std::string RoomHall::only_listed_room() const {
+  std::string only;
+  for (const auto& [name, hosted] : rooms_) {
+    if (!hosted->room().settings().listed) continue;
+    if (!only.empty()) return "";
+    only = name;
+  }
+  return only;
+}
+
+// ---- who comes
+
+bool RoomHall::may_connect(const std::string& peer) const {
+  return !bans_.is_banned(peer, clock_.now());
+}
+
+void RoomHall::on_join(const Arrival& arrival, const pb::Join& join) {
+  guests_[arrival.from].address = arrival.address;
+  if (!join.code().empty()) {
+    return desk_.ask([code = join.code()](HubBook& book) { return book.redeem(code); },
+                     [this, arrival, join](const Verdict<NewToken>& redeemed) {
+                       on_checked(arrival, join, redeemed, true);
+                     });
+  }
+  if (join.token().empty()) return decide(arrival, join, nullptr, "");
+  desk_.ask(
+      [token = join.token()](HubBook& book) -> Verdict<NewToken> {
+        auto verdict = book.check(token);
+        if (const Refusal* why = refusal(verdict)) return *why;
+        return NewToken{std::get<Claims>(std::move(verdict)), token};
+      },
+      [this, arrival, join](const Verdict<NewToken>& checked) {
+        on_checked(arrival, join, checked, false);
+      });
+}
+
+void RoomHall::on_checked(const Arrival& arrival, const pb::Join& join,
+                          const Verdict<NewToken>& shown, bool was_code) {
+  if (!guests_.contains(arrival.from)) return;  // it did not wait
+  if (const Refusal* why = refusal(shown)) return refuse(arrival, *why);
+  const auto& [claims, token] = std::get<NewToken>(shown);
+  decide(arrival, join, &claims, was_code ? token : "");
+}
+
+void RoomHall::decide(const Arrival& arrival, const pb::Join& join, const Claims* claims,
+                      const std::string& new_token) {
+  const auto verdict = decide_entry(
+      join, claims, [this](const std::string& name) { return find(name); }, only_listed_room());
+  if (const Refusal* why = refusal(verdict)) return refuse(arrival, *why);
+  Entry entry = std::get<Entry>(verdict);
+  entry.new_token = new_token;
+  log(LogLevel::kInfo, described(arrival, join) + " joins \"" + entry.room + "\"");
+  admit(arrival, join, entry);
+}
+
+void RoomHall::refuse(const Arrival& arrival, const Refusal& why) {
+  ++refused_joins_;
+  guests_.erase(arrival.from);
+  log(LogLevel::kInfo, arrival.address + " is refused: " + why.sentence);
+  const bool exempt =
+      std::ranges::find(options_.never_banned, arrival.peer) != options_.never_banned.end();
+  if (is_fault(why.code) && !exempt && bans_.fault(arrival.peer, clock_.now())) {
+    log(LogLevel::kWarning, arrival.peer +
+                                " shows bad tokens again and again; it is not listened "
+                                "to for a while");
+  }
+  shards_[Shard::of(arrival.from, shards_.size())]->disconnect(arrival.from, why.code,
+                                                               why.sentence);
+}
+
+void RoomHall::admit(const Arrival& arrival, const pb::Join& join, const Entry& entry) {
+  HostedRoom& room = *rooms_.at(entry.room);
+  Guest& guest = guests_[arrival.from];
+  guest.room = &room;
+  guest.token_id = entry.token_id;
+  guest.expires_at = entry.expires_at;
+  room.carry_out(room.room().join(arrival.from, join, entry, room.now()));
+  if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
+    options_.on_in_use(entry.room);
+  }
+}
+
+// ---- what they say
+
+HostedRoom* RoomHall::room_of(ConnectionId from) const {
+  const auto guest = guests_.find(from);
+  return guest == guests_.end() ? nullptr : guest->second.room;
+}
+
+void RoomHall::on_control(ConnectionId from, const pb::Control& message) {
+  if (HostedRoom* room = room_of(from)) {
+    room->carry_out(room->room().control(from, message, room->now()));
+  }
+}
+
+void RoomHall::on_frame(ConnectionId from, const wire::FrameHeader& header,
+                        net::MessageBuffer message) {
+  if (HostedRoom* room = room_of(from)) {
+    room->carry_out(room->room().frame(from, header, std::move(message), room->now()));
+  }
+}
+
+void RoomHall::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
+  HostedRoom* room = room_of(from);
+  if (room == nullptr) return;
+  for (const SensorId sensor : sensors) {
+    room->carry_out(room->room().key_needed(sensor, room->now()));
+  }
+}
+
+void RoomHall::on_left(ConnectionId from, const net::CloseReason& reason) {
+  const auto guest = guests_.find(from);
+  if (guest == guests_.end()) return;  // we sent it away
+  log(LogLevel::kInfo, guest->second.address + " has left: " + reason.sentence);
+  HostedRoom* room = guest->second.room;
+  guests_.erase(guest);
+  if (room != nullptr) room->carry_out(room->room().leave(from, room->now()));
+}
+
+// ---- sending away
+
+bool RoomHall::send_away(ConnectionId guest, const std::string& sentence) {
+  HostedRoom* room = room_of(guest);
+  if (room != nullptr) room->send_away(guest, pb::ERROR_NOT_ALLOWED, sentence);
+  return room != nullptr;
+}
+
+void RoomHall::send_away_holders(const std::vector<std::string>& token_ids) {
+  std::vector<std::pair<ConnectionId, HostedRoom*>> holders;
+  for (const auto& [connection, guest] : guests_) {
+    const bool holds = guest.room != nullptr && !guest.token_id.empty() &&
+                       std::ranges::find(token_ids, guest.token_id) != token_ids.end();
+    if (holds) holders.emplace_back(connection, guest.room);
+  }
+  for (const auto& [connection, room] : holders) {
+    room->send_away(connection, pb::ERROR_TOKEN_REVOKED, "this token was revoked");
+  }
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Database: what a hub keeps, in one SQLite file, or in memory when there is no file. Its tables
+// have a version; an older file is brought up to date when it is opened, a later one is refused.
+//
+// A statement that succeeded survives the end of the program and of the machine: the write-ahead
+// log is synced before it is acknowledged. Threading: one thread at a time. Source: SQLite's
+// documentation, "Write-Ahead Logging" and "PRAGMA synchronous".
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "roomcast/core/result.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace roomcast::hub {
+
+class Database {
+ public:
+  static constexpr int kVersion = 2;
+
+  /// Makes the file where there is none; nothing: in memory. kUnavailable: it cannot be opened, is
+  /// no such file or is of a later version; the sentence says which.
+  static Result<std::unique_ptr<Database>> open(const std::optional<std::filesystem::path>& file);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  [[nodiscard]] Status run(const char* sql);
+  /// Rows that the last statement changed.
+  [[nodiscard]] int changed_rows() const;
+  /// Changes whenever another program has changed the file.
+  [[nodiscard]] std::int64_t foreign_changes();
+  [[nodiscard]] Error failure(std::string_view what) const;
+  [[nodiscard]] sqlite3* native() const { return database_; }
+
+ private:
+  explicit Database(sqlite3* database) : database_(database) {}
+  [[nodiscard]] Result<int> version() const;
+  [[nodiscard]] Status bring_up_to_date(int version);
+  sqlite3* database_;
+};
+
+/// A prepared statement. Columns and parameters count from 0 and 1, as in SQLite.
+class Statement {
+ public:
+  Statement(const Database& database, const char* sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  Statement& bind(int index, std::string_view text);
+  Statement& bind(int index, std::int64_t number);
+  Statement& bind(int index, double number);
+  Statement& bind_blob(int index, const void* bytes, std::size_t size);
+
+  /// There is a row to read. False: no more, or it failed; see finished().
+  [[nodiscard]] bool next();
+  /// The last next() found the end, and no fault.
+  [[nodiscard]] bool finished() const { return finished_; }
+  /// Runs it to its end.
+  [[nodiscard]] bool run();
+
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string_view blob(int column) const;  // until the next row
+  [[nodiscard]] bool is_null(int column) const;
+
+ private:
+  sqlite3_stmt* statement_ = nullptr;
+  bool finished_ = false;
+};
+
+}  // namespace roomcast::hub

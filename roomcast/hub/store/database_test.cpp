@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/store/database.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "roomcast/core/temporary_folder.h"
+#include "roomcast/hub/store/sensor_store.h"
+
+namespace roomcast::hub {
+namespace {
+
+void run_raw(const std::filesystem::path& file, const char* sql) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+}
+
+TEST(Database, a_file_of_something_else_is_refused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "hub.sqlite") << std::string(5000, 'x');
+  const auto opened = Database::open(folder / "hub.sqlite");
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().message.find("hub.sqlite"), std::string::npos);
+  EXPECT_FALSE(Database::open(folder.path() / "no" / "such" / "folder").ok());
+}
+
+TEST(Database, a_file_of_a_later_version_is_left_alone) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(Database::open(folder / "hub.sqlite").ok());
+  run_raw(folder / "hub.sqlite", "PRAGMA user_version = 1000");
+  const auto opened = Database::open(folder / "hub.sqlite");
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().message.find("later roomcast"), std::string::npos);
+}
+
+TEST(Database, a_file_of_the_first_version_is_brought_up_to_date_with_what_it_holds) {
+  const TemporaryFolder folder;
+  run_raw(folder / "hub.sqlite",
+          "CREATE TABLE sensors (room TEXT NOT NULL, name TEXT NOT NULL, id INTEGER NOT NULL,"
+          "  world_from_depth BLOB, expected_error_mm REAL,"
+          "  PRIMARY KEY (room, name), UNIQUE (room, id)) STRICT;"
+          "INSERT INTO sensors VALUES ('lab', 'left', 3, NULL, NULL); PRAGMA user_version = 1;");
+  const auto database = Database::open(folder / "hub.sqlite");
+  ASSERT_TRUE(database.ok()) << database.error().message;
+  EXPECT_EQ(SensorStore(**database).load("lab")->at(0).id, SensorId{3});
+  EXPECT_TRUE((*database)->run("SELECT count(*) FROM tokens").ok());
+}
+
+TEST(Database, without_a_file_it_is_in_memory) {
+  const auto database = Database::open(std::nullopt);
+  ASSERT_TRUE(database.ok());
+  EXPECT_TRUE((*database)->run("SELECT count(*) FROM rooms").ok());
+}
+
+TEST(Database, another_programs_change_is_noticed_and_its_own_is_not) {
+  const TemporaryFolder folder;
+  const auto database = *Database::open(folder / "hub.sqlite");
+  const auto before = database->foreign_changes();
+  ASSERT_TRUE(database->run("INSERT INTO rooms VALUES ('a', '{}')").ok());
+  EXPECT_EQ(database->foreign_changes(), before);
+  run_raw(folder / "hub.sqlite", "INSERT INTO rooms VALUES ('b', '{}')");
+  EXPECT_NE(database->foreign_changes(), before);
+}
+
+TEST(Database, what_cannot_be_prepared_fails_without_harm) {
+  const auto database = *Database::open(std::nullopt);
+  Statement statement(*database, "SELECT nonsense FROM nowhere");
+  statement.bind(1, std::string_view("x"));
+  EXPECT_FALSE(statement.run());
+}
+
+}  // namespace
+}  // namespace roomcast::hub

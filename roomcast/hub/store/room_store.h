@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomStore: the rooms that admins opened or changed, so that they are there after a restart.
+// Threading: the database's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/hub/room_settings.h"
+#include "roomcast/hub/store/database.h"
+
+namespace roomcast::hub {
+
+class RoomStore {
+ public:
+  explicit RoomStore(Database& database) : database_(database) {}
+
+  /// By name. What makes no sense is left out.
+  [[nodiscard]] Result<std::vector<RoomSettings>> load() const;
+  /// Adds or replaces.
+  [[nodiscard]] Status save(const RoomSettings& settings);
+  [[nodiscard]] Status forget(const std::string& room);
+
+ private:
+  Database& database_;
+};
+
+}  // namespace roomcast::hub

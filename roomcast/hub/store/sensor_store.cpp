@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/store/sensor_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+constexpr char kLoad[] =
+    "SELECT name, id, world_from_depth, expected_error_mm FROM sensors WHERE room = ?1 ORDER BY id";
+constexpr char kSave[] = "INSERT OR REPLACE INTO sensors VALUES (?1, ?2, ?3, ?4, ?5)";
+constexpr char kForget[] = "DELETE FROM sensors WHERE room = ?1";
+
+std::optional<KnownPose> read_pose(const Statement& row, int column) {
+  KnownPose pose;
+  const std::string_view bytes = row.blob(column);
+  if (bytes.size() != sizeof(pose.world_from_depth)) return std::nullopt;
+  std::memcpy(pose.world_from_depth.data(), bytes.data(), bytes.size());
+  pose.expected_error_mm = static_cast<float>(row.real(column + 1));
+  const bool makes_sense =
+      std::ranges::all_of(pose.world_from_depth, [](double x) { return std::isfinite(x); }) &&
+      pose.expected_error_mm >= 0;
+  return makes_sense ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<KnownSensor> read_sensor(const Statement& row) {
+  const std::int64_t id = row.integer(1);
+  if (id < 0 || id >= std::int64_t{wire::kMaxSensors}) return std::nullopt;
+  return KnownSensor{row.text(0), SensorId{static_cast<std::uint16_t>(id)}, read_pose(row, 2)};
+}
+
+}  // namespace
+
+Result<std::vector<KnownSensor>> SensorStore::load(const std::string& room) const {
+  Statement rows(database_, kLoad);
+  rows.bind(1, room);
+  std::vector<KnownSensor> sensors;
+  while (rows.next()) {
+    if (auto sensor = read_sensor(rows)) sensors.push_back(*std::move(sensor));
+  }
+  if (!rows.finished()) return database_.failure("cannot read the sensors that were kept");
+  return sensors;
+}
+
+Status SensorStore::save(const std::string& room, std::span<const KnownSensor> sensors) {
+  if (auto status = database_.run("BEGIN IMMEDIATE"); !status) return status;
+  for (const KnownSensor& sensor : sensors) {
+    Statement statement(database_, kSave);
+    statement.bind(1, room).bind(2, sensor.name).bind(3, std::int64_t{sensor.id.value});
+    if (sensor.pose) {
+      const auto& pose = sensor.pose->world_from_depth;
+      statement.bind_blob(4, pose.data(), sizeof(pose));
+      statement.bind(5, static_cast<double>(sensor.pose->expected_error_mm));
+    }
+    if (statement.run()) continue;
+    const Error error = database_.failure("cannot keep a sensor");
+    (void)database_.run("ROLLBACK");
+    return error;
+  }
+  return database_.run("COMMIT");
+}
+
+Status SensorStore::forget(const std::string& room) {
+  if (Statement(database_, kForget).bind(1, room).run()) return {};
+  return database_.failure("cannot forget the sensors of a room");
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// TokenStore: the tokens that were made and which of them no longer hold, and the codes that wait
+// to be exchanged. The tokens themselves are not kept, nor the codes: who reads the file cannot
+// join with what it says. Threading: the database's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/hub/access/claims.h"
+#include "roomcast/hub/access/one_time_code.h"
+#include "roomcast/hub/store/database.h"
+
+namespace roomcast::hub {
+
+struct IssuedToken {
+  Claims claims;
+  bool revoked = false;
+};
+
+/// Of a code that has not been used: what it is exchanged for.
+struct CodeGrant {
+  Grant grant;
+  UnixSeconds token_ttl = 0;
+};
+
+class TokenStore {
+ public:
+  static constexpr int kMaxListed = 1000;
+
+  explicit TokenStore(Database& database) : database_(database) {}
+
+  [[nodiscard]] Status add(const Claims& claims);
+  /// Newest first, at most kMaxListed; those of one room, or of all when `room` is kAllRooms.
+  [[nodiscard]] Result<std::vector<IssuedToken>> list(std::string_view room) const;
+  /// kNotFound: no such token was made here.
+  [[nodiscard]] Result<IssuedToken> find(std::string_view id) const;
+  [[nodiscard]] Result<bool> is_revoked(std::string_view id) const;
+  /// kNotFound: no such token was made here. Twice is as good as once.
+  [[nodiscard]] Status revoke(std::string_view id, UnixSeconds now);
+  /// Of all that have not expired.
+  [[nodiscard]] Result<std::vector<std::string>> revoked(UnixSeconds now) const;
+
+  [[nodiscard]] Status add_code(const CodeDigest& digest, const CodeGrant& grant,
+                                UnixSeconds expires_at);
+  /// For exactly one caller, however many try. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED,
+  /// ERROR_TOKEN_INVALID (there was no such code); ERROR_UNSPECIFIED: the database does not answer.
+  [[nodiscard]] Verdict<CodeGrant> redeem(const CodeDigest& digest, UnixSeconds now);
+
+  /// Forgets what expired long ago.
+  [[nodiscard]] Status tidy(UnixSeconds now);
+
+ private:
+  [[nodiscard]] Refusal why_not_redeemed(const CodeDigest& digest) const;
+  Database& database_;
+};
+
+}  // namespace roomcast::hub

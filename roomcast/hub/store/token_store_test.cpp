@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/store/token_store.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/core/temporary_folder.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+constexpr UnixSeconds kNow = 1'800'000'000;
+
+Claims claims(const std::string& id, const std::string& room) {
+  return {.id = id,
+          .grant = {.room = room, .role = TokenRole::kSensor, .name = "left"},
+          .issued_at = kNow,
+          .expires_at = kNow + 60};
+}
+
+class TokenStoreTest : public testing::Test {
+ protected:
+  std::unique_ptr<Database> database = *Database::open(std::nullopt);
+  TokenStore tokens{*database};
+  const CodeDigest code = *digest_of_code("7K1M-90XA-0C4T-VW3H");
+  const CodeGrant grant{.grant = {.room = "lab", .role = TokenRole::kViewer, .name = "Ada"},
+                        .token_ttl = 600};
+};
+
+TEST_F(TokenStoreTest, lists_what_was_made_newest_first) {
+  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add(claims("b", "kitchen")).ok());
+  const auto all = *tokens.list(kAllRooms);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].claims.id, "b");
+  EXPECT_EQ(all[1].claims.grant.role, TokenRole::kSensor);
+  EXPECT_EQ(tokens.list("kitchen")->size(), 1U);
+  EXPECT_TRUE(tokens.list("cellar")->empty());
+}
+
+TEST_F(TokenStoreTest, a_revoked_token_stays_revoked) {
+  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  EXPECT_FALSE(*tokens.is_revoked("a"));
+  ASSERT_TRUE(tokens.revoke("a", kNow).ok());
+  ASSERT_TRUE(tokens.revoke("a", kNow + 1).ok());
+  EXPECT_TRUE(*tokens.is_revoked("a"));
+  EXPECT_TRUE(tokens.find("a")->revoked);
+  EXPECT_EQ(*tokens.revoked(kNow), std::vector<std::string>{"a"});
+  EXPECT_TRUE(tokens.revoked(kNow + 60)->empty()) << "it has expired anyway";
+}
+
+TEST_F(TokenStoreTest, what_was_not_made_here_cannot_be_revoked) {
+  EXPECT_EQ(tokens.revoke("nobody's", kNow).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(tokens.find("nobody's").error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(TokenStoreTest, a_code_is_good_for_once) {
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 60).ok());
+  const auto redeemed = tokens.redeem(code, kNow);
+  ASSERT_EQ(refusal(redeemed), nullptr);
+  EXPECT_EQ(std::get<CodeGrant>(redeemed).grant.name, "Ada");
+  EXPECT_EQ(std::get<CodeGrant>(redeemed).token_ttl, 600);
+  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_CODE_USED);
+}
+
+TEST_F(TokenStoreTest, a_used_code_stays_used_after_a_restart) {
+  const TemporaryFolder folder;
+  {
+    const auto before = *Database::open(folder / "hub.sqlite");
+    TokenStore store(*before);
+    ASSERT_TRUE(store.add_code(code, grant, kNow + 60).ok());
+    ASSERT_EQ(refusal(store.redeem(code, kNow)), nullptr);
+  }
+  const auto after = *Database::open(folder / "hub.sqlite");
+  EXPECT_EQ(refusal(TokenStore(*after).redeem(code, kNow))->code, pb::ERROR_CODE_USED);
+}
+
+TEST_F(TokenStoreTest, a_code_has_an_end) {
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 60).ok());
+  EXPECT_EQ(refusal(tokens.redeem(code, kNow + 60))->code, pb::ERROR_TOKEN_EXPIRED);
+}
+
+TEST_F(TokenStoreTest, an_unknown_code_is_refused) {
+  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_INVALID);
+}
+
+TEST_F(TokenStoreTest, forgets_what_ended_long_ago) {
+  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.tidy(kNow + 3600).ok());
+  EXPECT_EQ(tokens.list(kAllRooms)->size(), 1U);
+  ASSERT_TRUE(tokens.tidy(kNow + 365 * 24 * 3600).ok());
+  EXPECT_TRUE(tokens.list(kAllRooms)->empty());
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// TrafficMeter: how fast counters grow, looked at about once a second. Pure; single-threaded.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "roomcast/core/clock.h"
+
+namespace roomcast::hub {
+
+/// One counter, and how fast it grew between the last two looks.
+class Growth {
+ public:
+  void look(std::uint64_t count, HostTime now) {
+    if (seen_ && now > at_) {
+      const double passed_s = std::chrono::duration<double>(now - at_).count();
+      per_s_ = count < count_ ? 0 : static_cast<double>(count - count_) / passed_s;
+    }
+    seen_ = true;
+    count_ = count;
+    at_ = now;
+  }
+  [[nodiscard]] double per_s() const { return per_s_; }
+
+ private:
+  bool seen_ = false;
+  std::uint64_t count_ = 0;
+  HostTime at_{};
+  double per_s_ = 0;
+};
+
+/// Growths by key; those that were not looked at for a while are forgotten.
+template <class Key>
+class TrafficMeter {
+ public:
+  void look(const Key& key, std::uint64_t count, HostTime now) {
+    Entry& entry = entries_[key];
+    entry.growth.look(count, now);
+    entry.looked_at = now;
+  }
+  [[nodiscard]] double per_s(const Key& key) const {
+    const auto found = entries_.find(key);
+    return found == entries_.end() ? 0 : found->second.growth.per_s();
+  }
+  void forget_before(HostTime time) {
+    std::erase_if(entries_, [time](const auto& entry) { return entry.second.looked_at < time; });
+  }
+
+ private:
+  struct Entry {
+    Growth growth;
+    HostTime looked_at{};
+  };
+  std::unordered_map<Key, Entry> entries_;
+};
+
+}  // namespace roomcast::hub
