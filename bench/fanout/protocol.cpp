@@ -112,6 +112,19 @@ class RoomcastCounter final : public UnitCounter {
   bool is_frame_ = false;  // the message that is coming in
 };
 
+std::string upgrade() {
+  return "GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+         "Sec-WebSocket-Protocol: roomcast.v1\r\n\r\n";
+}
+
+std::string sealed(const wire::pb::Control& control) {
+  std::vector<std::uint8_t> message;
+  wire::encode_control(control, message);
+  return std::string(
+      text(net::seal(net::MessageBuffer(message), net::Opcode::kBinary, kMask)->wire_bytes()));
+}
+
 class RoomcastProtocol final : public Protocol {
  public:
   explicit RoomcastProtocol(double fps) : fps_(fps) {}
@@ -137,18 +150,6 @@ class RoomcastProtocol final : public Protocol {
   }
 
  private:
-  static std::string upgrade() {
-    return "GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-           "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-           "Sec-WebSocket-Protocol: roomcast.v1\r\n\r\n";
-  }
-  static std::string sealed(const wire::pb::Control& control) {
-    std::vector<std::uint8_t> message;
-    wire::encode_control(control, message);
-    return std::string(
-        text(net::seal(net::MessageBuffer(message), net::Opcode::kBinary, kMask)->wire_bytes()));
-  }
-
   double fps_;
 };
 
@@ -271,6 +272,13 @@ std::unique_ptr<Protocol> redis_protocol() {
 }
 std::unique_ptr<Protocol> mqtt_protocol() {
   return std::make_unique<MqttProtocol>();
+}
+
+std::string roomcast_greeting(const std::string& token) {
+  wire::pb::Control control;
+  control.mutable_join()->mutable_viewer();
+  control.mutable_join()->set_token(token);
+  return upgrade() + sealed(control);
 }
 
 std::vector<std::uint8_t> make_frame(std::size_t bytes) {

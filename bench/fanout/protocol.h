@@ -44,6 +44,9 @@ class Protocol {
 [[nodiscard]] std::unique_ptr<Protocol> redis_protocol();
 [[nodiscard]] std::unique_ptr<Protocol> mqtt_protocol();
 
+/// What a viewer says who shows this token.
+[[nodiscard]] std::string roomcast_greeting(const std::string& token);
+
 /// A roomcast frame message, a key frame. Publishers count from 0; so do a hub's sensor ids.
 [[nodiscard]] std::vector<std::uint8_t> make_frame(std::size_t bytes);
 void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number,

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast bench abuse: what those in a room notice of those who would wear its hub down.
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "bench/abuse/abuse_bench.h"
+#include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/status_line.h"
+
+namespace roomcast::cli {
+namespace {
+
+Status run_abuse(const bench::AbuseBenchOptions& options, bool json) {
+  StatusLine line;
+  const auto rows =
+      bench::run_abuse_bench(options, [&line](const std::string& next) { line.show(next); });
+  if (!rows) return rows.error();
+  json ? bench::print_json(*rows, std::cout) : bench::print_table(*rows, std::cout);
+  return {};
+}
+
+}  // namespace
+
+void add_abuse_bench(CLI::App& bench, Command& chosen) {
+  auto options = std::make_shared<bench::AbuseBenchOptions>();
+  auto json = std::make_shared<bool>(false);
+  auto seconds = std::make_shared<double>(std::chrono::duration<double>(options->duration).count());
+  CLI::App* command = bench.add_subcommand(
+      "abuse", "Half-open, garbage and slow connections, bad tokens: what others notice");
+  command->add_option("--viewers", options->viewers, "In the room")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  command->add_option("--rounds", options->rounds, "Peace and attack, in turns")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command->add_option("--connections", options->connections, "Of an attacker at once")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command->add_option("--bad-tokens", options->bad_tokens, "Shown over all rounds")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--seconds", *seconds, "A measurement")
+      ->check(CLI::Range(0.2, 60.0))
+      ->capture_default_str();
+  command->add_flag("--json", *json, "For scripts");
+  command->footer("Example:\n  roomcast bench abuse --rounds 5");
+  command->callback([options, seconds, json, &chosen] {
+    options->duration =
+        std::chrono::round<std::chrono::milliseconds>(std::chrono::duration<double>(*seconds));
+    chosen = [options, json] { return finish("bench abuse", run_abuse(*options, *json)); };
+  });
+}
+
+}  // namespace roomcast::cli
