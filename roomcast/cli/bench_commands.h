@@ -6,6 +6,7 @@
 
 namespace roomcast::cli {
 
+void add_abuse_bench(CLI::App& bench, Command& chosen);
 void add_align_bench(CLI::App& bench, Command& chosen);
 void add_fanout_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);

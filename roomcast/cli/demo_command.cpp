@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/hub_aligner.h"
+#include "roomcast/cli/hub_aligners.h"
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
@@ -37,7 +37,7 @@ struct DemoOptions {
   bool headless = false;
   double seconds = 0;
   bool true_poses = false;
-  std::string key;
+  bool admin_link = false;
   bool verbose = false;
 };
 
@@ -155,24 +155,21 @@ Status run_demo(const DemoOptions& options) {
 
   hub::HubOptions hub_options;
   hub_options.port = static_cast<std::uint16_t>(options.port);
-  hub_options.room = options.rig.empty() ? "demo" : "recording";
+  hub_options.rooms = {{.name = options.rig.empty() ? "demo" : "recording"}};
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
-  hub_options.aligner_key = options.key.empty() ? make_aligner_key() : options.key;
-  HubAlignerOptions aligner_options{
-      .certificate = {}, .key = hub_options.aligner_key, .log = hub_options.log};
+  HubAligners aligners(hub_options.log);
+  hub_options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
   auto hub = hub::HubServer::open(std::move(hub_options));
   if (!hub) return hub.error();
+  aligners.serve({.port = (*hub)->port(), .certificate = {}}, (*hub)->own_token());
   const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
-
-  aligner_options.port = (*hub)->port();
-  const auto aligner = start_hub_aligner(aligner_options);
-  if (!aligner) return aligner.error();
 
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());
   if (!feeds) return feeds.error();
   if (stop.token().stop_requested()) return {};
-  fmt::print("roomcast demo: open http://127.0.0.1:{}/\n", (*hub)->port());
+  fmt::print("roomcast demo: open http://127.0.0.1:{}/{}\n", (*hub)->port(),
+             options.admin_link ? "#token=" + (*hub)->own_token() : "");
   std::fflush(stdout);
   return options.headless ? watch_room(*feeds, (*hub)->port(), options.seconds, stop.token())
                           : show_room(*feeds, options.seconds, stop.token());
@@ -207,8 +204,8 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--true-poses", options->true_poses,
                     "Take the poses of simulated sensors from the simulator instead of aligning");
-  command->add_option("--key", options->key,
-                      "Who knows it may put sensors in their place: see roomcast hub --help");
+  command->add_flag("--admin-link", options->admin_link,
+                    "Print an address whose reader may also put sensors in their place");
   command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
   command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
   command->callback(

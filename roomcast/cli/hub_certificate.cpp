@@ -20,20 +20,6 @@ Error wrong_usage(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-/// Names and addresses under which a hub on this machine may be called.
-std::vector<std::string> own_hosts(const std::string& listen_address) {
-  std::vector<std::string> hosts = {"localhost", "127.0.0.1", "::1"};
-  boost::system::error_code error;
-  const std::string name = boost::asio::ip::host_name(error);
-  if (!error && !name.empty() && name != "localhost") {
-    hosts.push_back(name);
-    if (name.find('.') == std::string::npos) hosts.push_back(name + ".local");
-  }
-  const bool any = listen_address == "0.0.0.0" || listen_address == "::";
-  if (!listen_address.empty() && !any) hosts.push_back(listen_address);
-  return hosts;
-}
-
 Result<net::Certificate> keep_self_signed(const fs::path& folder,
                                           const std::string& listen_address) {
   const fs::path file = folder / kSelfSignedName;
@@ -47,6 +33,19 @@ Result<net::Certificate> keep_self_signed(const fs::path& folder,
 }
 
 }  // namespace
+
+std::vector<std::string> own_hosts(const std::string& listen_address) {
+  std::vector<std::string> hosts = {"localhost", "127.0.0.1", "::1"};
+  boost::system::error_code error;
+  const std::string name = boost::asio::ip::host_name(error);
+  if (!error && !name.empty() && name != "localhost") {
+    hosts.push_back(name);
+    if (name.find('.') == std::string::npos) hosts.push_back(name + ".local");
+  }
+  const bool any = listen_address == "0.0.0.0" || listen_address == "::";
+  if (!listen_address.empty() && !any) hosts.push_back(listen_address);
+  return hosts;
+}
 
 std::optional<fs::path> default_data_folder() {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/') {

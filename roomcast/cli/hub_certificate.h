@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "roomcast/core/result.h"
 #include "roomcast/net/tls/certificate.h"
@@ -21,6 +22,9 @@ struct HubCertificateOptions {
 
 /// $XDG_STATE_HOME/roomcast, else ~/.local/state/roomcast, else nothing.
 [[nodiscard]] std::optional<std::filesystem::path> default_data_folder();
+
+/// Names and addresses under which a hub on this machine may be called.
+[[nodiscard]] std::vector<std::string> own_hosts(const std::string& listen_address);
 
 /// Nothing when TLS is not asked for. A self-signed certificate stays the same from start to start,
 /// so that whoever pinned its fingerprint finds the hub again. kInvalidArgument: options that

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast hub: joins sensors and viewers, one room, one port.
-#include <algorithm>
+// roomcast hub: joins sensors and viewers in rooms, on one port.
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include "roomcast/cli/certificate_watch.h"
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/hub_aligner.h"
+#include "roomcast/cli/hub_aligners.h"
 #include "roomcast/cli/hub_certificate.h"
+#include "roomcast/cli/hub_settings.h"
+#include "roomcast/cli/json_log.h"
 #include "roomcast/cli/listen_address.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
@@ -20,94 +26,162 @@
 namespace roomcast::cli {
 namespace {
 
-struct HubCommandOptions {
-  std::string listen = "127.0.0.1:7600";
-  std::string room = "room";
-  std::string web;
-  HubCertificateOptions certificate;
-  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-  bool insecure = false;
-  bool align = true;
-  std::string key;
-  bool verbose = false;
+/// What was said on the command line holds against file and environment.
+struct HubFlags {
+  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log;
+  std::int64_t threads = 0;
+  bool self_signed = false, insecure = false, no_align = false, verbose = false, check = false;
 };
 
-/// A sentence when the hub would speak in the clear to other machines, and nobody said it may.
-Status check_secrecy(const HubCommandOptions& options, bool loopback, bool encrypted) {
-  if (encrypted && options.insecure) {
-    return Error{ErrorCode::kInvalidArgument, "--insecure and TLS exclude each other"};
-  }
-  if (loopback || encrypted || options.insecure) return {};
-  return Error{ErrorCode::kInvalidArgument,
-               "beyond this machine a hub encrypts: say --tls-self-signed, or --tls-cert and "
-               "--tls-key; or --insecure if you trust everyone on the network"};
+hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
+  const auto take = [](const std::string& said, std::string& field) {
+    if (!said.empty()) field = said;
+  };
+  take(flags.listen, config.listen);
+  take(flags.web, config.web);
+  take(flags.tls_cert, config.tls_cert);
+  take(flags.tls_key, config.tls_key);
+  take(flags.data, config.data);
+  take(flags.access, config.access);
+  take(flags.log, config.log);
+  if (!flags.room.empty()) config.rooms = {nlohmann::json{{"name", flags.room}}.dump()};
+  if (flags.threads > 0) config.threads = flags.threads;
+  config.tls_self_signed |= flags.self_signed;
+  config.insecure |= flags.insecure;
+  config.align &= !flags.no_align;
+  return config;
 }
 
-/// In the folder for what the hub keeps; nothing where there can be none.
-std::optional<std::filesystem::path> find_state_file(const std::string& data_folder) {
-  const auto folder = data_folder.empty() ? default_data_folder()
-                                          : std::optional<std::filesystem::path>(data_folder);
-  if (!folder) return std::nullopt;
+/// Made where it is missing; nothing where there is no home to have it in. kUnavailable: it cannot
+/// be made.
+Result<std::optional<std::filesystem::path>> make_data_folder(const std::string& named) {
+  const auto folder =
+      named.empty() ? default_data_folder() : std::optional<std::filesystem::path>(named);
+  if (!folder) return folder;
   std::error_code error;
   std::filesystem::create_directories(*folder, error);
-  if (error) return std::nullopt;
-  return *folder / "hub.sqlite";
+  if (!error) return folder;
+  return Error{ErrorCode::kUnavailable, "cannot make the folder " + folder->string() + ": " +
+                                            error.message() + "; name another with --data"};
 }
 
-void print_where(const ListenAddress& listen, std::uint16_t port,
-                 const std::optional<net::Certificate>& certificate, bool self_signed) {
-  const bool v6 = listen.address.find(':') != std::string::npos;
-  const std::string where =
-      fmt::format("{}{}{}:{}", v6 ? "[" : "", listen.address, v6 ? "]" : "", port);
-  fmt::print("roomcast hub: open {}://{}/\n", certificate ? "https" : "http", where);
-  if (self_signed) {
+/// Every connection is an open file; what a shell allows is often 1024.
+void allow_many_connections() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  (void)::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+LogSink log_of(const hub::HubConfig& config, bool verbose) {
+  return config.log == "json" ? json_log("hub") : stderr_log("hub", verbose);
+}
+
+/// A hub that is configured, and not yet open.
+struct HubPlan {
+  hub::HubConfig config;
+  ListenAddress listen;
+  hub::HubOptions options;
+  std::optional<net::Certificate> certificate;
+};
+
+Result<HubPlan> plan_hub(const HubFlags& flags) {
+  HubPlan plan;
+  auto config = find_hub_config(flags.config_file);
+  if (!config) return config.error();
+  plan.config = with_flags(*std::move(config), flags);
+  if (auto status = hub::check(plan.config); !status) return status.error();
+  const auto listen = parse_listen_address(plan.config.listen);
+  if (!listen) return listen.error();
+  plan.listen = *listen;
+  const auto encrypted = decide_encryption(plan.config, plan.listen);
+  if (!encrypted) return encrypted.error();
+  auto options = hub_options_of(plan.config, plan.listen, *encrypted);
+  if (!options) return options.error();
+  plan.options = *std::move(options);
+  return plan;
+}
+
+Status find_certificate(HubPlan& plan) {
+  auto found = find_hub_certificate({.certificate_file = plan.config.tls_cert,
+                                     .key_file = plan.config.tls_key,
+                                     .self_signed = plan.config.tls_self_signed,
+                                     .data_folder = plan.config.data,
+                                     .listen_address = plan.listen.address});
+  if (!found) return found.error();
+  plan.certificate = *std::move(found);
+  if (!plan.certificate) return {};
+  auto tls = net::TlsServerContext::create(*plan.certificate);
+  if (!tls) return tls.error();
+  plan.options.tls = *std::move(tls);
+  return {};
+}
+
+void print_where(const HubPlan& plan, std::uint16_t port) {
+  const std::string& address = plan.listen.address;
+  const bool v6 = address.find(':') != std::string::npos;
+  const std::string where = fmt::format("{}{}{}:{}", v6 ? "[" : "", address, v6 ? "]" : "", port);
+  fmt::print("roomcast hub: open {}://{}/\n", plan.certificate ? "https" : "http", where);
+  if (plan.config.tls_self_signed) {
     fmt::print(
         "roomcast hub: browsers will ask whether to trust its certificate; sensors and viewers "
         "trust it with\n  --hub wss://{}#sha256={}\n",
-        where, net::to_string(certificate->fingerprint()));
+        where, net::to_string(plan.certificate->fingerprint()));
   }
   std::fflush(stdout);
 }
 
-Status run_hub(const HubCommandOptions& options) {
-  StopOnSignal stop;
-  const auto listen = parse_listen_address(options.listen);
-  if (!listen) return listen.error();
-  HubCertificateOptions certificate_options = options.certificate;
-  certificate_options.listen_address = listen->address;
-  const auto certificate = find_hub_certificate(certificate_options);
-  if (!certificate) return certificate.error();
-  const bool encrypted = certificate->has_value();
-  if (auto status = check_secrecy(options, listen->loopback, encrypted); !status) return status;
-  hub::HubOptions hub;
-  hub.address = listen->address;
-  hub.port = listen->port;
-  hub.room = options.room;
-  hub.threads = options.threads;
-  hub.web_directory = find_web_directory(options.web);
-  if (encrypted) {
-    auto tls = net::TlsServerContext::create(**certificate);
+/// Renewed certificates, for a hub whose certificate comes from files.
+std::unique_ptr<CertificateWatch> watch_certificate(const HubPlan& plan, hub::HubServer& server,
+                                                    HubAligners& aligners,
+                                                    std::atomic<bool>& reload, const LogSink& log) {
+  if (plan.config.tls_cert.empty()) return nullptr;
+  const auto take = [&server, &aligners](const net::Certificate& certificate) -> Status {
+    auto tls = net::TlsServerContext::create(certificate);
     if (!tls) return tls.error();
-    hub.tls = *std::move(tls);
+    server.replace_tls(*std::move(tls));
+    aligners.trust(certificate.fingerprint());
+    return {};
+  };
+  return std::make_unique<CertificateWatch>(plan.config.tls_cert, plan.config.tls_key, take, reload,
+                                            log);
+}
+
+Status run_hub(const HubFlags& flags) {
+  std::atomic<bool> reload = false;
+  std::function<void()> on_hangup;  // on a terminal it means that the terminal is gone
+  if (::isatty(STDIN_FILENO) == 0) on_hangup = [&reload] { reload = true; };
+  StopOnSignal stop(on_hangup);
+  auto plan = plan_hub(flags);
+  if (!plan) return plan.error();
+  if (flags.check) {
+    fmt::print("roomcast hub: this configuration can be used; rooms:");
+    for (const auto& room : plan->options.rooms) fmt::print(" {}", room.name);
+    fmt::print("\n");
+    return {};
   }
-  hub.log = stderr_log("hub", options.verbose);
-  if (options.align) {
-    hub.aligner_key = options.key.empty() ? make_aligner_key() : options.key;
+  if (auto status = find_certificate(*plan); !status) return status;
+  allow_many_connections();
+  const LogSink log = log_of(plan->config, flags.verbose);
+  HubAligners aligners(log);
+  hub::HubOptions options = plan->options;
+  options.web_directory = find_web_directory(plan->config.web);
+  auto folder = make_data_folder(plan->config.data);
+  if (!folder) return folder.error();
+  options.data_folder = *std::move(folder);
+  options.log = log;
+  if (plan->config.align) {
+    options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
   }
-  hub.state_file = find_state_file(options.certificate.data_folder);
-  HubAlignerOptions aligner_options{
-      .listen_address = listen->address, .certificate = {}, .key = hub.aligner_key, .log = hub.log};
-  auto server = hub::HubServer::open(std::move(hub));
+  auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
-  aligner_options.port = (*server)->port();
-  if (encrypted) aligner_options.certificate = (*certificate)->fingerprint();
-  std::unique_ptr<aligner::RoomAligner> aligner;
-  if (options.align) {
-    auto started = start_hub_aligner(aligner_options);
-    if (!started) return started.error();
-    aligner = *std::move(started);
-  }
-  print_where(*listen, (*server)->port(), *certificate, options.certificate.self_signed);
+  aligners.serve({.listen_address = plan->listen.address,
+                  .port = (*server)->port(),
+                  .certificate = plan->certificate ? std::optional(plan->certificate->fingerprint())
+                                                   : std::nullopt},
+                 (*server)->own_token());
+  const auto watch = watch_certificate(*plan, **server, aligners, reload, log);
+  print_where(*plan, (*server)->port());
   (*server)->run(stop.token());
   return {};
 }
@@ -115,44 +189,51 @@ Status run_hub(const HubCommandOptions& options) {
 }  // namespace
 
 void add_hub_command(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<HubCommandOptions>();
+  auto flags = std::make_shared<HubFlags>();
   CLI::App* command =
-      app.add_subcommand("hub", "Join sensors and viewers in a room, and serve the page");
-  command->add_option("--listen", options->listen, "ADDRESS:PORT; port 0 takes any free one")
-      ->capture_default_str();
-  command->add_option("--room", options->room, "The room's name")->capture_default_str();
-  command->add_option("--web", options->web,
-                      "Folder of the built page (default: the one beside this program)");
-  command->add_option("--tls-cert", options->certificate.certificate_file,
-                      "PEM file: the certificate, then those that sign it");
-  command->add_option("--tls-key", options->certificate.key_file, "PEM file: its private key");
-  command->add_flag("--tls-self-signed", options->certificate.self_signed,
-                    "Encrypt with a certificate that the hub makes for itself and keeps");
-  command->add_option("--data", options->certificate.data_folder,
-                      "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
-  command->add_option("--threads", options->threads, "Among which connections are dealt out")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->add_flag("--insecure", options->insecure,
-                    "Listen beyond this machine although nothing is encrypted");
-  command->add_flag("!--no-align", options->align,
-                    "Leave sensors where they say they are; work out nothing");
+      app.add_subcommand("hub", "Join sensors and viewers in rooms, and serve the page");
+  command->add_option("--config", flags->config_file,
+                      "File, see docs/guides/hub.md; what is said here holds against it");
+  command->add_flag("--check", flags->check, "Only say whether this configuration can be used");
+  command->add_option("--listen", flags->listen,
+                      "ADDRESS:PORT; port 0 takes any free one (default: 127.0.0.1:7600)");
+  command->add_option("--room", flags->room, "The only room's name (default: room)");
   command
-      ->add_option("--key", options->key,
-                   "Who knows it may put sensors in their place: `roomcast nudge`, and the page "
-                   "when it is opened with #key=KEY (default: nobody)")
-      ->check(CLI::Validator(
-          [](std::string& key) { return key.size() <= 64 ? "" : "a key has at most 64 bytes"; },
-          ""));
-  command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
+      ->add_option("--access", flags->access,
+                   "Who may come into rooms that say nothing else: anyone, token (default: anyone "
+                   "on this machine, from elsewhere who has a token)")
+      ->check(CLI::IsMember({"anyone", "token", "auto"}));
+  command->add_option("--web", flags->web,
+                      "Folder of the built page (default: the one beside this program)");
+  command->add_option("--tls-cert", flags->tls_cert,
+                      "PEM file: the certificate, then those that sign it");
+  command->add_option("--tls-key", flags->tls_key, "PEM file: its private key");
+  command->add_flag("--tls-self-signed", flags->self_signed,
+                    "Encrypt with a certificate that the hub makes for itself and keeps (beyond "
+                    "this machine the default)");
+  command->add_option("--data", flags->data,
+                      "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
+  command
+      ->add_option("--threads", flags->threads,
+                   "Among which connections are dealt out (default: one per core)")
+      ->check(CLI::Range(1, 64));
+  command->add_flag("--insecure", flags->insecure,
+                    "Listen beyond this machine although nothing is encrypted");
+  command->add_flag("--no-align", flags->no_align,
+                    "Leave sensors where they say they are; work out nothing");
+  command->add_option("--log", flags->log, "text or json, on stderr")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->add_flag("--verbose", flags->verbose, "Say who joins and leaves");
   command->footer(
       "Examples:\n"
       "  roomcast hub\n"
-      "  roomcast hub --listen 0.0.0.0:7600 --tls-self-signed\n"
+      "  roomcast hub --listen 0.0.0.0:7600\n"
       "  roomcast hub --listen 0.0.0.0:443 --tls-cert fullchain.pem --tls-key privkey.pem\n"
-      "Then open the address it prints and start sensors.");
+      "  roomcast hub --config /etc/roomcast.toml --check\n"
+      "Then open the address it prints and start sensors. From other machines they need tokens:\n"
+      "roomcast token --help.");
   command->callback(
-      [options, &chosen] { chosen = [options] { return finish("hub", run_hub(*options)); }; });
+      [flags, &chosen] { chosen = [flags] { return finish("hub", run_hub(*flags)); }; });
 }
 
 }  // namespace roomcast::cli

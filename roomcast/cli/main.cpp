@@ -42,6 +42,7 @@ int parse_and_run(int argc, char** argv) {
   add_align_command(app, chosen);
   add_board_command(app, chosen);
   add_nudge_command(app, chosen);
+  add_token_command(app, chosen);
   add_bench_command(app, chosen);
   if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
     fmt::print(stderr, "roomcast: there is no command \"{}\" (roomcast --help lists them)\n", word);

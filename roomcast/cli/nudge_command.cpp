@@ -11,6 +11,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/cli/token_option.h"
 #include "roomcast/client/nudge.h"
 
 namespace roomcast::cli {
@@ -20,10 +21,14 @@ struct NudgeCommand {
   NudgeOptions options;
   std::vector<double> move_m = {0, 0, 0};
   double turn_deg = 0;
+  TokenOption token;
   bool json = false;
 };
 
 Status run_nudge(NudgeCommand command) {
+  auto credential = find_credential(command.token);
+  if (!credential) return credential.error();
+  command.options.credential = *std::move(credential);
   command.options.shift_m = Eigen::Vector3d::Map(command.move_m.data());
   command.options.turn_rad = command.turn_deg * std::numbers::pi / 180;
   StatusLine line;
@@ -52,7 +57,7 @@ void add_nudge_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("nudge", "Put a sensor about where it stands; the aligner does the rest");
   command->add_option("sensor", values->options.sensor, "Its name in the room")->required();
   command->add_option("--hub", values->options.hub_url, "ws://HOST:PORT")->required();
-  command->add_option("--key", values->options.key, "That the hub was started with")->required();
+  add_token_options(*command, values->token);
   command->add_option("--room", values->options.room, "The room (default: the hub's only one)");
   command->add_option("--move", values->move_m, "Metres along the room's axes: X Y Z, y up")
       ->expected(3);
@@ -60,7 +65,7 @@ void add_nudge_command(CLI::App& app, Command& chosen) {
                       "Degrees about the vertical, counter-clockwise seen from above");
   command->add_flag("--json", values->json, "For scripts");
   command->footer(
-      "Example:\n  roomcast nudge s2 --hub ws://127.0.0.1:7600 --key SECRET --move 0.4 0 -0.2 "
+      "Example:\n  roomcast nudge s2 --hub ws://127.0.0.1:7600 --token TOKEN --move 0.4 0 -0.2 "
       "--turn 15");
   command->callback(
       [values, &chosen] { chosen = [values] { return finish("nudge", run_nudge(*values)); }; });

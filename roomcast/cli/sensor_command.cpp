@@ -12,6 +12,7 @@
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/token_option.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {
@@ -21,6 +22,7 @@ struct SensorCommandOptions {
   std::string source;
   SourceOptions source_options;
   SensorFeedOptions feed;
+  TokenOption token;
   std::string frame_log;
   bool once = false;
   bool verbose = false;
@@ -61,6 +63,9 @@ Status run_sensor(SensorCommandOptions options) {
   if (!source) return source.error();
   const std::string name =
       options.feed.name.empty() ? (*source)->description().name : options.feed.name;
+  auto credential = find_credential(options.token);
+  if (!credential) return credential.error();
+  options.feed.credential = *std::move(credential);
   options.feed.log = stderr_log("sensor", options.verbose);
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
   auto feed = SensorFeed::start(std::move(*source), options.feed);
@@ -83,6 +88,7 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
   command->add_option("--name", options->feed.name,
                       "Its name in the room (default: the source's); same name, same id and pose");
+  add_token_options(*command, options->token);
   command
       ->add_option("--fps", options->source_options.sim_fps,
                    "Frames per second of a simulated sensor")

@@ -19,6 +19,7 @@ PublisherOptions publisher_options(const SensorDescription& sensor, const Sensor
   PublisherOptions options;
   options.hub_url = feed.hub_url;
   options.room = feed.room;
+  options.credential = feed.credential;
   options.name = feed.name.empty() ? sensor.name : feed.name;
   options.calibration = sensor.calibration;
   if (feed.tell_pose) options.world_from_depth = sensor.world_from_depth;

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "roomcast/cli/codec_option.h"
+#include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
@@ -21,6 +22,7 @@ namespace roomcast::cli {
 struct SensorFeedOptions {
   std::string hub_url;
   std::string room;
+  Credential credential = {};
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;

@@ -2,6 +2,7 @@
 #include "roomcast/cli/stop_on_signal.h"
 
 #include <csignal>
+#include <utility>
 
 #include <pthread.h>
 
@@ -19,15 +20,21 @@ sigset_t end_signals() {
 
 }  // namespace
 
-StopOnSignal::StopOnSignal() {
+StopOnSignal::StopOnSignal(std::function<void()> on_hangup) {
   const sigset_t signals = end_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  waiter_ = std::jthread([this, signals](const std::stop_token& done) {
-    const timespec look_up{.tv_sec = 0, .tv_nsec = 100'000'000};
-    while (!done.stop_requested()) {
-      if (sigtimedwait(&signals, nullptr, &look_up) > 0) stop_.request_stop();
-    }
-  });
+  waiter_ =
+      std::jthread([this, signals, on_hangup = std::move(on_hangup)](const std::stop_token& done) {
+        const timespec look_up{.tv_sec = 0, .tv_nsec = 100'000'000};
+        while (!done.stop_requested()) {
+          const int signal = sigtimedwait(&signals, nullptr, &look_up);
+          if (signal == SIGHUP && on_hangup) {
+            on_hangup();
+          } else if (signal > 0) {
+            stop_.request_stop();
+          }
+        }
+      });
 }
 
 StopOnSignal::~StopOnSignal() = default;

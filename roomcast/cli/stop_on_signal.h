@@ -3,6 +3,7 @@
 // all threads leave these signals to it.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <thread>
 
@@ -10,7 +11,8 @@ namespace roomcast::cli {
 
 class StopOnSignal {
  public:
-  StopOnSignal();
+  /// `on_hangup`: what SIGHUP does instead of stopping; on a thread of its own. Nothing: it stops.
+  explicit StopOnSignal(std::function<void()> on_hangup = {});
   ~StopOnSignal();
   StopOnSignal(const StopOnSignal&) = delete;
   StopOnSignal& operator=(const StopOnSignal&) = delete;

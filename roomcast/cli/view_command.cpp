@@ -14,7 +14,10 @@ Eigen::Vector3d vector_from(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Status run_view(const ViewOptions& options) {
+Status run_view(ViewOptions options) {
+  auto credential = find_credential(options.token);
+  if (!credential) return credential.error();
+  options.subscriber.credential = *std::move(credential);
   if (!options.png.empty()) return view_without_window(options);
   if (!options.headless) return view_in_window(options);
   return Error{ErrorCode::kInvalidArgument, "--headless needs --png FILE: say where to draw to"};
@@ -40,6 +43,7 @@ void add_view_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("view", "See a room in a window, or a picture of it without one");
   command->add_option("--hub", options->subscriber.hub_url, "ws://HOST:PORT")->required();
   command->add_option("--room", options->subscriber.room, "The room (default: the hub's only one)");
+  add_token_options(*command, options->token);
   command->add_option("--name", options->subscriber.name, "Shown to others");
   command->add_flag("--headless", options->headless, "Without a window: needs --png");
   command->add_option("--png", options->png, "Write a picture here, without a window, and end");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/cli/token_option.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/render/render_mode.h"
 #include "roomcast/render/view_camera.h"
@@ -14,6 +15,7 @@ namespace roomcast::cli {
 
 struct ViewOptions {
   SubscriberOptions subscriber;
+  TokenOption token;
   bool headless = false;
   std::string png;
   std::vector<double> at, look;

@@ -5,7 +5,7 @@ import { request as plainRequest } from 'node:http';
 import { request as encryptedRequest } from 'node:https';
 import { test } from 'node:test';
 
-import { assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
+import { Program, assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 
 const certificateOfItsOwn = (folder) => ['--tls-self-signed', '--data', folder];
 
@@ -54,6 +54,12 @@ test('hub_that_nobody_vouches_for_is_refused', async (t) => {
   const wrong = `wss://127.0.0.1:${hub.port}#sha256=${'0'.repeat(64)}`;
   assertFailed(await run(...sensor, wrong), 1, /another certificate.*whoever runs the hub/);
   assertFailed(await run(...sensor, `ws://127.0.0.1:${hub.port}`), 1, /https:/);
+});
+
+test('hub_for_other_machines_encrypts_without_being_told', async (t) => {
+  const hub = new Program(['hub', '--listen', '0.0.0.0:0', '--data', scratchFolder(t)]);
+  t.after(() => hub.stop('SIGKILL'));
+  await hub.prints(/https:\/\/0\.0\.0\.0:\d+\/[^]*sha256=/);
 });
 
 test('certificate_stays_the_same_from_start_to_start', async (t) => {

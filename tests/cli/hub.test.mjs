@@ -132,10 +132,8 @@ test('reason_of_a_hang_up_is_a_sentence', async (t) => {
   assert.match(reason, /\w+ \w+/);
 });
 
-test('hub_says_that_it_cannot_keep_sensors_and_serves_all_the_same', async (t) => {
+test('hub_that_cannot_read_what_it_kept_does_not_start_and_forget_whom_it_turned_away', async (t) => {
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
-  const hub = await startHub(t, '--data', folder);
-  assert.match(hub.program.stderr, /hub\.sqlite cannot keep sensors/);
-  assert.equal(await getStatus(hub.port, '/healthz'), 200);
+  assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot keep/);
 });

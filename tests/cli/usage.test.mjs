@@ -29,7 +29,6 @@ const wrongUsages = {
   sensor_without_source: [['sensor', '--hub', 'ws://127.0.0.1:1'], /--source/],
   view_without_hub: [['view', '--headless', '--png', 'x.png'], /--hub/],
   sensors_not_a_number: [['demo', '--sensors', 'many'], /--sensors/],
-  hub_for_everyone_without_tls: [['hub', '--listen', '0.0.0.0:0'], /--insecure/],
   zero_sensors: [['demo', '--sensors', '0'], /sensors/],
   port_too_large: [['hub', '--listen', '127.0.0.1:70000'], /70000|port/],
   listen_not_an_address: [['hub', '--listen', 'somewhere:1'], /somewhere/],

@@ -38,7 +38,7 @@ test('room_works_over_ipv6', { skip }, async (t) => {
 });
 
 test('hub_on_all_ipv6_addresses_is_there_for_ipv4_too', { skip }, async (t) => {
-  const program = new Program(['hub', '--listen', '[::]:0', '--insecure']);
+  const program = new Program(['hub', '--listen', '[::]:0', '--insecure', '--access', 'anyone']);
   t.after(() => program.stop('SIGKILL'));
   const [, port] = await program.prints(/\[::\]:(\d+)/);
   for (const host of ['[::1]', '127.0.0.1', 'localhost']) {

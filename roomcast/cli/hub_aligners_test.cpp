@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/hub_aligner.h"
+#include "roomcast/cli/hub_aligners.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace roomcast::cli {
 namespace {
 
-TEST(HubAligner, a_hub_that_listens_everywhere_is_reached_on_loopback) {
-  HubAlignerOptions options;
+TEST(HubAligners, a_hub_that_listens_everywhere_is_reached_on_loopback) {
+  OwnHub options;
   options.port = 7600;
   options.listen_address = "0.0.0.0";
   EXPECT_EQ(own_hub_url(options), "ws://127.0.0.1:7600");
@@ -19,18 +19,13 @@ TEST(HubAligner, a_hub_that_listens_everywhere_is_reached_on_loopback) {
   EXPECT_EQ(own_hub_url(options), "ws://192.168.1.5:7600");
 }
 
-TEST(HubAligner, an_encrypted_hub_is_trusted_by_its_certificate) {
-  HubAlignerOptions options;
+TEST(HubAligners, an_encrypted_hub_is_trusted_by_its_certificate) {
+  OwnHub options;
   options.port = 7600;
   options.certificate.emplace();
   const auto url = net::parse_hub_url(own_hub_url(options));
   ASSERT_TRUE(url.ok()) << url.error().message;
   EXPECT_EQ(url->pinned, options.certificate);
-}
-
-TEST(HubAligner, keys_are_long_and_never_the_same) {
-  EXPECT_EQ(make_aligner_key().size(), 32U);
-  EXPECT_NE(make_aligner_key(), make_aligner_key());
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// CertificateWatch: notices that a hub's certificate files were renewed, and hands on the new
+// certificate, so that nobody has to restart a hub every few weeks. Looks once a second; what
+// cannot be loaded is reported once, and the old one goes on. Threading: has a thread of its own,
+// which calls `take` and `log`.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "roomcast/core/log.h"
+#include "roomcast/net/tls/certificate.h"
+
+namespace roomcast::cli {
+
+class CertificateWatch {
+ public:
+  using Take = std::function<Status(const net::Certificate&)>;
+
+  /// `asked`: who sets it has them loaded again whether they were renewed or not.
+  CertificateWatch(std::filesystem::path certificate, std::filesystem::path key, Take take,
+                   std::atomic<bool>& asked, LogSink log,
+                   std::chrono::milliseconds look_every = std::chrono::seconds(1));
+
+ private:
+  using Stamp = std::pair<std::filesystem::file_time_type, std::filesystem::file_time_type>;
+  [[nodiscard]] Stamp stamp() const;
+  void look();
+
+  const std::filesystem::path certificate_, key_;
+  const Take take_;
+  std::atomic<bool>& asked_;
+  const LogSink log_;
+  Stamp seen_;
+  std::jthread thread_;  // last: uses all of the above
+};
+
+}  // namespace roomcast::cli

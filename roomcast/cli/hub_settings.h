@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a hub's configuration comes to: file, environment and command line put together, and what
+// "auto" means there. Threading: no state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomcast/cli/listen_address.h"
+#include "roomcast/core/result.h"
+#include "roomcast/hub/config/hub_config.h"
+#include "roomcast/hub/hub_server.h"
+
+namespace roomcast::cli {
+
+/// What the file says (no file: nothing), and over it the environment. The sentence of an error
+/// begins with the file's name.
+[[nodiscard]] Result<hub::HubConfig> find_hub_config(const std::string& file);
+
+/// Does the hub encrypt? Beyond this machine it does unless told otherwise, with a certificate that
+/// it makes for itself where none is named. kInvalidArgument: it cannot do both.
+[[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& listen);
+
+/// All but certificate, folders and log. Whoever reaches a hub from elsewhere needs a token unless
+/// the configuration says that anyone may come.
+[[nodiscard]] Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
+                                                     const ListenAddress& listen, bool encrypted);
+
+}  // namespace roomcast::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/json_log.h"
+
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::cli {
+
+namespace {
+
+const char* name_of(LogLevel level) {
+  if (level == LogLevel::kInfo) return "info";
+  return level == LogLevel::kWarning ? "warning" : "error";
+}
+
+}  // namespace
+
+std::string json_log_line(std::string_view program, LogLevel level, std::string_view message,
+                          std::int64_t unix_ms) {
+  const auto seconds = static_cast<std::time_t>(unix_ms / 1000);
+  nlohmann::ordered_json line;
+  line["time"] = fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), unix_ms % 1000);
+  line["level"] = name_of(level);
+  line["program"] = program;
+  line["message"] = message;
+  return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+LogSink json_log(std::string_view program) {
+  return [program = std::string(program)](LogLevel level, std::string_view message) {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+    fmt::print(stderr, "{}\n", json_log_line(program, level, message, ms));
+  };
+}
+
+}  // namespace roomcast::cli

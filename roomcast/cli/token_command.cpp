@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast token: makes, lists and revokes the tokens of a hub whose folder is on this machine. A
+// running hub notices.
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_certificate.h"
+#include "roomcast/cli/qr_code.h"
+#include "roomcast/cli/time_span.h"
+#include "roomcast/hub/access/hub_book.h"
+#include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/token_request.h"
+
+namespace roomcast::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+struct TokenCommand {
+  std::string data, room, role, name, ttl = "8h", link, revoke;
+  bool qr = false, list = false, json = false;
+};
+
+Error wrong_usage(std::string sentence) {
+  return {ErrorCode::kInvalidArgument, std::move(sentence)};
+}
+
+Result<std::unique_ptr<hub::HubBook>> open_book(const std::string& data) {
+  const auto folder =
+      data.empty() ? default_data_folder() : std::optional<std::filesystem::path>(data);
+  if (!folder) return wrong_usage("there is no home folder; name the hub's with --data");
+  std::error_code error;
+  std::filesystem::create_directories(*folder, error);
+  return hub::HubBook::open(folder);
+}
+
+Status list_tokens(const hub::HubBook& book, bool as_json) {
+  const auto tokens = book.tokens(hub::kAllRooms);
+  if (!tokens) return tokens.error();
+  if (as_json) {
+    Json list = Json::array();
+    for (const auto& token : *tokens) list.push_back(hub::token_json(token));
+    fmt::print("{}\n", Json{{"tokens", list}}.dump(1));
+    return {};
+  }
+  fmt::print("{:34}{:20}{:8}{:20}{}\n", "ID", "ROOM", "ROLE", "NAME", "HOLDS");
+  for (const auto& token : *tokens) {
+    const auto left = token.claims.expires_at - book.now();
+    fmt::print("{:34}{:20}{:8}{:20}{}\n", token.claims.id, token.claims.grant.room,
+               hub::name_of(token.claims.grant.role), token.claims.grant.name,
+               token.revoked ? "revoked"
+               : left <= 0   ? "expired"
+                             : format_time_span(left));
+  }
+  return {};
+}
+
+Result<hub::TokenRequest> request_of(const TokenCommand& command) {
+  const auto role = hub::token_role(command.role);
+  if (!role) return wrong_usage("--role is sensor, viewer or admin");
+  const auto ttl = parse_time_span(command.ttl);
+  if (!ttl) return ttl.error();
+  std::string room = command.room;
+  if (room.empty() && *role == hub::TokenRole::kAdmin) room = hub::kAllRooms;
+  if (room.empty()) return wrong_usage("say which room with --room");
+  return hub::TokenRequest{.grant = {.room = room, .role = *role, .name = command.name},
+                           .ttl = *ttl,
+                           .once = !command.link.empty()};
+}
+
+/// The page's address, with what only the page itself gets to see.
+std::string link_of(std::string page, const std::string& fragment) {
+  if (page.find("://") == std::string::npos) page = "https://" + page;
+  if (!page.ends_with('/')) page += '/';
+  return page + fragment;
+}
+
+Status make_token(const TokenCommand& command, hub::HubBook& book) {
+  const auto request = request_of(command);
+  if (!request) return request.error();
+  auto made = hub::make_token_for(*request, book);
+  if (!made) return made.error();
+  if (request->once) (*made)["link"] = link_of(command.link, (*made)["fragment"]);
+  if (command.json) {
+    fmt::print("{}\n", made->dump());
+    return {};
+  }
+  const std::string shown = request->once ? (*made)["link"] : (*made)["token"];
+  fmt::print("{}\n", shown);
+  if (request->once) {
+    fmt::print(stderr, "Good for once, within {}; then for {}. In a program: --token {}\n",
+               format_time_span(hub::HubBook::kCodeTtl), format_time_span(request->ttl),
+               (*made)["code"].get<std::string>());
+  }
+  if (!command.qr) return {};
+  const auto qr = qr_code_for_terminal(shown);
+  if (!qr) return qr.error();
+  fmt::print("{}", *qr);
+  return {};
+}
+
+Status run_token(const TokenCommand& command) {
+  auto book = open_book(command.data);
+  if (!book) return book.error();
+  if (command.list) return list_tokens(**book, command.json);
+  if (!command.revoke.empty()) return (*book)->revoke(command.revoke);
+  return make_token(command, **book);
+}
+
+}  // namespace
+
+void add_token_command(CLI::App& app, Command& chosen) {
+  auto values = std::make_shared<TokenCommand>();
+  CLI::App* command = app.add_subcommand(
+      "token", "Let people, sensors and admins into the rooms of the hub on this machine");
+  command->add_option("--role", values->role, "sensor, viewer or admin");
+  command->add_option("--room", values->room, "The room (without one an admin's is for all)");
+  command->add_option("--name", values->name,
+                      "Whom it is for; a sensor's is good for the sensor of this name only");
+  command->add_option("--ttl", values->ttl, "How long it holds: 90s, 30m, 8h, 7d")
+      ->capture_default_str();
+  command->add_option("--link", values->link,
+                      "The hub's address; gives a link that is good for once instead");
+  command->add_flag("--qr", values->qr, "Also as a QR code");
+  command->add_flag("--list", values->list, "Say which tokens there are");
+  command->add_option("--revoke", values->revoke,
+                      "Id of a token that shall hold no longer; who came with it is sent away");
+  command->add_option("--data", values->data,
+                      "The hub's folder (default: ~/.local/state/roomcast)");
+  command->add_flag("--json", values->json, "For scripts");
+  command->footer(
+      "Examples:\n"
+      "  roomcast token --room lab --role sensor --name left --ttl 30d\n"
+      "  roomcast token --room lab --role viewer --link https://hub.example.org:7600 --qr\n"
+      "  roomcast token --role admin --ttl 1h\n"
+      "  roomcast token --list\n"
+      "  roomcast token --revoke ID");
+  command->callback(
+      [values, &chosen] { chosen = [values] { return finish("token", run_token(*values)); }; });
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who is let into a hub's rooms, with the programs that people use.
+import assert from 'node:assert/strict';
+import { statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { Program, assertFailed, assertServes, run, scratchFolder, startHub } from './program.mjs';
+
+async function startClosedHub(t) {
+  const folder = scratchFolder(t);
+  const hub = await startHub(t, '--access', 'token', '--data', folder, '--verbose');
+  return { ...hub, folder };
+}
+
+async function token(hub, ...options) {
+  const { code, stdout, stderr } = await run('token', '--data', hub.folder, '--json', ...options);
+  assert.equal(code, 0, stderr);
+  return JSON.parse(stdout);
+}
+
+async function startSensor(t, hub, ...options) {
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose', ...options]);
+  t.after(() => sensor.stop('SIGKILL'));
+  await sensor.prints(/joined/);
+  return sensor;
+}
+
+const look = (hub, folder, ...options) =>
+  run('view', '--hub', hub.url, '--headless', '--size', '64,48', '--png', join(folder, 'room.png'), ...options);
+
+test('room_is_seen_with_tokens_and_without_them_it_is_not', async (t) => {
+  const hub = await startClosedHub(t);
+  const { token: forSensor } = await token(hub, '--room', 'room', '--role', 'sensor');
+  const { token: forViewer } = await token(hub, '--room', 'room', '--role', 'viewer');
+  const file = join(hub.folder, 'sensor.token');
+  writeFileSync(file, `${forSensor}\n`, { mode: 0o600 });
+  await startSensor(t, hub, '--token-file', file);
+  const seen = await look(hub, hub.folder, '--token', forViewer);
+  assert.equal(seen.code, 0, seen.stderr);
+  assertFailed(await look(hub, hub.folder), 1, /takes a token for role viewer/);
+  assertFailed(await look(hub, hub.folder, '--token', forSensor), 1, /is for role sensor/);
+  assertFailed(await look(hub, hub.folder, '--token', `${forViewer}x`), 1, /not made by this hub/);
+  assertFailed(await look(hub, hub.folder, '--room', 'attic', '--token', forViewer), 1, /another room/);
+});
+
+test('code_lets_one_in_once', async (t) => {
+  const hub = await startClosedHub(t);
+  await startSensor(t, hub, '--token', (await token(hub, '--room', 'room', '--role', 'sensor')).token);
+  const made = await token(hub, '--room', 'room', '--role', 'viewer', '--link', 'https://hub.example.org:7600');
+  assert.match(made.link, /^https:\/\/hub\.example\.org:7600\/#room=room&code=[0-9A-Z-]{19}$/);
+  assert.equal((await look(hub, hub.folder, '--token', made.code)).code, 0);
+  assertFailed(await look(hub, hub.folder, '--token', made.code), 1, /used already/);
+});
+
+test('revoked_token_sends_its_holder_away_and_lets_nobody_in', async (t) => {
+  const hub = await startClosedHub(t);
+  const { id, token: shown } = await token(hub, '--room', 'room', '--role', 'sensor');
+  const sensor = await startSensor(t, hub, '--token', shown);
+  assert.equal((await run('token', '--data', hub.folder, '--revoke', id)).code, 0);
+  assert.equal(await sensor.ended, 1);
+  assert.match(sensor.stderr, /revoked/);
+  const { tokens } = await token(hub, '--list');
+  assert.equal(tokens.find((entry) => entry.id === id).revoked, true);
+});
+
+test('hub_on_this_machine_is_open_and_keeps_its_secret_to_itself', async (t) => {
+  const folder = scratchFolder(t);
+  const hub = await startHub(t, '--data', folder);
+  await startSensor(t, hub);
+  await assertServes(t, hub);
+  assert.equal(statSync(join(folder, 'hub.secret')).mode & 0o777, 0o600);
+});
+
+test('qr_code_is_drawn', async (t) => {
+  const options = ['--room', 'lab', '--role', 'viewer', '--link', 'hub.example.org', '--qr'];
+  const { code, stdout } = await run('token', '--data', scratchFolder(t), ...options);
+  assert.equal(code, 0);
+  assert.match(stdout, /█▀|▀█/);
+});
+
+const mistakes = {
+  no_role: [['--room', 'lab'], /--role/],
+  no_room: [['--role', 'viewer'], /--room/],
+  no_time: [['--role', 'viewer', '--room', 'lab', '--ttl', 'long'], /30m/],
+  too_long: [['--role', 'viewer', '--room', 'lab', '--ttl', '9999d'], /ten years/],
+};
+for (const [name, [options, sentence]] of Object.entries(mistakes)) {
+  test(`token_with_${name}_is_one_sentence`, async (t) => {
+    assertFailed(await run('token', '--data', scratchFolder(t), ...options), 2, sentence);
+  });
+}
+
+test('token_that_is_not_there_cannot_be_revoked', async (t) => {
+  assertFailed(await run('token', '--data', scratchFolder(t), '--revoke', 'nobodys'), 1, /no token "nobodys"/);
+});
+
+test('configuration_is_checked', async (t) => {
+  const file = join(scratchFolder(t), 'roomcast.toml');
+  writeFileSync(file, '[[room]]\nname = "lab"\n');
+  const good = await run('hub', '--config', file, '--check');
+  assert.equal(good.code, 0, good.stderr);
+  assert.match(good.stdout, /lab/);
+  writeFileSync(file, '[[room]]\nname = "lab"\nveiw = "token"\n');
+  assertFailed(await run('hub', '--config', file, '--check'), 2, /roomcast\.toml: a room has no setting "veiw" \(line 1\)/);
+});

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hub's HTTP interface (docs/spec/admin.openapi.yaml), and the tokens that it takes.
+import { run } from '../cli/program.mjs';
+
+/** The token that `roomcast token` prints. */
+export async function makeToken(folder, ...options) {
+  const { code, stdout, stderr } = await run('token', '--data', folder, '--json', ...options);
+  if (code !== 0) throw new Error(stderr);
+  return JSON.parse(stdout);
+}
+
+/** Asks; resolves to {status, body}. */
+export async function ask(port, token, method, path, body) {
+  const answer = await fetch(`http://127.0.0.1:${port}/api/v1${path}`, {
+    method,
+    headers: token ? { Authorization: `Bearer ${token}` } : {},
+    body: body === undefined ? undefined : JSON.stringify(body),
+  });
+  const text = await answer.text();
+  return { status: answer.status, body: text === '' ? undefined : JSON.parse(text) };
+}
