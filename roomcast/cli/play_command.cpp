@@ -13,6 +13,7 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/token_option.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/hub_server.h"
 #include "roomcast/recorder/room_player.h"
@@ -26,6 +27,7 @@ using namespace std::chrono_literals;
 struct PlayOptions {
   std::string file;
   RoomPlayerOptions player;
+  TokenOption token;
   int port = 7600;
   std::string web;
   bool json = false;
@@ -38,7 +40,7 @@ class OwnHub {
   static Result<OwnHub> open(const PlayOptions& options, const std::string& room) {
     hub::HubOptions hub;
     hub.port = static_cast<std::uint16_t>(options.port);
-    hub.room = room.empty() ? "recording" : room;
+    hub.rooms = {{.name = room.empty() ? "recording" : room}};
     hub.web_directory = find_web_directory(options.web);
     hub.log = stderr_log("play", options.verbose);
     auto server = hub::HubServer::open(std::move(hub));
@@ -91,6 +93,9 @@ Status run_play(PlayOptions options) {
     fmt::print("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
     std::fflush(stdout);
   }
+  auto credential = find_credential(options.token);
+  if (!credential) return credential.error();
+  options.player.credential = *std::move(credential);
   options.player.log = log;
   auto player = RoomPlayer::open(*recording, options.player);
   if (!player) return player.error();
@@ -118,6 +123,7 @@ void add_play_command(CLI::App& app, Command& chosen) {
   command->add_option("--hub", options->player.hub_url,
                       "Join this hub as the recorded sensors (default: a hub of its own)");
   command->add_option("--room", options->player.room, "The room there");
+  add_token_options(*command, options->token);
   command->add_option("--from", options->player.from_s, "Begin at this second")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--speed", options->player.speed, "2: twice as fast; 0.1 to 10")

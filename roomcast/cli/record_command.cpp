@@ -16,6 +16,7 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/token_option.h"
 #include "roomcast/recorder/recorder.h"
 
 namespace roomcast::cli {
@@ -28,8 +29,8 @@ struct RecordOptions {
   std::filesystem::path out;
   std::string hub_url;
   std::vector<std::string> rooms;
-  std::string token;
-  std::string key;
+  TokenOption token;
+  bool bundles = false;
   double seconds = 0;
   bool json = false;
   bool verbose = false;
@@ -53,7 +54,7 @@ Status make_folder(const RecordOptions& options) {
                "cannot make the folder " + options.out.string() + ": " + error.message()};
 }
 
-Result<Recorders> start_recorders(const RecordOptions& options) {
+Result<Recorders> start_recorders(const RecordOptions& options, const Credential& credential) {
   if (auto status = make_folder(options); !status) return status.error();
   Recorders recorders;
   const auto rooms = options.rooms.empty() ? std::vector<std::string>{""} : options.rooms;
@@ -61,8 +62,8 @@ Result<Recorders> start_recorders(const RecordOptions& options) {
     RecorderOptions recorder;
     recorder.hub_url = options.hub_url;
     recorder.room = room;
-    recorder.token = options.token;
-    recorder.key = options.key;
+    recorder.credential = credential;
+    recorder.bundles = options.bundles;
     recorder.path = file_of(options, room);
     recorder.log = stderr_log("record", options.verbose);
     auto opened = Recorder::open(std::move(recorder));
@@ -139,7 +140,9 @@ void report(const RecordOptions& options, const Recorders& recorders, double ela
 Status run_record(const RecordOptions& options) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error code to us, not an end
   StopOnSignal stop;
-  auto recorders = start_recorders(options);
+  const auto credential = find_credential(options.token);
+  if (!credential) return credential.error();
+  auto recorders = start_recorders(options, *credential);
   if (!recorders) return recorders.error();
   const auto begin = std::chrono::steady_clock::now();
   Status status = wait_for_end(*recorders, options.seconds, stop.token());
@@ -162,9 +165,9 @@ void add_record_command(CLI::App& app, Command& chosen) {
   command->add_option("--hub", options->hub_url, "ws://HOST:PORT")->required();
   command->add_option("--room", options->rooms,
                       "The room (default: the hub's only one); several are recorded at once");
-  command->add_option("--token", options->token, "Where the room asks for one");
-  command->add_option("--key", options->key,
-                      "The hub's key: what sensors can be placed by is kept, too");
+  add_token_options(*command, options->token);
+  command->add_flag("--bundles", options->bundles,
+                    "What sensors can be placed by is kept, too; takes an admin's token");
   command->add_option("--seconds", options->seconds, "Stop after this time (default: Ctrl-C)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", options->json, "For scripts; with the processor time it took");

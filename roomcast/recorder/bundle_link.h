@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // BundleLink: listens to the calibration bundles of a room's sensors, which a hub gives to aligners
-// only: joins as one, and says nothing. Threading: lives on one io_context.
+// only: joins as one, which takes an admin's token, and says nothing. Threading: lives on one
+// io_context.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <utility>
 
+#include "roomcast/client/credential.h"
 #include "roomcast/client/hub_link.h"
 
 namespace roomcast {
@@ -16,19 +18,20 @@ class BundleLink final : private HubLinkEvents {
   using OnBundle = std::function<void(const wire::pb::CalibrationBundle&)>;
 
   BundleLink(boost::asio::io_context& io, net::HubUrl hub, const std::string& room,
-             const std::string& key, OnBundle on_bundle)
+             const Credential& credential, OnBundle on_bundle)
       : on_bundle_(std::move(on_bundle)),
-        link_(io, std::move(hub), join_message(room, key), *this) {
+        link_(io, std::move(hub), join_message(room, credential), *this) {
     link_.start();
   }
   ~BundleLink() override { link_.stop(); }
 
  private:
-  static wire::pb::Join join_message(const std::string& room, const std::string& key) {
+  static wire::pb::Join join_message(const std::string& room, const Credential& credential) {
     wire::pb::Join join;
     join.set_room(room);
     join.set_name("recorder");
-    join.mutable_aligner()->set_key(key);
+    show(credential, join);
+    join.mutable_aligner();
     return join;
   }
 

@@ -29,7 +29,7 @@ pb::Join join_message(const RecorderOptions& options) {
   pb::Join join;
   join.set_room(options.room);
   join.set_name("recorder");
-  join.set_token(options.token);
+  show(options.credential, join);
   join.mutable_viewer()->set_records(true);
   return join;
 }
@@ -42,8 +42,8 @@ class Recorder::Link final : public HubLinkEvents {
       : options_(std::move(options)),
         chunk_timer_(network_.io()),
         link_(network_.io(), hub, join_message(options_), *this) {
-    if (!options_.key.empty()) {
-      bundles_.emplace(network_.io(), std::move(hub), options_.room, options_.key,
+    if (options_.bundles) {
+      bundles_.emplace(network_.io(), std::move(hub), options_.room, options_.credential,
                        [this](const pb::CalibrationBundle& bundle) { take(bundle); });
     }
     link_.start();

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
@@ -19,9 +20,9 @@ namespace roomcast {
 
 struct RecorderOptions {
   std::string hub_url;
-  std::string room;   // empty: the hub's only one
-  std::string token;  // where the room asks for one
-  std::string key;    // that the hub was started with: then calibration bundles are kept, too
+  std::string room;  // empty: the hub's only one
+  Credential credential = {};
+  bool bundles = false;  // kept, too: what sensors can be placed by; takes an admin's token
   std::filesystem::path path;
   LogSink log;
 };

@@ -28,8 +28,7 @@ class RecorderTest : public testing::Test {
     network.finish([this] { hub.reset(); });
   }
 
-  Status open() {
-    RecorderOptions options;
+  Status open(RecorderOptions options = {}) {
     options.hub_url = hub->url();
     options.path = path;
     auto opened = Recorder::open(std::move(options));
@@ -109,6 +108,20 @@ TEST_F(RecorderTest, what_comes_without_more_is_on_disk_within_a_second) {
 TEST_F(RecorderTest, says_that_it_records) {
   ASSERT_TRUE(open().ok());
   on_hub([](FakeHub& h) { EXPECT_TRUE(h.heard.at(0).join().viewer().records()); });
+}
+
+TEST_F(RecorderTest, shows_its_token_and_joins_as_an_aligner_too_where_bundles_are_kept) {
+  RecorderOptions options;
+  options.credential.token = "sesame";
+  options.bundles = true;
+  ASSERT_TRUE(open(std::move(options)).ok());
+  std::vector<wire::pb::Control> heard;
+  EXPECT_TRUE(within_5_s([&] {
+    on_hub([&](FakeHub& h) { heard = h.heard; });
+    return heard.size() == 2;
+  }));
+  for (const auto& control : heard) EXPECT_EQ(control.join().token(), "sesame");
+  EXPECT_NE(heard.at(0).join().has_aligner(), heard.at(1).join().has_aligner());
 }
 
 TEST_F(RecorderTest, overwrites_nothing) {

@@ -28,6 +28,7 @@ Result<PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
   PublisherOptions publisher;
   publisher.hub_url = options.hub_url;
   publisher.room = options.room;
+  publisher.credential = options.credential;
   publisher.name = entry.name();
   publisher.calibration = *calibration;
   publisher.fps = entry.fps() * options.speed;

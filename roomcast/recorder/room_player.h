@@ -23,9 +23,10 @@ namespace roomcast {
 
 struct RoomPlayerOptions {
   std::string hub_url;
-  std::string room;   // empty: the hub's only one
-  double from_s = 0;  // where in the recording to begin: with the key frames before that
-  double speed = 1;   // 2: twice as fast
+  std::string room;            // empty: the hub's only one
+  Credential credential = {};  // shown by every sensor
+  double from_s = 0;           // where in the recording to begin: with the key frames before that
+  double speed = 1;            // 2: twice as fast
   bool loop = false;
   LogSink log;
 

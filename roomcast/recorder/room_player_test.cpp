@@ -32,6 +32,7 @@ class RoomPlayerTest : public testing::Test {
   Status open(double from_s = 0, double speed = 10, bool loop = false) {
     auto opened = RoomPlayer::open(*recording, {.hub_url = hub->url(),
                                                 .room = {},
+                                                .credential = {.token = "sesame", .code = {}},
                                                 .from_s = from_s,
                                                 .speed = speed,
                                                 .loop = loop,
@@ -53,6 +54,16 @@ class RoomPlayerTest : public testing::Test {
   std::optional<RoomRecording> recording;
   std::unique_ptr<RoomPlayer> player;
 };
+
+TEST_F(RoomPlayerTest, shows_its_token_for_every_sensor) {
+  record(12);
+  ASSERT_TRUE(open().ok());
+  std::promise<std::vector<wire::pb::Control>> heard;
+  boost::asio::post(network.io(), [&] { heard.set_value(hub->heard); });
+  const auto messages = heard.get_future().get();
+  ASSERT_FALSE(messages.empty());
+  for (const auto& control : messages) EXPECT_EQ(control.join().token(), "sesame");
+}
 
 TEST_F(RoomPlayerTest, sends_every_frame_at_the_recorded_distances) {
   record(12);
