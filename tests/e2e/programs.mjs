@@ -70,17 +70,24 @@ class Program {
   }
 }
 
-/** A program that ends by itself; throws when it fails. */
+/** A program that ends by itself: what it said; throws when it fails. */
 export async function run(...args) {
   const program = new Program(args[0], args);
   const [code] = await program.ended;
   if (code !== 0) throw new Error(`${args[0]} has failed:\n${program.lines.join('\n')}`);
+  return program.lines;
 }
 
-/** A hub on a free port, or on `port`; `key` as for `roomcast hub`. */
-export async function startHub(port = 0, { key } = {}) {
+/** For whoever runs the hub that keeps what it knows in the folder `data`. */
+export async function adminsToken(data) {
+  const [token] = await run('token', '--data', data, '--role', 'admin');
+  return token;
+}
+
+/** A hub on a free port, or on `port`; in the folder `data` it keeps what it knows. */
+export async function startHub(port = 0, { data } = {}) {
   const args = ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose'];
-  const hub = new Program('hub', key ? [...args, '--key', key] : args);
+  const hub = new Program('hub', data ? [...args, '--data', data] : args);
   const [, found] = await hub.says(/open http:\/\/127\.0\.0\.1:(\d+)\//);
   hub.port = Number(found);
   hub.page = `http://127.0.0.1:${found}/`;

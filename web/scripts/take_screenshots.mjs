@@ -7,12 +7,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { openPage, startBrowser } from '../../tests/e2e/browser.mjs';
-import { requireBuilt, run, startHub, startSensor } from '../../tests/e2e/programs.mjs';
+import { adminsToken, requireBuilt, run, startHub, startSensor } from '../../tests/e2e/programs.mjs';
 import { stateOf, until, untilAllShown } from '../../tests/e2e/waiting.mjs';
 
 const images = fileURLToPath(new URL('../../docs/images/', import.meta.url));
 const iwer = createRequire(import.meta.url).resolve('iwer/build/iwer.min.js');
-const key = 'screenshots';
 const sensors = 3;
 const view = 'quality=best&name=Ada&at=0.3,1.7,2.7&look=0,0.8,-1';
 const enoughSets = 14; // the background is remembered after eight
@@ -86,9 +85,9 @@ async function headset(hub) {
   });
 }
 
-async function consoleTabs(hub) {
+async function consoleTabs(hub, token) {
   await withBrowser({ width: 1280, height: 800 }, async (context) => {
-    const page = await openPage(context, `${hub.page}?mode=mesh&name=Ada&at=0.3,1.7,2.7&look=0,0.8,-1#key=${key}`);
+    const page = await openPage(context, `${hub.page}?mode=mesh&name=Ada&at=0.3,1.7,2.7&look=0,0.8,-1#token=${token}`);
     await untilAllShown(page, sensors);
     await page.getByRole('button', { name: 'Console', exact: true }).click();
     await page.waitForTimeout(90_000); // for charts that say something
@@ -120,13 +119,14 @@ const folder = mkdtempSync(join(tmpdir(), 'roomcast-screenshots-'));
 const rig = join(folder, 'rig');
 const still = ['--fps', '2', '--seconds', '2', '--speed', '0', '--drops', '0', '--views', '0'];
 await run('simulate', rig, '--sensors', String(sensors), ...still);
-const hub = await startHub(0, { key });
+const data = join(folder, 'hub');
+const hub = await startHub(0, { data });
 const programs = Array.from({ length: sensors }, (_, n) => startSensor(hub, n, { rig }));
 try {
   if (wanted('desktop')) await desktop(hub);
   if (wanted('phone')) await phone(hub);
   if (wanted('headset')) await headset(hub);
-  if (wanted('console')) await consoleTabs(hub);
+  if (wanted('console')) await consoleTabs(hub, await adminsToken(data));
 } finally {
   await Promise.all([...programs, hub].map((program) => program.end()));
   rmSync(folder, { recursive: true, force: true });

@@ -8,7 +8,7 @@ const store = {
   setItem: (name: string, value: string) => void kept.set(name, value),
   removeItem: (name: string) => void kept.delete(name),
 };
-const nothing = { room: '', key: '', code: '', token: '' };
+const nothing = { room: '', code: '', token: '' };
 
 describe('access', () => {
   beforeEach(() => kept.clear());
@@ -17,12 +17,12 @@ describe('access', () => {
 
   test("comes in the address's fragment", () => {
     expect(readAccess('#room=lab&code=abc', store)).toEqual({ ...nothing, room: 'lab', code: 'abc' });
-    expect(readAccess('#key=open%20sesame', store).key).toBe('open sesame');
+    expect(readAccess('#token=open%20sesame', store).token).toBe('open sesame');
     expect(readAccess(`#token=${'x'.repeat(5000)}`, store)).toEqual(nothing);
   });
 
   test('is kept for the tab, but for codes, and a new link counts more', () => {
-    rememberAccess({ room: 'lab', key: '', code: 'abc', token: 't1' }, store);
+    rememberAccess({ room: 'lab', code: 'abc', token: 't1' }, store);
     expect(readAccess('', store)).toEqual({ ...nothing, room: 'lab', token: 't1' });
     expect(readAccess('#token=t2', store).token).toBe('t2');
     expect(readAccess('#room=hall', store)).toEqual({ ...nothing, room: 'hall' });

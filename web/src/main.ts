@@ -204,7 +204,7 @@ class Page {
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     rememberAccess(this.access, sessionStorage);
-    void this.offerConsole(this.access.key !== '' || welcome.mayPlace);
+    void this.offerConsole(welcome.mayPlace);
     this.tellOwnPose();
   }
 
@@ -217,7 +217,7 @@ class Page {
   }
 
   private comeBackWith(token: string): void {
-    rememberAccess({ room: this.state.welcome?.room ?? this.options.room, key: '', code: '', token }, sessionStorage);
+    rememberAccess({ room: this.state.welcome?.room ?? this.options.room, code: '', token }, sessionStorage);
     location.reload();
   }
 

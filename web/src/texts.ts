@@ -49,7 +49,7 @@ export const consoleTexts = {
     'through both views; hold a printed board in front of both; or put it about right by hand.',
   move: 'Move by hand',
   moving: 'Done',
-  nudgeNeedsKey: 'Whoever opens the page with the hub’s key or an admin’s token may move sensors by hand.',
+  nudgeNeedsAdmin: 'Whoever opens the page with an admin’s token may move sensors by hand.',
   people: {
     name: 'Name',
     fps: 'Shown',

@@ -25,7 +25,7 @@ export class AlignmentView {
   private readonly map = svg('svg', { class: 'map', role: 'img' });
   private readonly pairs = element('ul', { class: 'pairs' });
   private readonly places = element('ul', { class: 'places' });
-  private readonly nudgeNote = element('p', { class: 'note' }, texts.nudgeNeedsKey);
+  private readonly nudgeNote = element('p', { class: 'note' }, texts.nudgeNeedsAdmin);
   private readonly nudge: NudgeControls;
   private mayNudge = false;
   private shown = '';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Putting a sensor in its place by hand, for whoever opened the page with the hub's key: buttons, and keys while a sensor
+// Putting a sensor in its place by hand, for whoever opened the page with an admin's token: buttons, and keys while a sensor
 // is being moved. What it is pushed to is shown here only; `try` asks the aligner, which refines the guess or refuses it.
 import { nudgeTexts as texts } from '../texts';
 import { element } from './element';

@@ -81,7 +81,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const access = { room: '', key: 'sesame', code: 'once', token: '' };
+const access = { room: '', code: 'once', token: '' };
 
 describe('a hub connection', () => {
   test('speaks roomcast.v1 and joins as a viewer', () => {
@@ -90,7 +90,7 @@ describe('a hub connection', () => {
     expect(socket().protocol).toBe('roomcast.v1');
     expect(socket().sent[0]!.message).toMatchObject({
       case: 'join',
-      value: { room: 'lab', name: 'Ada', role: { case: 'viewer', value: { key: 'sesame' } }, code: 'once' },
+      value: { room: 'lab', name: 'Ada', role: { case: 'viewer' }, code: 'once' },
     });
     socket().say({ case: 'welcome', value: { viewerId: 9 } });
     expect(seen).toEqual(['welcome 9']);

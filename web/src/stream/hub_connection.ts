@@ -70,7 +70,7 @@ export class HubConnection {
     this.lastHeard_ms = performance.now();
     const name = asName(this.options.name);
     const { room, access } = this.options;
-    const role = { case: 'viewer', value: { key: access.key } } as const;
+    const role = { case: 'viewer', value: {} } as const;
     // A code is good for one time: once it has brought a token, that one is shown.
     const right = this.token ? { token: this.token } : { code: access.code };
     this.send({ case: 'join', value: { room: room || access.room, name, role, ...right } });
