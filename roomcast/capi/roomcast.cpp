@@ -172,6 +172,7 @@ roomcast_viewer* roomcast_connect(const roomcast_options* given, char* error, si
     subscriber.hub_url = text(options.hub);
     subscriber.room = text(options.room);
     subscriber.name = text(options.name);
+    subscriber.credential = credential_of(text(options.token));
     auto opened = Subscriber::open(std::move(subscriber));
     if (!opened) {
       say(opened.error().message, error, error_size);
@@ -246,7 +247,7 @@ roomcast_recorder* roomcast_record(const roomcast_options* given, const char* pa
     RecorderOptions recorder;
     recorder.hub_url = text(options.hub);
     recorder.room = text(options.room);
-    recorder.token = text(options.token);
+    recorder.credential = credential_of(text(options.token));
     recorder.path = text(path);
     auto opened = Recorder::open(std::move(recorder));
     if (!opened) {

@@ -40,7 +40,7 @@ typedef struct roomcast_options {
   const char* hub;   /* "ws://host:port" or "wss://host:port#sha256=..." */
   const char* room;  /* the hub's only one, if there is one only */
   const char* name;  /* shown to others */
-  const char* token; /* where the room asks for one */
+  const char* token; /* where the room asks for one; or a one-time code */
 } roomcast_options;
 
 /* One sensor's newest pictures. Pointers are valid as long as the roomcast_frames. */

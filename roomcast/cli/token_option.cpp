@@ -4,18 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "roomcast/hub/access/one_time_code.h"
-
 namespace roomcast::cli {
-
-namespace {
-
-Credential as_credential(const std::string& text) {
-  if (hub::digest_of_code(text)) return {.token = {}, .code = text};
-  return {.token = text, .code = {}};
-}
-
-}  // namespace
 
 void add_token_options(CLI::App& command, TokenOption& option) {
   command.add_option("--token", option.token,
@@ -28,17 +17,17 @@ Result<Credential> find_credential(const TokenOption& option) {
   if (!option.token.empty() && !option.file.empty()) {
     return Error{ErrorCode::kInvalidArgument, "--token and --token-file exclude each other"};
   }
-  if (!option.token.empty()) return as_credential(option.token);
+  if (!option.token.empty()) return credential_of(option.token);
   if (!option.file.empty()) {
     std::ifstream file(option.file);
     std::string token;
     if (!(file >> token)) {
       return Error{ErrorCode::kNotFound, "there is no token in \"" + option.file + "\""};
     }
-    return as_credential(token);
+    return credential_of(token);
   }
   const char* from_environment = std::getenv("ROOMCAST_TOKEN");
-  return as_credential(from_environment == nullptr ? "" : from_environment);
+  return credential_of(from_environment == nullptr ? "" : from_environment);
 }
 
 }  // namespace roomcast::cli

@@ -12,11 +12,6 @@
 namespace roomcast::cli {
 namespace {
 
-TEST(TokenOption, a_code_is_told_from_a_token) {
-  EXPECT_EQ(find_credential({.token = "7K2M-9QXA-0C4T-VW3H"})->code, "7K2M-9QXA-0C4T-VW3H");
-  EXPECT_EQ(find_credential({.token = "eyJ.abc.def"})->token, "eyJ.abc.def");
-}
-
 TEST(TokenOption, comes_from_a_file_or_the_environment) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "token";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "roomcast/wire/control.pb.h"
 
@@ -13,6 +14,12 @@ struct Credential {
   std::string token;  // both empty: where everybody may come
   std::string code;
 };
+
+/// What somebody was given, token or code: a token is a JWT, whose parts are separated by dots.
+[[nodiscard]] inline Credential credential_of(std::string text) {
+  if (text.find('.') == std::string::npos) return {.token = {}, .code = std::move(text)};
+  return {.token = std::move(text), .code = {}};
+}
 
 inline void show(const Credential& credential, wire::pb::Join& join) {
   join.set_token(credential.token);
