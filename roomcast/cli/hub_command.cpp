@@ -16,6 +16,7 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/hub_aligners.h"
 #include "roomcast/cli/hub_certificate.h"
+#include "roomcast/cli/hub_recorders.h"
 #include "roomcast/cli/hub_settings.h"
 #include "roomcast/cli/json_log.h"
 #include "roomcast/cli/listen_address.h"
@@ -28,9 +29,10 @@ namespace {
 
 /// What was said on the command line holds against file and environment.
 struct HubFlags {
-  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log;
+  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
   std::int64_t threads = 0;
   bool self_signed = false, insecure = false, no_align = false, verbose = false, check = false;
+  bool record = false;
 };
 
 hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
@@ -44,6 +46,8 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   take(flags.data, config.data);
   take(flags.access, config.access);
   take(flags.log, config.log);
+  take(flags.recordings, config.recordings);
+  config.record |= flags.record;
   if (!flags.room.empty()) config.rooms = {nlohmann::json{{"name", flags.room}}.dump()};
   if (flags.threads > 0) config.threads = flags.threads;
   config.tls_self_signed |= flags.self_signed;
@@ -132,19 +136,28 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
 }
 
 /// Renewed certificates, for a hub whose certificate comes from files.
-std::unique_ptr<CertificateWatch> watch_certificate(const HubPlan& plan, hub::HubServer& server,
-                                                    HubAligners& aligners,
-                                                    std::atomic<bool>& reload, const LogSink& log) {
+std::unique_ptr<CertificateWatch> watch_certificate(
+    const HubPlan& plan, hub::HubServer& server,
+    const std::function<void(const net::Fingerprint&)>& trust, std::atomic<bool>& reload,
+    const LogSink& log) {
   if (plan.config.tls_cert.empty()) return nullptr;
-  const auto take = [&server, &aligners](const net::Certificate& certificate) -> Status {
+  const auto take = [&server, trust](const net::Certificate& certificate) -> Status {
     auto tls = net::TlsServerContext::create(certificate);
     if (!tls) return tls.error();
     server.replace_tls(*std::move(tls));
-    aligners.trust(certificate.fingerprint());
+    trust(certificate.fingerprint());
     return {};
   };
   return std::make_unique<CertificateWatch>(plan.config.tls_cert, plan.config.tls_key, take, reload,
                                             log);
+}
+
+/// Null where there is no folder to keep rooms in.
+std::shared_ptr<HubRecorders> make_recorders(const hub::HubConfig& config,
+                                             const std::optional<std::filesystem::path>& data,
+                                             const LogSink& log) {
+  if (!config.recordings.empty()) return std::make_shared<HubRecorders>(config.recordings, log);
+  return data ? std::make_shared<HubRecorders>(*data / "recordings", log) : nullptr;
 }
 
 Status run_hub(const HubFlags& flags) {
@@ -170,17 +183,26 @@ Status run_hub(const HubFlags& flags) {
   if (!folder) return folder.error();
   options.data_folder = *std::move(folder);
   options.log = log;
-  if (plan->config.align) {
-    options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
-  }
+  const auto recorders = make_recorders(plan->config, options.data_folder, log);
+  options.recordings = recorders;
+  options.on_room_in_use = [&, config = plan->config](const std::string& room) {
+    if (config.align) aligners.start(room);
+    if (config.record && recorders) (void)recorders->start(room);
+  };
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
-  aligners.serve({.listen_address = plan->listen.address,
-                  .port = (*server)->port(),
-                  .certificate = plan->certificate ? std::optional(plan->certificate->fingerprint())
-                                                   : std::nullopt},
-                 (*server)->own_token());
-  const auto watch = watch_certificate(*plan, **server, aligners, reload, log);
+  const OwnHub own{.listen_address = plan->listen.address,
+                   .port = (*server)->port(),
+                   .certificate = plan->certificate
+                                      ? std::optional(plan->certificate->fingerprint())
+                                      : std::nullopt};
+  aligners.serve(own, (*server)->own_token());
+  if (recorders) recorders->serve(own, (*server)->own_token());
+  const auto trust = [&](const net::Fingerprint& certificate) {
+    aligners.trust(certificate);
+    if (recorders) recorders->trust(certificate);
+  };
+  const auto watch = watch_certificate(*plan, **server, trust, reload, log);
   print_where(*plan, (*server)->port());
   (*server)->run(stop.token());
   return {};
@@ -221,6 +243,10 @@ void add_hub_command(CLI::App& app, Command& chosen) {
                     "Listen beyond this machine although nothing is encrypted");
   command->add_flag("--no-align", flags->no_align,
                     "Leave sensors where they say they are; work out nothing");
+  command->add_option("--recordings", flags->recordings,
+                      "Folder for rooms that admins record (default: recordings, in that of "
+                      "--data)");
+  command->add_flag("--record", flags->record, "Record every room from its first sensor on");
   command->add_option("--log", flags->log, "text or json, on stderr")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_flag("--verbose", flags->verbose, "Say who joins and leaves");

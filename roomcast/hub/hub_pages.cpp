@@ -20,13 +20,14 @@ constexpr char kNoPage[] =
 }  // namespace
 
 HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
-                   boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version)
+                   boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
+                   RoomRecordings* recordings)
     : site_(std::move(site)),
       hall_(hall),
       desk_(desk),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
-      admin_(hall, desk, std::move(version)) {}
+      admin_(hall, desk, std::move(version), recordings) {}
 
 std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};

@@ -23,7 +23,8 @@ namespace roomcast::hub {
 class HubPages {
  public:
   HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
-           boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version);
+           boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
+           RoomRecordings* recordings);
 
   /// Whose connections `/metrics` counts.
   void count_connections_of(const net::HttpServer& server) { server_ = &server; }

@@ -82,8 +82,9 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
         Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
-  pages_ = std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(),
-                                      options_.metrics_for_anyone, ROOMCAST_VERSION);
+  pages_ =
+      std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
+                                 ROOMCAST_VERSION, options_.recordings.get());
 }
 
 // The desk first: nothing is asked of it any more, and its last answers go to a loop that is still

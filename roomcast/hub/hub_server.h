@@ -17,6 +17,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/ban_list.h"
+#include "roomcast/hub/room_recordings.h"
 #include "roomcast/hub/room_settings.h"
 #include "roomcast/hub/session.h"
 #include "roomcast/net/allowed_names.h"
@@ -53,7 +54,8 @@ struct HubOptions {
   std::size_t threads = 1;  // at least 1; more than cores gain nothing
   /// A room's first sensor has joined. On the rooms' thread.
   std::function<void(const std::string& room)> on_room_in_use = {};
-  LogSink log = {};  // called from all threads
+  std::shared_ptr<RoomRecordings> recordings = {};  // null: rooms are not kept
+  LogSink log = {};                                 // called from all threads
 };
 
 class HubServer {

@@ -67,7 +67,10 @@ class Recorder::Link final : public HubLinkEvents {
       link_.stop();
     });
     if (failure_) return *failure_;
-    return writer_ ? writer_->finish() : Status();
+    if (!writer_) return {};
+    Status finished = writer_->finish();  // the network's thread has ended
+    count();
+    return finished;
   }
 
   std::optional<Error> failure() const {
@@ -113,6 +116,7 @@ class Recorder::Link final : public HubLinkEvents {
   void take(const pb::CalibrationBundle& bundle);
   Status write(const Held& held);
   Status write(const pb::Control& message, nanoseconds log_time);
+  void count();
   void look_after_chunk();
   /// After an error there is nothing more to be recorded.
   void check(const Status& status);
@@ -188,9 +192,13 @@ Status Recorder::Link::write(const Held& held) {
     return write(*control, log_time);
   const auto& frame = std::get<net::MessageBuffer>(held.message);
   const Status status = writer_->add_frame(frame.payload(), log_time);
+  count();
+  return status;
+}
+
+void Recorder::Link::count() {
   std::lock_guard lock(mutex_);
   stats_ = {writer_->frames(), writer_->frame_bytes(), writer_->bytes()};
-  return status;
 }
 
 Status Recorder::Link::write(const pb::Control& message, nanoseconds log_time) {

@@ -2,13 +2,14 @@
 // The console clicked through as an admin would; and whether people who use a keyboard or a screen reader can do so,
 // too (axe).
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
-import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
+import { adminsToken, binary, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { sensorsOf, until, untilAllShown } from './waiting.mjs';
 
 const axe = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
@@ -184,6 +185,24 @@ describe('the console', () => {
       await studio.waitFor();
       assert.equal(await studio.getAttribute('href'), '?room=studio');
       assert.deepEqual(await seriousFindings(page), []);
+    });
+
+    test('records the room from a click to the next one', slow, async () => {
+      const bar = page.locator('#console .recording');
+      await bar.getByRole('button', { name: 'Start recording' }).click();
+      const name = /roomcast-room-0001\.mcap, 0:0[2-9]/;
+      await until(
+        'two seconds of it',
+        () => bar.innerText(),
+        (text) => /The hub keeps this room/.test(text) && name.test(text),
+      );
+      assert.deepEqual(await seriousFindings(page), []);
+      await bar.getByRole('button', { name: 'Stop recording' }).click();
+      await bar.getByRole('button', { name: 'Start recording', disabled: false }).waitFor();
+      const file = join(data, 'recordings', 'roomcast-room-0001.mcap');
+      const { sensors: kept } = JSON.parse(execFileSync(binary, ['info', file, '--json'], { encoding: 'utf8' }));
+      assert.deepEqual(kept.map(({ id }) => id).sort(), ['s0', 's1']);
+      assert.ok(kept.every(({ frames }) => frames >= 2), JSON.stringify(kept));
     });
 
     test('says why the hub refuses', slow, async () => {

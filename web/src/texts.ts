@@ -85,6 +85,13 @@ export const consoleTexts = {
     signInHelp: 'A token from whoever runs this hub. It stays in this tab.',
     enter: 'Use it',
   },
+  recording: {
+    start: 'Start recording',
+    stop: 'Stop recording',
+    states: { off: '', starting: 'It begins …', on: 'The hub keeps this room.', stopping: 'It ends …' },
+    failed: (problem: string) => `The recording has ended: ${problem}`,
+    file: (name: string, length: string, megabytes: string) => `${name}, ${length}, ${megabytes} MB`,
+  },
   room: {
     title: 'Shown name',
     maxViewers: 'Most viewers',

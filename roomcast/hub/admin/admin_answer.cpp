@@ -141,6 +141,16 @@ Json viewer_json(const ViewerStats& viewer, const std::string& address) {
   return json;
 }
 
+nlohmann::json recording_json(const RoomRecording& recording) {
+  nlohmann::json json = {{"state", name_of(recording.state)},
+                         {"seconds", recording.seconds},
+                         {"frames", recording.frames},
+                         {"bytes", recording.bytes}};
+  if (!recording.file.empty()) json["file"] = recording.file;
+  if (!recording.problem.empty()) json["problem"] = recording.problem;
+  return json;
+}
+
 Json token_json(const IssuedToken& token) {
   return {{"id", token.claims.id},
           {"room", token.claims.grant.room},

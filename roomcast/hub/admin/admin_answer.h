@@ -10,6 +10,7 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/hub_book.h"
+#include "roomcast/hub/room_recordings.h"
 #include "roomcast/hub/room_settings.h"
 #include "roomcast/hub/room_stats.h"
 #include "roomcast/net/http_response.h"
@@ -28,6 +29,7 @@ namespace roomcast::hub {
 [[nodiscard]] nlohmann::json whole_room(const RoomSettings& settings, const RoomStats& stats);
 [[nodiscard]] nlohmann::json sensor_json(const SensorStats& sensor, const std::string& address);
 [[nodiscard]] nlohmann::json viewer_json(const ViewerStats& viewer, const std::string& address);
+[[nodiscard]] nlohmann::json recording_json(const RoomRecording& recording);
 [[nodiscard]] nlohmann::json token_json(const IssuedToken& token);
 
 }  // namespace roomcast::hub

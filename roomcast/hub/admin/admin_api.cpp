@@ -34,6 +34,10 @@ net::HttpResponse is_nowhere(NoRoute reason) {
   return error_answer(404, "not_found", "there is nothing at this address");
 }
 
+net::HttpResponse keeps_no_recordings() {
+  return error_answer(409, "conflict", "this hub has no folder to keep recordings in");
+}
+
 /// Nothing: the body is no JSON object.
 std::optional<Json> object_in(const std::string& body) {
   Json json = Json::parse(body, nullptr, false);
@@ -47,8 +51,8 @@ net::HttpResponse no_object() {
 
 }  // namespace
 
-AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version)
-    : hall_(hall), desk_(desk), version_(std::move(version)) {}
+AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings)
+    : hall_(hall), desk_(desk), version_(std::move(version)), recordings_(recordings) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
@@ -107,6 +111,12 @@ void AdminApi::carry_out_in_room(const Call& call) {
       return end_sensor(call);
     case AdminCall::kListViewers:
       return list_viewers(call);
+    case AdminCall::kRecording:
+      return recording(call);
+    case AdminCall::kStartRecording:
+      return start_recording(call);
+    case AdminCall::kStopRecording:
+      return stop_recording(call);
     default:
       return end_viewer(call);
   }
@@ -250,6 +260,36 @@ void AdminApi::end_viewer(const Call& call) {
   }
   hall_.send_away(found->connection, "the room's owner ended this connection");
   call.respond(no_content());
+}
+
+// ---- its recording
+
+void AdminApi::recording(const Call& call) const {
+  const std::string& room = call.parameter(0);
+  const RoomRecording now = recordings_ == nullptr ? RoomRecording{} : recordings_->now(room);
+  call.respond(json_answer(200, recording_json(now)));
+}
+
+void AdminApi::start_recording(const Call& call) {
+  const std::string& room = call.parameter(0);
+  if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
+  if (hall_.find(room)->record == Who::kNobody) {
+    return call.respond(
+        error_answer(403, "wrong_role", "nobody may record this room; its settings say so"));
+  }
+  if (!recordings_->start(room)) {
+    return call.respond(error_answer(409, "conflict", "this room is being recorded already"));
+  }
+  call.respond(json_answer(201, recording_json(recordings_->now(room))));
+}
+
+void AdminApi::stop_recording(const Call& call) {
+  const std::string& room = call.parameter(0);
+  if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
+  if (!recordings_->stop(room)) {
+    return call.respond(error_answer(409, "conflict", "this room is not being recorded"));
+  }
+  call.respond(json_answer(200, recording_json(recordings_->now(room))));
 }
 
 // ---- tokens

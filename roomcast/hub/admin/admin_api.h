@@ -15,13 +15,15 @@
 #include "roomcast/hub/admin/admin_routes.h"
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/room_hall.h"
+#include "roomcast/hub/room_recordings.h"
 #include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {
 
 class AdminApi {
  public:
-  AdminApi(RoomHall& hall, Desk& desk, std::string version);
+  /// `recordings` is null where rooms are not kept.
+  AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings);
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
@@ -53,6 +55,9 @@ class AdminApi {
   void end_sensor(const Call& call);
   void list_viewers(const Call& call) const;
   void end_viewer(const Call& call);
+  void recording(const Call& call) const;
+  void start_recording(const Call& call);
+  void stop_recording(const Call& call);
   void list_tokens(const Call& call);
   void make_token(const Call& call);
   void revoke_token(const Call& call);
@@ -60,6 +65,7 @@ class AdminApi {
   RoomHall& hall_;
   Desk& desk_;
   const std::string version_;
+  RoomRecordings* const recordings_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();
 };

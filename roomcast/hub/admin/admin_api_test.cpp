@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/admin/admin_api.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +16,30 @@ struct Answer {
   int status = 0;
   Json body;
   [[nodiscard]] std::string code() const { return body["error"]["code"]; }
+};
+
+/// Starts and stops at once.
+class FakeRecordings final : public RoomRecordings {
+ public:
+  Status start(const std::string& room) override {
+    if (rooms[room].state == RecordingState::kOn) return busy();
+    rooms[room] = {.state = RecordingState::kOn, .file = room + ".mcap", .problem = ""};
+    return {};
+  }
+  Status stop(const std::string& room) override {
+    if (rooms[room].state != RecordingState::kOn) return busy();
+    rooms[room].state = RecordingState::kOff;
+    return {};
+  }
+  [[nodiscard]] RoomRecording now(const std::string& room) const override {
+    const auto found = rooms.find(room);
+    return found == rooms.end() ? RoomRecording{} : found->second;
+  }
+
+  std::map<std::string, RoomRecording> rooms;
+
+ private:
+  static Error busy() { return {ErrorCode::kInvalidArgument, "not now"}; }
 };
 
 class AdminApiTest : public testing::Test {
@@ -31,7 +57,7 @@ class AdminApiTest : public testing::Test {
                              .body = body.is_null() ? "" : body.dump(),
                              .peer = ""};
     std::optional<net::HttpResponse> response;
-    api.answer(request, [&](net::HttpResponse answer) { response = std::move(answer); });
+    asked->answer(request, [&](net::HttpResponse answer) { response = std::move(answer); });
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (!response && std::chrono::steady_clock::now() < give_up) {
       io.run_one_for(std::chrono::milliseconds(100));
@@ -53,7 +79,9 @@ class AdminApiTest : public testing::Test {
   Desk desk{std::move(book), io};
   std::vector<std::unique_ptr<Shard>> shards;
   RoomHall hall{{.hub_version = "test"}, io, desk, shards};
-  AdminApi api{hall, desk, "test"};
+  FakeRecordings recordings;
+  AdminApi api{hall, desk, "test", &recordings};
+  AdminApi* asked = &api;
 };
 
 TEST_F(AdminApiTest, whoever_asks_learns_of_listed_rooms_only) {
@@ -156,6 +184,30 @@ TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/sensors/left", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/7", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/x", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, a_room_is_recorded_from_start_to_stop) {
+  EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
+  EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).code(), "conflict");
+  const Answer started = ask("POST", "/rooms/lab/recording", hub_admin);
+  EXPECT_EQ(started.status, 201);
+  EXPECT_EQ(started.body["state"], "on");
+  EXPECT_EQ(started.body["file"], "lab.mcap");
+  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");
+  EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).body["state"], "off");
+}
+
+TEST_F(AdminApiTest, a_room_that_nobody_may_record_is_not_recorded) {
+  ask("PATCH", "/rooms/lab", hub_admin, {{"record", "nobody"}});
+  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "wrong_role");
+  EXPECT_TRUE(recordings.rooms.empty());
+}
+
+TEST_F(AdminApiTest, a_hub_that_keeps_no_rooms_says_so) {
+  AdminApi without{hall, desk, "test", nullptr};
+  asked = &without;
+  EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
+  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");
 }
 
 TEST_F(AdminApiTest, the_hub_tells_how_it_is) {

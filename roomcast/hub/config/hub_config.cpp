@@ -33,6 +33,8 @@ const std::vector<NamedField>& fields() {
       {"data", &HubConfig::data},
       {"web", &HubConfig::web},
       {"threads", &HubConfig::threads},
+      {"recordings", &HubConfig::recordings},
+      {"record", &HubConfig::record},
       {"align", &HubConfig::align},
       {"log", &HubConfig::log},
       {"metrics", &HubConfig::metrics},

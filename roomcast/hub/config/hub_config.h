@@ -21,6 +21,8 @@ struct HubConfig {
   std::string data;              // folder; empty: the user's own
   std::string web;               // folder of the page; empty: the one beside the program
   std::int64_t threads = 0;      // 0: one per core
+  std::string recordings;        // folder; empty: below that of `data`
+  bool record = false;           // every room from its first sensor on
   bool align = true;             // work out where sensors stand
   std::string log = "text";      // or "json"
   std::string metrics = "auto";  // "anyone", "token"; auto: anyone, if no room is private and the

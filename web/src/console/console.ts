@@ -12,6 +12,7 @@ import { AlignmentView } from './alignment_view';
 import type { HubApi, HubSensor, HubViewer } from './hub_api';
 import { PairWatch } from './pair_watch';
 import { PeopleView } from './people_view';
+import { RecordingView } from './recording_view';
 import { RoomView } from './room_view';
 import { SensorCards } from './sensor_cards';
 import { Tabs } from './tabs';
@@ -30,6 +31,7 @@ export class Console {
   private readonly alignment: AlignmentView;
   private readonly people: PeopleView;
   private readonly access: AccessView;
+  private readonly recording: RecordingView;
   private readonly settings: RoomView;
   private readonly tabs: Tabs;
   private readonly pairs = new PairWatch();
@@ -50,10 +52,11 @@ export class Console {
     this.alignment = new AlignmentView(events.nudge);
     this.people = new PeopleView((viewer) => void this.sendAway(viewer));
     this.access = new AccessView(api, room, hubAddress);
+    this.recording = new RecordingView(api, room);
     this.settings = new RoomView(api, room);
     this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
     this.close.addEventListener('click', () => this.setOpen(false));
-    root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.tabs.root);
+    root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.recording.root, this.tabs.root);
     root.addEventListener('keydown', (event) => event.key === 'Escape' && this.setOpen(false));
     this.setAdmin(false);
     this.setOpen(false);
@@ -109,6 +112,7 @@ export class Console {
   private setAdmin(isAdmin: boolean): void {
     this.isAdmin = isAdmin;
     for (const id of ['access', 'room']) this.tabs.setOffered(id, isAdmin);
+    this.recording.root.hidden = !isAdmin;
   }
 
   private tabChosen(id: string): void {
@@ -122,7 +126,10 @@ export class Console {
     const entries = byName(this.state.roster?.sensors ?? []);
     this.cards.sample(entries, this.state, this.hubSensors);
     if (!this.open) return;
-    if (this.isAdmin && this.samples++ % askEvery === 0) void this.ask();
+    if (this.isAdmin && this.samples++ % askEvery === 0) {
+      void this.ask();
+      void this.recording.refresh();
+    }
     this.pairs.step(entries);
     this.alignment.show(entries, this.pairs.pairs);
     this.showPeople();

@@ -76,6 +76,15 @@ export interface NewToken {
   expires_at: number;
 }
 
+export interface HubRecording {
+  state: 'off' | 'starting' | 'on' | 'stopping' | 'failed';
+  file?: string;
+  seconds: number;
+  frames: number;
+  bytes: number;
+  problem?: string;
+}
+
 export class HubRefusal extends Error {
   constructor(
     sentence: string,
@@ -138,6 +147,18 @@ export class HubApi {
 
   sendAway(room: string, viewer: number): Promise<void> {
     return this.ask('DELETE', inRoom(room, `/viewers/${viewer}`));
+  }
+
+  recording(room: string): Promise<HubRecording> {
+    return this.ask('GET', inRoom(room, '/recording'));
+  }
+
+  startRecording(room: string): Promise<HubRecording> {
+    return this.ask('POST', inRoom(room, '/recording'));
+  }
+
+  stopRecording(room: string): Promise<HubRecording> {
+    return this.ask('DELETE', inRoom(room, '/recording'));
   }
 
   async tokens(): Promise<HubToken[]> {

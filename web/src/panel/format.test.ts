@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { expect, test } from 'vitest';
-import { clockError, megabytes, milliseconds, perSecond } from './format';
+import { clockError, duration, megabytes, milliseconds, perSecond } from './format';
 
 test('numbers are short enough to read at a glance', () => {
   expect(perSecond(29.97)).toBe('30.0');
@@ -12,4 +12,6 @@ test('numbers are short enough to read at a glance', () => {
   expect(clockError(0.14)).toBe('±0.1');
   expect(clockError(42.3)).toBe('±42');
   expect(clockError(undefined)).toBe('');
+  expect(duration(59.9)).toBe('0:59');
+  expect(duration(3605)).toBe('60:05');
 });

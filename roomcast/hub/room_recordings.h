@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomRecordings: whoever keeps this hub's rooms in files, as the hub's interface sees him. The hub
+// itself writes none. Threading: called on the rooms' thread, which none of it may keep waiting.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::hub {
+
+enum class RecordingState { kOff, kStarting, kOn, kStopping, kFailed };
+
+[[nodiscard]] constexpr std::string_view name_of(RecordingState state) {
+  switch (state) {
+    case RecordingState::kOff:
+      return "off";
+    case RecordingState::kStarting:
+      return "starting";
+    case RecordingState::kOn:
+      return "on";
+    case RecordingState::kStopping:
+      return "stopping";
+    case RecordingState::kFailed:
+      break;
+  }
+  return "failed";
+}
+
+/// Of a room: the recording that is made, or the last one.
+struct RoomRecording {
+  RecordingState state = RecordingState::kOff;
+  std::string file;  // on the hub's machine; empty: there was none yet
+  double seconds = 0;
+  std::uint64_t frames = 0, bytes = 0;
+  std::string problem;  // why it failed
+};
+
+class RoomRecordings {
+ public:
+  virtual ~RoomRecordings() = default;
+  /// kInvalidArgument: the room is being recorded already.
+  virtual Status start(const std::string& room) = 0;
+  /// kInvalidArgument: it is not being recorded.
+  virtual Status stop(const std::string& room) = 0;
+  [[nodiscard]] virtual RoomRecording now(const std::string& room) const = 0;
+};
+
+}  // namespace roomcast::hub

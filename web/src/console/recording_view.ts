@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console's recording: the hub keeps the room in a file from a click to the next one.
+import { element, setText } from '../panel/element';
+import { duration, megabytes } from '../panel/format';
+import { consoleTexts } from '../texts';
+import type { HubApi, HubRecording } from './hub_api';
+
+const texts = consoleTexts.recording;
+
+export class RecordingView {
+  readonly root = element('div', { class: 'recording' });
+  private readonly button = element('button', { type: 'button', class: 'main' });
+  private readonly said = element('span', { role: 'status' });
+  private readonly figures = element('span', { class: 'note' });
+  private isOn = false;
+
+  constructor(
+    private readonly api: HubApi,
+    private readonly room: () => string,
+  ) {
+    this.button.addEventListener('click', () => void this.toggle());
+    this.root.append(this.button, this.said, this.figures);
+    this.show({ state: 'off', seconds: 0, frames: 0, bytes: 0 });
+  }
+
+  async refresh(): Promise<void> {
+    await this.trying(this.api.recording(this.room()));
+  }
+
+  private async toggle(): Promise<void> {
+    this.button.disabled = true;
+    await this.trying(this.isOn ? this.api.stopRecording(this.room()) : this.api.startRecording(this.room()));
+  }
+
+  private async trying(asked: Promise<HubRecording>): Promise<void> {
+    try {
+      this.show(await asked);
+    } catch (error) {
+      this.button.disabled = false;
+      setText(this.said, consoleTexts.failed((error as Error).message));
+    }
+  }
+
+  private show({ state, file, seconds, bytes, problem }: HubRecording): void {
+    this.isOn = state === 'on';
+    this.button.disabled = state === 'starting' || state === 'stopping';
+    setText(this.button, this.isOn ? texts.stop : texts.start);
+    this.root.classList.toggle('on', this.isOn);
+    setText(this.said, state === 'failed' ? texts.failed(problem ?? '') : texts.states[state]);
+    const name = file?.split('/').at(-1);
+    setText(this.figures, name ? texts.file(name, duration(seconds), megabytes(bytes)) : '');
+    this.figures.title = file ?? '';
+  }
+}
