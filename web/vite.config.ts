@@ -7,7 +7,8 @@ import { gzipSync } from 'node:zlib';
 import { type Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
-const codec = fileURLToPath(new URL('../build/wasm/roomcast_codec.wasm', import.meta.url));
+const built = (name: string) => fileURLToPath(new URL(`../build/wasm/${name}.wasm`, import.meta.url));
+const codecs = ['roomcast_codec', 'roomcast_codec_plain'];
 
 /** Fails with a sentence, where the bundler would only say that an import could not be resolved. */
 function requireCodec(): Plugin {
@@ -15,9 +16,10 @@ function requireCodec(): Plugin {
     name: 'roomcast-require-codec',
     apply: 'build',
     buildStart() {
-      if (existsSync(codec)) return;
+      const absent = codecs.find((name) => !existsSync(built(name)));
+      if (!absent) return;
       this.error(
-        'build/wasm/roomcast_codec.wasm is not built; run `cmake --preset wasm && cmake --build --preset wasm` first.',
+        `build/wasm/${absent}.wasm is not built; run \`cmake --preset wasm && cmake --build --preset wasm\` first.`,
       );
     },
   };
@@ -42,7 +44,7 @@ function compress(): Plugin {
 export default defineConfig({
   base: './',
   plugins: [requireCodec(), compress()],
-  resolve: { alias: [{ find: /^roomcast_codec\.wasm/, replacement: codec }] },
+  resolve: { alias: codecs.map((name) => ({ find: new RegExp(`^${name}\\.wasm`), replacement: built(name) })) },
   worker: { format: 'es' },
   build: {
     outDir: '../build/web',

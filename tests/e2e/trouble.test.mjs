@@ -7,6 +7,8 @@ import { requireBuilt, startHub, startSensor } from './programs.mjs';
 import { panelText, sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const slow = { timeout: 60_000 };
+// (module (func 0xff))
+const moduleWithUnknownInstruction = Buffer.from('0061736d01000000010401600000030201000a05010300ff0b', 'hex');
 let hub, sensor, browser;
 
 describe('a room of one sensor, or none', () => {
@@ -46,6 +48,22 @@ describe('a room of one sensor, or none', () => {
     await page.goto(`${hub.page}?panel=1`);
     await untilPanelSays(page, /The depth decoder could not be loaded/);
     assert.equal((await stateOf(page)).phase, 'broken');
+    await browser.context.unroute('**/*.wasm');
+    await page.close();
+  });
+
+  test('a browser without WebAssembly SIMD decodes with the plain module', slow, async () => {
+    const loaded = [];
+    await browser.context.route('**/*.wasm', (route) => {
+      loaded.push(route.request().url());
+      // What SIMD is to a browser that does not know it: no instruction.
+      if (/roomcast_codec-/.test(route.request().url())) return route.fulfill({ body: moduleWithUnknownInstruction });
+      return route.continue();
+    });
+    const page = await openPage(browser.context, `${hub.page}?panel=0`);
+    await untilAllShown(page, 1);
+    assert.equal(loaded.length, 2);
+    assert.match(loaded[1], /roomcast_codec_plain-/);
     await browser.context.unroute('**/*.wasm');
     await page.close();
   });

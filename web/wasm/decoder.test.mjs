@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast_codec.wasm against the golden frames that the native decoder is tested with. Run: node --test web/wasm/decoder.test.mjs
-// ROOMCAST_WASM says where the module is when it is not in build/wasm.
+// The modules, with SIMD and without, against the golden frames that the native decoder is tested with. Run:
+// node --test web/wasm/decoder.test.mjs    ROOMCAST_WASM is the folder of the modules when it is not build/wasm.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 const root = new URL("../../", import.meta.url);
-const wasmFile = process.env.ROOMCAST_WASM ?? fileURLToPath(new URL("build/wasm/roomcast_codec.wasm", root));
+const folder = process.env.ROOMCAST_WASM ?? fileURLToPath(new URL("build/wasm", root));
+const modules = ["roomcast_codec", "roomcast_codec_plain"];
 const golden = new URL("tests/golden/", root);
 
-function load() {
-  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(wasmFile)));
+function load(name = modules[0]) {
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(join(folder, `${name}.wasm`))));
   exports.__wasm_call_ctors();
   return exports;
 }
@@ -42,10 +44,10 @@ const payloadOf = (frame) => readFileSync(new URL(frame.file, golden));
 
 // A stream's frames build on each other: one decoder from each key frame to the next.
 let codec, decoder;
-for (const frame of frames) {
-  test(`${frame.file} decodes to what it was made from`, () => {
+for (const [name, frame] of modules.flatMap((name) => frames.map((frame) => [name, frame]))) {
+  test(`${frame.file} decodes to what it was made from in ${name}`, () => {
     if (frame.key) {
-      codec = load();
+      codec = load(name);
       decoder = codec.decoder_create(frame.width, frame.height);
     }
     assert.equal(decode(codec, decoder, payloadOf(frame)), 0, errorOf(codec, decoder));

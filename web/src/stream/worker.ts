@@ -6,6 +6,7 @@ import type { FromWorker, ToWorker } from './protocol';
 import { problemTexts } from '../texts';
 import { RoomStream } from './room_stream';
 import codecUrl from 'roomcast_codec.wasm?url';
+import plainCodecUrl from 'roomcast_codec_plain.wasm?url';
 
 interface WorkerPort {
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
@@ -14,10 +15,16 @@ interface WorkerPort {
 
 const port = self as unknown as WorkerPort;
 
-async function loadCodec(): Promise<CodecModule> {
-  const response = await fetch(codecUrl);
+async function fetchModule(url: string): Promise<ArrayBuffer> {
+  const response = await fetch(url);
   if (!response.ok) throw new Error(`the server answered ${response.status}`);
-  return CodecModule.load(await response.arrayBuffer());
+  return response.arrayBuffer();
+}
+
+/** A browser whose WebAssembly has no SIMD cannot read the faster module, and takes the plain one. */
+async function loadCodec(): Promise<CodecModule> {
+  const fast = await fetchModule(codecUrl);
+  return CodecModule.load(WebAssembly.validate(fast) ? fast : await fetchModule(plainCodecUrl));
 }
 
 async function main(): Promise<void> {
