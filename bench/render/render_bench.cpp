@@ -74,6 +74,8 @@ class RenderBench {
   Status warm_up(RoomRenderer& room, RenderMode mode);
   Status show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
   Status upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
+  static Status timed_draw(RoomRenderer& room, const ViewCamera& camera,
+                           const OffscreenTarget& target, RenderMode mode, double* cpu_ms);
   Result<DrawnView> draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
                          RenderRow* cost);
   Status write_picture(const JudgedView& view, RenderMode mode, const DrawnView& drawn) const;
@@ -194,20 +196,30 @@ Status RenderBench::show(RoomRenderer& room, const FrameNumbers& numbers, Render
   return {};
 }
 
+/// Adds the CPU time it took to `cpu_ms`.
+Status RenderBench::timed_draw(RoomRenderer& room, const ViewCamera& camera,
+                               const OffscreenTarget& target, RenderMode mode, double* cpu_ms) {
+  glFinish();
+  const double before = process_cpu_ms();
+  const Status status = room.draw(camera, target, mode);
+  glFinish();
+  if (cpu_ms != nullptr) *cpu_ms += process_cpu_ms() - before;
+  return status;
+}
+
 Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
                                     RenderRow* cost) {
   const ViewCamera& camera = view.entry.camera;
   const auto target = OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
   // What is derived once from a frame belongs to the frame.
-  if (auto status = room.draw(camera, *target, mode); !status) return status.error();
-  glFinish();
-  const double before = process_cpu_ms();
+  if (auto status = timed_draw(room, camera, *target, mode, nullptr); !status)
+    return status.error();
   for (int i = 0; cost != nullptr && i < kDrawingsPerView; ++i) {
-    if (auto status = room.draw(camera, *target, mode); !status) return status.error();
-    glFinish();
+    auto status = timed_draw(room, camera, *target, RenderMode::kPoints, &cost->points_cpu_ms);
+    if (status) status = timed_draw(room, camera, *target, mode, &cost->draw_cpu_ms);
+    if (!status) return status.error();
   }
-  if (cost != nullptr) cost->draw_cpu_ms += (process_cpu_ms() - before) / kDrawingsPerView;
   return DrawnView{target->read_color(), target->read_depth_m(camera)};
 }
 
@@ -272,7 +284,9 @@ Result<RenderRow> RenderBench::measure(RenderMode mode) {
   row.score = mean(scores);
   row.flicker_levels = flickers > 0 ? flicker_sum / flickers : 0;
   row.upload_cpu_ms /= std::max(uploads_, 1);
-  row.draw_cpu_ms /= static_cast<double>(std::max<std::size_t>(scores.size(), 1));
+  const double drawings = kDrawingsPerView * static_cast<double>(scores.size());
+  row.draw_cpu_ms /= std::max(drawings, 1.0);
+  row.points_cpu_ms /= std::max(drawings, 1.0);
   return row;
 }
 
@@ -317,10 +331,6 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   for (const RenderMode mode : modes) {
     auto row = bench.measure(mode);
     if (!row) return row.error();
-    if (mode == RenderMode::kPoints) report.points_draw_cpu_ms = row->draw_cpu_ms;
-    if (report.points_draw_cpu_ms > 0) {
-      row->cost_vs_points = row->draw_cpu_ms / report.points_draw_cpu_ms;
-    }
     report.rows.push_back(*std::move(row));
   }
   return report;

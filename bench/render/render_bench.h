@@ -36,15 +36,15 @@ struct RenderRow {
   ViewScore score;            // mean over the views
   double flicker_levels = 0;  // of still surfaces from one frame to the next
   double upload_cpu_ms = 0;   // per sensor frame: upload, and what is derived from it once
-  double draw_cpu_ms = 0;  // per view, all threads of the process (a software driver draws there)
-  double cost_vs_points = 0;
+  /// Per view, all threads of the process (a software driver draws there): of this mode, and of
+  /// points, which are drawn in turns with it so that whatever else runs slows both.
+  double draw_cpu_ms = 0, points_cpu_ms = 0;
 };
 
 struct RenderReport {
   std::string rig, driver;
   int sensors = 0, views = 0;
   int width = 0, height = 0;
-  double points_draw_cpu_ms = 0;  // 0: not measured
   std::vector<RenderRow> rows;
 };
 
