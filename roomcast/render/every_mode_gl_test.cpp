@@ -69,7 +69,7 @@ TEST_P(EveryModeOfTrueScene, is_the_same_bit_by_bit_on_the_driver_it_was_kept_fo
   const std::map<RenderMode, std::uint64_t> kept = {
       {RenderMode::kPoints, 0xcc86d2cf8f5ef616U}, {RenderMode::kSplats, 0x387e2961abb8788dU},
       {RenderMode::kMesh, 0xfc7e84d150267d53U},   {RenderMode::kAdaptive, 0x9930bf10f6802b88U},
-      {RenderMode::kBlend, 0x9a29d7f33915e79eU},
+      {RenderMode::kBlend, 0x0e4966694550b130U},
   };
   std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a
   for (std::size_t i = 0; i < picture.color.view().pixel_count(); ++i) {

@@ -30,6 +30,9 @@ class OffscreenTarget {
   [[nodiscard]] int height() const { return height_; }
   /// To copy the picture from. Attachment 0 is colour, attachment 1 the sensors.
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
+  /// For drawings of several passes, which attach them to framebuffers of their own. RGBA8, DEPTH32F.
+  [[nodiscard]] const GlTexture& color() const { return color_; }
+  [[nodiscard]] const GlTexture& depth() const { return depth_; }
 
   /// Wait for the drawing to end. Top row first, as every image here.
   [[nodiscard]] ColorImage read_color() const;

@@ -26,7 +26,6 @@ extern const std::string_view mesh_offsets_comp;
 extern const std::string_view mesh_vert;
 extern const std::string_view mix_frag;
 extern const std::string_view mix_vert;
-extern const std::string_view nearest_depth_glsl;
 extern const std::string_view nearest_frag;
 extern const std::string_view nearest_vert;
 extern const std::string_view points_frag;
@@ -39,6 +38,8 @@ extern const std::string_view shrink_comp;
 extern const std::string_view smooth_comp;
 extern const std::string_view still_color_comp;
 extern const std::string_view surface_mesh_comp;
+extern const std::string_view surroundings_comp;
+
 extern const std::string_view weighted_color_comp;
 extern const std::string_view whole_picture_vert;
 

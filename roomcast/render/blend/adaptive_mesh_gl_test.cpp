@@ -40,12 +40,22 @@ class AdaptiveMeshTest : public GlTest {
   }
 };
 
+// Indices name pixels as in shaders/blend/blend_surface.glsl.
+int column(GLuint index) {
+  return static_cast<int>(index & 0xffffU);
+}
+int row(GLuint index) {
+  return static_cast<int>(index >> 16U);
+}
+float at_index(const Image<float>& depth, GLuint index) {
+  return depth.at(column(index), row(index));
+}
+
 /// In cells of the grid, times two; above 0 for triangles that are counter-clockwise as the sensor
 /// sees them.
 int twice_area(const Triangle& t) {
-  const auto x = [](GLuint i) { return static_cast<int>(i % kWidth); };
-  const auto y = [](GLuint i) { return static_cast<int>(i / kWidth); };
-  return (x(t[2]) - x(t[0])) * (y(t[1]) - y(t[0])) - (x(t[1]) - x(t[0])) * (y(t[2]) - y(t[0]));
+  return (column(t[2]) - column(t[0])) * (row(t[1]) - row(t[0])) -
+         (column(t[1]) - column(t[0])) * (row(t[2]) - row(t[0]));
 }
 
 int cells_covered(const std::vector<Triangle>& triangles) {
@@ -95,8 +105,8 @@ TEST_F(AdaptiveMeshTest, nothing_spans_a_break_or_a_missing_reading) {
   depth.at(50, 30) = 0;
   for (const Triangle& t : triangles_of(depth)) {
     for (const GLuint i : t) {
-      EXPECT_EQ(depth.data()[i], depth.data()[t[0]]);
-      EXPECT_GT(depth.data()[i], 0);
+      EXPECT_EQ(at_index(depth, i), at_index(depth, t[0]));
+      EXPECT_GT(at_index(depth, i), 0);
     }
   }
 }

@@ -28,29 +28,33 @@ class BlendRenderer {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<BlendRenderer> create();
 
-  /// Over what `target` holds. Its size must be the camera's.
+  /// Over the colours that `target` holds; nothing may have drawn depth there. Its size must be the
+  /// camera's.
   void draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera, Unseen unseen,
             const OffscreenTarget& target);
 
  private:
   struct Programs {
     GlProgram nearest, mix, resolve;
-    ComputePass shrink, grow;
+    ComputePass shrink, grow, surroundings;
   };
   explicit BlendRenderer(Programs programs);
 
   void make_room(int width, int height);
-  void draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
-  void mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera);
-  void find_surroundings(const ViewCamera& camera);
-  void resolve(const ViewCamera& camera, Unseen unseen, const OffscreenTarget& target);
+  void draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
+                    const OffscreenTarget& target);
+  void mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
+           const GlTexture& nearest_depth);
+  void find_surroundings(const ViewCamera& camera, Unseen unseen, const GlTexture& nearest_depth);
+  void finish_surroundings(Unseen unseen);
+  void resolve(const OffscreenTarget& target);
 
   Programs programs_;
   LayerPainter painter_;
   GlVertexArray no_vertices_;   // of whole pictures
   int width_ = 0, height_ = 0;  // of what follows
-  GlTexture nearest_depth_, nearest_sensor_, color_sum_;
-  GlFramebuffer nearest_target_, sum_target_;
+  GlTexture color_sum_;
+  GlFramebuffer sum_target_, picture_target_;
   struct Level {
     GlTexture color, coverage;
     int width = 0, height = 0;

@@ -61,7 +61,7 @@ bool lies_in_node(ivec2 p, ivec2 first, int side) {
   if (min(min(z00, z10), min(z01, z11)) == 0.0 || here == 0.0) return false;
   vec2 at = vec2(p - first) / float(side);
   float inverse = mix(mix(1.0 / z00, 1.0 / z10, at.x), mix(1.0 / z01, 1.0 / z11, at.x), at.y);
-  return abs(1.0 / inverse - here) < 0.6 * depth_sigma(here) + 0.0006;
+  return abs(1.0 / inverse - here) < 1.2 * depth_sigma(here) + 0.0012;
 }
 
 void judge(ivec2 p, int level) {
@@ -125,9 +125,8 @@ void main() {
   }
   uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   uint slot = tile * uint(kMostIndices) + before[me] - mine;
-  uint width = uint(grid_width());
-  ivec4 xs = first.x + ivec4(p00.x, p10.x, p01.x, p11.x), ys = first.y + ivec4(p00.y, p10.y, p01.y, p11.y);
-  uvec4 corner = uvec4(ys) * width + uvec4(xs);
+  p00 += first, p10 += first, p01 += first, p11 += first;
+  uvec4 corner = uvec4(index_of(p00), index_of(p10), index_of(p01), index_of(p11));
   if (upper) {
     tile_indices[slot] = corner.x;
     tile_indices[slot + 1u] = corner.z;

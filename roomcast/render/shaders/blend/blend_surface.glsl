@@ -11,9 +11,12 @@ layout(location = 1) uniform mat4 view_from_depth;
 layout(location = 2) uniform float setback_m;  // along the eye's ray
 layout(location = 3) uniform int sensor;
 
-int grid_width() { return textureSize(depth_m, 0).x; }
+// Indices of vertices name pixels; not by their number in the grid, for whole-number division is slow.
+const int kColumnBits = 16;
 
-ivec2 pixel_of(int index) { return ivec2(index % grid_width(), index / grid_width()); }
+uint index_of(ivec2 pixel) { return uint(pixel.y << kColumnBits | pixel.x); }
+
+ivec2 pixel_of(int index) { return ivec2(index & (1 << kColumnBits) - 1, index >> kColumnBits); }
 
 float z_at(ivec2 pixel) { return texelFetch(depth_m, pixel, 0).r; }
 

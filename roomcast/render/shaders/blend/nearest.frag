@@ -1,3 +1,3 @@
-layout(location = 0) out int drawn_by;
+layout(location = 1) out int drawn_by;
 
 void main() { drawn_by = sensor; }

@@ -9,35 +9,37 @@ layout(rgba16f, binding = 0) writeonly uniform image2D coarser;
 layout(r16f, binding = 1) writeonly uniform image2D coarser_coverage;
 
 layout(location = 0) uniform bool from_picture;
+layout(location = 3) uniform vec2 depth_from_z;  // ndc depth = x + y / z
 
 const float kFar_m = 4.0;
 
-vec4 weighted(ivec2 pixel) {
-  ivec2 size = textureSize(color_sum, 0);
-  if (any(greaterThanEqual(pixel, size))) return vec4(0.0);
-  vec4 sum = texelFetch(color_sum, pixel, 0);
-  if (!from_picture) return sum;
-  if (sum.a <= 0.0) return vec4(0.0);
-  float far = min(surface_m(texelFetch(nearest_depth, pixel, 0).r) / kFar_m, 1.0);
-  return vec4(sum.rgb / sum.a, 1.0) * (far * far * far + 0.001);
-}
+// Along the eye's axis.
+float surface_m(float depth) { return depth_from_z.y / (2.0 * depth - 1.0 - depth_from_z.x); }
 
-float covered(ivec2 pixel) {
-  ivec2 size = textureSize(color_sum, 0);
-  if (any(greaterThanEqual(pixel, size))) return 0.0;
-  if (!from_picture) return texelFetch(coverage, pixel, 0).r;
-  return texelFetch(nearest_depth, pixel, 0).r < 1.0 ? 1.0 : 0.0;
+vec4 weighted(vec4 sum, float depth) {
+  if (sum.a <= 0.0) return vec4(0.0);
+  float far = min(surface_m(depth) / kFar_m, 1.0);
+  return vec4(sum.rgb / sum.a, 1.0) * (far * far * far + 0.001);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(coarser)))) return;
+  ivec2 size = textureSize(color_sum, 0);
   vec4 color = vec4(0.0);
   float share = 0.0;
   for (int i = 0; i < 4; ++i) {
     ivec2 finer = 2 * pixel + ivec2(i & 1, i >> 1);
-    color += 0.25 * weighted(finer);
-    share += 0.25 * covered(finer);
+    if (any(greaterThanEqual(finer, size))) continue;
+    vec4 sum = texelFetch(color_sum, finer, 0);
+    if (from_picture) {
+      float depth = texelFetch(nearest_depth, finer, 0).r;
+      color += 0.25 * weighted(sum, depth);
+      share += depth < 1.0 ? 0.25 : 0.0;
+    } else {
+      color += 0.25 * sum;
+      share += 0.25 * texelFetch(coverage, finer, 0).r;
+    }
   }
   imageStore(coarser, pixel, color);
   imageStore(coarser_coverage, pixel, vec4(share));

@@ -1,0 +1,32 @@
+// What may be seen where no sensor sees: the colour around, and how much of it. Half the size of the picture.
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D coarser;          // colours times weights, weights
+layout(binding = 3) uniform sampler2D narrow_coverage;  // of what surrounds a pixel closely
+layout(binding = 4) uniform sampler2D wide_coverage;
+layout(rgba16f, binding = 0) uniform image2D level;  // as the coarser one; then colour, share
+
+layout(location = 1) uniform vec4 coverage_sizes;  // of narrow and wide, in these pixels
+layout(location = 2) uniform int unseen;           // Unseen of blend_renderer.h
+
+const int kBackground = 0;
+const int kSurroundings = 2;
+const vec4 kUnseenGrey = vec4(vec3(0.5), 0.0);
+
+// 1 in small holes and in large ones with surfaces all around, 0 where surfaces end.
+float is_filled(vec2 at) {
+  if (unseen == kSurroundings) return 1.0;
+  float narrow = texture(narrow_coverage, at / coverage_sizes.xy).r;
+  float wide = texture(wide_coverage, at / coverage_sizes.zw).r;
+  return max(smoothstep(0.2, 0.35, narrow), smoothstep(0.45, 0.55, wide));
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(level)))) return;
+  vec2 at = vec2(pixel) + 0.5;
+  vec4 color = imageLoad(level, pixel);
+  if (color.a == 0.0) color = texture(coarser, at / vec2(2 * textureSize(coarser, 0)));
+  bool is_shown = unseen != kBackground && color.a > 0.0;  // else there is no colour anywhere
+  imageStore(level, pixel, is_shown ? vec4(color.rgb / color.a, is_filled(at)) : kUnseenGrey);
+}
