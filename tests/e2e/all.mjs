@@ -2,6 +2,7 @@
 // All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
 import './blend.test.mjs';
 import './codec.test.mjs';
+import './late_join.test.mjs';
 import './memory.test.mjs';
 import './picture.test.mjs';
 import './room.test.mjs';

@@ -15,9 +15,6 @@ const fps = 4; // three sensors, hub, decoders and a software renderer share few
 const view = 'panel=0&at=0.2,1.7,2.6&look=0,0.9,-1';
 const leastPixels = 500; // that only one sensor sees
 const comparedFrames = 10;
-const fewestArrivals = 3;
-const mostArrivals = 6;
-const softwareDrawing_ms = 1000; // two pages draw in software at the same time, beside everything else
 const slow = { timeout: 90_000 };
 
 const logs = mkdtempSync(join(tmpdir(), 'roomcast-logs-'));
@@ -98,29 +95,6 @@ describe('a room of three sensors', () => {
     const now = await stateOf(page);
     assert.ok(now.shownSets > before.state.shownSets && now.pictures > before.state.pictures);
     assert.ok(now.latency_ms > 0, `latency ${now.latency_ms} ms`);
-  });
-
-  test('a viewer who comes late sees all sensors within a second', slow, async (t) => {
-    const arrivals = [];
-    const arrive = async () => {
-      const late = await openPage(browser.context, `${hub.page}?${view}&name=late`);
-      arrivals.push(
-        await until(
-          'all drawn',
-          () => stateOf(late),
-          (state) => state.firstShown_ms !== null,
-        ),
-      );
-      await late.close();
-    };
-    // What else the machine has to do at that moment is not the room's doing, so the quickest arrival counts.
-    const quickest = (key) => Math.min(...arrivals.map((state) => state[key]));
-    const inTime = () => quickest('firstDecoded_ms') <= 1000 && quickest('firstShown_ms') <= 1000 + softwareDrawing_ms;
-    while (arrivals.length < fewestArrivals || (arrivals.length < mostArrivals && !inTime())) await arrive();
-    const listed = (key) => arrivals.map((state) => Math.round(state[key])).join(', ');
-    const times = `decoded ${listed('firstDecoded_ms')} ms, drawn (in software) ${listed('firstShown_ms')} ms`;
-    t.diagnostic(`after asking for the socket: ${times}`);
-    assert.ok(inTime(), times);
   });
 
   test('two viewers see each other', slow, async () => {
