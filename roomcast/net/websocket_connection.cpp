@@ -22,7 +22,8 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// Idle connections keep a small read buffer; one that receives large messages gets the large one.
+/// Idle connections keep a small read buffer; one that receives large messages, or many at once,
+/// gets a larger one: a frame set takes one read then, not one for every frame.
 constexpr std::size_t kMinReadBuffer = 4 * 1024;
 constexpr std::size_t kMaxReadBuffer = 64 * 1024;
 
@@ -97,8 +98,9 @@ void WebSocketConnection::close_after(SealedMessagePtr last, std::uint16_t code,
 
 void WebSocketConnection::read() {
   if (stage_ == Stage::kClosed) return;
-  const auto wanted = static_cast<std::size_t>(
-      std::clamp<std::uint64_t>(reader_.missing_bytes(), kMinReadBuffer, kMaxReadBuffer));
+  const auto useful = std::max<std::uint64_t>(reader_.missing_bytes(), read_ahead_bytes_);
+  const auto wanted =
+      static_cast<std::size_t>(std::clamp<std::uint64_t>(useful, kMinReadBuffer, kMaxReadBuffer));
   if (read_buffer_.size() < wanted) read_buffer_ = std::vector<std::uint8_t>(wanted);
   stream_.async_read_some(asio::buffer(read_buffer_),
                           [self = shared_from_this()](ErrorCode error, std::size_t size) {
@@ -110,6 +112,7 @@ void WebSocketConnection::on_read(ErrorCode error, std::size_t size) {
   if (stage_ == Stage::kClosed) return;
   if (error) return on_broken(error);
   heard_from_peer();
+  if (size == read_buffer_.size()) read_ahead_bytes_ = 2 * size;  // perhaps there was more
   take(std::span(read_buffer_).first(size));
   read();
 }

@@ -174,6 +174,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
 
   WebSocketReader reader_;
   std::vector<std::uint8_t> read_buffer_;
+  std::size_t read_ahead_bytes_ = 0;
   std::vector<std::uint8_t> received_before_start_;
   SteadyTime last_heard_{};
   bool ping_sent_ = false;
