@@ -73,6 +73,8 @@ const std::vector<Layer> kLayers = {
     {"roomcast/hub",                     {"roomcast/core", "roomcast/wire", "roomcast/net"}},
     {"roomcast/client",                  {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",
                                           "roomcast/room", "roomcast/net"}},
+    {"roomcast/upstream",                {"roomcast/core", "roomcast/wire", "roomcast/room", "roomcast/net", "roomcast/hub",
+                                          "roomcast/client"}},
     {"roomcast/recorder",                {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",
                                           "roomcast/room", "roomcast/net", "roomcast/client", "roomcast/recording",
                                           "roomcast/recording/mcap"}},

@@ -23,6 +23,7 @@
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/hub_server.h"
+#include "roomcast/upstream/upstream_hub.h"
 
 namespace roomcast::cli {
 namespace {
@@ -30,6 +31,8 @@ namespace {
 /// What was said on the command line holds against file and environment.
 struct HubFlags {
   std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
+  std::vector<std::string> upstream;
+  std::string upstream_token_file;
   std::int64_t threads = 0;
   bool self_signed = false, insecure = false, no_align = false, verbose = false, check = false;
   bool record = false;
@@ -48,11 +51,13 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   take(flags.log, config.log);
   take(flags.recordings, config.recordings);
   config.record |= flags.record;
+  take(flags.upstream_token_file, config.upstream_token_file);
+  if (!flags.upstream.empty()) config.upstream_hubs = flags.upstream;
   if (!flags.room.empty()) config.rooms = {nlohmann::json{{"name", flags.room}}.dump()};
   if (flags.threads > 0) config.threads = flags.threads;
   config.tls_self_signed |= flags.self_signed;
   config.insecure |= flags.insecure;
-  config.align &= !flags.no_align;
+  config.align &= !flags.no_align && config.upstream_hubs.empty();  // there sensors are placed
   return config;
 }
 
@@ -87,6 +92,7 @@ struct HubPlan {
   ListenAddress listen;
   hub::HubOptions options;
   std::optional<net::Certificate> certificate;
+  std::optional<upstream::UpstreamOptions> upstream;
 };
 
 Result<HubPlan> plan_hub(const HubFlags& flags) {
@@ -103,6 +109,9 @@ Result<HubPlan> plan_hub(const HubFlags& flags) {
   auto options = hub_options_of(plan.config, plan.listen, *encrypted);
   if (!options) return options.error();
   plan.options = *std::move(options);
+  auto upstream = upstream_of(plan.config);
+  if (!upstream) return upstream.error();
+  plan.upstream = *std::move(upstream);
   return plan;
 }
 
@@ -189,6 +198,12 @@ Status run_hub(const HubFlags& flags) {
     if (config.align) aligners.start(room);
     if (config.record && recorders) (void)recorders->start(room);
   };
+  if (plan->upstream) {
+    plan->upstream->log = log;
+    options.open_backplane = [&plan](hub::BackplaneSeat seat) {
+      return std::make_unique<upstream::UpstreamHub>(*plan->upstream, std::move(seat));
+    };
+  }
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
   const OwnHub own{.listen_address = plan->listen.address,
@@ -235,6 +250,11 @@ void add_hub_command(CLI::App& app, Command& chosen) {
                     "this machine the default)");
   command->add_option("--data", flags->data,
                       "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
+  command->add_option("--upstream", flags->upstream,
+                      "Serve on what the hub at this address has in the rooms of the same names; "
+                      "of several the next is taken where one is gone");
+  command->add_option("--upstream-token-file", flags->upstream_token_file,
+                      "File with a viewer's token of those hubs");
   command
       ->add_option("--threads", flags->threads,
                    "Among which connections are dealt out (default: one per core)")
@@ -256,6 +276,7 @@ void add_hub_command(CLI::App& app, Command& chosen) {
       "  roomcast hub --listen 0.0.0.0:7600\n"
       "  roomcast hub --listen 0.0.0.0:443 --tls-cert fullchain.pem --tls-key privkey.pem\n"
       "  roomcast hub --config /etc/roomcast.toml --check\n"
+      "  roomcast hub --room lab --upstream wss://hub.example.org:7600 --upstream-token-file t\n"
       "Then open the address it prints and start sensors. From other machines they need tokens:\n"
       "roomcast token --help.");
   command->callback(

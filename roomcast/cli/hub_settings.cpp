@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "roomcast/cli/hub_certificate.h"
+#include "roomcast/cli/token_option.h"
 
 namespace roomcast::cli {
 
@@ -59,6 +60,22 @@ Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& list
   if (has_certificate || config.insecure || listen.loopback) return has_certificate;
   config.tls_self_signed = true;
   return true;
+}
+
+Result<std::optional<upstream::UpstreamOptions>> upstream_of(const hub::HubConfig& config) {
+  if (config.upstream_hubs.empty()) return std::optional<upstream::UpstreamOptions>();
+  upstream::UpstreamOptions options;
+  for (const std::string& address : config.upstream_hubs) {
+    auto hub = net::parse_hub_url(address);
+    if (!hub) return hub.error();
+    options.hubs.push_back(*std::move(hub));
+  }
+  auto credential = config.upstream_token_file.empty()
+                        ? Result<Credential>(Credential{})
+                        : find_credential({.file = config.upstream_token_file});
+  if (!credential) return credential.error();
+  options.credential = *std::move(credential);
+  return std::optional(std::move(options));
 }
 
 Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const ListenAddress& listen,

@@ -3,6 +3,7 @@
 // "auto" means there. Threading: no state.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/hub/config/hub_config.h"
 #include "roomcast/hub/hub_server.h"
+#include "roomcast/upstream/upstream_room.h"
 
 namespace roomcast::cli {
 
@@ -20,6 +22,11 @@ namespace roomcast::cli {
 /// Does the hub encrypt? Beyond this machine it does unless told otherwise, with a certificate that
 /// it makes for itself where none is named. kInvalidArgument: it cannot do both.
 [[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& listen);
+
+/// Whose rooms the hub serves on; nothing where no other hub is named. kInvalidArgument: not a
+/// hub's address. kNotFound: there is no token in the file.
+[[nodiscard]] Result<std::optional<upstream::UpstreamOptions>> upstream_of(
+    const hub::HubConfig& config);
 
 /// All but certificate, folders and log. Whoever reaches a hub from elsewhere needs a token unless
 /// the configuration says that anyone may come.

@@ -63,5 +63,16 @@ TEST(HubSettings, a_file_with_a_mistake_is_named) {
   EXPECT_TRUE(find_hub_config("").ok());
 }
 
+TEST(HubSettings, other_hubs_are_named_by_address_and_a_file_with_a_token) {
+  hub::HubConfig config;
+  EXPECT_FALSE(upstream_of(config)->has_value());
+  config.upstream_hubs = {"ws://one:7600", "wss://two:7600"};
+  EXPECT_EQ((*upstream_of(config))->hubs.at(1).host, "two");
+  config.upstream_token_file = "/no/such/file";
+  EXPECT_EQ(upstream_of(config).error().code, ErrorCode::kNotFound);
+  config.upstream_hubs = {"ftp://one"};
+  EXPECT_EQ(upstream_of(config).error().code, ErrorCode::kInvalidArgument);
+}
+
 }  // namespace
 }  // namespace roomcast::cli

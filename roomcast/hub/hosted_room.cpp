@@ -15,12 +15,24 @@ void HostedRoom::carry_out(RoomActions actions) {
     std::visit([this](const auto& a) { carry_out(a); }, action);
   }
   schedule_tick();
+  tell_backplane();
+}
+
+void HostedRoom::tell_backplane() {
+  const bool is_watched = room_.viewer_count() > 0;
+  if (around_.backplane == nullptr || is_watched == is_watched_) return;
+  is_watched_ = is_watched;
+  around_.backplane->watch(room_.name(), is_watched);
 }
 
 void HostedRoom::carry_out(const SendControl& action) {
   const auto message = sealed_control(action.message);
   std::vector<std::vector<ConnectionId>> to(around_.shards.size());
   for (const ConnectionId connection : action.to) {
+    if (is_of_backplane(connection)) {
+      around_.backplane->send(connection, action.message);
+      continue;
+    }
     to[Shard::of(connection, to.size())].push_back(connection);
   }
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -37,11 +49,16 @@ void HostedRoom::carry_out(const RestartSensor& action) {
 }
 
 void HostedRoom::carry_out(const AcceptConnection& action) {
+  if (is_of_backplane(action.connection)) return;  // its welcome says it all
   shard_of(action.connection).accept(action.connection, action.role, id_);
 }
 
 void HostedRoom::carry_out(const Disconnect& action) {
-  shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
+  if (is_of_backplane(action.connection)) {
+    around_.backplane->let_go(action.connection);
+  } else {
+    shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
+  }
   around_.on_let_go(action.connection);
 }
 

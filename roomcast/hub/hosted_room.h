@@ -14,6 +14,7 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
+#include "roomcast/hub/backplane.h"
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/room.h"
 #include "roomcast/hub/shard.h"
@@ -27,6 +28,7 @@ class HostedRoom : public std::enable_shared_from_this<HostedRoom> {
     boost::asio::io_context& io;
     std::span<const std::unique_ptr<Shard>> shards;
     Desk& desk;
+    Backplane* backplane;  // null: there are no other hubs
     const Clock& clock;
     std::function<void(const std::string&)> complain;
     std::function<void(ConnectionId)> on_let_go;  // the room knows this connection no more
@@ -55,6 +57,7 @@ class HostedRoom : public std::enable_shared_from_this<HostedRoom> {
   void carry_out(const AcceptConnection& action);
   void carry_out(const Disconnect& action);
   void carry_out(const KeepSensors& action);
+  void tell_backplane();
   void schedule_tick();
   [[nodiscard]] Shard& shard_of(ConnectionId connection) const {
     return *around_.shards[Shard::of(connection, around_.shards.size())];
@@ -65,6 +68,7 @@ class HostedRoom : public std::enable_shared_from_this<HostedRoom> {
   const Surroundings around_;
   boost::asio::steady_timer timer_;
   std::optional<RoomTime> armed_for_;  // what timer_ waits for
+  bool is_watched_ = false;            // the backplane knows
 };
 
 }  // namespace roomcast::hub

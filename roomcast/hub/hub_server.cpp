@@ -60,6 +60,7 @@ class HubServer::Loop {
   std::vector<std::unique_ptr<Shard>> shards_;
   std::unique_ptr<Desk> desk_;
   std::unique_ptr<RoomHall> hall_;
+  std::unique_ptr<Backplane> backplane_;
   std::unique_ptr<HubPages> pages_;
   std::unique_ptr<net::HttpServer> http_;
 };
@@ -82,6 +83,10 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
         Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
+  if (options_.open_backplane) {
+    backplane_ = options_.open_backplane({.io = io(), .rooms = *hall_, .token = own_token_});
+    hall_->connect(*backplane_);
+  }
   pages_ =
       std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
                                  ROOMCAST_VERSION, options_.recordings.get());
@@ -94,6 +99,7 @@ HubServer::Loop::~Loop() {
   desk_.reset();
   http_.reset();
   pages_.reset();
+  backplane_.reset();
   hall_.reset();
   for (auto& loop : loops_) loop.reset();
 }

@@ -17,6 +17,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/ban_list.h"
+#include "roomcast/hub/backplane.h"
 #include "roomcast/hub/room_recordings.h"
 #include "roomcast/hub/room_settings.h"
 #include "roomcast/hub/session.h"
@@ -55,6 +56,7 @@ struct HubOptions {
   /// A room's first sensor has joined. On the rooms' thread.
   std::function<void(const std::string& room)> on_room_in_use = {};
   std::shared_ptr<RoomRecordings> recordings = {};  // null: rooms are not kept
+  OpenBackplane open_backplane = {};                // to other hubs; without it there are none
   LogSink log = {};                                 // called from all threads
 };
 

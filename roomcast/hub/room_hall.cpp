@@ -40,6 +40,7 @@ void RoomHall::open(const RoomSettings& settings, std::vector<KnownSensor> senso
       .io = io_,
       .shards = shards_,
       .desk = desk_,
+      .backplane = backplane_,
       .clock = clock_,
       .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
       .on_let_go = [this](ConnectionId connection) { guests_.erase(connection); }};
@@ -133,6 +134,7 @@ void RoomHall::refuse(const Arrival& arrival, const Refusal& why) {
                                 " shows bad tokens again and again; it is not listened "
                                 "to for a while");
   }
+  if (is_of_backplane(arrival.from)) return backplane_->let_go(arrival.from);
   shards_[Shard::of(arrival.from, shards_.size())]->disconnect(arrival.from, why.code,
                                                                why.sentence);
 }

@@ -21,6 +21,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/hub/access/ban_list.h"
 #include "roomcast/hub/access/entry.h"
+#include "roomcast/hub/backplane.h"
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/hosted_room.h"
 #include "roomcast/hub/room_settings.h"
@@ -45,6 +46,8 @@ class RoomHall final : public SessionEvents {
   RoomHall(RoomHallOptions options, boost::asio::io_context& io, Desk& desk,
            const std::vector<std::unique_ptr<Shard>>& shards);
 
+  /// What other hubs have comes in here; before any room is opened.
+  void connect(Backplane& backplane) { backplane_ = &backplane; }
   /// Begins to look after tokens that end.
   void start();
 
@@ -110,6 +113,7 @@ class RoomHall final : public SessionEvents {
   boost::asio::io_context& io_;
   Desk& desk_;
   const std::vector<std::unique_ptr<Shard>>& shards_;
+  Backplane* backplane_ = nullptr;
   SteadyClock clock_;
   std::map<std::string, std::shared_ptr<HostedRoom>> rooms_;
   std::uint32_t next_room_id_ = 1;

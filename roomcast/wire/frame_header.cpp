@@ -128,4 +128,11 @@ void stamp_frame_set(std::span<std::uint8_t> message, SetId set, bool last) {
   store(message, kSetAt, set.value);
 }
 
+void stamp_source(std::span<std::uint8_t> message, const FrameHeader& header) {
+  ROOMCAST_ASSERT(message.size() >= kFrameHeaderBytes);
+  store(message, kSensorAt, header.sensor.value);
+  store(message, kCaptureAt, header.capture_time.time_since_epoch().count());
+  store(message, kClockErrorAt, header.clock_error_us);
+}
+
 }  // namespace roomcast::wire

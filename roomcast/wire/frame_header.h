@@ -52,6 +52,11 @@ void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, kFram
 /// Writes what only the hub knows into a message that `parse_frame` has accepted.
 void stamp_frame_set(std::span<std::uint8_t> message, SetId set, bool last);
 
+/// Writes into a message that `parse_frame` has accepted whose frame it is and when it was
+/// captured, as `header` says: a hub that serves on what another hub has gives it an id and a time
+/// of its own.
+void stamp_source(std::span<std::uint8_t> message, const FrameHeader& header);
+
 /// Magic, version and type.
 void write_preamble(MessageType type, std::span<std::uint8_t, kPreambleBytes> out);
 

@@ -132,5 +132,15 @@ TEST(FrameHeader, stamping_changes_the_set_and_the_last_flag_only) {
   EXPECT_EQ(message, message_of(header));
 }
 
+TEST(FrameHeader, stamping_the_source_changes_sensor_and_time_only) {
+  auto header = some_header();
+  auto message = message_of(header);
+  header.sensor = SensorId{4321};
+  header.capture_time += std::chrono::seconds(7);
+  header.clock_error_us = 815;
+  stamp_source(message, header);
+  EXPECT_EQ(message, message_of(header));
+}
+
 }  // namespace
 }  // namespace roomcast::wire

@@ -51,7 +51,9 @@ const std::vector<NamedField>& fields() {
       {"limits.unsettled_per_peer", &HubConfig::max_unsettled_per_peer},
       {"limits.ban_after", &HubConfig::ban_after},
       {"limits.ban_within_s", &HubConfig::ban_within_s},
-      {"limits.ban_s", &HubConfig::ban_s}};
+      {"limits.ban_s", &HubConfig::ban_s},
+      {"upstream.hubs", &HubConfig::upstream_hubs},
+      {"upstream.token_file", &HubConfig::upstream_token_file}};
   return all;
 }
 

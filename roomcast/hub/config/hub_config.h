@@ -40,6 +40,8 @@ struct HubConfig {
   std::int64_t ban_after = 10;
   std::int64_t ban_within_s = 60;
   std::int64_t ban_s = 300;
+  std::vector<std::string> upstream_hubs;  // whose rooms this hub serves on
+  std::string upstream_token_file;
   std::vector<std::string> rooms;  // each as the JSON of RoomSettings, without what it leaves open
 };
 

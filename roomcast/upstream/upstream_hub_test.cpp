@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two real hubs on loopback: a sensor at the one, a viewer at the other.
+#include "roomcast/upstream/upstream_hub.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/hub_server_fixture.h"
+
+namespace roomcast::upstream {
+namespace {
+
+using namespace std::chrono_literals;
+namespace pb = wire::pb;
+
+/// A hub that runs on a thread of its own.
+struct RunningHub {
+  explicit RunningHub(hub::HubOptions options = {})
+      : server(*hub::HubServer::open([&options] {
+          options.port = 0;
+          return std::move(options);
+        }())),
+        thread([this](const std::stop_token& stop) { server->run(stop); }) {}
+
+  std::unique_ptr<hub::HubServer> server;
+  std::jthread thread;
+};
+
+hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports) {
+  UpstreamOptions upstream;
+  upstream.kept_unwatched = 50ms;
+  for (const auto port : ports) upstream.hubs.push_back({.host = "127.0.0.1", .port = port});
+  hub::HubOptions options;
+  options.open_backplane = [upstream](hub::BackplaneSeat seat) {
+    return std::make_unique<UpstreamHub>(upstream, std::move(seat));
+  };
+  return options;
+}
+
+class UpstreamHubTest : public testing::Test {
+ protected:
+  std::shared_ptr<hub::RawClient> join(const RunningHub& hub, const pb::Control& message) {
+    auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
+    net::connect(io, {.host = "127.0.0.1", .port = hub.server->port()}, {}, [=, this](auto socket) {
+      ASSERT_TRUE(socket.ok());
+      (*socket)->start(client);
+      sockets.push_back(*socket);
+    });
+    run_until([&] { return !client->heard.empty(); });
+    return client;
+  }
+  void run_until(const std::function<bool()>& done) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while (!done() && io.run_one_until(give_up) > 0) {
+    }
+    ASSERT_TRUE(done()) << "nothing happened in 5 s";
+  }
+  /// Key frames until `viewer` has got one.
+  void send_until_seen(const std::shared_ptr<hub::RawClient>& sensor,
+                       const std::shared_ptr<hub::RawClient>& viewer) {
+    const auto seen = viewer->frames.size();
+    boost::asio::steady_timer pace(io);
+    std::function<void()> send = [&] {
+      sensor->say(hub::key_frame(seq++));
+      sockets.front()->wake();
+      pace.expires_after(10ms);
+      pace.async_wait([&](boost::system::error_code error) {
+        if (!error) send();
+      });
+    };
+    send();
+    run_until([&] { return viewer->frames.size() > seen; });
+    pace.cancel();
+    io.poll();
+  }
+  /// Else the hubs would wait for an answer to their goodbyes.
+  void part() {
+    for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
+    io.run_for(100ms);
+  }
+  static std::vector<std::string> viewers_in(const hub::RawClient& client) {
+    std::vector<std::string> names;
+    for (const auto& message : client.heard) {
+      if (!message.has_roster()) continue;
+      names.clear();
+      for (const auto& viewer : message.roster().viewers()) names.push_back(viewer.name());
+    }
+    return names;
+  }
+
+  boost::asio::io_context io;
+  std::vector<std::shared_ptr<net::WebSocketConnection>> sockets;
+  std::uint32_t seq = 0;
+};
+
+TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
+  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const auto sensor = join(origin, hub::sensor_join("left"));
+  const auto viewer = join(edge, hub::viewer_join());
+  send_until_seen(sensor, viewer);
+  EXPECT_TRUE(viewer->frames.front().key);
+  const auto late =
+      RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
+  EXPECT_GT(late, -1s);
+  EXPECT_LT(late, 5s) << "captured in this hub's time";
+  part();
+}
+
+TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_somebody_watches) {
+  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const auto sensor = join(origin, hub::sensor_join("left"));
+  const auto witness = join(origin, hub::viewer_join());
+  run_until([&] { return viewers_in(*witness).size() == 1; });
+  const auto viewer = join(edge, hub::viewer_join());
+  run_until([&] { return viewers_in(*witness).size() == 2; });
+  sockets.back()->close(net::close_code::kNormal, "left");
+  run_until([&] { return viewers_in(*witness).size() == 1; });
+  part();
+}
+
+TEST_F(UpstreamHubTest, where_one_hub_is_gone_the_next_is_taken) {
+  auto first = std::make_unique<RunningHub>();
+  const RunningHub second;
+  const RunningHub edge(serving_on({first->server->port(), second.server->port()}));
+  const auto sensor = join(second, hub::sensor_join("left"));
+  const auto viewer = join(edge, hub::viewer_join());
+  first.reset();
+  send_until_seen(sensor, viewer);
+  part();
+}
+
+TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
+  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const auto sensor = join(origin, hub::sensor_join("left"));
+  const auto viewer = join(edge, hub::viewer_join());
+  send_until_seen(sensor, viewer);
+  sockets.front()->close(net::close_code::kNormal, "left");
+  run_until([&] {
+    const auto& last = viewer->heard.back();
+    return last.has_roster() && last.roster().sensors_size() == 1 &&
+           !last.roster().sensors(0).online();
+  });
+  part();
+}
+
+}  // namespace
+}  // namespace roomcast::upstream

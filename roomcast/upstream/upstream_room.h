@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// UpstreamRoom: a room that is pulled from another hub, or from the next one where that is gone or
+// hung: a viewer there, its sensors here. Threading: lives on one io_context, the rooms'.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/client/credential.h"
+#include "roomcast/client/hub_link.h"
+#include "roomcast/core/log.h"
+#include "roomcast/core/retry_pace.h"
+#include "roomcast/upstream/mirrored_room.h"
+
+namespace roomcast::upstream {
+
+struct UpstreamOptions {
+  std::vector<net::HubUrl> hubs;  // at least one; the next is tried where one is gone
+  Credential credential = {};     // a viewer's there
+  /// How long a room is still pulled that nobody watches any more.
+  std::chrono::milliseconds kept_unwatched{3000};
+  LogSink log = {};
+};
+
+class UpstreamRoom final : private HubLinkEvents {
+ public:
+  /// A hub that is there says something every few hundred milliseconds, if asked.
+  static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::milliseconds(200),
+                                                   .give_up_after = std::chrono::milliseconds(600),
+                                                   .close_within = std::chrono::milliseconds(500)};
+
+  UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options, const std::string& room,
+               MirroredRoom mirror);
+  ~UpstreamRoom() override;
+
+  [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
+  void said(ConnectionId to, const wire::pb::Control& message);
+
+ private:
+  void connect();
+  void connect_to_next();
+
+  void on_welcome(const wire::pb::Welcome& welcome) override;
+  void on_control(const wire::pb::Control& message) override;
+  void on_frame(net::MessageBuffer message) override;
+  net::SealedMessagePtr next_frame() override { return nullptr; }
+  void on_clock(const ClockEstimate& estimate) override;
+  void on_down(const Error& reason, bool final) override;
+
+  boost::asio::io_context& io_;
+  const UpstreamOptions& options_;
+  const std::string room_;
+  MirroredRoom mirror_;
+  std::optional<HubLink> link_;
+  std::size_t hub_ = 0;       // which one it is connected to, or tries
+  std::size_t failures_ = 0;  // since the last welcome
+  RetryPace pace_;
+  boost::asio::steady_timer timer_;
+};
+
+}  // namespace roomcast::upstream

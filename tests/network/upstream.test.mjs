@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hubs that serve on what other hubs have: what their viewers see, what it costs, and what a hub that is killed or hangs
+// on the way means to them. More rounds for the cost:
+// ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { test } from 'node:test';
+import { setTimeout as delay } from 'node:timers/promises';
+
+import { Program, scratchFolder } from '../cli/program.mjs';
+import { RoomClient, SendingSensor } from './room_client.mjs';
+import { assertMissedNothing, longestPause_ms } from './rooms.mjs';
+
+const fps = 30;
+const longestGap_ms = 1000;
+const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
+const costOver_s = 2;
+const pulledUnwatched_ms = 3200;
+
+async function startHub(t, ...options) {
+  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--data', scratchFolder(t), ...options];
+  const program = new Program(args, { limitMs: 60_000 + 12_000 * costRounds });
+  t.after(() => program.stop('SIGKILL'));
+  const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
+  return { program, url: `ws://127.0.0.1:${port}` };
+}
+
+/** Serves on what these hubs have. */
+function startEdge(t, ...hubs) {
+  return startHub(t, ...hubs.flatMap(({ url }) => ['--upstream', url]));
+}
+
+async function startSensors(t, hub, count) {
+  const options = { fps, payloadBytes: 8000 };
+  return Promise.all(
+    Array.from({ length: count }, (_, n) => SendingSensor.start(t, hub.url, { name: `s${n}`, ...options })));
+}
+
+test('a_viewer_of_another_hub_sees_the_whole_room_while_somebody_watches', async (t) => {
+  const origin = await startHub(t);
+  await startSensors(t, origin, 4);
+  const witness = await RoomClient.join(t, origin.url);
+  const edge = await startEdge(t, origin);
+  await delay(300);
+  assert.equal(witness.rosters.at(-1).viewers, 1, 'nobody watches at the edge: nothing is pulled');
+
+  const viewer = await RoomClient.join(t, edge.url);
+  await viewer.until('four sensors', () => [0, 1, 2, 3].every((n) => viewer.sensor(`s${n}`)?.online));
+  const ids = [0, 1, 2, 3].map((n) => viewer.sensor(`s${n}`).id);
+  await viewer.until('their frames', () => ids.every((id) => viewer.seqsOf(id).length > 60));
+  assertMissedNothing(viewer, ids);
+  const roomMinusHostNs = await viewer.askTime();
+  const newest = viewer.sets.at(-1).frames.at(-1);
+  const age_ms = Number(process.hrtime.bigint() + roomMinusHostNs - newest.captureNs) / 1e6;
+  assert.ok(age_ms > -5 && age_ms < 1000, `captured ${age_ms} ms ago in the edge's time`);
+
+  viewer.socket.terminate();
+  await witness.until('it is pulled no more', () => witness.rosters.at(-1).viewers === 1);
+});
+
+/** A room that two hubs serve on, and one that serves on what either of these has. */
+async function chain(t) {
+  const origin = await startHub(t);
+  await startSensors(t, origin, 4);
+  const [first, second] = [await startEdge(t, origin), await startEdge(t, origin)];
+  const edge = await startEdge(t, first, second);
+  const viewer = await RoomClient.join(t, edge.url);
+  await viewer.moreSets(30);
+  return { viewer, first };
+}
+
+for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
+  test(`a_${what}_hub_on_the_way_is_replaced_by_the_next`, async (t) => {
+    const { viewer, first } = await chain(t);
+    viewer.sets.splice(0, viewer.sets.length - 1);
+    first.program.child.kill(signal);
+    await delay(longestGap_ms + 500);
+    await viewer.moreSets(10);
+    const gap_ms = longestPause_ms(viewer);
+    t.diagnostic(`${what}: ${Math.round(gap_ms)} ms without a set`);
+    assert.ok(gap_ms <= longestGap_ms, `${gap_ms} ms without a set`);
+    await viewer.until('the sensors', () => [0, 1, 2, 3].every((n) => viewer.sensor(`s${n}`)?.online));
+  });
+}
+
+/** Processor time of a hub so far. */
+function taken_ms({ program }) {
+  const threads = `/proc/${program.child.pid}/task`;
+  return readdirSync(threads).reduce(
+    (sum, thread) => sum + Number(readFileSync(`${threads}/${thread}/schedstat`, 'utf8').split(' ')[0]) / 1e6, 0);
+}
+
+/** Processor time that these hubs take in a second, in milliseconds. */
+async function load_ms(...hubs) {
+  const sum_ms = () => hubs.reduce((sum, hub) => sum + taken_ms(hub), 0);
+  const before_ms = sum_ms();
+  await delay(1000 * costOver_s);
+  return (sum_ms() - before_ms) / costOver_s;
+}
+
+/** What these hubs take more with a viewer at `hub`, who misses nothing. */
+async function extra_ms(t, hub, hubs, before_ms) {
+  const viewer = await RoomClient.join(t, hub.url);
+  await viewer.moreSets(30);
+  const extra = (await load_ms(...hubs)) - before_ms;
+  assertMissedNothing(viewer, [0, 1, 2, 3].map((n) => viewer.sensor(`s${n}`).id));
+  viewer.socket.terminate();
+  await viewer.closed;
+  return extra;
+}
+
+const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
+
+test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 10_000 * costRounds }, async (t) => {
+  const origin = await startHub(t);
+  await startSensors(t, origin, 4);
+  const edge = await startEdge(t, origin);
+  const rounds = [];
+  for (let round = 0; round < costRounds; ++round) {
+    await delay(pulledUnwatched_ms);
+    const alone = await load_ms(origin, edge);
+    const local = await extra_ms(t, origin, [origin, edge], alone);
+    const remote = await extra_ms(t, edge, [origin, edge], alone);
+    rounds.push({ alone, local, hubToHub: remote - local }); // the edge serves its viewer as the origin would
+  }
+  const [alone, local, hubToHub] = ['alone', 'local', 'hubToHub'].map((what) => median(rounds.map((r) => r[what])));
+  t.diagnostic(
+    `milliseconds of processor a second: 4 sensors ${alone.toFixed(1)}, one local viewer ${local.toFixed(1)}, ` +
+      `hub to hub ${hubToHub.toFixed(1)} (${(hubToHub / local).toFixed(1)} times as much)`);
+});
