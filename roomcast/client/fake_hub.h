@@ -55,6 +55,7 @@ class FakeHub {
   int joins = 0;
   std::function<void()> on_join = [] {};  // after the welcome
   std::optional<wire::pb::ErrorCode> refuse_joins_with;
+  bool lets_joins_wait = false;
   std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
 
  private:
@@ -93,7 +94,7 @@ class FakeHub {
     const auto control = *wire::decode_control(message, wire::Sender::kClient);
     if (control.has_clock_ping()) return answer(control.clock_ping());
     heard.push_back(control);
-    if (!control.has_join()) return;
+    if (!control.has_join() || lets_joins_wait) return;
     if (refuse_joins_with) return refuse(*refuse_joins_with, "no");
     welcome();
   }

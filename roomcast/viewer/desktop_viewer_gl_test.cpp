@@ -179,11 +179,18 @@ TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
 
 TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resumes) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
-  on_hub([](FakeHub& h) { h.hang_up(); });
+  const auto hang_up_and_let_wait = [&](bool wait) {
+    on_hub([wait](FakeHub& h) {
+      h.lets_joins_wait = wait;
+      h.hang_up();
+    });
+  };
+  hang_up_and_let_wait(true);
   EXPECT_TRUE(steps_until([&] { return says("The hub is lost"); }));
   const auto drawn = viewer->pictures_drawn();
   press(SDLK_a);
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > drawn + 1; }));
+  hang_up_and_let_wait(false);
   EXPECT_TRUE(steps_until([&] { return says("The hub is back"); }));
 }
 
