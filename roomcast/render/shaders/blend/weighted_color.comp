@@ -10,8 +10,9 @@ layout(location = 0) uniform int color_shift;  // how often the depth grid doubl
 layout(location = 1) uniform vec3 gain;  // makes the sensor's colours agree with the others'
 
 // Colour was averaged over its pixels and will be interpolated between them; both take contrast from fine detail, which
-// this gives back in part.
+// this gives back in part: colour in the depth grid's resolution lost most of it.
 const float kSharpen = 0.9;
+const float kSharpenFine = 0.15;
 
 // Without its surroundings where the surface ends or another has no colour.
 vec3 sharpened(vec3 here, float z, ivec2 at, ivec2 size) {
@@ -24,7 +25,7 @@ vec3 sharpened(vec3 here, float z, ivec2 at, ivec2 size) {
     if (there.a == 0.0) return here;
     around += there.rgb;
   }
-  return clamp(here + kSharpen * (here - around / 4.0), 0.0, 1.0);
+  return clamp(here + (color_shift == 0 ? kSharpen : kSharpenFine) * (here - around / 4.0), 0.0, 1.0);
 }
 
 void main() {
