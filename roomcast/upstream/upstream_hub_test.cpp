@@ -25,8 +25,9 @@ struct RunningHub {
   std::jthread thread;
 };
 
-hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports) {
+hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::string& token = {}) {
   UpstreamOptions upstream;
+  upstream.credential.token = token;
   upstream.kept_unwatched = 50ms;
   for (const auto port : ports) upstream.hubs.push_back({.host = "127.0.0.1", .port = port});
   hub::HubOptions options;
@@ -102,6 +103,18 @@ TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(late, -1s);
   EXPECT_LT(late, 5s) << "captured in this hub's time";
+  part();
+}
+
+TEST_F(UpstreamHubTest, a_room_that_asks_for_a_token_is_given_to_a_hub_that_has_one_only) {
+  const RunningHub origin({.rooms = {{.name = "room", .view = hub::Who::kToken}}});
+  const RunningHub without(serving_on({origin.server->port()}));
+  const RunningHub with(serving_on({origin.server->port()}, origin.server->own_token()));
+  const auto sensor = join(origin, hub::sensor_join("left"));
+  const auto stranger = join(without, hub::viewer_join());
+  const auto viewer = join(with, hub::viewer_join());
+  send_until_seen(sensor, viewer);
+  EXPECT_TRUE(stranger->frames.empty());
   part();
 }
 

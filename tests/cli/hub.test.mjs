@@ -2,7 +2,7 @@
 // The hub and its clients when the other side is not there, goes away, or talks nonsense.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
@@ -136,4 +136,14 @@ test('hub_that_cannot_read_what_it_kept_does_not_start_and_forget_whom_it_turned
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
   assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot keep/);
+});
+
+test('service_of_the_hub_is_nobody_and_can_write_its_own_folder_only', () => {
+  const unit = readFileSync(new URL('../../packaging/systemd/roomcast-hub.service', import.meta.url), 'utf8');
+  const settings = unit.split('\n');
+  for (const setting of ['DynamicUser=yes', 'StateDirectory=roomcast', 'StateDirectoryMode=0700', 'ProtectSystem=strict',
+    'ProtectHome=yes', 'PrivateTmp=yes', 'NoNewPrivileges=yes', 'CapabilityBoundingSet=CAP_NET_BIND_SERVICE']) {
+    assert.ok(settings.includes(setting), setting);
+  }
+  assert.ok(!/^(ReadWritePaths|User|AmbientCapabilities)=/m.test(unit), 'nothing is opened again');
 });
