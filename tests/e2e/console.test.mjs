@@ -124,12 +124,13 @@ describe('the console', () => {
   });
 
   describe('of an admin', () => {
-    let page;
+    let page, link;
     const asked = [];
-    const inRoom = async () => {
-      const answer = await fetch(`${hub.page}api/v1/rooms/room`, { headers: { Authorization: `Bearer ${token}` } });
-      return answer.json();
+    const askHub = async (path, init) => {
+      const headers = { Authorization: `Bearer ${token}` };
+      return (await fetch(`${hub.page}api/v1${path}`, { headers, ...init })).json();
     };
+    const inRoom = () => askHub('/rooms/room');
     before(async () => {
       page = await openPage(browser.context, `${hub.page}?${view}#token=${token}`);
       page.on('request', (request) => asked.push(request.url()));
@@ -142,7 +143,7 @@ describe('the console', () => {
       await page.getByLabel('Whom or what it is for').fill('Ada');
       await page.getByRole('button', { name: 'Make it' }).click();
       await page.getByRole('img', { name: 'The link as a QR code' }).waitFor();
-      const link = await page.getByLabel('Link', { exact: true }).inputValue();
+      link = await page.getByLabel('Link', { exact: true }).inputValue();
       assert.ok(link.startsWith(`${hub.page}#room=room&code=`), link);
 
       await page.locator('.access select').first().selectOption('sensor');
@@ -213,6 +214,40 @@ describe('the console', () => {
         () => page.locator('.room-settings').innerText(),
         (text) => /there is a room of this name already/.test(text),
       );
+    });
+
+    const panelSays = (visitor, pattern) =>
+      until(
+        `the panel says ${pattern}`,
+        () => visitor.locator('#panel').innerText(),
+        (text) => pattern.test(text),
+      );
+
+    test('has let others in: by a link that is good for once', slow, async () => {
+      const visitor = await openPage(browser.context, link);
+      await panelSays(visitor, /live/);
+      await visitor.reload();
+      await panelSays(visitor, /live/); // by the token that came for the code
+      await visitor.close();
+      const late = await openPage(browser.context, link);
+      await panelSays(late, /it has been used/);
+      await late.close();
+    });
+
+    test('has opened a second room: whoever names none chooses', slow, async () => {
+      await askHub('/rooms/studio', { method: 'PATCH', body: '{"view":"anyone"}' });
+      const visitor = await openPage(browser.context, `${hub.page}?panel=1`);
+      await panelSays(visitor, /several rooms: choose one/);
+      await panelSays(visitor, /room\s+2 sensors, \d (person|people) · with a link only/);
+      assert.deepEqual(await seriousFindings(visitor), []);
+      await visitor.getByRole('link', { name: 'studio' }).click();
+      await panelSays(visitor, /studio[^]*live/);
+      await until(
+        'it is marked',
+        () => visitor.getByRole('link', { name: 'studio' }).getAttribute('aria-current'),
+        (current) => current === 'page',
+      );
+      await visitor.close();
     });
   });
 });

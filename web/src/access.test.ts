@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, test } from 'vitest';
-import { readAccess, rememberAccess } from './access';
+import { accessTo, readAccess, rememberAccess } from './access';
 
 const kept = new Map<string, string>();
 const store = {
@@ -32,6 +32,14 @@ describe('access', () => {
   test('survives a store with nonsense in it', () => {
     kept.set('roomcast.access', '{"token":7');
     expect(readAccess('', store)).toEqual(nothing);
+  });
+
+  test('is not shown to another room', () => {
+    const access = { ...nothing, room: 'lab', token: 't' };
+    expect(accessTo('lab', access)).toEqual(access);
+    expect(accessTo('', access)).toEqual(access);
+    expect(accessTo('hall', access)).toEqual({ ...nothing, room: 'hall' });
+    expect(accessTo('hall', { ...nothing, token: 't' }).token).toBe('t');
   });
 
   test('can be forgotten', () => {

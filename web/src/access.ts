@@ -32,6 +32,12 @@ export function readAccess(hash: string, store: Store): Access {
   return fresh.room === '' || fresh.room === kept.room ? kept : fresh;
 }
 
+/** What is for another room is not shown to this one. */
+export function accessTo(room: string, access: Access): Access {
+  const isForAnother = room !== '' && access.room !== '' && access.room !== room;
+  return isForAnother ? { room, code: '', token: '' } : access;
+}
+
 /** A code is good for one time: it is not kept. */
 export function rememberAccess({ room, token }: Access, store: Store): void {
   if (token) store.setItem(storeKey, JSON.stringify({ room, token }));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires the page together: worker -> state -> stage and panel; navigation and headset -> stage and hub.
 import './theme.css';
-import { readAccess, rememberAccess, type Access } from './access';
+import { accessTo, readAccess, rememberAccess, type Access } from './access';
 import { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Roster, Welcome } from './gen/control_pb';
@@ -38,6 +38,7 @@ class Page {
   private readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: Console;
+  private readonly api: HubApi;
   private readonly look: Look;
   private readonly ownPose: OwnPose;
   private readonly link: RoomLink;
@@ -69,8 +70,8 @@ class Page {
       },
     });
     this.progress = new Progress(document.getElementById('progress')!, this.state);
-    const api = new HubApi(() => this.access.token);
-    this.console = new Console(document.getElementById('console')!, this.state, api, hubAddress, {
+    this.api = new HubApi(() => this.access.token);
+    this.console = new Console(document.getElementById('console')!, this.state, this.api, hubAddress, {
       closed: () => this.panel.focusConsole(),
       nudge: this.nudgeEvents(),
     });
@@ -180,6 +181,7 @@ class Page {
     switch (message.kind) {
       case 'connection':
         this.state.setConnection(message.state);
+        if (message.state.phase !== 'connecting') void this.offerRooms();
         this.stage.setConnected(message.state.phase === 'joined');
         return this.refreshWords();
       case 'welcome':
@@ -203,7 +205,7 @@ class Page {
     this.state.welcome = welcome;
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
-    rememberAccess(this.access, sessionStorage);
+    if (this.access.token) rememberAccess(this.access, sessionStorage);
     void this.offerConsole(welcome.mayPlace);
     this.tellOwnPose();
   }
@@ -214,6 +216,11 @@ class Page {
     this.panel.offerConsole(mayPlace);
     const isAdmin = this.access.token !== '' && (await this.console.askRole());
     this.panel.offerConsole(mayPlace || isAdmin);
+  }
+
+  /** Also to those whom the hub did not let in: perhaps they were looking for another room. */
+  private async offerRooms(): Promise<void> {
+    this.panel.offerRooms(await this.api.rooms().catch(() => []));
   }
 
   private comeBackWith(token: string): void {
@@ -302,6 +309,7 @@ function navigator_xr(): XRSystem | undefined {
   return (navigator as { xr?: XRSystem }).xr;
 }
 
-const access = readAccess(location.hash, sessionStorage);
+const options = parseOptions(location.search);
+const access = accessTo(options.room, readAccess(location.hash, sessionStorage));
 if (location.hash !== '') history.replaceState(null, '', location.pathname + location.search);
-new Page(parseOptions(location.search), access);
+new Page(options, access);

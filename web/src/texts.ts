@@ -121,7 +121,8 @@ export const connectionTexts = {
   hungUp: (sentence: string) => `The hub hung up: ${sentence || 'it gave no reason.'}`,
   tooSlow: 'This computer or its connection was too slow, and the hub hung up.',
   roomFull: 'The room is full.',
-  noSuchRoom: 'The hub has no room of that name.',
+  noSuchRoom: 'The hub has no room of that name, or you have no link to it.',
+  severalRooms: 'This hub has several rooms: choose one.',
   needsToken: 'This room asks for a token. Whoever runs it can make a link for you.',
   tokenExpired: 'The time of your token is over. Ask whoever runs the room for another link.',
   wrongRoom: 'Your token is for another room.',
@@ -145,6 +146,10 @@ export const panelTexts = {
   people: 'People',
   person: (id: number) => `viewer ${id}`,
   you: (name: string) => `${name} (you)`,
+  rooms: 'Rooms',
+  inRoom: (sensors: number, people: number) =>
+    `${sensors} ${sensors === 1 ? 'sensor' : 'sensors'}, ${people} ${people === 1 ? 'person' : 'people'}`,
+  needsToken: 'with a link only',
   drawnAs: 'Drawn as',
   modes: {
     blend: { label: 'Blended', title: 'The surfaces of all sensors, mixed' },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw, the way into a headset.
 // Rebuilt by parts when the roster changes; figures are refreshed a few times a second.
+import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
 import { consoleTexts, headsetTexts, panelTexts as texts } from '../texts';
@@ -11,6 +12,7 @@ import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { problems, type Problem } from './problems';
 import { RadioGroup } from './radio_group';
+import { RoomList } from './room_list';
 import { SensorList } from './sensor_list';
 import './panel.css';
 
@@ -51,6 +53,8 @@ export class Panel {
   private readonly troubles = element('ul', { class: 'troubles', 'aria-live': 'polite', 'aria-label': texts.wrong });
   private readonly sensors: SensorList;
   private readonly people = element('ul', { class: 'people' });
+  private readonly rooms = new RoomList();
+  private readonly roomChoice = section(texts.rooms, this.rooms.root);
   private readonly received = figure(texts.received);
   private readonly shown = figure(texts.shown);
   private readonly latency = figure(texts.latency);
@@ -72,6 +76,7 @@ export class Panel {
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
     this.console.addEventListener('click', () => events.consoleWanted());
     this.fill();
+    this.offerRooms([]);
     this.setOpen(true);
     this.refresh();
   }
@@ -98,6 +103,13 @@ export class Panel {
   /** Whether this person may open the console. */
   offerConsole(offered: boolean): void {
     this.console.hidden = !offered;
+  }
+
+  /** Where there is a choice. */
+  offerRooms(rooms: readonly HubRoom[]): void {
+    const current = this.state.welcome?.room;
+    this.roomChoice.hidden = rooms.every(({ name }) => name === current);
+    this.rooms.show(rooms, current);
   }
 
   focusConsole(): void {
@@ -142,6 +154,7 @@ export class Panel {
       figures,
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people),
+      this.roomChoice,
       section(texts.drawnAs, this.modes.root),
       section(headsetTexts.title, this.headset.root),
       section(texts.theme, this.themes.root),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, test } from 'vitest';
 import { ErrorCode } from '../gen/control_pb';
-import { explain, reconnectDelay_ms, type Ending } from './close_reason';
+import { explain, isHopeless, reconnectDelay_ms, type Ending } from './close_reason';
 
 const plain: Ending = { opened: true, closeCode: 1006, closeReason: '', error: undefined, ownFault: undefined };
-const sentenceFor = (change: Partial<Ending>) => explain({ ...plain, ...change }, 'lab:7600').sentence;
+const sentenceFor = (change: Partial<Ending>) => explain({ ...plain, ...change }, 'lab:7600', 'lab').sentence;
 
 describe('the end of a connection is explained', () => {
   test('when nobody answered', () => {
@@ -26,9 +26,14 @@ describe('the end of a connection is explained', () => {
   });
   test('by a wrong version, which only a reload can mend', () => {
     const error = { code: ErrorCode.ERROR_UNSUPPORTED, sentence: '' };
-    expect(explain({ ...plain, error }, 'h')).toMatchObject({ reload: true });
-    expect(explain({ ...plain, ownFault: { sentence: 'x', unsupported: true } }, 'h')).toMatchObject({ reload: true });
-    expect(explain(plain, 'h').reload).toBe(false);
+    expect(explain({ ...plain, error }, 'h', 'lab')).toMatchObject({ reload: true });
+    expect(explain({ ...plain, ownFault: { sentence: 'x', unsupported: true } }, 'h', 'lab')).toMatchObject({ reload: true });
+    expect(explain(plain, 'h', 'lab').reload).toBe(false);
+  });
+  test('by rooms to choose from, where none was asked for', () => {
+    const error = { code: ErrorCode.ERROR_NO_SUCH_ROOM, sentence: '' };
+    expect(explain({ ...plain, error }, 'h', 'lab').sentence).toMatch(/no room of that name/);
+    expect(explain({ ...plain, error }, 'h', '').sentence).toMatch(/several rooms/);
   });
   test('by what this side found wrong', () => {
     expect(sentenceFor({ ownFault: { sentence: 'The hub has gone silent.', unsupported: false } })).toBe(
@@ -42,4 +47,10 @@ test('the wait before the next try doubles up to five seconds and is spread', ()
     250, 500, 1000, 2000, 4000, 5000, 5000,
   ]);
   expect(reconnectDelay_ms(6, 0)).toBe(3750);
+});
+
+test('who shows a bad token does not ask again and again', () => {
+  expect(isHopeless(plain)).toBe(false);
+  expect(isHopeless({ ...plain, error: { code: ErrorCode.ERROR_CODE_USED, sentence: '' } })).toBe(true);
+  expect(reconnectDelay_ms(1, 0, true)).toBe(45_000);
 });

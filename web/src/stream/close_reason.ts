@@ -17,19 +17,25 @@ export interface Explanation {
   reload: boolean; // trying again will not help, loading the page again may
 }
 
-export function explain(ending: Ending, host: string): Explanation {
+/** Asking again changes nothing, and a hub stops listening to addresses that show bad tokens again and again. */
+export function isHopeless({ error }: Ending): boolean {
+  return error?.code === ErrorCode.ERROR_CODE_USED || error?.code === ErrorCode.ERROR_TOKEN_INVALID;
+}
+
+/** `room` is what was asked for, or empty. */
+export function explain(ending: Ending, host: string, room: string): Explanation {
   const { error, ownFault } = ending;
   if (ownFault?.unsupported || error?.code === ErrorCode.ERROR_UNSUPPORTED) {
     return { sentence: texts.differentVersion, reload: true };
   }
   if (ownFault) return { sentence: ownFault.sentence, reload: false };
-  if (error) return { sentence: explainError(error), reload: false };
+  if (error) return { sentence: explainError(error, room), reload: false };
   if (!ending.opened) return { sentence: texts.noAnswer(host), reload: false };
   if (ending.closeCode === 1001) return { sentence: texts.stopped, reload: false };
   return { sentence: texts.gone(host, ending.closeReason), reload: false };
 }
 
-function explainError({ code, sentence }: NonNullable<Ending['error']>): string {
+function explainError({ code, sentence }: NonNullable<Ending['error']>, room: string): string {
   switch (code) {
     case ErrorCode.ERROR_SHUTTING_DOWN:
       return texts.stopped;
@@ -38,7 +44,7 @@ function explainError({ code, sentence }: NonNullable<Ending['error']>): string 
     case ErrorCode.ERROR_ROOM_FULL:
       return texts.roomFull;
     case ErrorCode.ERROR_NO_SUCH_ROOM:
-      return texts.noSuchRoom;
+      return room ? texts.noSuchRoom : texts.severalRooms;
     case ErrorCode.ERROR_UNAUTHENTICATED:
       return texts.needsToken;
     case ErrorCode.ERROR_TOKEN_EXPIRED:
@@ -60,8 +66,10 @@ function explainError({ code, sentence }: NonNullable<Ending['error']>): string 
 const firstDelay_ms = 250;
 const longestDelay_ms = 5000;
 
+const hopelessDelay_ms = 60_000;
+
 /** Doubles with every failure in a row (`failures` counts from 1); `random` in [0, 1) spreads many pages out. */
-export function reconnectDelay_ms(failures: number, random: number): number {
-  const delay = Math.min(longestDelay_ms, firstDelay_ms * 2 ** (failures - 1));
+export function reconnectDelay_ms(failures: number, random: number, hopeless = false): number {
+  const delay = hopeless ? hopelessDelay_ms : Math.min(longestDelay_ms, firstDelay_ms * 2 ** (failures - 1));
   return delay * (0.75 + 0.25 * random);
 }

@@ -7,7 +7,7 @@ import { decodeControl, encodeControl, type ControlMessage } from '../wire/contr
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { asName } from '../wire/name_check';
 import { malformed, WireError } from '../wire/wire_error';
-import { explain, reconnectDelay_ms, type Ending } from './close_reason';
+import { explain, isHopeless, reconnectDelay_ms, type Ending } from './close_reason';
 import { pageTime_ms, type ConnectionState, type StartOptions } from './protocol';
 
 const subprotocol = 'roomcast.v1';
@@ -65,15 +65,18 @@ export class HubConnection {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(encodeControl(message));
   }
 
+  private get room(): string {
+    return this.options.room || this.options.access.room;
+  }
+
   private opened(): void {
     this.ending.opened = true;
     this.lastHeard_ms = performance.now();
     const name = asName(this.options.name);
-    const { room, access } = this.options;
     const role = { case: 'viewer', value: {} } as const;
     // A code is good for one time: once it has brought a token, that one is shown.
-    const right = this.token ? { token: this.token } : { code: access.code };
-    this.send({ case: 'join', value: { room: room || access.room, name, role, ...right } });
+    const right = this.token ? { token: this.token } : { code: this.options.access.code };
+    this.send({ case: 'join', value: { room: this.room, name, role, ...right } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 
@@ -154,8 +157,8 @@ export class HubConnection {
     this.events.disconnected();
     this.ending.closeCode = event.code;
     this.ending.closeReason = event.reason;
-    const { sentence, reload } = explain(this.ending, new URL(this.options.socketUrl).host);
-    const delay = reconnectDelay_ms(++this.failures, Math.random());
+    const { sentence, reload } = explain(this.ending, new URL(this.options.socketUrl).host, this.room);
+    const delay = reconnectDelay_ms(++this.failures, Math.random(), isHopeless(this.ending));
     this.report('waiting', sentence, reload, Date.now() + delay);
     setTimeout(() => this.connect(), delay);
   }
