@@ -20,7 +20,7 @@ namespace {
 struct NudgeCommand {
   NudgeOptions options;
   std::vector<double> move_m = {0, 0, 0};
-  double turn_deg = 0;
+  double turn_deg = 0, tilt_deg = 0;
   TokenOption token;
   bool json = false;
 };
@@ -31,6 +31,7 @@ Status run_nudge(NudgeCommand command) {
   command.options.credential = *std::move(credential);
   command.options.shift_m = Eigen::Vector3d::Map(command.move_m.data());
   command.options.turn_rad = command.turn_deg * std::numbers::pi / 180;
+  command.options.tilt_rad = command.tilt_deg * std::numbers::pi / 180;
   StatusLine line;
   line.show("the aligner looks whether it fits");
   const auto answer = nudge_sensor(command.options);
@@ -63,6 +64,7 @@ void add_nudge_command(CLI::App& app, Command& chosen) {
       ->expected(3);
   command->add_option("--turn", values->turn_deg,
                       "Degrees about the vertical, counter-clockwise seen from above");
+  command->add_option("--tilt", values->tilt_deg, "Degrees upwards, where it stands");
   command->add_flag("--json", values->json, "For scripts");
   command->footer(
       "Example:\n  roomcast nudge s2 --hub ws://127.0.0.1:7600 --token TOKEN --move 0.4 0 -0.2 "

@@ -73,8 +73,7 @@ class Asking final : public HubLinkEvents {
     before_ = entry;
     pb::Control message;
     message.mutable_nudge()->set_sensor_id(entry.id());
-    write_transform(nudged(pose, options_.shift_m, options_.turn_rad),
-                    *message.mutable_nudge()->mutable_world_from_depth());
+    write_transform(nudged(pose, options_), *message.mutable_nudge()->mutable_world_from_depth());
     link_.send(message);
   }
 
@@ -93,13 +92,11 @@ class Asking final : public HubLinkEvents {
 
 }  // namespace
 
-RigidTransform nudged(const RigidTransform& world_from_depth, const Eigen::Vector3d& shift_m,
-                      double turn_rad) {
-  RigidTransform pose = world_from_depth;
-  pose.rotation =
-      Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() * pose.rotation;
-  pose.translation_m += shift_m;
-  return pose;
+RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions& options) {
+  const Eigen::AngleAxisd turn(options.turn_rad, Eigen::Vector3d::UnitY());  // the world's
+  const Eigen::AngleAxisd tilt(options.tilt_rad, Eigen::Vector3d::UnitX());  // the sensor's
+  return {turn * world_from_depth.rotation * tilt,
+          world_from_depth.translation_m + options.shift_m};
 }
 
 Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {

@@ -21,6 +21,7 @@ struct NudgeOptions {
   std::string sensor;
   Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // along the world's axes, y up
   double turn_rad = 0;  // about the vertical, counter-clockwise from above, where it stands
+  double tilt_rad = 0;  // about its own horizontal axis, upwards
   std::chrono::milliseconds patience = std::chrono::seconds(20);
 };
 
@@ -33,8 +34,8 @@ struct NudgedSensor {
 /// that nobody answered. kNotFound: there is no such sensor. Else why there is no connection.
 [[nodiscard]] Result<NudgedSensor> nudge_sensor(const NudgeOptions& options);
 
-/// It turns where it stands, then it is shifted.
+/// It is tilted and turns where it stands, then it is shifted.
 [[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,
-                                    const Eigen::Vector3d& shift_m, double turn_rad);
+                                    const NudgeOptions& options);
 
 }  // namespace roomcast

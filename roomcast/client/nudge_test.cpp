@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/nudge.h"
 
+#include <cmath>
 #include <future>
 #include <numbers>
 #include <optional>
@@ -121,9 +122,23 @@ TEST_F(NudgeTest, without_an_aligner_the_wait_ends) {
 }
 
 TEST(Nudged, a_sensor_turns_where_it_stands_and_is_then_shifted) {
-  const auto pose = nudged(at(1), {0, 0, 2}, std::numbers::pi / 2);
+  NudgeOptions by;
+  by.shift_m = {0, 0, 2};
+  by.turn_rad = std::numbers::pi / 2;
+  const auto pose = nudged(at(1), by);
   EXPECT_TRUE(pose.translation_m.isApprox(Eigen::Vector3d(1, 1, 2)));
   EXPECT_TRUE((pose.rotation * Eigen::Vector3d(0, 0, -1)).isApprox(Eigen::Vector3d(-1, 0, 0)));
+}
+
+TEST(Nudged, a_sensor_is_tilted_upwards_about_its_own_horizontal_axis) {
+  RigidTransform level;  // optical frame: y is down, z ahead
+  level.rotation = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  NudgeOptions by;
+  by.tilt_rad = std::numbers::pi / 6;
+  const auto pose = nudged(level, by);
+  const Eigen::Vector3d ahead = pose.rotation.col(2);
+  EXPECT_TRUE(ahead.isApprox(Eigen::Vector3d(0, 0.5, -std::cos(std::numbers::pi / 6))));
+  EXPECT_TRUE(pose.rotation.col(0).isApprox(Eigen::Vector3d(1, 0, 0)));
 }
 
 }  // namespace

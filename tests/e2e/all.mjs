@@ -4,6 +4,7 @@ import './blend.test.mjs';
 import './codec.test.mjs';
 import './late_join.test.mjs';
 import './memory.test.mjs';
+import './nudge.test.mjs';
 import './picture.test.mjs';
 import './room.test.mjs';
 import './security.test.mjs';

@@ -19,7 +19,7 @@ import { TestApi } from './test_api';
 import { problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
 import { Navigation } from './view/navigation';
-import { alongView } from './view/nudge';
+import { alongView, standingLike } from './view/nudge';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
@@ -92,9 +92,13 @@ class Page {
 
   private nudgeEvents(): NudgeEvents {
     return {
-      push: (sensor, right, up, forward, turn) => {
+      push: (sensor, step) => {
         const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
-        if (entry) this.guesses.push(entry, alongView(right, up, forward, turn, this.navigation.current.yaw));
+        if (entry) this.guesses.push(entry, alongView(step, this.navigation.current.yaw));
+        this.showRoster();
+      },
+      putHere: (sensor) => {
+        this.guesses.put(sensor, standingLike(this.navigation.current));
         this.showRoster();
       },
       tryIt: (sensor) => {

@@ -7,7 +7,7 @@ import { SensorGuesses } from './sensor_guesses';
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const rosterOf = (...sensors: object[]): Roster => create(RosterSchema, { sensors });
 const s0 = { id: 0, worldFromDepth: identity };
-const right = { x: 1, y: 0, z: 0, turn: 0 };
+const right = { x: 1, y: 0, z: 0, turn: 0, tilt: 0 };
 
 test('pushes add up, and only the sensor that is moved differs from the roster', () => {
   const guesses = new SensorGuesses();

@@ -10,6 +10,10 @@ export class SensorGuesses {
     this.bySensor.set(entry.id, pushed(this.bySensor.get(entry.id) ?? entry.worldFromDepth, push));
   }
 
+  put(sensor: number, worldFromDepth: number[]): void {
+    this.bySensor.set(sensor, worldFromDepth);
+  }
+
   of(sensor: number): number[] | undefined {
     return this.bySensor.get(sensor);
   }

@@ -215,6 +215,8 @@ export const problemTexts = {
 
 export const nudgeTexts = {
   steps: {
+    tiltUp: 'Tilt up (Y)',
+    tiltDown: 'Tilt down (H)',
     left: 'Turn left (U)',
     away: 'Away from you (I)',
     right: 'Turn right (O)',
@@ -224,6 +226,7 @@ export const nudgeTexts = {
     toRight: 'To the right (L)',
     down: 'Down (;)',
   },
+  putHere: 'Where I stand and look',
   tryIt: 'Try (Enter)',
   putBack: 'Put back (Esc)',
   hint: '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the rest is found by itself.',

@@ -2,11 +2,13 @@
 // Putting a sensor in its place by hand, for whoever opened the page with an admin's token: buttons, and keys while a sensor
 // is being moved. What it is pushed to is shown here only; `try` asks the aligner, which refines the guess or refuses it.
 import { nudgeTexts as texts } from '../texts';
+import type { HandStep } from '../view/nudge';
 import { element } from './element';
 
 export interface NudgeEvents {
-  /** Metres and radians as the person sees them. */
-  push(sensor: number, right: number, up: number, forward: number, turn: number): void;
+  push(sensor: number, step: HandStep): void;
+  /** To where the person stands and looks. */
+  putHere(sensor: number): void;
   tryIt(sensor: number): void;
   putBack(sensor: number): void;
 }
@@ -19,18 +21,20 @@ interface Step {
   key: string;
   label: string;
   title: string;
-  push: readonly [right: number, up: number, forward: number, turn: number];
+  push: Partial<HandStep>; // in steps
 }
 
 const steps: readonly Step[] = [
-  { key: 'KeyU', label: '↺', title: texts.steps.left, push: [0, 0, 0, 1] },
-  { key: 'KeyI', label: '↑', title: texts.steps.away, push: [0, 0, 1, 0] },
-  { key: 'KeyO', label: '↻', title: texts.steps.right, push: [0, 0, 0, -1] },
-  { key: 'KeyP', label: '⤒', title: texts.steps.up, push: [0, 1, 0, 0] },
-  { key: 'KeyJ', label: '←', title: texts.steps.toLeft, push: [-1, 0, 0, 0] },
-  { key: 'KeyK', label: '↓', title: texts.steps.towards, push: [0, 0, -1, 0] },
-  { key: 'KeyL', label: '→', title: texts.steps.toRight, push: [1, 0, 0, 0] },
-  { key: 'Semicolon', label: '⤓', title: texts.steps.down, push: [0, -1, 0, 0] },
+  { key: 'KeyY', label: '⤴', title: texts.steps.tiltUp, push: { tilt: 1 } },
+  { key: 'KeyU', label: '↺', title: texts.steps.left, push: { turn: 1 } },
+  { key: 'KeyI', label: '↑', title: texts.steps.away, push: { forward: 1 } },
+  { key: 'KeyO', label: '↻', title: texts.steps.right, push: { turn: -1 } },
+  { key: 'KeyP', label: '⤒', title: texts.steps.up, push: { up: 1 } },
+  { key: 'KeyH', label: '⤵', title: texts.steps.tiltDown, push: { tilt: -1 } },
+  { key: 'KeyJ', label: '←', title: texts.steps.toLeft, push: { right: -1 } },
+  { key: 'KeyK', label: '↓', title: texts.steps.towards, push: { forward: -1 } },
+  { key: 'KeyL', label: '→', title: texts.steps.toRight, push: { right: 1 } },
+  { key: 'Semicolon', label: '⤓', title: texts.steps.down, push: { up: -1 } },
 ];
 
 export class NudgeControls {
@@ -44,7 +48,9 @@ export class NudgeControls {
     const back = element('button', { type: 'button', class: 'plain' }, texts.putBack);
     back.addEventListener('click', () => this.putBack());
     const hint = element('p', {}, texts.hint);
-    this.root.append(pad, hint, element('div', { class: 'row' }, tryIt, back));
+    const here = element('button', { type: 'button', class: 'plain' }, texts.putHere);
+    here.addEventListener('click', () => this.putHere());
+    this.root.append(pad, hint, element('div', { class: 'row' }, here, tryIt, back));
     window.addEventListener('keydown', (event) => this.keyDown(event));
   }
 
@@ -64,11 +70,21 @@ export class NudgeControls {
     return button;
   }
 
-  private push({ push: [right, up, forward, turn] }: Step, fine: boolean): void {
+  private push({ push: { right = 0, up = 0, forward = 0, turn = 0, tilt = 0 } }: Step, fine: boolean): void {
     if (this.sensor === undefined) return;
     const by = fine ? fineFactor : 1;
-    const metres = by * step_m;
-    this.events.push(this.sensor, right * metres, up * metres, forward * metres, turn * by * step_rad);
+    const [metres, radians] = [by * step_m, by * step_rad];
+    this.events.push(this.sensor, {
+      right: right * metres,
+      up: up * metres,
+      forward: forward * metres,
+      turn: turn * radians,
+      tilt: tilt * radians,
+    });
+  }
+
+  private putHere(): void {
+    if (this.sensor !== undefined) this.events.putHere(this.sensor);
   }
 
   private tryIt(): void {

@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor's pose, pushed along the floor and turned about the vertical by hand. Row-major 4x4 world_from_depth, metres,
-// radians, y up. Pure.
+// A sensor's pose, pushed, turned about the vertical and tilted by hand, or put where a person stands. Row-major 4x4
+// world_from_depth, metres, radians, y up. Pure.
+import { direction, type ViewState } from './view_state';
 
 export interface Push {
   x: number; // along the world's axes
   y: number;
   z: number;
   turn: number; // about the vertical through the sensor, counter-clockwise seen from above
+  tilt: number; // about the sensor's own horizontal axis, upwards
 }
 
-/** The pose after the push: it turns where it stands, then it is shifted. */
+/** A push as the person sees it, who looks along `forward`. */
+export interface HandStep {
+  right: number;
+  up: number;
+  forward: number;
+  turn: number;
+  tilt: number;
+}
+
+/** Its picture's rows and gaze, of a sensor that is tilted upwards. */
+function tilted(m: readonly number[], tilt: number): number[] {
+  const c = Math.cos(tilt);
+  const s = Math.sin(tilt);
+  const row = (i: number) => [m[i]!, c * m[i + 1]! + s * m[i + 2]!, c * m[i + 2]! - s * m[i + 1]!, m[i + 3]!];
+  return [...row(0), ...row(4), ...row(8), ...m.slice(12)];
+}
+
+/** The pose after the push: it is tilted and turns where it stands, then it is shifted. */
 export function pushed(worldFromDepth: readonly number[], push: Push): number[] {
   const c = Math.cos(push.turn);
   const s = Math.sin(push.turn);
-  const m = worldFromDepth;
+  const m = tilted(worldFromDepth, push.tilt);
   const rotated = [0, 1, 2].map((column) => {
     const x = m[column]!;
     const z = m[8 + column]!;
@@ -28,9 +47,18 @@ export function pushed(worldFromDepth: readonly number[], push: Push): number[] 
   ];
 }
 
-/** Steps as the person sees them: `heading` is where they look, radians about the vertical, 0 along -z. */
-export function alongView(right: number, up: number, forward: number, turn: number, heading: number): Push {
+/** `heading` is where the person looks, radians about the vertical, 0 along -z. */
+export function alongView({ right, up, forward, turn, tilt }: HandStep, heading: number): Push {
   const c = Math.cos(heading);
   const s = Math.sin(heading);
-  return { x: right * c - forward * s, y: up, z: -right * s - forward * c, turn };
+  return { x: right * c - forward * s, y: up, z: -right * s - forward * c, turn, tilt };
+}
+
+/** A sensor that stands where the viewer does and sees what it sees. */
+export function standingLike(view: Pick<ViewState, 'position' | 'yaw' | 'pitch'>): number[] {
+  const { x, y, z } = view.position;
+  const ahead = direction(view);
+  const right = { x: Math.cos(view.yaw), z: -Math.sin(view.yaw) };
+  const down = [ahead.y * right.z, ahead.z * right.x - ahead.x * right.z, -ahead.y * right.x] as const;
+  return [right.x, down[0], ahead.x, x, 0, down[1], ahead.y, y, right.z, down[2], ahead.z, z, 0, 0, 0, 1];
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sensor that cannot be placed by what it sees is put in its place by hand, as a person would: the console says what is
+// wrong; one goes where it stands, looks where it looks, and tries; the aligner does the rest, or says why not.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { writeLoneSensor } from './lone_sensor.mjs';
+import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
+import { sensorsOf, until, untilAllShown } from './waiting.mjs';
+
+const slow = { timeout: 120_000 };
+const off_m = 0.08; // by how much the person is beside the truth
+const exact_m = 0.04;
+const patience_ms = 60_000; // the aligner thinks for seconds, on a machine that has other things to do
+
+describe('a sensor without a place', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'roomcast-nudge-'));
+  let hub, sensors, browser, page, truth;
+
+  before(async () => {
+    requireBuilt();
+    const rig = join(folder, 'rig');
+    truth = await writeLoneSensor(rig);
+    const data = join(folder, 'data');
+    hub = await startHub(0, { data });
+    const token = await adminsToken(data);
+    sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 2, rig }));
+    browser = await startBrowser({ width: 1000, height: 700 });
+    page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
+    await untilAllShown(page, 2);
+  }, slow);
+
+  after(async () => {
+    await browser?.end();
+    await Promise.all([...(sensors ?? []), hub].map((program) => program?.end()));
+    rmSync(folder, { recursive: true, force: true });
+  }, slow);
+
+  /** A little beside where the sensor stands, looking where it looks. */
+  function standingAtTruth() {
+    const eye = [truth[3] + off_m, truth[7], truth[11]];
+    const target = [2, 6, 10].map((i, axis) => eye[axis] + truth[i]);
+    return `at=${eye.join()}&look=${target.join()}`;
+  }
+
+  const button = (name) => page.getByRole('button', { name, exact: true });
+  const places = () => page.locator('.places').innerText();
+  const lone = async () => (await sensorsOf(page)).find(({ name }) => name === 's1');
+  const fromTruth_m = ({ worldFromDepth: m }) => Math.hypot(...[3, 7, 11].map((i) => m[i] - truth[i]));
+
+  test('the console says that it has none, and what helps', slow, async () => {
+    await button('Console').click();
+    await page.getByRole('tab', { name: 'Alignment' }).click();
+    const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said), patience_ms);
+    assert.match(text, /What helps/);
+  });
+
+  test('a guess that does not fit is refused with a reason', slow, async () => {
+    await page.locator('.places li', { hasText: 's1' }).getByRole('button', { name: 'Move by hand' }).click();
+    await button('Tilt up (Y)').click();
+    await button('Try (Enter)').click();
+    await until('the refusal', places, (said) => /Not where it was put/.test(said), patience_ms);
+  });
+
+  test('where somebody stands that is about right, it finds its place', slow, async () => {
+    await button('Where I stand and look').click();
+    assert.ok(distance((await lone()).drawnAt, [truth[3] + off_m, truth[7], truth[11]]) < 1e-3, 'shown there at once');
+    await button('Try (Enter)').click();
+    await until('placed', places, (said) => /s1[\s\S]*placed, expected error/.test(said), patience_ms);
+    const left_m = fromTruth_m(await lone());
+    assert.ok(left_m < exact_m, `${left_m} m from where it stands`);
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+function distance(a, b) {
+  return Math.hypot(...a.map((value, i) => value - b[i]));
+}
