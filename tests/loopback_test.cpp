@@ -8,14 +8,22 @@
 #include "roomcast/client/publisher.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/running_hub.h"
 
 namespace roomcast::tests {
 namespace {
 
 using namespace std::chrono_literals;
 
+using hub::RunningHub;
+
 constexpr int kWidth = 64, kHeight = 48;
+
+hub::HubOptions on_two_threads() {
+  hub::HubOptions options;
+  options.threads = 2;
+  return options;
+}
 
 DepthImage depth_picture(std::uint16_t number) {
   DepthImage depth(kWidth, kHeight);
@@ -25,27 +33,6 @@ DepthImage depth_picture(std::uint16_t number) {
   }
   return depth;
 }
-
-class RunningHub {
- public:
-  explicit RunningHub(std::uint16_t port = 0) {
-    hub::HubOptions options;
-    options.port = port;
-    options.threads = 2;
-    hub_ = std::move(*hub::HubServer::open(options));
-    thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
-  }
-  ~RunningHub() {
-    thread_.request_stop();
-    thread_.join();
-  }
-  [[nodiscard]] std::uint16_t port() const { return hub_->port(); }
-  [[nodiscard]] std::string url() const { return "ws://127.0.0.1:" + std::to_string(port()); }
-
- private:
-  std::unique_ptr<hub::HubServer> hub_;
-  std::jthread thread_;
-};
 
 /// A sensor of 20 frames a second that shows picture number N in its Nth frame.
 class TestSensor {
@@ -115,7 +102,7 @@ std::size_t pictures(const RoomSnapshot& room) {
 }
 
 TEST(Loopback, depth_arrives_bit_for_bit_from_every_sensor) {
-  const RunningHub hub;
+  const RunningHub hub(on_two_threads());
   TestSensor left(hub.url(), "left"), right(hub.url(), "right");
   const auto viewer = watch(hub.url());
   const auto room = wait_for(
@@ -128,7 +115,7 @@ TEST(Loopback, depth_arrives_bit_for_bit_from_every_sensor) {
 }
 
 TEST(Loopback, a_late_viewer_is_given_a_key_frame) {
-  const RunningHub hub;
+  const RunningHub hub(on_two_threads());
   TestSensor sensor(hub.url(), "left");
   const ColorImage color(kWidth, kHeight, Rgb8{200, 100, 50});
   const auto early = watch(hub.url());
@@ -140,7 +127,7 @@ TEST(Loopback, a_late_viewer_is_given_a_key_frame) {
 }
 
 TEST(Loopback, a_sensor_that_comes_back_keeps_its_id) {
-  const RunningHub hub;
+  const RunningHub hub(on_two_threads());
   const auto viewer = watch(hub.url());
   auto left = std::make_unique<TestSensor>(hub.url(), "left");
   TestSensor right(hub.url(), "right");
@@ -162,7 +149,7 @@ TEST(Loopback, a_sensor_that_comes_back_keeps_its_id) {
 }
 
 TEST(Loopback, everyone_comes_back_when_the_hub_does) {
-  auto hub = std::make_unique<RunningHub>();
+  auto hub = std::make_unique<RunningHub>(on_two_threads());
   const std::uint16_t port = hub->port();
   TestSensor sensor(hub->url(), "left");
   const auto viewer = watch(hub->url());
@@ -171,14 +158,14 @@ TEST(Loopback, everyone_comes_back_when_the_hub_does) {
   hub.reset();
   const auto alone = wait_for(*viewer, send, [](const auto& r) { return !r.connected; });
   EXPECT_FALSE(alone->problem.empty());
-  hub = std::make_unique<RunningHub>(port);
+  hub = std::make_unique<RunningHub>(on_two_threads(), port);
   const auto sets_before = viewer->snapshot()->sets_received;
   wait_for(*viewer, send,
            [&](const auto& r) { return r.connected && r.sets_received > sets_before; });
 }
 
 TEST(Loopback, two_sensors_of_one_name_do_not_fight) {
-  const RunningHub hub;
+  const RunningHub hub(on_two_threads());
   TestSensor first(hub.url(), "left");
   const TestSensor second(hub.url(), "left");
   const auto give_up = std::chrono::steady_clock::now() + 5s;
@@ -201,7 +188,7 @@ TEST(Loopback, without_a_hub_open_fails_with_a_sentence) {
 }
 
 TEST(Loopback, another_rooms_name_is_refused_for_good) {
-  const RunningHub hub;
+  const RunningHub hub(on_two_threads());
   const auto subscriber =
       Subscriber::open({.hub_url = hub.url(), .room = "kitchen", .name = {}, .log = {}});
   ASSERT_FALSE(subscriber.ok());

@@ -9,7 +9,7 @@
 
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/running_hub.h"
 #include "roomcast/viewer/desktop_viewer.h"
 
 namespace roomcast::tests {
@@ -19,26 +19,6 @@ using namespace std::chrono_literals;
 
 constexpr int kSide = 64;
 constexpr Rgb8 kWall = {200, 60, 40};
-
-class RunningHub {
- public:
-  explicit RunningHub(std::uint16_t port = 0) {
-    hub::HubOptions options;
-    options.port = port;
-    hub_ = std::move(*hub::HubServer::open(options));
-    thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
-  }
-  ~RunningHub() {
-    thread_.request_stop();
-    thread_.join();
-  }
-  [[nodiscard]] std::uint16_t port() const { return hub_->port(); }
-  [[nodiscard]] std::string url() const { return "ws://127.0.0.1:" + std::to_string(port()); }
-
- private:
-  std::unique_ptr<hub::HubServer> hub_;
-  std::jthread thread_;
-};
 
 /// Sees a wall, from the world's origin.
 class WallSensor {
@@ -137,7 +117,7 @@ class ViewerResilience : public testing::Test {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s) << "it waited for somebody";
   }
 
-  std::optional<RunningHub> hub{std::in_place};
+  std::optional<hub::RunningHub> hub{std::in_place};
   std::optional<WallSensor> sensor;
   std::unique_ptr<Subscriber> subscriber;
   std::unique_ptr<DesktopViewer> viewer;
@@ -150,7 +130,7 @@ TEST_F(ViewerResilience, without_its_hub_it_shows_what_it_has_and_resumes) {
   EXPECT_TRUE(rounds_until([&] { return says("The hub is lost"); }));
   EXPECT_TRUE(shows_wall()) << "the last pictures stay";
   expect_goes_on_drawing();
-  hub.emplace(port);
+  hub.emplace(hub::HubOptions{}, port);
   EXPECT_TRUE(rounds_until([&] { return says("The hub is back"); }));
   sensor.emplace(hub->url());
   EXPECT_TRUE(rounds_until([&] { return shows_wall() && !says("No sensor"); }));

@@ -3,6 +3,7 @@
 // Threading: start() and finish() from the owner's thread; io() hands out work for the loop's own.
 #pragma once
 
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -18,6 +19,17 @@ class NetworkThread {
 
   void start() {
     thread_ = std::jthread([this] { io_.run(); });
+  }
+
+  /// Does `action` on the loop and waits for it. Not from the loop's own thread.
+  template <class Action>
+  void run(Action action) {
+    std::promise<void> done;
+    boost::asio::post(io_, [&] {
+      action();
+      done.set_value();
+    });
+    done.get_future().get();
   }
 
   /// Does `last` on the loop and waits until nothing is left to do. `last` has to end what would go

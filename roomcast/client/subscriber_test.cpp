@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/subscriber.h"
 
-#include <future>
 
 #include <gtest/gtest.h>
 
@@ -69,12 +68,7 @@ class SubscriberTest : public testing::Test {
 
   template <class Action>
   void on_hub(Action action) {
-    std::promise<void> done;
-    boost::asio::post(network.io(), [&] {
-      action(*hub);
-      done.set_value();
-    });
-    done.get_future().get();
+    network.run([&] { action(*hub); });
   }
 
   template <class Wanted>

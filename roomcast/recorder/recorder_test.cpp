@@ -2,7 +2,6 @@
 #include "roomcast/recorder/recorder.h"
 
 #include <csignal>
-#include <future>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -39,12 +38,7 @@ class RecorderTest : public testing::Test {
 
   template <class Action>
   void on_hub(Action action) {
-    std::promise<void> done;
-    boost::asio::post(network.io(), [&] {
-      action(*hub);
-      done.set_value();
-    });
-    done.get_future().get();
+    network.run([&] { action(*hub); });
   }
 
   void say_roster() {

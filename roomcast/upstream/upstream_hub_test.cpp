@@ -5,25 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/hub/hub_server_fixture.h"
+#include "roomcast/hub/running_hub.h"
 
 namespace roomcast::upstream {
 namespace {
 
 using namespace std::chrono_literals;
 namespace pb = wire::pb;
-
-/// A hub that runs on a thread of its own.
-struct RunningHub {
-  explicit RunningHub(hub::HubOptions options = {})
-      : server(*hub::HubServer::open([&options] {
-          options.port = 0;
-          return std::move(options);
-        }())),
-        thread([this](const std::stop_token& stop) { server->run(stop); }) {}
-
-  std::unique_ptr<hub::HubServer> server;
-  std::jthread thread;
-};
+using hub::RunningHub;
 
 hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::string& token = {}) {
   UpstreamOptions upstream;
@@ -41,7 +30,7 @@ class UpstreamHubTest : public testing::Test {
  protected:
   std::shared_ptr<hub::RawClient> join(const RunningHub& hub, const pb::Control& message) {
     auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
-    net::connect(io, {.host = "127.0.0.1", .port = hub.server->port()}, {}, [=, this](auto socket) {
+    net::connect(io, {.host = "127.0.0.1", .port = hub.port()}, {}, [=, this](auto socket) {
       ASSERT_TRUE(socket.ok());
       (*socket)->start(client);
       sockets.push_back(*socket);
@@ -94,7 +83,7 @@ class UpstreamHubTest : public testing::Test {
 };
 
 TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
-  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const RunningHub origin, edge(serving_on({origin.port()}));
   const auto sensor = join(origin, hub::sensor_join("left"));
   const auto viewer = join(edge, hub::viewer_join());
   send_until_seen(sensor, viewer);
@@ -108,8 +97,8 @@ TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
 
 TEST_F(UpstreamHubTest, a_room_that_asks_for_a_token_is_given_to_a_hub_that_has_one_only) {
   const RunningHub origin({.rooms = {{.name = "room", .view = hub::Who::kToken}}});
-  const RunningHub without(serving_on({origin.server->port()}));
-  const RunningHub with(serving_on({origin.server->port()}, origin.server->own_token()));
+  const RunningHub without(serving_on({origin.port()}));
+  const RunningHub with(serving_on({origin.port()}, origin.server().own_token()));
   const auto sensor = join(origin, hub::sensor_join("left"));
   const auto stranger = join(without, hub::viewer_join());
   const auto viewer = join(with, hub::viewer_join());
@@ -119,7 +108,7 @@ TEST_F(UpstreamHubTest, a_room_that_asks_for_a_token_is_given_to_a_hub_that_has_
 }
 
 TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_somebody_watches) {
-  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const RunningHub origin, edge(serving_on({origin.port()}));
   const auto sensor = join(origin, hub::sensor_join("left"));
   const auto witness = join(origin, hub::viewer_join());
   run_until([&] { return viewers_in(*witness).size() == 1; });
@@ -133,7 +122,7 @@ TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_somebody_watches) {
 TEST_F(UpstreamHubTest, where_one_hub_is_gone_the_next_is_taken) {
   auto first = std::make_unique<RunningHub>();
   const RunningHub second;
-  const RunningHub edge(serving_on({first->server->port(), second.server->port()}));
+  const RunningHub edge(serving_on({first->port(), second.port()}));
   const auto sensor = join(second, hub::sensor_join("left"));
   const auto viewer = join(edge, hub::viewer_join());
   first.reset();
@@ -142,7 +131,7 @@ TEST_F(UpstreamHubTest, where_one_hub_is_gone_the_next_is_taken) {
 }
 
 TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
-  const RunningHub origin, edge(serving_on({origin.server->port()}));
+  const RunningHub origin, edge(serving_on({origin.port()}));
   const auto sensor = join(origin, hub::sensor_join("left"));
   const auto viewer = join(edge, hub::viewer_join());
   send_until_seen(sensor, viewer);

@@ -2,7 +2,6 @@
 // The whole desktop viewer, in a window without a display (SDL_VIDEODRIVER=offscreen), beside a
 // hub that says what the test wants.
 #include <cstdlib>
-#include <future>
 
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
@@ -53,12 +52,7 @@ class DesktopViewerTest : public testing::Test {
 
   template <class Action>
   void on_hub(Action action) {
-    std::promise<void> done;
-    boost::asio::post(network.io(), [&] {
-      action(*hub);
-      done.set_value();
-    });
-    done.get_future().get();
+    network.run([&] { action(*hub); });
   }
 
   /// Rounds until `wanted` is true.

@@ -3,24 +3,14 @@
 
 #include "roomcast/render/gl_fixture.h"
 #include "roomcast/viewer/room_picture.h"
+#include "roomcast/viewer/wall_room.h"
 
 namespace roomcast {
 namespace {
 
-RoomSnapshot room_with_wall() {
-  constexpr int kSide = 64;
-  auto picture = std::make_shared<SensorPicture>();
-  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
-  picture->frame.color = ColorImage(kSide, kSide, {200, 10, 10});
-  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
-  RoomSnapshot room;
-  RoomSensor& sensor = room.sensors.emplace_back();
-  sensor.online = true;
-  sensor.calibration.depth = {
-      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 31.5, .cy = 31.5};
-  sensor.world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -1});
-  sensor.picture = picture;
-  return room;
+RoomSnapshot red_room() {
+  return room_with_wall(world_from_optical_looking_at({0, 1, 0}, {0, 1, -1}),
+                        ColorImage(64, 64, {200, 10, 10}));
 }
 
 class RoomPictureTest : public GlTest {
@@ -31,7 +21,7 @@ class RoomPictureTest : public GlTest {
     ASSERT_TRUE(made.ok()) << made.error().message;
     view.emplace(std::move(*made));
     picture.emplace();
-    ASSERT_TRUE(view->show(room_with_wall()).ok());
+    ASSERT_TRUE(view->show(red_room()).ok());
     camera.width = camera.height = 80;
     camera.world_from_view = world_from_view_looking_at({0.1, 1, 0.3}, {0, 1, -1});
   }

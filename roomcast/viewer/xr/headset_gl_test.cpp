@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/synthetic_sensor.h"
 #include "roomcast/viewer/room_picture.h"
+#include "roomcast/viewer/wall_room.h"
 #include "roomcast/viewer/window/view_window.h"
 #include "roomcast/viewer/xr/headset.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
@@ -18,23 +20,11 @@ namespace roomcast::xr {
 namespace {
 
 /// A wall 2 m ahead with a red left half, a green right half, and a black border below.
-RoomSnapshot room_with_wall() {
+RoomSnapshot two_colored_room() {
   constexpr int kSide = 96;
-  auto picture = std::make_shared<SensorPicture>();
-  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
-  picture->frame.color = ColorImage(kSide, kSide, {200, 10, 10});
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = kSide / 2; x < kSide; ++x) picture->frame.color.at(x, y) = {10, 190, 10};
-  }
-  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
-  RoomSnapshot room;
-  RoomSensor& sensor = room.sensors.emplace_back();
-  sensor.online = true;
-  sensor.calibration.depth = {
-      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 47.5, .cy = 47.5};
-  sensor.world_from_depth = world_from_optical_looking_at({0, 1.6, 0}, {0, 1.6, -1});
-  sensor.picture = picture;
-  return room;
+  ColorImage color(kSide, kSide, {200, 10, 10});
+  fill_box<Rgb8>(color, kSide / 2, 0, kSide, kSide, {10, 190, 10});
+  return room_with_wall(world_from_optical_looking_at({0, 1.6, 0}, {0, 1.6, -1}), color);
 }
 
 void use_test_runtime() {
@@ -104,7 +94,7 @@ class HeadsetTest : public GlTest {
     auto made = RoomView::create();
     ASSERT_TRUE(made.ok()) << made.error().message;
     room.emplace(std::move(*made));
-    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    ASSERT_TRUE(room->show(two_colored_room()).ok());
     picture.emplace();
   }
   void TearDown() override {
@@ -294,7 +284,7 @@ TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
     ASSERT_TRUE(window.ok()) << window.error().message;
     auto room = RoomView::create();
     ASSERT_TRUE(room.ok()) << room.error().message;
-    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    ASSERT_TRUE(room->show(two_colored_room()).ok());
     RoomPicture picture;
     auto headset = Headset::open();
     ASSERT_TRUE(headset.ok()) << headset.error().message;

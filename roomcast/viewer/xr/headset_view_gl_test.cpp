@@ -4,26 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl_fixture.h"
+#include "roomcast/viewer/wall_room.h"
 #include "roomcast/viewer/xr/headset_view.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
 namespace roomcast::xr {
 namespace {
 
-RoomSnapshot room_with_wall() {
-  constexpr int kSide = 96;
-  auto picture = std::make_shared<SensorPicture>();
-  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
-  picture->frame.color = ColorImage(kSide, kSide, {200, 200, 200});
-  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
-  RoomSnapshot room;
-  RoomSensor& sensor = room.sensors.emplace_back();
-  sensor.online = true;
-  sensor.calibration.depth = {
-      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 47.5, .cy = 47.5};
-  sensor.world_from_depth = world_from_optical_looking_at({5, 1.6, 0}, {5, 1.6, -1});
-  sensor.picture = picture;
-  return room;
+RoomSnapshot grey_room() {
+  return room_with_wall(world_from_optical_looking_at({5, 1.6, 0}, {5, 1.6, -1}),
+                        ColorImage(96, 96, {200, 200, 200}));
 }
 
 class HeadsetViewTest : public GlTest {
@@ -36,7 +26,7 @@ class HeadsetViewTest : public GlTest {
     auto made = RoomView::create();
     ASSERT_TRUE(made.ok()) << made.error().message;
     room.emplace(std::move(*made));
-    ASSERT_TRUE(room->show(room_with_wall()).ok());
+    ASSERT_TRUE(room->show(grey_room()).ok());
     auto opened = HeadsetView::open();
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     view = std::move(*opened);
