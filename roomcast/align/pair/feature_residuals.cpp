@@ -84,15 +84,16 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
 /// Calls `visit(match, jacobian row, residual, weight)` for both rows of every residual.
 template <class Visit>
 void visit_rows(const PointMatch& match, const Reprojection& at, const PairJacobian& jacobian,
-                double sigma_px, Visit visit) {
-  const double weight = robust_weight(at.residual_px.norm() / sigma_px) / (sigma_px * sigma_px);
+                const FeatureTrust& trust, Visit visit) {
+  const double weight = trust.share * robust_weight(at.residual_px.norm() / trust.sigma_px) /
+                        (trust.sigma_px * trust.sigma_px);
   for (int row = 0; row < 2; ++row)
     visit(match, PairVector(jacobian.row(row).transpose()), at.residual_px(row), weight);
 }
 
 template <class Visit>
 void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState& state,
-                   std::span<const PointMatch> matches, double sigma_px, Visit visit) {
+                   std::span<const PointMatch> matches, const FeatureTrust& trust, Visit visit) {
   const Camera camera_a(a, state.a), camera_b(b, state.b);
   const Eigen::Matrix3d& a_from_b = state.a_from_b.rotation;
   const RigidTransform b_from_a = state.a_from_b.inverse();
@@ -105,7 +106,7 @@ void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState
       jacobian.middleCols<3>(3) = at->by_point;
       jacobian.middleCols<2>(kOfA + kShift) = -Eigen::Matrix2d::Identity();
       jacobian.middleCols<kCorrectionUnknowns>(kOfB) = at->by_point * a_from_b * of_b.by_correction;
-      visit_rows(match, *at, jacobian, sigma_px, visit);
+      visit_rows(match, *at, jacobian, trust, visit);
     }
     if (const auto at = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel)) {
       const Matrix23 by_a = at->by_point * b_from_a.rotation;
@@ -114,7 +115,7 @@ void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState
       jacobian.middleCols<3>(3) = -by_a;
       jacobian.middleCols<2>(kOfB + kShift) = -Eigen::Matrix2d::Identity();
       jacobian.middleCols<kCorrectionUnknowns>(kOfA) = by_a * of_a.by_correction;
-      visit_rows(match, *at, jacobian, sigma_px, visit);
+      visit_rows(match, *at, jacobian, trust, visit);
     }
   }
 }
@@ -123,9 +124,9 @@ void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState
 
 PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                 const PairState& state, std::span<const PointMatch> matches,
-                                double sigma_px) {
+                                const FeatureTrust& trust) {
   PairEquations sum;
-  for_each_term(a, b, state, matches, sigma_px,
+  for_each_term(a, b, state, matches, trust,
                 [&](const PointMatch&, const PairVector& jacobian, double residual, double weight) {
                   sum.add(jacobian, residual, weight);
                 });
@@ -133,9 +134,10 @@ PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
 }
 
 void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const PairState& state,
-                        std::span<const PointMatch> matches, double sigma_px, PairScores& scores) {
+                        std::span<const PointMatch> matches, const FeatureTrust& trust,
+                        PairScores& scores) {
   for_each_term(
-      a, b, state, matches, sigma_px,
+      a, b, state, matches, trust,
       [&](const PointMatch& match, const PairVector& jacobian, double residual, double weight) {
         scores.add(match.a_m.cast<double>(), match.b_m.cast<double>(),
                    weight * residual * jacobian);

@@ -14,13 +14,21 @@ namespace roomcast::align {
 
 /// What the matches say, when their places are known to within `sigma_px`; those further off than
 /// 25 pixels say nothing.
+/// How much the places of matched features are believed.
+struct FeatureTrust {
+  double sigma_px;   // of each, along either axis
+  double share = 1;  // 1 where each errs for itself; less where they err together
+};
+
 [[nodiscard]] PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                               const PairState& state,
-                                              std::span<const PointMatch> matches, double sigma_px);
+                                              std::span<const PointMatch> matches,
+                                              const FeatureTrust& trust);
 
 /// The terms of feature_equations, by patches.
 void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const PairState& state,
-                        std::span<const PointMatch> matches, double sigma_px, PairScores& scores);
+                        std::span<const PointMatch> matches, const FeatureTrust& trust,
+                        PairScores& scores);
 
 /// To within how many pixels the places of these matches are known: from the median residual,
 /// within reason.

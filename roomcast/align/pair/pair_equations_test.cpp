@@ -127,7 +127,7 @@ TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
   const auto matches = exact_matches(a, b);
   PairState state{nudged(true_pose(a, b), 0.01, 0.01), {}, {}};
   for (int i = 0; i < 10; ++i) {
-    const auto equations = feature_equations(a.view->picture, b.view->picture, state, matches, 5);
+    const auto equations = feature_equations(a.view->picture, b.view->picture, state, matches, {5});
     state.a_from_b = step_transform(solve_motion(equations)) * state.a_from_b;
   }
   const PoseDifference left = difference(state.a_from_b, true_pose(a, b));
@@ -179,7 +179,7 @@ TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
   state.b.color_shift_px = {-0.4, 0.6};
   constexpr double kTrusting_px = 1e3;
   const auto equations =
-      feature_equations(a.view->picture, b.view->picture, state, matches, kTrusting_px);
+      feature_equations(a.view->picture, b.view->picture, state, matches, {kTrusting_px});
   ASSERT_EQ(equations.terms, 40);
   const auto moved = [&](Eigen::Index unknown, double by) {
     const PairVector step = by * PairVector::Unit(unknown);

@@ -16,6 +16,9 @@ constexpr int kSteps = 16;
 constexpr std::size_t kPoints = 8000;
 constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
 constexpr float kFeatureReach_m = 0.08F;
+// Neighbouring features err alike, by what the lenses' calibrations leave over: however many there
+// are, they tell no more than so many of which each errs for itself.
+constexpr double kIndependentFeatures = 10;
 constexpr double kStill = 3e-5;  // metres and radians
 constexpr double kLeastEvidenceKept = 0.5;
 
@@ -61,7 +64,8 @@ std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const Refined
 struct Shared {
   PairState state;
   std::vector<SurfacePartner> partners;
-  double noise, sigma_px;
+  double noise;
+  FeatureTrust trust;
 
   Shared(const HeldPair& held, std::span<const RefinedSensor> sensors, float reach_m)
       : state(state_of(*held.pair, sensors)) {
@@ -69,7 +73,10 @@ struct Shared {
     const SensorView& b = held.pair->candidates->b();
     partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
     noise = surface_noise(partners);
-    sigma_px = feature_sigma_px(a.picture, b.picture, state, held.agreeing);
+    const double features =
+        std::max(kIndependentFeatures, static_cast<double>(held.agreeing.size()));
+    trust = {feature_sigma_px(a.picture, b.picture, state, held.agreeing),
+             kIndependentFeatures / features};
   }
 };
 
@@ -77,7 +84,7 @@ PairEquations equations_of(const HeldPair& held, const Shared& shared) {
   const PairCandidates& pair = *held.pair->candidates;
   PairEquations equations = surface_equations(shared.partners, shared.state.a_from_b, shared.noise);
   equations.add(feature_equations(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
-                                  shared.sigma_px));
+                                  shared.trust));
   return equations;
 }
 
@@ -85,8 +92,8 @@ PairScores scores_of(const HeldPair& held, const Shared& shared) {
   const PairCandidates& pair = *held.pair->candidates;
   PairScores scores;
   add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores);
-  add_feature_scores(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
-                     shared.sigma_px, scores);
+  add_feature_scores(pair.a().picture, pair.b().picture, shared.state, held.agreeing, shared.trust,
+                     scores);
   return scores;
 }
 
