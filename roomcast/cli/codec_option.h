@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "roomcast/cli/named_choice.h"
 #include "roomcast/codec/frame_codec.h"
 
 namespace roomcast::cli {
@@ -30,10 +31,9 @@ inline void add_codec_options(CLI::App& command, CodecChoice& choice) {
       {"live", codec::DepthMode::kLive},
       {"near-lossless", codec::DepthMode::kNearLossless},
       {"lossless", codec::DepthMode::kLossless}};
-  command
-      .add_option("--codec", choice.depth_mode,
-                  "Depth: live (fewest bytes, without the noise), near-lossless, lossless")
-      ->transform(CLI::CheckedTransformer(modes))
+  choose_by_name(command.add_option("--codec", choice.depth_mode,
+                                    "Depth; live has the fewest bytes and not the noise"),
+                 modes)
       ->default_str("live");
   command
       .add_option("--bound-mm", choice.depth_bound_mm,

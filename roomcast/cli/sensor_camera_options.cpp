@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "roomcast/cli/named_choice.h"
+
 namespace roomcast::cli {
 
 void add_camera_options(CLI::App& command, SourceOptions& source) {
@@ -16,8 +18,7 @@ void add_camera_options(CLI::App& command, SourceOptions& source) {
   command.add_flag("--lock-exposure", camera.lock_exposure,
                    "Keep the exposure of the first seconds, so that all sensors' pictures match");
   command.add_flag("--lock-white-balance", camera.lock_white_balance, "Likewise");
-  command.add_option("--sync", camera.sync, "On a sync cable: alone, primary or secondary")
-      ->transform(CLI::CheckedTransformer(roles));
+  choose_by_name(command.add_option("--sync", camera.sync, "Its part on a sync cable"), roles);
   command
       .add_option_function<int>(
           "--trigger-delay-us",
