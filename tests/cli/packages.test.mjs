@@ -57,6 +57,12 @@ test('completion_knows_commands_and_their_options', { skip }, () => {
   assert.match(complete('roomcast', 'record', '--sec'), /^--seconds$/);
 });
 
+test('configuration_to_begin_with_can_be_used', { skip }, () => {
+  const data = join(folder, 'data');
+  const said = run(unpacked('bin/roomcast'), ['hub', '--data', data, '--config', unpacked('share/doc/roomcast/examples/roomcast.toml'), '--check']);
+  assert.match(said, /lab/);
+});
+
 test('services_start_programs_and_options_that_there_are', { skip }, () => {
   const units = unpacked('lib/systemd/system');
   for (const unit of readdirSync(units)) {
