@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests: an HttpServer on loopback, and what is said to it byte for byte.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "roomcast/net/http_server.h"
+#include "roomcast/net/loopback_fixture.h"
+
+namespace roomcast::net {
+
+class HttpServerTest : public LoopbackTest {
+ protected:
+  /// Answers /page, /large and /squeezed, and takes every WebSocket unless told otherwise.
+  HttpServerOptions options() {
+    HttpServerOptions options;
+    options.port = 0;
+    options.on_get = [this](std::string_view path) { return answer(path); };
+    options.on_websocket = [this](std::shared_ptr<WebSocketConnection> connection, std::size_t) {
+      connections_.push_back(std::move(connection));
+      handlers_.push_back(std::make_shared<RecordingHandler>());
+      return handlers_.back();
+    };
+    return options;
+  }
+
+  std::optional<HttpResponse> answer(std::string_view path) {
+    ++times_asked_;
+    if (path == "/large") return text_response(200, std::string(3'000'000, 'x'));
+    if (path == "/squeezed") {
+      HttpResponse page = text_response(200, "a long page");
+      page.gzip = std::make_shared<const std::string>("small");
+      page.etag = "\"v2\"";
+      return page;
+    }
+    if (path != "/page") return std::nullopt;
+    HttpResponse page = text_response(200, "a page");
+    page.etag = "\"v1\"";
+    return page;
+  }
+
+  void listen(HttpServerOptions options) {
+    auto server = HttpServer::listen(io_, std::move(options));
+    ASSERT_TRUE(server.ok()) << server.error().message;
+    server_ = *std::move(server);
+  }
+  void listen() { listen(options()); }
+
+  /// Everything that the server answers to these bytes before it closes.
+  std::string exchange(std::string_view bytes) {
+    auto socket = raw_connection(server_->port());
+    send(socket, bytes);
+    return receive(socket);
+  }
+
+  [[nodiscard]] std::string upgrade_request(std::string_view more = "",
+                                            std::string_view subprotocol = "roomcast.v1") const {
+    return "GET /ws HTTP/1.1\r\nHost: " + host() +
+           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+           "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Protocol: " +
+           std::string(subprotocol) + "\r\n" + std::string(more) + "\r\n";
+  }
+  [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(server_->port()); }
+
+  static std::string request(std::string_view method, std::string_view path,
+                             std::string_view more = "Connection: close\r\n") {
+    return std::string(method) + " " + std::string(path) + " HTTP/1.1\r\nHost: x\r\n" +
+           std::string(more) + "\r\n";
+  }
+
+  int times_asked_ = 0;
+  std::vector<std::shared_ptr<WebSocketConnection>> connections_;
+  std::vector<std::shared_ptr<RecordingHandler>> handlers_;
+  std::unique_ptr<HttpServer> server_;
+};
+
+}  // namespace roomcast::net

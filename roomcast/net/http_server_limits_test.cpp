@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an HttpServer lets nobody do to it.
+#include <chrono>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/net/http_server_fixture.h"
+#include "roomcast/net/tls/tls_fixture.h"
+
+namespace roomcast::net {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST_F(HttpServerTest, refuses_garbage_in_one_sentence) {
+  listen();
+  EXPECT_THAT(exchange("\x16\x03\x01garbage\r\n\r\n"),
+              AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("not an HTTP request")));
+}
+
+TEST_F(HttpServerTest, refuses_an_oversized_header_even_while_it_still_comes) {
+  listen();
+  EXPECT_THAT(exchange("GET / HTTP/1.1\r\nX: " + std::string(200'000, 'x')),
+              StartsWith("HTTP/1.1 431 "));
+}
+
+TEST_F(HttpServerTest, takes_a_header_just_below_the_limit) {
+  listen();
+  const std::string small = request("GET", "/page");
+  const std::size_t room = 8 * 1024 - small.size() - std::string_view("X: \r\n").size();
+  const auto with_header_of = [&](std::size_t size) {
+    return request("GET", "/page", "X: " + std::string(size, 'x') + "\r\nConnection: close\r\n");
+  };
+  EXPECT_THAT(exchange(with_header_of(room)), StartsWith("HTTP/1.1 200 "));
+  EXPECT_THAT(exchange(with_header_of(room + 64)), StartsWith("HTTP/1.1 431 "));
+}
+
+TEST_F(HttpServerTest, a_slow_header_is_cut_off) {
+  auto slow = options();
+  slow.header_within = 50ms;
+  listen(std::move(slow));
+  EXPECT_EQ(exchange("GET / HT"), "");
+  EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
+}
+
+/// Sends `bytes` every `period` until the server closes; how long that took.
+std::chrono::nanoseconds time_until_closed(boost::asio::io_context& io,
+                                           boost::asio::ip::tcp::socket& socket,
+                                           std::string_view bytes,
+                                           std::chrono::milliseconds period) {
+  socket.non_blocking(true);
+  const auto begin = std::chrono::steady_clock::now();
+  auto next = begin;
+  boost::system::error_code error;
+  const auto goes_on = [&] { return !error || error == boost::asio::error::would_block; };
+  while (goes_on() && std::chrono::steady_clock::now() < begin + 10s) {
+    if (std::chrono::steady_clock::now() >= next) {
+      socket.write_some(boost::asio::buffer(bytes), error);
+      next += period;
+    }
+    io.restart();
+    io.run_one_for(1ms);
+  }
+  return std::chrono::steady_clock::now() - begin;
+}
+
+TEST_F(HttpServerTest, a_header_that_drips_gains_no_time) {
+  auto slow = options();
+  slow.header_within = 100ms;
+  listen(std::move(slow));
+  auto socket = raw_connection(server_->port());
+  send(socket, "GET / HTTP/1.1\r\nX: ");
+  EXPECT_LT(time_until_closed(io_, socket, "x", 5ms), 5s);
+}
+
+TEST_F(HttpServerTest, a_flood_after_the_answer_gains_no_time) {
+  auto quick = options();
+  quick.goodbye_within = 50ms;
+  listen(std::move(quick));
+  auto socket = raw_connection(server_->port());
+  EXPECT_LT(time_until_closed(io_, socket, std::string(10'000, 'x'), 0ms), 5s);
+}
+
+TEST_F(HttpServerTest, turns_away_more_connections_than_allowed) {
+  auto few = options();
+  few.max_connections = 2;
+  listen(std::move(few));
+  const auto first = raw_connection(server_->port());
+  auto second = raw_connection(server_->port());
+  auto third = raw_connection(server_->port());
+  EXPECT_THAT(receive(third), AllOf(StartsWith("HTTP/1.1 503 "), EndsWith("try again later.\r\n")));
+  second.close();
+  ASSERT_TRUE(run_until([&] { return server_->connection_count() == 1; }));
+  EXPECT_THAT(exchange(request("GET", "/page")), StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(HttpServerTest, an_open_websocket_counts_until_it_is_closed) {
+  listen();
+  auto socket = raw_connection(server_->port());
+  send(socket, upgrade_request());
+  ASSERT_TRUE(run_until([&] { return handlers_.size() == 1; }));
+  EXPECT_EQ(server_->connection_count(), 1U);
+  socket.close();
+  ASSERT_TRUE(run_until([&] { return handlers_[0]->closed.has_value(); }));
+  EXPECT_EQ(server_->connection_count(), 0U);
+}
+
+class EncryptedServerTest : public HttpServerTest {
+ protected:
+  EncryptedServerTest() {
+    auto encrypted = options();
+    encrypted.tls = server_context(certificate_);
+    encrypted.header_within = 200ms;
+    listen(std::move(encrypted));
+  }
+
+  Certificate certificate_ = self_signed();
+};
+
+TEST_F(EncryptedServerTest, tells_who_forgets_the_s) {
+  EXPECT_THAT(exchange(request("GET", "/page")),
+              AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("https://")));
+  EXPECT_EQ(times_asked_, 0);
+}
+
+TEST_F(EncryptedServerTest, drops_who_never_shakes_hands) {
+  auto silent = raw_connection(server_->port());
+  auto noise = raw_connection(server_->port());
+  send(noise, std::string(500, '\x5a'));
+  receive(noise);
+  receive(silent);
+  EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
+}
+
+TEST_F(HttpServerTest, a_body_beyond_the_limit_is_refused) {
+  auto with_program = options();
+  with_program.on_request = [](const HttpRequest&, const Respond&) { FAIL(); };
+  with_program.max_body_bytes = 10;
+  listen(std::move(with_program));
+  EXPECT_THAT(exchange(request("POST", "/api/x", "Content-Length: 11\r\n") + "hello world"),
+              StartsWith("HTTP/1.1 413 "));
+  EXPECT_THAT(exchange(request("POST", "/api/x", "Transfer-Encoding: chunked\r\n") +
+                       "b\r\nhello world\r\n0\r\n\r\n"),
+              StartsWith("HTTP/1.1 413 "));
+}
+
+TEST_F(HttpServerTest, whoever_may_not_connect_is_dropped_without_a_word) {
+  auto closed = options();
+  closed.may_connect = [](const std::string& peer) { return peer != "127.0.0.1"; };
+  listen(std::move(closed));
+  EXPECT_EQ(exchange(request("GET", "/page")), "");
+}
+
+TEST_F(HttpServerTest, a_name_that_is_not_its_own_is_not_answered) {
+  auto strict = options();
+  strict.names = {.any_host = false, .hosts = {"hub.example"}, .origins = {}};
+  listen(std::move(strict));
+  EXPECT_THAT(exchange(request("GET", "/page")), StartsWith("HTTP/1.1 421 "));
+  EXPECT_THAT(exchange("GET /page HTTP/1.1\r\nHost: hub.example\r\nConnection: close\r\n\r\n"),
+              StartsWith("HTTP/1.1 200 "));
+  EXPECT_THAT(exchange("GET /page HTTP/1.1\r\nHost: " + host() + "\r\nConnection: close\r\n\r\n"),
+              StartsWith("HTTP/1.1 200 "));
+}
+
+}  // namespace
+}  // namespace roomcast::net
