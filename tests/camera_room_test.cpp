@@ -11,7 +11,7 @@
 #include "roomcast/cli/sensor_feed.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/running_hub.h"
 #include "roomcast/source/freenect/fakenect_recording.h"
 #include "roomcast/source/freenect/kinect_depth.h"
 #include "roomcast/source/source_factory.h"
@@ -27,32 +27,20 @@ class CameraInARoom : public testing::Test {
   CameraInARoom() {
     ::setenv("FAKENECT_PATH", folder_.path().c_str(), 1);
     ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.path().c_str(), 1);
-    hub::HubOptions options;
-    options.port = 0;
-    hub_ = std::move(*hub::HubServer::open(options));
-    hub_thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
   }
-  ~CameraInARoom() override {
-    feed_.reset();
-    viewer_.reset();
-    hub_thread_.request_stop();
-    hub_thread_.join();
-  }
-
   void unplug() { std::ofstream(folder_ / "unplugged"); }
   void plug_in() { fs::remove(folder_ / "unplugged"); }
 
   void stream(const std::string& spec) {
-    const std::string url = "ws://127.0.0.1:" + std::to_string(hub_->port());
     auto source = open_source(spec);
     ASSERT_TRUE(source.ok()) << source.error().message;
     cli::SensorFeedOptions options;
-    options.hub_url = url;
+    options.hub_url = hub_.url();
     options.codec.depth_mode = codec::DepthMode::kLossless;
     auto feed = cli::SensorFeed::start(*std::move(source), options);
     ASSERT_TRUE(feed.ok()) << feed.error().message;
     feed_ = *std::move(feed);
-    auto viewer = Subscriber::open({.hub_url = url, .room = {}, .name = "test", .log = {}});
+    auto viewer = Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = "test", .log = {}});
     ASSERT_TRUE(viewer.ok()) << viewer.error().message;
     viewer_ = *std::move(viewer);
   }
@@ -85,8 +73,7 @@ class CameraInARoom : public testing::Test {
   }
 
   const TemporaryFolder folder_;
-  std::unique_ptr<hub::HubServer> hub_;
-  std::jthread hub_thread_;
+  const hub::RunningHub hub_;
   std::unique_ptr<cli::SensorFeed> feed_;
   std::unique_ptr<Subscriber> viewer_;
 };

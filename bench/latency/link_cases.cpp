@@ -6,10 +6,10 @@
 #include <thread>
 
 #include "bench/latency/latency_cases.h"
-#include "bench/latency/running_hub.h"
 #include "bench/latency/set_watcher.h"
 #include "bench/latency/timed_sensor.h"
 #include "bench/link/emulated_link.h"
+#include "roomcast/hub/running_hub.h"
 
 namespace roomcast::bench {
 
@@ -82,7 +82,8 @@ class LinkRoom {
   }
 
   Status enter_near() {
-    auto hub = RunningHub::start(EmulatedLink::address(EmulatedLink::End::kNear));
+    auto hub = hub::RunningHub::start(
+        {.address = EmulatedLink::address(EmulatedLink::End::kNear), .port = 0});
     if (!hub) return hub.error();
     hub_ = *std::move(hub);
     for (int i = 0; i < case_.sensors; ++i) {
@@ -97,7 +98,7 @@ class LinkRoom {
 
   const LinkCase case_;
   std::unique_ptr<EmulatedLink> link_;
-  std::unique_ptr<RunningHub> hub_;
+  std::unique_ptr<hub::RunningHub> hub_;
   std::vector<std::unique_ptr<TimedSensor>> sensors_;
   std::vector<std::unique_ptr<SetWatcher>> near_;
   std::unique_ptr<SetWatcher> far_;

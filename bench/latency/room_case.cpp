@@ -7,9 +7,9 @@
 
 #include "bench/latency/latency_cases.h"
 #include "bench/latency/replayed_sensor.h"
-#include "bench/latency/running_hub.h"
 #include "bench/latency/set_watcher.h"
 #include "roomcast/client/subscriber.h"
+#include "roomcast/hub/running_hub.h"
 
 namespace roomcast::bench {
 
@@ -60,7 +60,7 @@ class DecodedAges {
 }  // namespace
 
 Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
-  auto hub = RunningHub::start("127.0.0.1");
+  auto hub = hub::RunningHub::start({.port = 0});
   if (!hub) return hub.error();
   std::vector<std::unique_ptr<ReplayedSensor>> sensors;
   for (int i = 0; i < kSensors; ++i) {

@@ -11,7 +11,7 @@
 #include "roomcast/aligner/bundle_message.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/client/subscriber.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/running_hub.h"
 
 namespace roomcast::aligner {
 namespace {
@@ -20,20 +20,11 @@ using namespace std::chrono_literals;
 
 class RoomAlignerTest : public testing::Test {
  protected:
-  RoomAlignerTest() {
-    hub::HubOptions options;
-    options.port = 0;
-    hub_ = *hub::HubServer::open(options);
-    thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
-  }
-
-  [[nodiscard]] std::string url() const { return "127.0.0.1:" + std::to_string(hub_->port()); }
-
   std::unique_ptr<Publisher> add_sensor(const std::string& name,
                                         const RigidTransform& world_from_depth) {
     const auto bundle = align::made_up_bundle({}, name, world_from_depth);
     PublisherOptions options;
-    options.hub_url = url();
+    options.hub_url = hub_.url();
     options.name = name;
     options.calibration = bundle.calibration;
     auto publisher = *Publisher::open(options);
@@ -41,19 +32,18 @@ class RoomAlignerTest : public testing::Test {
     return publisher;
   }
 
-  std::unique_ptr<hub::HubServer> hub_;
-  std::jthread thread_;
+  const hub::RunningHub hub_;
 };
 
 TEST_F(RoomAlignerTest, sensors_of_a_running_room_are_placed) {
   const auto first_pose = align::corner_pose(2, 1.5), second_pose = align::corner_pose(-2, 1.5);
   const auto first = add_sensor("left", first_pose);
-  const auto aligner =
-      RoomAligner::open({.hub_url = url(), .room = {}, .token = hub_->own_token(), .log = {}});
+  const auto aligner = RoomAligner::open(
+      {.hub_url = hub_.url(), .room = {}, .token = hub_.server().own_token(), .log = {}});
   ASSERT_TRUE(aligner.ok()) << aligner.error().message;
   const auto second = add_sensor("right", second_pose);
 
-  const auto viewer = *Subscriber::open({.hub_url = url(), .room = {}, .name = {}, .log = {}});
+  const auto viewer = *Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = {}, .log = {}});
   const auto both_placed = [&] {
     const auto room = viewer->snapshot();
     return room->sensors.size() == 2 && room->sensors[0].placed && room->sensors[1].placed;
@@ -73,7 +63,7 @@ TEST_F(RoomAlignerTest, sensors_of_a_running_room_are_placed) {
 
 TEST_F(RoomAlignerTest, an_aligner_without_a_token_places_nothing) {
   std::atomic<bool> refused = false;
-  const auto aligner = RoomAligner::open({.hub_url = url(),
+  const auto aligner = RoomAligner::open({.hub_url = hub_.url(),
                                           .room = {},
                                           .token = "guessed",
                                           .log = [&](LogLevel level, std::string_view) {

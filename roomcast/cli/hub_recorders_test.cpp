@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/running_hub.h"
 #include "roomcast/recording/room_recording.h"
 
 namespace roomcast::cli {
@@ -18,11 +18,7 @@ using hub::RecordingState;
 class HubRecordersTest : public testing::Test {
  protected:
   HubRecordersTest() {
-    hub::HubOptions options;
-    options.port = 0;
-    hub_ = *hub::HubServer::open(options);
-    recorders_.serve({.port = hub_->port(), .certificate = {}}, hub_->own_token());
-    thread_ = std::jthread([this](const std::stop_token& stop) { hub_->run(stop); });
+    recorders_.serve({.port = hub_.port(), .certificate = {}}, hub_.server().own_token());
   }
 
   /// As it is once it is no more on its way to another state.
@@ -38,9 +34,8 @@ class HubRecordersTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<hub::HubServer> hub_;
+  const hub::RunningHub hub_;
   HubRecorders recorders_{folder_.path() / "recordings", {}};
-  std::jthread thread_;
 };
 
 TEST_F(HubRecordersTest, a_room_is_kept_in_a_file_of_its_own_each_time) {
