@@ -9,6 +9,8 @@
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/hub_pages.h"
@@ -22,6 +24,7 @@ namespace {
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
 constexpr std::chrono::milliseconds kGoodbyeLook{10};
+constexpr int kDoorNiceness = 10;  // who is in a room goes before who knocks
 
 /// The options' rooms, but those that were changed or opened since, as they are kept.
 std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
@@ -57,6 +60,7 @@ class HubServer::Loop {
   UnjoinedCount unjoined_ = 0;
   // One per thread, the first is the rooms'.
   std::vector<std::unique_ptr<asio::io_context>> loops_;
+  std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
   std::vector<std::unique_ptr<Shard>> shards_;
   std::unique_ptr<Desk> desk_;
   std::unique_ptr<RoomHall> hall_;
@@ -93,14 +97,15 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
 }
 
 // The desk first: nothing is asked of it any more, and its last answers go to a loop that is still
-// there. The first loop goes before the others: a socket that it would have accepted lives on one
-// of them.
+// there. The rooms' loop goes before the door: an answer that it would have given goes out there.
 HubServer::Loop::~Loop() {
   desk_.reset();
   http_.reset();
   pages_.reset();
   backplane_.reset();
   hall_.reset();
+  loops_.front().reset();
+  door_.reset();
   for (auto& loop : loops_) loop.reset();
 }
 
@@ -132,9 +137,9 @@ net::HttpServerOptions HubServer::Loop::http_options() {
 }
 
 Status HubServer::Loop::listen() {
-  std::vector<asio::io_context*> threads;
-  for (const auto& loop : loops_) threads.push_back(loop.get());
-  auto server = net::HttpServer::listen(threads, http_options(), options_.log);
+  std::vector<asio::io_context*> workers;
+  for (const auto& loop : loops_) workers.push_back(loop.get());
+  auto server = net::HttpServer::listen(*door_, workers, http_options(), options_.log);
   if (!server) return server.error();
   http_ = std::move(*server);
   pages_->count_connections_of(*http_);
@@ -142,14 +147,19 @@ Status HubServer::Loop::listen() {
 }
 
 void HubServer::Loop::replace_tls(std::shared_ptr<const net::TlsServerContext> tls) {
-  asio::post(io(), [this, tls = std::move(tls)]() mutable { http_->set_tls(std::move(tls)); });
+  asio::post(*door_, [this, tls = std::move(tls)]() mutable { http_->set_tls(std::move(tls)); });
 }
 
 void HubServer::Loop::run(const std::stop_token& stop) {
   const std::stop_callback wake_up(stop, [this] { asio::post(io(), [] {}); });
   std::vector<asio::executor_work_guard<asio::io_context::executor_type>> keep_alive;
   for (const auto& loop : loops_) keep_alive.push_back(asio::make_work_guard(*loop));
+  keep_alive.push_back(asio::make_work_guard(*door_));
   std::vector<std::jthread> others;
+  others.emplace_back([this] {
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kDoorNiceness);
+    door_->run();
+  });
   for (std::size_t i = 1; i < loops_.size(); ++i) {
     others.emplace_back([loop = loops_[i].get()] { loop->run(); });
   }
@@ -157,6 +167,7 @@ void HubServer::Loop::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) io().run_one();
   say_goodbye();
   for (std::size_t i = 1; i < loops_.size(); ++i) loops_[i]->stop();
+  door_->stop();
 }
 
 void HubServer::Loop::say_goodbye() {

@@ -71,6 +71,7 @@ class RoomHall final : public SessionEvents {
   /// Whoever came with one of these tokens.
   void send_away_holders(const std::vector<std::string>& token_ids);
 
+  /// Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;
 
   void on_join(const Arrival& arrival, const wire::pb::Join& join) override;

@@ -10,12 +10,13 @@ namespace roomcast::net {
 
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(boost::asio::io_context& io,
                                                        HttpServerOptions options, LogSink log) {
-  return listen(std::array{&io}, std::move(options), std::move(log));
+  return listen(io, std::array{&io}, std::move(options), std::move(log));
 }
 
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(
-    std::span<boost::asio::io_context* const> threads, HttpServerOptions options, LogSink log) {
-  auto state = std::make_shared<ServerState>(threads, std::move(options), std::move(log));
+    boost::asio::io_context& door, std::span<boost::asio::io_context* const> workers,
+    HttpServerOptions options, LogSink log) {
+  auto state = std::make_shared<ServerState>(door, workers, std::move(options), std::move(log));
   if (auto status = state->listen(); !status) return std::move(status).error();
   state->accept();
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));

@@ -2,9 +2,11 @@
 // HttpServer: one listening port for the page, the few plain HTTP answers, and the WebSocket.
 // Pages answer GET and HEAD; what programs are asked (`on_request`) may have a body. A WebSocket is
 // accepted when path, version, subprotocol and Origin are right (docs/spec/wire.md section 1).
-// Threading: lives on the one thread that runs its first io_context. Given more, it deals out its
-// connections among them; each stays on one thread for life, and its callbacks come from there.
-// Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server handshake); parsing by Boost.Beast.
+// Threading: everybody is let in, and what is no WebSocket answered, on the one thread that runs
+// the door's io_context. A WebSocket is handed over to one of the workers, where it stays for life
+// and from where its callbacks come: whoever knocks, however often or slowly, keeps no worker from
+// its work. They may be the same thread. Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server
+// handshake); parsing by Boost.Beast.
 #pragma once
 
 #include <chrono>
@@ -39,17 +41,17 @@ struct HttpServerOptions {
   std::shared_ptr<const TlsServerContext> tls = {};
 
   /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
-  /// it.
+  /// it. On the door's thread.
   std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
 
-  /// Is asked for paths that begin with one of `request_paths`, on any of the server's threads; a
-  /// null `on_request` means 404.
+  /// Is asked for paths that begin with one of `request_paths`, on the door's thread; a null
+  /// `on_request` means 404.
   std::function<void(HttpRequest, Respond)> on_request = {};
   std::vector<std::string> request_paths = {"/api/"};
   std::size_t max_body_bytes = 64 * 1024;
 
-  /// A WebSocket is open on one of the server's threads, and is started with the handler that this
-  /// returns. Null refuses it (closed with 1013).
+  /// A WebSocket is open on one of the workers, and is started with the handler that this returns.
+  /// Null refuses it (closed with 1013).
   std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>,
                                                    std::size_t thread)>
       on_websocket = {};
@@ -58,7 +60,7 @@ struct HttpServerOptions {
 
   AllowedNames names = {};
 
-  /// Asked on the first thread, with peer_name(): whoever may not connect is dropped without a
+  /// Asked on the door's thread, with peer_name(): whoever may not connect is dropped without a
   /// word.
   std::function<bool(const std::string& peer)> may_connect = {};
   /// Connections of one peer that are not settled (WebSocketConnection::settle); more are dropped.
@@ -81,8 +83,8 @@ class HttpServer {
   /// Listens at once, serves when the threads run. Errors: kInvalidArgument (not an address),
   /// kUnavailable (port in use, or not allowed).
   static Result<std::unique_ptr<HttpServer>> listen(
-      std::span<boost::asio::io_context* const> threads, HttpServerOptions options,
-      LogSink log = {});
+      boost::asio::io_context& door, std::span<boost::asio::io_context* const> workers,
+      HttpServerOptions options, LogSink log = {});
   static Result<std::unique_ptr<HttpServer>> listen(boost::asio::io_context& io,
                                                     HttpServerOptions options, LogSink log = {});
   /// As stop().
@@ -94,7 +96,7 @@ class HttpServer {
   /// Sockets of all kinds that are open now.
   [[nodiscard]] std::size_t connection_count() const;
 
-  /// For connections from now on. On the first thread; only when there was one from the start.
+  /// For connections from now on. On the door's thread; only when there was one from the start.
   void set_tls(std::shared_ptr<const TlsServerContext> tls);
 
   /// Listens no more and closes all connections, WebSockets with 1001. They end while the threads

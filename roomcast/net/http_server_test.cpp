@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/http_server.h"
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <boost/asio/post.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +99,47 @@ TEST_F(HttpServerTest, upgrades_a_good_request) {
                           Not(HasSubstr("Sec-WebSocket-Extensions"))));
   EXPECT_EQ(handlers_.size(), 1U);
   EXPECT_EQ(server_->connection_count(), 1U);
+}
+
+TEST_F(HttpServerTest, pages_are_answered_at_the_door_and_websockets_by_the_workers) {
+  boost::asio::io_context first, second;
+  auto server = HttpServer::listen(io_, std::array{&first, &second}, options());
+  ASSERT_TRUE(server.ok()) << server.error().message;
+  server_ = *std::move(server);
+  auto one = raw_connection(server_->port()), other = raw_connection(server_->port());
+  for (auto* socket : {&one, &other}) {
+    send(*socket, upgrade_request());
+    receive(*socket, [](const std::string& all) { return all.ends_with("\r\n\r\n"); });
+  }
+  EXPECT_THAT(exchange(request("GET", "/page")), EndsWith("a page")) << "no worker has run";
+  EXPECT_TRUE(run_until([&] { return server_->connection_count() == 2; }));
+  EXPECT_TRUE(connections_.empty());
+  EXPECT_GT(first.poll(), 0U);
+  EXPECT_EQ(connections_.size(), 1U) << "each worker gets its share";
+  EXPECT_GT(second.poll(), 0U);
+  EXPECT_EQ(connections_.size(), 2U);
+  connections_.clear();
+  server_.reset();
+}
+
+TEST_F(HttpServerTest, a_websocket_that_a_worker_gets_after_the_end_is_closed) {
+  boost::asio::io_context worker;
+  auto server = HttpServer::listen(io_, std::array{&worker}, options());
+  ASSERT_TRUE(server.ok()) << server.error().message;
+  server_ = *std::move(server);
+  boost::asio::post(worker, [&] { server_->stop(); });
+  auto socket = raw_connection(server_->port());
+  send(socket, upgrade_request());
+  receive(socket, [](const std::string& all) { return all.ends_with("\r\n\r\n"); });
+  ASSERT_TRUE(run_until([&] { return worker.poll() > 0 && !handlers_.empty(); }));
+  EXPECT_THAT(receive(socket, [](const std::string& all) { return all.ends_with("stops."); }),
+              HasSubstr("\x03\xe9The hub stops."));
+  socket.close();
+  ASSERT_GT(worker.run_one_for(10s), 0U);
+  worker.poll();
+  EXPECT_TRUE(handlers_[0]->closed.has_value());
+  connections_.clear();
+  server_.reset();
 }
 
 TEST_F(HttpServerTest, a_message_right_behind_the_upgrade_is_not_lost) {

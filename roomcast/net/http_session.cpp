@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -115,14 +114,6 @@ std::shared_ptr<BodyResponse> with_body(const HttpResponse& response, bool keep_
   return message;
 }
 
-/// Handler of a WebSocket that is closed as soon as it is open.
-class TurnedAway final : public ConnectionHandler {
- public:
-  void on_message(MessageBuffer) override {}
-  SealedMessagePtr next_message() override { return nullptr; }
-  void on_closed(const CloseReason&) override {}
-};
-
 }  // namespace
 
 HttpSession::HttpSession(Stream stream, std::shared_ptr<const HttpServerOptions> options,
@@ -211,13 +202,13 @@ void HttpSession::read_body() {
   if (parser_->content_length().value_or(0) > options_->max_body_bytes) return refuse_body();
   body_parser_.emplace(std::move(*parser_));
   body_parser_->body_limit(options_->max_body_bytes);
-  http::async_read(
-      stream_, buffer_, *body_parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
-        if (!self->stream_.is_open()) return;
-        if (!error) return self->ask_program();
-        if (error != http::error::body_limit) return self->abort();
-        self->refuse_body();
-      });
+  http::async_read(stream_, buffer_, *body_parser_,
+                   [self = shared_from_this()](ErrorCode error, std::size_t) {
+                     if (!self->stream_.is_open()) return;
+                     if (!error) return self->ask_program();
+                     if (error != http::error::body_limit) return self->abort();
+                     self->refuse_body();
+                   });
 }
 
 void HttpSession::refuse_body() {
@@ -322,25 +313,10 @@ void HttpSession::upgrade() {
 void HttpSession::become_websocket() {
   deadline_.cancel();
   const auto received = buffer_.cdata();
-  ConnectionOptions connection_options;
-  connection_options.role = WebSocketRole::kServer;
-  connection_options.max_message_bytes = options_->max_message_bytes;
-  connection_options.timings = options_->websocket_timings;
-  connection_options.lease = origins_.lease;
-  connection_options.place = std::move(origins_.place);
-  auto connection = std::make_shared<WebSocketConnection>(
-      std::move(stream_), std::move(connection_options),
-      std::span(static_cast<const std::uint8_t*>(received.data()), received.size()));
-  origins_.lease->end_with([weak = std::weak_ptr(connection)] {
-    if (const auto open = weak.lock()) open->close(close_code::kGoingAway, "The hub stops.");
-  });
+  const auto* const first = static_cast<const std::uint8_t*>(received.data());
+  origins_.workers->take(std::move(stream_), {first, first + received.size()},
+                         std::move(origins_.place));
   origins_.lease.reset();
-
-  auto handler =
-      options_->on_websocket ? options_->on_websocket(connection, origins_.thread) : nullptr;
-  if (handler != nullptr) return connection->start(std::move(handler));
-  connection->close(close_code::kTryAgainLater, "No more connections are taken.");
-  connection->start(std::make_shared<TurnedAway>());
 }
 
 void HttpSession::abort() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HttpSession: one accepted socket, from its first byte until it is closed or has become a
-// WebSocket. Answers one request after another (keep-alive); everything is bounded in size and
-// time. Threading: lives on its io_context's thread.
+// WebSocket, which is handed over to a worker. Answers one request after another (keep-alive);
+// everything is bounded in size and time. Threading: lives on its io_context's thread.
 #pragma once
 
 #include <array>
@@ -23,15 +23,16 @@
 #include "roomcast/net/peer_counts.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_handshake.h"
+#include "roomcast/net/websocket_workers.h"
 
 namespace roomcast::net {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  /// Where it comes from and what it holds.
+  /// Where it comes from, where it may go, and what it holds.
   struct Origins {
-    std::size_t thread = 0;  // which of the server's it lives on
-    std::string peer;        // peer_name()
+    std::string peer;  // peer_name()
+    std::shared_ptr<WebSocketWorkers> workers;
     std::shared_ptr<OpenConnections::Lease> lease = {};
     std::shared_ptr<PeerCounts::Place> place = {};
   };

@@ -33,11 +33,13 @@ class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
 
   [[nodiscard]] std::shared_ptr<Lease> open();
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// Those that come later end as soon as they say how.
   void end_all();
 
  private:
   std::atomic<std::size_t> count_ = 0;
   std::unordered_set<Lease*> endable_;
+  bool over_ = false;
 };
 
 }  // namespace roomcast::net

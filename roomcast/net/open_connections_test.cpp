@@ -30,6 +30,14 @@ TEST(OpenConnections, ends_each_one_even_when_that_gives_its_lease_back) {
   EXPECT_EQ(connections->count(), 1U);
 }
 
+TEST(OpenConnections, ends_those_that_come_after_all_were_ended) {
+  const auto connections = std::make_shared<OpenConnections>();
+  connections->end_all();
+  auto late = connections->open();
+  late->end_with([&] { late.reset(); });
+  EXPECT_EQ(connections->count(), 0U);
+}
+
 TEST(OpenConnections, a_lease_may_outlive_everyone_else) {
   auto connections = std::make_shared<OpenConnections>();
   const auto lease = connections->open();

@@ -39,7 +39,6 @@ void warn(const LogSink& log, const std::string& why) {
   if (log) log(LogLevel::kWarning, "A connection could not be accepted: " + why + ".");
 }
 
-/// On the thread that the socket lives on.
 void serve(const std::shared_ptr<const HttpServerOptions>& options, const LogSink& log,
            const std::shared_ptr<const TlsServerContext>& tls, asio::ip::tcp::socket socket,
            HttpSession::Origins origins) {
@@ -55,17 +54,16 @@ void serve(const std::shared_ptr<const HttpServerOptions>& options, const LogSin
 
 }  // namespace
 
-ServerState::ServerState(std::span<asio::io_context* const> threads, HttpServerOptions options,
-                         LogSink log)
-    : acceptor_(*threads.front()),
-      retry_(*threads.front()),
+ServerState::ServerState(asio::io_context& door, std::span<asio::io_context* const> workers,
+                         HttpServerOptions options, LogSink log)
+    : door_(door),
+      acceptor_(door),
+      retry_(door),
       options_(std::make_shared<const HttpServerOptions>(std::move(options))),
       tls_(options_->tls),
-      log_(std::move(log)) {
-  for (asio::io_context* io : threads) {
-    workers_.push_back({io, std::make_shared<OpenConnections>()});
-  }
-}
+      log_(std::move(log)),
+      strangers_(std::make_shared<OpenConnections>()),
+      workers_(std::make_shared<WebSocketWorkers>(workers, options_)) {}
 
 Status ServerState::listen() {
   ErrorCode error;
@@ -101,44 +99,30 @@ Error ServerState::listen_error(ErrorCode error) const {
 }
 
 void ServerState::accept() {
-  const std::size_t worker = least_busy();
-  acceptor_.async_accept(*workers_[worker].io,
-                         [self = shared_from_this(), worker](ErrorCode error, Tcp::socket socket) {
-                           self->on_accept(error, worker, std::move(socket));
-                         });
-}
-
-std::size_t ServerState::least_busy() const {
-  const auto least = std::ranges::min_element(
-      workers_, {}, [](const Worker& worker) { return worker.connections->count(); });
-  return static_cast<std::size_t>(least - workers_.begin());
+  acceptor_.async_accept([self = shared_from_this()](ErrorCode error, Tcp::socket socket) {
+    self->on_accept(error, std::move(socket));
+  });
 }
 
 std::size_t ServerState::connection_count() const {
-  std::size_t count = 0;
-  for (const Worker& worker : workers_) count += worker.connections->count();
-  return count;
+  return strangers_->count() + workers_->connection_count();
 }
 
-void ServerState::on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket) {
+void ServerState::on_accept(ErrorCode error, Tcp::socket socket) {
   if (!acceptor_.is_open()) return;
   if (error) return accept_later(error);
-  take_in(worker, std::move(socket));
+  take_in(std::move(socket));
   accept();
 }
 
-void ServerState::take_in(std::size_t worker, Tcp::socket socket) {
-  HttpSession::Origins origins{.thread = worker, .peer = peer_name(socket)};
+void ServerState::take_in(Tcp::socket socket) {
+  HttpSession::Origins origins{.peer = peer_name(socket), .workers = workers_};
   if (options_->may_connect && !options_->may_connect(origins.peer)) return;
   origins.place = unsettled_.enter(origins.peer, places_for(origins.peer));
   if (origins.place == nullptr) return;
   if (connection_count() >= options_->max_connections) return turn_away(std::move(socket));
-  origins.lease = workers_[worker].connections->open();
-  asio::dispatch(*workers_[worker].io,
-                 [options = options_, log = log_, tls = tls_, socket = std::move(socket),
-                  origins = std::move(origins)]() mutable {
-                   serve(options, log, tls, std::move(socket), std::move(origins));
-                 });
+  origins.lease = strangers_->open();
+  serve(options_, log_, tls_, std::move(socket), std::move(origins));
 }
 
 std::size_t ServerState::places_for(const std::string& peer) const {
@@ -165,12 +149,13 @@ void ServerState::turn_away(Tcp::socket socket) const {
 }
 
 void ServerState::stop() {
-  ErrorCode ignored;
-  acceptor_.close(ignored);
-  retry_.cancel();
-  for (const Worker& worker : workers_) {
-    asio::dispatch(*worker.io, [connections = worker.connections] { connections->end_all(); });
-  }
+  asio::dispatch(door_, [self = shared_from_this()] {
+    ErrorCode ignored;
+    self->acceptor_.close(ignored);
+    self->retry_.cancel();
+    self->strangers_->end_all();
+  });
+  workers_->end_all();
 }
 
 }  // namespace roomcast::net

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ServerState: the listening socket of an HttpServer, its accept loop, and the threads among which
-// it deals out what it accepts. Kept alive by its own pending operations, so that an HttpServer can
-// be destroyed while its io_contexts still run. Threading: lives on the first io_context's thread;
-// each connection on one of them.
+// ServerState: the listening socket of an HttpServer and its accept loop. Kept alive by its own
+// pending operations, so that an HttpServer can be destroyed while its io_contexts still run.
+// Threading: lives on the door's thread; port(), connection_count() and stop() from any.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -21,13 +19,14 @@
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/open_connections.h"
 #include "roomcast/net/peer_counts.h"
+#include "roomcast/net/websocket_workers.h"
 
 namespace roomcast::net {
 
 class ServerState : public std::enable_shared_from_this<ServerState> {
  public:
-  ServerState(std::span<boost::asio::io_context* const> threads, HttpServerOptions options,
-              LogSink log);
+  ServerState(boost::asio::io_context& door, std::span<boost::asio::io_context* const> workers,
+              HttpServerOptions options, LogSink log);
 
   Status listen();
   void accept();
@@ -41,26 +40,22 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   using Tcp = boost::asio::ip::tcp;
   using ErrorCode = boost::system::error_code;
 
-  struct Worker {
-    boost::asio::io_context* io;
-    std::shared_ptr<OpenConnections> connections;
-  };
-
   [[nodiscard]] Error listen_error(ErrorCode error) const;
-  [[nodiscard]] std::size_t least_busy() const;
-  void on_accept(ErrorCode error, std::size_t worker, Tcp::socket socket);
+  void on_accept(ErrorCode error, Tcp::socket socket);
   void accept_later(ErrorCode error);
-  void take_in(std::size_t worker, Tcp::socket socket);
+  void take_in(Tcp::socket socket);
   void turn_away(Tcp::socket socket) const;
   [[nodiscard]] std::size_t places_for(const std::string& peer) const;
 
+  boost::asio::io_context& door_;
   Tcp::acceptor acceptor_;
   boost::asio::steady_timer retry_;
   std::shared_ptr<const HttpServerOptions> options_;
   std::shared_ptr<const TlsServerContext> tls_;
   PeerCounts unsettled_;
   LogSink log_;
-  std::vector<Worker> workers_;
+  const std::shared_ptr<OpenConnections> strangers_;  // not, or not yet, WebSockets
+  const std::shared_ptr<WebSocketWorkers> workers_;
   std::uint16_t port_ = 0;
 };
 

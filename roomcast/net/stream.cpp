@@ -61,6 +61,17 @@ std::size_t Stream::step(TlsSession::Step step, Wait& direction, ErrorCode& erro
   return 0;
 }
 
+bool Stream::move_to(asio::io_context& io) {
+  ErrorCode error;
+  const auto protocol = socket_.local_endpoint(error).protocol();
+  if (error) return false;
+  const auto descriptor = socket_.release(error);
+  if (error) return false;
+  socket_ = Socket(io, protocol, descriptor);
+  socket_.non_blocking(true, error);
+  return !error;
+}
+
 bool Stream::is_writable_now() {
   return net::is_writable_now(socket_);
 }

@@ -17,6 +17,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/compose.hpp>
 #include <boost/asio/error.hpp>
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 
@@ -60,6 +61,10 @@ class Stream {
   /// For a client, so that it learns of distrust before it says a word. Nothing to do without TLS.
   template <class Token>
   auto async_handshake(Token&& token);
+
+  /// It goes on living on another thread's io_context; nobody may be waiting for it. False: it is
+  /// gone.
+  [[nodiscard]] bool move_to(boost::asio::io_context& io);
 
   /// Nothing more will be written.
   void shutdown_send();

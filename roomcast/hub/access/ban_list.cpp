@@ -7,6 +7,7 @@ namespace roomcast::hub {
 
 bool BanList::fault(const std::string& peer, HostTime now) {
   if (rules_.faults == 0) return false;
+  const std::scoped_lock lock(mutex_);
   if (records_.size() >= rules_.max_peers && !records_.contains(peer)) forget_the_old(now);
   Record& record = records_[peer];
   if (record.faults == 0 || now - record.first > rules_.within)
@@ -18,11 +19,13 @@ bool BanList::fault(const std::string& peer, HostTime now) {
 }
 
 bool BanList::is_banned(const std::string& peer, HostTime now) const {
+  const std::scoped_lock lock(mutex_);
   const auto found = records_.find(peer);
   return found != records_.end() && now < found->second.banned_until;
 }
 
 std::size_t BanList::banned_count(HostTime now) const {
+  const std::scoped_lock lock(mutex_);
   return static_cast<std::size_t>(std::ranges::count_if(
       records_, [now](const auto& entry) { return now < entry.second.banned_until; }));
 }

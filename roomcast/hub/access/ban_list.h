@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // BanList: whoever shows bad tokens again and again is not listened to for a while. Bounded: when
-// too many addresses misbehave at once, the oldest faults are forgotten. Pure; single-threaded.
+// too many addresses misbehave at once, the oldest faults are forgotten. Any thread.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 
@@ -37,6 +38,7 @@ class BanList {
   void forget_the_old(HostTime now);
 
   const BanRules rules_;
+  mutable std::mutex mutex_;
   std::unordered_map<std::string, Record> records_;
 };
 
