@@ -171,7 +171,7 @@ void HubServer::Loop::run(const std::stop_token& stop) {
 }
 
 void HubServer::Loop::say_goodbye() {
-  http_->stop();
+  asio::post(*door_, [this] { http_->stop(); });
   const auto give_up = std::chrono::steady_clock::now() + kGoodbyeWithin;
   while (http_->connection_count() > 0 && std::chrono::steady_clock::now() < give_up) {
     io().run_one_for(kGoodbyeLook);

@@ -100,7 +100,7 @@ class HttpServer {
   void set_tls(std::shared_ptr<const TlsServerContext> tls);
 
   /// Listens no more and closes all connections, WebSockets with 1001. They end while the threads
-  /// go on running.
+  /// go on running. On the door's thread, or when it does not run any more.
   void stop();
 
  private:

@@ -149,12 +149,10 @@ void ServerState::turn_away(Tcp::socket socket) const {
 }
 
 void ServerState::stop() {
-  asio::dispatch(door_, [self = shared_from_this()] {
-    ErrorCode ignored;
-    self->acceptor_.close(ignored);
-    self->retry_.cancel();
-    self->strangers_->end_all();
-  });
+  ErrorCode ignored;
+  acceptor_.close(ignored);
+  retry_.cancel();
+  asio::dispatch(door_, [strangers = strangers_] { strangers->end_all(); });
   workers_->end_all();
 }
 
