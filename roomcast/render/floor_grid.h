@@ -5,8 +5,8 @@
 #pragma once
 
 #include "roomcast/core/image.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/gl_program.h"
-#include "roomcast/render/view_camera.h"
 
 namespace roomcast {
 
@@ -15,7 +15,7 @@ class FloorGrid {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<FloorGrid> create();
 
-  void draw(const ViewCamera& camera, Rgb8 line) const;
+  void draw(const Eyes& eyes, Rgb8 line) const;
 
  private:
   explicit FloorGrid(GlProgram program);

@@ -44,6 +44,10 @@ struct GlVertexArrayKind {
   static GLuint create();
   static void destroy(GLuint name);
 };
+struct GlLayersKind {
+  static GLuint create();  // GL_TEXTURE_2D_ARRAY
+  static void destroy(GLuint name);
+};
 struct GlTextureKind {
   static GLuint create();  // GL_TEXTURE_2D
   static void destroy(GLuint name);
@@ -52,6 +56,7 @@ struct GlTextureKind {
 using GlBuffer = GlObject<GlBufferKind>;
 using GlFramebuffer = GlObject<GlFramebufferKind>;
 using GlVertexArray = GlObject<GlVertexArrayKind>;
+using GlLayers = GlObject<GlLayersKind>;
 using GlTexture = GlObject<GlTextureKind>;
 
 /// A 2D texture of fixed size and one level, read by texelFetch: nearest, no wrap. Its content is
@@ -61,6 +66,9 @@ using GlTexture = GlObject<GlTextureKind>;
 
 /// The same, read between pixels: linear. Not for integers.
 [[nodiscard]] GlTexture make_smooth_texture(GLenum internal_format, int width, int height);
+
+/// Several of one size, one upon the other.
+[[nodiscard]] GlLayers make_smooth_layers(GLenum internal_format, int width, int height, int count);
 
 /// A buffer of fixed size that the CPU does not touch. Its content is undefined.
 [[nodiscard]] GlBuffer make_buffer(GLsizeiptr bytes);

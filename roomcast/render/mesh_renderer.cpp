@@ -7,7 +7,9 @@ namespace roomcast {
 
 Result<MeshRenderer> MeshRenderer::create() {
   Result<GlProgram> program =
-      make_program({{GL_VERTEX_SHADER, {shaders::sensor_surface_glsl, shaders::mesh_vert}},
+      make_program({{GL_VERTEX_SHADER,
+                     {shaders::eyes_glsl, shaders::surface_view_glsl, shaders::sensor_surface_glsl,
+                      shaders::newest_in_view_glsl, shaders::mesh_vert}},
                     {GL_FRAGMENT_SHADER, {shaders::mesh_frag}}});
   if (!program) return std::move(program).error();
   return MeshRenderer(std::move(program).value());
@@ -25,7 +27,7 @@ void MeshRenderer::draw(const SensorSurface& surface, const SurfaceMesh& mesh,
   glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
   glBindVertexArray(vertices_.name());
   glEnable(GL_CULL_FACE);
-  glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+  glDrawElementsInstanced(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr, view.eyes.count());
   glDisable(GL_CULL_FACE);
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "roomcast/core/assert.h"
 #include "roomcast/geometry/camera_model.h"
+#include "roomcast/render/eyes.h"
 
 namespace roomcast {
 namespace {
@@ -21,25 +23,29 @@ void turn_upside_down(ImageView<T> image) {
   }
 }
 
+}  // namespace
+
 template <class T>
-Image<T> read_back(const GlTexture& texture, int width, int height, GLenum format, GLenum type) {
-  Image<T> image(width, height);
+Image<T> OffscreenTarget::read_back(const GlTexture& texture, int eye, GLenum format,
+                                    GLenum type) const {
+  ROOMCAST_ASSERT(eye >= 0 && eye < eyes_);
+  Image<T> image(width_, height_);
   const std::size_t bytes = image.view().pixel_count() * sizeof(T);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(texture.name(), 0, format, type, static_cast<GLsizei>(bytes), image.data());
+  glGetTextureSubImage(texture.name(), 0, eye * width_, 0, 0, width_, height_, 1, format, type,
+                       static_cast<GLsizei>(bytes), image.data());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   turn_upside_down(image.view());
   return image;
 }
 
-}  // namespace
-
-Result<OffscreenTarget> OffscreenTarget::create(int width, int height) {
+Result<OffscreenTarget> OffscreenTarget::create(int width, int height, int eyes) {
+  ROOMCAST_ASSERT(eyes >= 1 && eyes <= kMostEyes);
   if (!legal_side(width) || !legal_side(height)) {
     return Error{ErrorCode::kInvalidArgument,
                  "a picture's width and height must be 1 to 8192 pixels"};
   }
-  OffscreenTarget target(width, height);
+  OffscreenTarget target(width, height, eyes);
   const GLenum state =
       glCheckNamedFramebufferStatus(target.framebuffer_.name(), GL_DRAW_FRAMEBUFFER);
   if (state == GL_FRAMEBUFFER_COMPLETE) return target;
@@ -47,12 +53,13 @@ Result<OffscreenTarget> OffscreenTarget::create(int width, int height) {
                                             std::to_string(width) + "x" + std::to_string(height)};
 }
 
-OffscreenTarget::OffscreenTarget(int width, int height)
+OffscreenTarget::OffscreenTarget(int width, int height, int eyes)
     : width_(width),
       height_(height),
-      color_(make_texture(GL_RGBA8, width, height)),
-      depth_(make_texture(GL_DEPTH_COMPONENT32F, width, height)),
-      sensors_(make_texture(GL_R32I, width, height)),
+      eyes_(eyes),
+      color_(make_texture(GL_RGBA8, eyes * width, height)),
+      depth_(make_texture(GL_DEPTH_COMPONENT32F, eyes * width, height)),
+      sensors_(make_texture(GL_R32I, eyes * width, height)),
       framebuffer_(GlFramebuffer::create()) {
   const GLuint name = framebuffer_.name();
   glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color_.name(), 0);
@@ -64,7 +71,7 @@ OffscreenTarget::OffscreenTarget(int width, int height)
 
 void OffscreenTarget::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-  glViewport(0, 0, width_, height_);
+  glViewport(0, 0, eyes_ * width_, height_);
 }
 
 void OffscreenTarget::clear(Rgb8 background) const {
@@ -79,12 +86,12 @@ void OffscreenTarget::clear(Rgb8 background) const {
   glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFarthest);
 }
 
-ColorImage OffscreenTarget::read_color() const {
-  return read_back<Rgb8>(color_, width_, height_, GL_RGB, GL_UNSIGNED_BYTE);
+ColorImage OffscreenTarget::read_color(int eye) const {
+  return read_back<Rgb8>(color_, eye, GL_RGB, GL_UNSIGNED_BYTE);
 }
 
-Image<float> OffscreenTarget::read_depth_m(const ViewCamera& camera) const {
-  Image<float> depth = read_back<float>(depth_, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT);
+Image<float> OffscreenTarget::read_depth_m(const ViewCamera& camera, int eye) const {
+  Image<float> depth = read_back<float>(depth_, eye, GL_DEPTH_COMPONENT, GL_FLOAT);
   const double near_m = camera.near_m, far_m = camera.far_m;
   float* const values = depth.data();
   for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
@@ -95,8 +102,8 @@ Image<float> OffscreenTarget::read_depth_m(const ViewCamera& camera) const {
   return depth;
 }
 
-Image<std::int32_t> OffscreenTarget::read_sensors() const {
-  return read_back<std::int32_t>(sensors_, width_, height_, GL_RED_INTEGER, GL_INT);
+Image<std::int32_t> OffscreenTarget::read_sensors(int eye) const {
+  return read_back<std::int32_t>(sensors_, eye, GL_RED_INTEGER, GL_INT);
 }
 
 }  // namespace roomcast

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture to draw into that is not on any screen: colour, depth, and which sensor drew each
-// pixel. Needs the GL context it was made with.
+// A picture to draw into that is not on any screen, of one eye or of two side by side: colour,
+// depth, and which sensor drew each pixel. Needs the GL context it was made with.
 #pragma once
 
 #include <cstdint>
@@ -17,34 +17,41 @@ inline constexpr std::int32_t kDrawnByNoSensor = -1;
 
 class OffscreenTarget {
  public:
-  /// kInvalidArgument unless both sides are 1..kMaxImageSide; kUnavailable when the driver will not
-  /// draw into it.
-  static Result<OffscreenTarget> create(int width, int height);
+  /// `width`, `height`: for each eye; `eyes`: 1 or 2 (Eyes::count). kInvalidArgument unless both
+  /// sides are 1..kMaxImageSide; kUnavailable when the driver will not draw into it.
+  static Result<OffscreenTarget> create(int width, int height, int eyes = 1);
 
   /// What follows is drawn here: binds the framebuffer and sets the viewport.
   void bind() const;
   /// Binds it and makes it one colour, infinitely far, drawn by no sensor.
   void clear(Rgb8 background) const;
 
+  /// Of each eye's part.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// To copy the picture from. Attachment 0 is colour, attachment 1 the sensors.
+  [[nodiscard]] int eyes() const { return eyes_; }
+  /// To copy the picture from: the first eye's part begins at the left, the second's behind it.
+  /// Attachment 0 is colour, attachment 1 the sensors.
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
-  /// For drawings of several passes, which attach them to framebuffers of their own. RGBA8, DEPTH32F.
+  /// For drawings of several passes, which attach them to framebuffers of their own. RGBA8,
+  /// DEPTH32F.
   [[nodiscard]] const GlTexture& color() const { return color_; }
   [[nodiscard]] const GlTexture& depth() const { return depth_; }
 
-  /// Wait for the drawing to end. Top row first, as every image here.
-  [[nodiscard]] ColorImage read_color() const;
+  /// An eye's part. Wait for the drawing to end. Top row first, as every image here.
+  [[nodiscard]] ColorImage read_color(int eye = 0) const;
   /// Along the axis of the eye for which it was drawn; 0 where no surface was.
-  [[nodiscard]] Image<float> read_depth_m(const ViewCamera& camera) const;
+  [[nodiscard]] Image<float> read_depth_m(const ViewCamera& camera, int eye = 0) const;
   /// SensorId::value, or kDrawnByNoSensor.
-  [[nodiscard]] Image<std::int32_t> read_sensors() const;
+  [[nodiscard]] Image<std::int32_t> read_sensors(int eye = 0) const;
 
  private:
-  OffscreenTarget(int width, int height);
+  OffscreenTarget(int width, int height, int eyes);
+  template <class T>
+  [[nodiscard]] Image<T> read_back(const GlTexture& texture, int eye, GLenum format,
+                                   GLenum type) const;
 
-  int width_, height_;
+  int width_, height_, eyes_;
   GlTexture color_, depth_, sensors_;
   GlFramebuffer framebuffer_;
 };

@@ -2,13 +2,15 @@
 #include "roomcast/render/point_renderer.h"
 
 #include <algorithm>
+#include <array>
 
 #include "roomcast/render/shader_sources.h"
 
 namespace roomcast {
 namespace {
 
-constexpr GLint kSizeAtEqualDistance = 2;  // shaders/points.vert
+// As in shaders/points.*.
+enum UniformLocation : GLint { kSizeAtEqualDistance = 5, kEyeWidth = 7 };
 // Squares that only just touch would leave gaps: they are not turned the way the surface is, and
 // depth is noisy.
 constexpr double kOverlap = 1.2;
@@ -17,7 +19,9 @@ constexpr double kOverlap = 1.2;
 
 Result<PointRenderer> PointRenderer::create() {
   Result<GlProgram> program =
-      make_program({{GL_VERTEX_SHADER, {shaders::sensor_surface_glsl, shaders::points_vert}},
+      make_program({{GL_VERTEX_SHADER,
+                     {shaders::eyes_glsl, shaders::surface_view_glsl, shaders::sensor_surface_glsl,
+                      shaders::newest_in_view_glsl, shaders::points_vert}},
                     {GL_FRAGMENT_SHADER, {shaders::points_frag}}});
   if (!program) return std::move(program).error();
   return PointRenderer(std::move(program).value());
@@ -30,14 +34,17 @@ void PointRenderer::draw(const SensorSurface& surface, const SurfaceView& view,
                          PointSize size) const {
   const double sensor_focal_px = std::min(surface.intrinsics().fx, surface.intrinsics().fy);
   set_surface_view(program_, view);
-  const double size_px =
-      size == PointSize::kAsSurface ? kOverlap * view.focal_px / sensor_focal_px : 0;
-  glProgramUniform1f(program_.name(), kSizeAtEqualDistance, static_cast<float>(size_px));
+  std::array<GLfloat, kMostEyes> size_px{};
+  for (std::size_t eye = 0; eye < size_px.size() && size == PointSize::kAsSurface; ++eye) {
+    size_px[eye] = static_cast<float>(kOverlap * focal_length_px(view.eyes[eye]) / sensor_focal_px);
+  }
+  glProgramUniform1fv(program_.name(), kSizeAtEqualDistance, kMostEyes, size_px.data());
+  glProgramUniform1f(program_.name(), kEyeWidth, static_cast<float>(view.eyes.width()));
   surface.bind();
   glUseProgram(program_.name());
   glBindVertexArray(no_attributes_.name());
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, surface.pixel_count());
+  glDrawArraysInstanced(GL_POINTS, 0, surface.pixel_count(), view.eyes.count());
 }
 
 }  // namespace roomcast

@@ -82,25 +82,25 @@ Status RoomRenderer::set_look(const RoomLook& look) {
   return legal;
 }
 
-Status RoomRenderer::draw(const ViewCamera& camera, const OffscreenTarget& target,
-                          RenderMode mode) {
-  if (Status legal = camera.check(); !legal) return legal;
-  if (camera.width != target.width() || camera.height != target.height()) {
+Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode) {
+  if (Status legal = eyes.check(); !legal) return legal;
+  if (eyes.width() != target.width() || eyes.height() != target.height() ||
+      eyes.count() != target.eyes()) {
     return Error{ErrorCode::kInvalidArgument,
                  "the view's size is not that of the picture it is drawn into"};
   }
   target.clear(look_.background);
-  if (look_.floor_grid) parts_.floor.draw(camera, look_.floor_line);
+  if (look_.floor_grid) parts_.floor.draw(eyes, look_.floor_line);
   if (!remembers_background(mode)) {
-    draw_sensors(camera, mode);
+    draw_sensors(eyes, mode);
     return {};
   }
   refresh_memories();
   gather_layers(mode);
   if (mode == RenderMode::kBlend) {
-    parts_.blend.draw(layers_, camera, look_.unseen, target);
+    parts_.blend.draw(layers_, eyes, look_.unseen, target);
   } else {
-    parts_.adaptive.draw(layers_, camera, target);
+    parts_.adaptive.draw(layers_, eyes, target);
   }
   return {};
 }
@@ -138,11 +138,12 @@ void RoomRenderer::refresh_memories() {
   }
 }
 
-void RoomRenderer::draw_sensors(const ViewCamera& camera, RenderMode mode) {
+void RoomRenderer::draw_sensors(const Eyes& eyes, RenderMode mode) {
+  const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   for (auto& [id, sensor] : sensors_) {
-    const SurfaceView view = surface_view(id, sensor.world_from_depth, camera);
+    const SurfaceView view = surface_view(id, sensor.world_from_depth, eyes);
     if (mode == RenderMode::kPoints) {
       parts_.points.draw(sensor.surface, view, PointSize::kOnePixel);
     } else if (mode == RenderMode::kSplats) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the surfaces of all sensors of a room in one world, from any eye.
+// Draws the surfaces of all sensors of a room in one world, from any eye or two at once.
 // Single-threaded; needs a current OpenGL 4.5 context (EglContext) for its whole life.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/blend/color_matching.h"
 #include "roomcast/render/blend/sensor_memory.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/floor_grid.h"
 #include "roomcast/render/mesh_renderer.h"
 #include "roomcast/render/offscreen_target.h"
@@ -19,7 +20,6 @@
 #include "roomcast/render/render_mode.h"
 #include "roomcast/render/sensor_surface.h"
 #include "roomcast/render/surface_mesh.h"
-#include "roomcast/render/view_camera.h"
 
 namespace roomcast {
 
@@ -60,9 +60,10 @@ class RoomRenderer {
   /// Fails as RoomLook::check does, changing nothing.
   Status set_look(const RoomLook& look);
 
-  /// A new picture in all of `target`. kInvalidArgument when the camera is not legal or not of the
-  /// target's size.
-  Status draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode);
+  /// A new picture in all of `target`, for as many eyes as it has room for: each sensor's surface
+  /// is drawn once for all of them. kInvalidArgument when an eye is not legal, as Eyes::check, or
+  /// not of the target's size.
+  Status draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode);
 
  private:
   struct Sensor {
@@ -83,7 +84,7 @@ class RoomRenderer {
   };
 
   explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}
-  void draw_sensors(const ViewCamera& camera, RenderMode mode);
+  void draw_sensors(const Eyes& eyes, RenderMode mode);
   void gather_layers(RenderMode mode);
   void refresh_memories();
 

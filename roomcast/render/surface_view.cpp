@@ -5,23 +5,27 @@ namespace roomcast {
 namespace {
 
 // As in shaders/.
-enum UniformLocation : GLint { kClipFromView = 0, kViewFromDepth = 1, kSensor = 3 };
+enum UniformLocation : GLint { kClipFromView = 0, kViewFromDepth = 2, kSensor = 4 };
 
 }  // namespace
 
 SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
-                         const ViewCamera& camera) {
-  // Multiplied in double: far from the world's origin, single precision would make surfaces
-  // tremble.
-  const RigidTransform view_from_depth = camera.world_from_view.inverse() * world_from_depth;
-  return {sensor, clip_from_view(camera), matrix_from_transform(view_from_depth),
-          focal_length_px(camera)};
+                         const Eyes& eyes) {
+  SurfaceView view{sensor, eyes, {}};
+  for (std::size_t eye = 0; eye < view.view_from_depth.size(); ++eye) {
+    // Multiplied in double: far from the world's origin, single precision would make surfaces
+    // tremble.
+    view.view_from_depth[eye] =
+        matrix_from_transform(eyes[eye].world_from_view.inverse() * world_from_depth);
+  }
+  return view;
 }
 
 void set_surface_view(const GlProgram& program, const SurfaceView& view) {
-  glProgramUniformMatrix4fv(program.name(), kClipFromView, 1, GL_FALSE, view.clip_from_view.data());
-  glProgramUniformMatrix4fv(program.name(), kViewFromDepth, 1, GL_FALSE,
-                            view.view_from_depth.data());
+  set_eyes(program, view.eyes);
+  set_matrices(program, kClipFromView,
+               {clip_from_view(view.eyes[0]), clip_from_view(view.eyes[1])});
+  set_matrices(program, kViewFromDepth, view.view_from_depth);
   glProgramUniform1i(program.name(), kSensor, view.sensor.value);
 }
 

@@ -29,7 +29,7 @@ TEST(SurfaceView, keeps_its_precision_far_from_the_origin) {
   const RigidTransform depth_in_view{Eigen::Matrix3d::Identity(), Vector3d(0.1, 0.2, -0.3)};
   const SurfaceView view = surface_view(SensorId{3}, far_away * depth_in_view, camera);
   EXPECT_EQ(view.sensor, SensorId{3});
-  EXPECT_LT((view.view_from_depth - matrix_from_transform(depth_in_view)).norm(), 1e-6);
+  EXPECT_LT((view.view_from_depth[0] - matrix_from_transform(depth_in_view)).norm(), 1e-6);
 }
 
 }  // namespace

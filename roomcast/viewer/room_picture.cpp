@@ -41,16 +41,16 @@ std::optional<nanoseconds> DrawTimer::take() {
   return newest;
 }
 
-Status RoomPicture::draw(RoomView& room, const ViewCamera& camera, RenderMode mode) {
-  const bool fits =
-      target_ && target_->width() == camera.width && target_->height() == camera.height;
+Status RoomPicture::draw(RoomView& room, const Eyes& eyes, RenderMode mode) {
+  const bool fits = target_ && target_->width() == eyes.width() &&
+                    target_->height() == eyes.height() && target_->eyes() == eyes.count();
   if (!fits) {
-    auto target = OffscreenTarget::create(camera.width, camera.height);
+    auto target = OffscreenTarget::create(eyes.width(), eyes.height(), eyes.count());
     if (!target) return target.error();
     target_ = std::move(*target);
   }
   timer_.begin();
-  Status drawn = room.draw(camera, *target_, mode);
+  Status drawn = room.draw(eyes, *target_, mode);
   timer_.end();
   return drawn;
 }

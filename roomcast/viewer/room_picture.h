@@ -38,8 +38,8 @@ class DrawTimer {
 
 class RoomPicture {
  public:
-  /// Draws at the camera's size. Errors as OffscreenTarget::create and RoomView::draw.
-  Status draw(RoomView& room, const ViewCamera& camera, RenderMode mode);
+  /// Draws at the eyes' size. Errors as OffscreenTarget::create and RoomView::draw.
+  Status draw(RoomView& room, const Eyes& eyes, RenderMode mode);
 
   /// Null before the first draw().
   [[nodiscard]] const OffscreenTarget* target() const { return target_ ? &*target_ : nullptr; }

@@ -48,9 +48,9 @@ Status RoomView::show_sensor(const RoomSensor& sensor) {
   return {};
 }
 
-Status RoomView::draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode) {
-  if (auto status = renderer_.draw(camera, target, mode); !status) return status;
-  people_.draw(camera, target);
+Status RoomView::draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode) {
+  if (auto status = renderer_.draw(eyes, target, mode); !status) return status;
+  people_.draw(eyes, target);
   return {};
 }
 

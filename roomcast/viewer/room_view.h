@@ -9,9 +9,9 @@
 #include <unordered_map>
 
 #include "roomcast/core/result.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/offscreen_target.h"
 #include "roomcast/render/room_renderer.h"
-#include "roomcast/render/view_camera.h"
 #include "roomcast/room/room_snapshot.h"
 #include "roomcast/viewer/people/people_view.h"
 
@@ -35,7 +35,7 @@ class RoomView {
   [[nodiscard]] PeopleView& people() { return people_; }
 
   /// Errors as RoomRenderer::draw.
-  Status draw(const ViewCamera& camera, const OffscreenTarget& target, RenderMode mode);
+  Status draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode);
 
  private:
   RoomView(RoomRenderer renderer, PeopleView people)

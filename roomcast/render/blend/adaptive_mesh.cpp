@@ -14,7 +14,7 @@ constexpr GLsizeiptr kMostIndicesOfTile = 6 * kTileSide * kTileSide;
 enum TextureUnit : GLuint { kDepth = 0, kCovering = 5 };
 enum TilesUniform : GLint { kMaxGap = 4, kIsCovered = 5 };
 constexpr GLint kTileCount = 0;  // uniform of mesh_offsets.comp
-constexpr GLsizeiptr kIndexBytes = sizeof(GLuint), kCommandBytes = 5 * sizeof(GLuint);
+constexpr GLsizeiptr kIndexBytes = sizeof(GLuint);
 
 void bind_buffer(GLuint binding, const GlBuffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
@@ -60,7 +60,7 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
   make_room(across * down);
   if (mesh.indices.name() == 0) {
     mesh.indices = make_buffer(across * down * kMostIndicesOfTile * kIndexBytes);
-    mesh.command = make_buffer(kCommandBytes);
+    mesh.commands = make_buffer(kMostEyes * AdaptiveMesh::kCommandBytes);
   }
   glBindTextureUnit(kDepth, depth_m.name());
   glBindTextureUnit(kCovering, covering != nullptr ? covering->name() : depth_m.name());
@@ -73,7 +73,7 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
 
   glProgramUniform1ui(offsets_program_.name(), kTileCount, static_cast<GLuint>(across * down));
   bind_buffer(2, tile_offsets_);
-  bind_buffer(3, mesh.command);
+  bind_buffer(3, mesh.commands);
   dispatch(offsets_program_, 1, 1);
 
   bind_buffer(3, mesh.indices);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "roomcast/core/result.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/gl_program.h"
 #include "roomcast/render/surface_mesh.h"
 
@@ -13,7 +14,8 @@ namespace roomcast {
 
 struct AdaptiveMesh {
   GlBuffer indices;  // GL_TRIANGLES, 32 bits, counter-clockwise as the sensor sees them
-  GlBuffer command;  // for glDrawElementsIndirect
+  static constexpr GLsizeiptr kCommandBytes = 5 * sizeof(GLuint);
+  GlBuffer commands;  // for glDrawElementsIndirect: for one eye, for two
 };
 
 class AdaptiveMesher {

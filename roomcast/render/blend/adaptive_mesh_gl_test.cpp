@@ -30,7 +30,7 @@ class AdaptiveMeshTest : public GlTest {
     AdaptiveMesh mesh;
     mesher->build(depth, covering ? &cover : nullptr, depth_m.width(), depth_m.height(), {}, mesh);
     GLuint count = 0;
-    glGetNamedBufferSubData(mesh.command.name(), 0, sizeof count, &count);
+    glGetNamedBufferSubData(mesh.commands.name(), 0, sizeof count, &count);
     std::vector<Triangle> triangles(count / 3);
     if (!triangles.empty()) {
       glGetNamedBufferSubData(mesh.indices.name(), 0,

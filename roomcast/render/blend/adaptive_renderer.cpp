@@ -8,20 +8,19 @@
 namespace roomcast {
 
 Result<AdaptiveRenderer> AdaptiveRenderer::create() {
-  auto program =
-      make_program({{GL_VERTEX_SHADER, {shaders::blend_surface_glsl, shaders::adaptive_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, shaders::adaptive_frag}}});
+  auto program = make_layer_program(shaders::adaptive_vert, shaders::adaptive_frag);
   if (!program) return std::move(program).error();
   return AdaptiveRenderer(*std::move(program));
 }
 
-void AdaptiveRenderer::draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
+void AdaptiveRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                             const OffscreenTarget& target) const {
   target.bind();
+  const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glEnable(GL_CULL_FACE);
-  for (const SurfaceLayer& layer : layers) painter_.draw(program_, layer, camera);
+  for (const SurfaceLayer& layer : layers) painter_.draw(program_, layer, eyes);
   glDisable(GL_CULL_FACE);
 }
 

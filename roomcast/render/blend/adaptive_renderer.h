@@ -15,8 +15,8 @@ class AdaptiveRenderer {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<AdaptiveRenderer> create();
 
-  /// Over what `target` holds. Its size must be the camera's.
-  void draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
+  /// Over what `target` holds. Its size must be the eyes'.
+  void draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
             const OffscreenTarget& target) const;
 
  private:

@@ -11,8 +11,8 @@
 
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/blend/surface_layer.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/offscreen_target.h"
-#include "roomcast/render/view_camera.h"
 
 namespace roomcast {
 
@@ -29,37 +29,37 @@ class BlendRenderer {
   static Result<BlendRenderer> create();
 
   /// Over the colours that `target` holds; nothing may have drawn depth there. Its size must be the
-  /// camera's.
-  void draw(std::span<const SurfaceLayer> layers, const ViewCamera& camera, Unseen unseen,
+  /// eyes'.
+  void draw(std::span<const SurfaceLayer> layers, const Eyes& eyes, Unseen unseen,
             const OffscreenTarget& target);
 
  private:
   struct Programs {
     GlProgram nearest, mix, resolve;
-    ComputePass shrink, grow, surroundings;
+    ComputePass begin, shrink, grow, surroundings;
   };
   explicit BlendRenderer(Programs programs);
 
-  void make_room(int width, int height);
-  void draw_nearest(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
+  void make_room(const Eyes& eyes);
+  void draw_nearest(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                     const OffscreenTarget& target);
-  void mix(std::span<const SurfaceLayer> layers, const ViewCamera& camera,
-           const GlTexture& nearest_depth);
-  void find_surroundings(const ViewCamera& camera, Unseen unseen, const GlTexture& nearest_depth);
+  void mix(std::span<const SurfaceLayer> layers, const Eyes& eyes, const GlTexture& nearest_depth);
+  void find_surroundings(const Eyes& eyes, Unseen unseen, const GlTexture& nearest_depth);
+  void begin_surroundings(const Eyes& eyes, const GlTexture& nearest_depth);
   void finish_surroundings(Unseen unseen);
   void resolve(const OffscreenTarget& target);
 
   Programs programs_;
   LayerPainter painter_;
-  GlVertexArray no_vertices_;   // of whole pictures
-  int width_ = 0, height_ = 0;  // of what follows
+  GlVertexArray no_vertices_;              // of whole pictures
+  int width_ = 0, height_ = 0, eyes_ = 0;  // of what follows
   GlTexture color_sum_;
   GlFramebuffer sum_target_, picture_target_;
-  struct Level {
-    GlTexture color, coverage;
+  struct Level {  // a layer for each eye, so that neither takes colours from the other
+    GlLayers color, coverage;
     int width = 0, height = 0;
   };
-  std::vector<Level> levels_;  // each half of the one before, the first half of the picture
+  std::vector<Level> levels_;  // each half of the one before, the first half of an eye's picture
 };
 
 }  // namespace roomcast

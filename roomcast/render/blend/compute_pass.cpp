@@ -19,18 +19,23 @@ ComputePass::ComputePass(GlProgram program) : program_(std::move(program)) {
   group_height_ = size[1];
 }
 
-void ComputePass::run(int width, int height) const {
+void ComputePass::run(int width, int height, int layers) const {
   const auto groups = [](int pixels, int per_group) {
     return static_cast<GLuint>((pixels + per_group - 1) / per_group);
   };
   glUseProgram(program_.name());
-  glDispatchCompute(groups(width, group_width_), groups(height, group_height_), 1);
+  glDispatchCompute(groups(width, group_width_), groups(height, group_height_),
+                    static_cast<GLuint>(layers));
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenum format) {
   glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, static_cast<GLenum>(access), format);
+}
+
+void bind_image(GLuint unit, const GlLayers& layers, ImageAccess access, GLenum format) {
+  glBindImageTexture(unit, layers.name(), 0, GL_TRUE, 0, static_cast<GLenum>(access), format);
 }
 
 }  // namespace roomcast

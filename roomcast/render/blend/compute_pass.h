@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compute shader that does something for every pixel of a picture. Needs the GL context it was
-// made with.
+// A compute shader that does something for every pixel of a picture, or of several in layers. Needs
+// the GL context it was made with.
 #pragma once
 
 #include <initializer_list>
@@ -17,7 +17,7 @@ class ComputePass {
   static Result<ComputePass> create(std::initializer_list<std::string_view> sources);
 
   /// Its textures and images must be bound. What it wrote can be fetched and copied afterwards.
-  void run(int width, int height) const;
+  void run(int width, int height, int layers = 1) const;
 
   [[nodiscard]] const GlProgram& program() const { return program_; }
 
@@ -35,5 +35,7 @@ enum class ImageAccess : GLenum {
 };
 
 void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenum format);
+/// All of its layers.
+void bind_image(GLuint unit, const GlLayers& layers, ImageAccess access, GLenum format);
 
 }  // namespace roomcast

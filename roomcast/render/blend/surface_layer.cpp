@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/surface_layer.h"
 
+#include "roomcast/render/shader_sources.h"
 #include "roomcast/render/surface_view.h"
 
 namespace roomcast {
@@ -10,14 +11,22 @@ constexpr float kBackgroundSetback_m = 0.03F;
 
 // As in shaders/blend/.
 enum SurfaceTexture : GLuint { kDepth = 0, kRays = 1, kColor = 2, kQuality = 4 };
-constexpr GLint kSetback = 2;  // uniform
+constexpr GLint kSetback = 5;  // uniform
 
 }  // namespace
 
+Result<GlProgram> make_layer_program(std::string_view vertex_shader,
+                                     std::string_view fragment_shader) {
+  return make_program({{GL_VERTEX_SHADER,
+                        {shaders::eyes_glsl, shaders::surface_view_glsl,
+                         shaders::blend_surface_glsl, shaders::blend_in_view_glsl, vertex_shader}},
+                       {GL_FRAGMENT_SHADER, {shaders::blend_surface_glsl, fragment_shader}}});
+}
+
 void LayerPainter::draw(const GlProgram& program, const SurfaceLayer& layer,
-                        const ViewCamera& camera) const {
+                        const Eyes& eyes) const {
   const AdaptiveMesh& mesh = layer.surface->mesh;
-  const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, camera);
+  const SurfaceView view = surface_view(layer.sensor, layer.world_from_depth, eyes);
   set_surface_view(program, view);
   glProgramUniform1f(program.name(), kSetback, layer.is_background ? kBackgroundSetback_m : 0);
   glBindTextureUnit(kDepth, layer.surface->depth_m.name());
@@ -27,8 +36,9 @@ void LayerPainter::draw(const GlProgram& program, const SurfaceLayer& layer,
   glUseProgram(program.name());
   glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
   glBindVertexArray(vertices_.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.command.name());
-  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.commands.name());
+  const GLintptr command = (eyes.count() - 1) * AdaptiveMesh::kCommandBytes;
+  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(command));
 }
 
 }  // namespace roomcast

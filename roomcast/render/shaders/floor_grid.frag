@@ -1,10 +1,10 @@
 // Thin lines every metre that fade with distance.
 
-layout(location = 1) uniform vec3 eye;
-layout(location = 2) uniform float reach_m;
-layout(location = 3) uniform vec4 line;  // colour and strength
+layout(location = 4) uniform float reach_m;
+layout(location = 5) uniform vec4 line;  // colour and strength
 
 in vec2 floor_xz;
+flat in vec2 eye_xz;
 layout(location = 0) out vec4 picture;
 
 void main() {
@@ -13,6 +13,6 @@ void main() {
   vec2 coverage = clamp(1.2 - off_line_px, 0.0, 1.0);
   // Where lines come closer than a few pixels they would flicker: let them go.
   coverage *= clamp(0.25 / pixel_m - 1.0, 0.0, 1.0);
-  float fade = clamp(1.0 - distance(eye.xz, floor_xz) / reach_m, 0.0, 1.0);
+  float fade = clamp(1.0 - distance(eye_xz, floor_xz) / reach_m, 0.0, 1.0);
   picture = vec4(line.rgb, line.a * max(coverage.x, coverage.y) * fade);
 }

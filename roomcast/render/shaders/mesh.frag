@@ -1,4 +1,4 @@
-layout(location = 3) uniform int sensor;
+layout(location = 4) uniform int sensor;
 
 in vec3 tint;
 layout(location = 0) out vec4 picture;

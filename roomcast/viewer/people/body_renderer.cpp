@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "roomcast/render/shader_sources.h"
 #include "roomcast/render/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
 #include "roomcast/viewer/people/shader_sources.h"
@@ -15,10 +16,10 @@ namespace {
 // As in shaders/body.*.
 enum UniformLocation : GLint {
   kClipFromWorld = 0,
-  kWorldFromBall = 1,
-  kWorldFromNormal = 2,
-  kColor = 3,
-  kOwnLight = 4,
+  kWorldFromBall = 2,
+  kWorldFromNormal = 3,
+  kColor = 4,
+  kOwnLight = 5,
 };
 constexpr GLsizei kSectors = 32, kRings = 16;
 
@@ -38,8 +39,9 @@ RigidTransform at(const Eigen::Vector3d& place_m) {
 }  // namespace
 
 Result<BodyRenderer> BodyRenderer::create() {
-  Result<GlProgram> program = make_program(
-      {{GL_VERTEX_SHADER, {shaders::body_vert}}, {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
+  Result<GlProgram> program =
+      make_program({{GL_VERTEX_SHADER, {shaders::eyes_glsl, shaders::body_vert}},
+                    {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
   if (!program) return std::move(program).error();
   return BodyRenderer(std::move(program).value());
 }
@@ -47,25 +49,25 @@ Result<BodyRenderer> BodyRenderer::create() {
 BodyRenderer::BodyRenderer(GlProgram program)
     : program_(std::move(program)), no_attributes_(GlVertexArray::create()) {}
 
-void BodyRenderer::draw(const ViewCamera& camera, std::span<const Avatar> avatars) const {
+void BodyRenderer::draw(const Eyes& eyes, std::span<const Avatar> avatars) {
   const DrawingOver room(DrawingOver::kSolid);
-  begin(camera);
+  begin(eyes);
   for (const Avatar& avatar : avatars) {
     draw_head(avatar.shown.world_from_head, avatar.color);
     draw_hands_and_beam(avatar.shown, avatar.color);
   }
 }
 
-void BodyRenderer::draw_own(const ViewCamera& camera, const PersonPose& self, Rgb8 color) const {
+void BodyRenderer::draw_own(const Eyes& eyes, const PersonPose& self, Rgb8 color) {
   const DrawingOver room(DrawingOver::kSolid);
-  begin(camera);
+  begin(eyes);
   draw_hands_and_beam(self, color);
 }
 
-void BodyRenderer::begin(const ViewCamera& camera) const {
-  const Eigen::Matrix4f clip_from_world =
-      clip_from_view(camera) * matrix_from_transform(camera.world_from_view.inverse());
-  glProgramUniformMatrix4fv(program_.name(), kClipFromWorld, 1, GL_FALSE, clip_from_world.data());
+void BodyRenderer::begin(const Eyes& eyes) {
+  eyes_ = eyes.count();
+  set_eyes(program_, eyes);
+  set_matrices(program_, kClipFromWorld, clip_from_world(eyes));
   glUseProgram(program_.name());
   glBindVertexArray(no_attributes_.name());
 }
@@ -105,7 +107,7 @@ void BodyRenderer::draw_ball(const RigidTransform& world_from_ball, const Eigen:
   glProgramUniform3f(program, kColor, static_cast<float>(color.r) / 255,
                      static_cast<float>(color.g) / 255, static_cast<float>(color.b) / 255);
   glProgramUniform1f(program, kOwnLight, own_light);
-  glDrawArrays(GL_TRIANGLES, 0, 6 * kSectors * kRings);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * kSectors * kRings, eyes_);
 }
 
 }  // namespace roomcast

@@ -8,8 +8,8 @@
 #include <span>
 
 #include "roomcast/core/image.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/gl_program.h"
-#include "roomcast/render/view_camera.h"
 #include "roomcast/room/person_pose.h"
 #include "roomcast/viewer/people/avatars.h"
 
@@ -20,13 +20,13 @@ class BodyRenderer {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<BodyRenderer> create();
 
-  void draw(const ViewCamera& camera, std::span<const Avatar> avatars) const;
+  void draw(const Eyes& eyes, std::span<const Avatar> avatars);
   /// The hands and the beam of the one who looks; the head is where the eyes are.
-  void draw_own(const ViewCamera& camera, const PersonPose& self, Rgb8 color) const;
+  void draw_own(const Eyes& eyes, const PersonPose& self, Rgb8 color);
 
  private:
   explicit BodyRenderer(GlProgram program);
-  void begin(const ViewCamera& camera) const;
+  void begin(const Eyes& eyes);
   void draw_head(const RigidTransform& world_from_head, Rgb8 color) const;
   void draw_hands_and_beam(const PersonPose& pose, Rgb8 color) const;
   void draw_beam(const PointerBeam& beam, Rgb8 color) const;
@@ -35,6 +35,7 @@ class BodyRenderer {
 
   GlProgram program_;
   GlVertexArray no_attributes_;
+  GLsizei eyes_ = 1;  // of the picture that was begun
 };
 
 }  // namespace roomcast

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "roomcast/render/shader_sources.h"
 #include "roomcast/render/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
 #include "roomcast/viewer/people/shader_sources.h"
@@ -15,7 +16,7 @@ namespace roomcast {
 namespace {
 
 // As in shaders/label.*.
-enum UniformLocation : GLint { kClipFromLabel = 0, kLetters = 1, kColor = 2, kPlate = 3 };
+enum UniformLocation : GLint { kClipFromLabel = 0, kLetters = 2, kColor = 3, kPlate = 4 };
 enum Attribute : GLuint { kPlace = 0, kInAtlas = 1 };
 constexpr GLsizei kPlateCorners = 6;
 
@@ -65,24 +66,28 @@ RigidTransform world_from_label(const RigidTransform& world_from_view,
 }
 
 Result<LabelRenderer> LabelRenderer::create() {
-  Result<GlProgram> program = make_program(
-      {{GL_VERTEX_SHADER, {shaders::label_vert}}, {GL_FRAGMENT_SHADER, {shaders::label_frag}}});
+  Result<GlProgram> program =
+      make_program({{GL_VERTEX_SHADER, {shaders::eyes_glsl, shaders::label_vert}},
+                    {GL_FRAGMENT_SHADER, {shaders::label_frag}}});
   if (!program) return std::move(program).error();
   return LabelRenderer(std::move(program).value());
 }
 
-void LabelRenderer::draw(const ViewCamera& camera, std::span<const Avatar> avatars) {
+void LabelRenderer::draw(const Eyes& eyes, std::span<const Avatar> avatars) {
   forget_who_left(avatars);
   const DrawingOver room(DrawingOver::kTransparent);
-  const Eigen::Matrix4f clip_from_world =
-      clip_from_view(camera) * matrix_from_transform(camera.world_from_view.inverse());
+  const EyeMatrices clip_from_room = clip_from_world(eyes);
   glUseProgram(program_.name());
+  set_eyes(program_, eyes);
   glBindTextureUnit(0, font_.texture().name());
   glProgramUniform1i(program_.name(), kLetters, 0);
   for (const Avatar& avatar : avatars) {
-    const RigidTransform world_from_name =
-        world_from_label(camera.world_from_view, avatar.shown.world_from_head);
-    draw_label(label_of(avatar), clip_from_world * matrix_from_transform(world_from_name));
+    EyeMatrices clip_from_label = clip_from_room;
+    for (std::size_t eye = 0; eye < clip_from_label.size(); ++eye) {
+      clip_from_label[eye] *= matrix_from_transform(
+          world_from_label(eyes[eye].world_from_view, avatar.shown.world_from_head));
+    }
+    draw_label(label_of(avatar), clip_from_label, eyes.count());
   }
 }
 
@@ -114,16 +119,17 @@ LabelRenderer::Label LabelRenderer::make_label(const std::string& text) const {
   return label;
 }
 
-void LabelRenderer::draw_label(const Label& label, const Eigen::Matrix4f& clip_from_label) const {
+void LabelRenderer::draw_label(const Label& label, const EyeMatrices& clip_from_label,
+                               GLsizei eyes) const {
   const GLuint program = program_.name();
-  glProgramUniformMatrix4fv(program, kClipFromLabel, 1, GL_FALSE, clip_from_label.data());
+  set_matrices(program_, kClipFromLabel, clip_from_label);
   glBindVertexArray(label.vertices.name());
   glProgramUniform2f(program, kPlate, label.width_m / 2 + kPlateMargin_m, kPlateHeight_m / 2);
   glProgramUniform4f(program, kColor, 0.05F, 0.067F, 0.09F, 0.72F);
-  glDrawArrays(GL_TRIANGLES, 0, kPlateCorners);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, kPlateCorners, eyes);
   glProgramUniform2f(program, kPlate, 0, 0);
   glProgramUniform4f(program, kColor, 0.95F, 0.96F, 0.97F, 1);
-  glDrawArrays(GL_TRIANGLES, kPlateCorners, label.letter_corners);
+  glDrawArraysInstanced(GL_TRIANGLES, kPlateCorners, label.letter_corners, eyes);
 }
 
 }  // namespace roomcast

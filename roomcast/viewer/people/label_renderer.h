@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws people's names above their heads, facing the eye, hidden by what is in front of them. Draws
-// into the bound framebuffer; needs the GL context it was made with.
+// Draws people's names above their heads, facing each eye, hidden by what is in front of them.
+// Draws into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include <map>
@@ -8,8 +8,8 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/render/gl_program.h"
-#include "roomcast/render/view_camera.h"
 #include "roomcast/viewer/people/avatars.h"
 #include "roomcast/viewer/people/label_font.h"
 
@@ -20,7 +20,7 @@ class LabelRenderer {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<LabelRenderer> create();
 
-  void draw(const ViewCamera& camera, std::span<const Avatar> avatars);
+  void draw(const Eyes& eyes, std::span<const Avatar> avatars);
 
  private:
   struct Label {
@@ -34,7 +34,7 @@ class LabelRenderer {
   explicit LabelRenderer(GlProgram program) : program_(std::move(program)) {}
   const Label& label_of(const Avatar& avatar);
   [[nodiscard]] Label make_label(const std::string& text) const;
-  void draw_label(const Label& label, const Eigen::Matrix4f& clip_from_label) const;
+  void draw_label(const Label& label, const EyeMatrices& clip_from_label, GLsizei eyes) const;
   void forget_who_left(std::span<const Avatar> avatars);
 
   GlProgram program_;

@@ -20,11 +20,12 @@ void PeopleView::follow(const RoomSnapshot& room) {
   if (self != room.people.end()) own_color_ = self->color;
 }
 
-void PeopleView::draw(const ViewCamera& camera, const OffscreenTarget& target) {
+void PeopleView::draw(const Eyes& eyes, const OffscreenTarget& target) {
   target.bind();
-  bodies_.draw(camera, avatars_.shown());
-  if (own_) bodies_.draw_own(camera, *own_, own_color_);
-  labels_.draw(camera, avatars_.shown());
+  const EyeBorders borders(eyes);
+  bodies_.draw(eyes, avatars_.shown());
+  if (own_) bodies_.draw_own(eyes, *own_, own_color_);
+  labels_.draw(eyes, avatars_.shown());
 }
 
 }  // namespace roomcast

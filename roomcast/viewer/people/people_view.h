@@ -26,7 +26,7 @@ class PeopleView {
   [[nodiscard]] std::span<const Avatar> others() const { return avatars_.shown(); }
 
   /// Over the room that `target` holds.
-  void draw(const ViewCamera& camera, const OffscreenTarget& target);
+  void draw(const Eyes& eyes, const OffscreenTarget& target);
 
  private:
   PeopleView(BodyRenderer bodies, LabelRenderer labels)

@@ -61,6 +61,17 @@ Result<EyePicture> eye_picture(const XrFovf& fov, PictureSize size) {
   return picture;
 }
 
+EyePicture with_size(const EyePicture& picture, PictureSize size) {
+  if (size == picture.drawn) return picture;
+  const double focal_px = 0.5 * picture.drawn.height / std::tan(0.5 * picture.vertical_fov_rad);
+  EyePicture larger = picture;
+  larger.drawn = size;
+  larger.vertical_fov_rad = 2 * std::atan(0.5 * size.height / focal_px);
+  larger.left += (size.width - picture.drawn.width) / 2;
+  larger.bottom += (size.height - picture.drawn.height) / 2;
+  return larger;
+}
+
 RigidTransform transform_from_pose(const XrPosef& pose) {
   const auto& turn = pose.orientation;
   const auto& place = pose.position;

@@ -25,6 +25,9 @@ struct EyePicture {
 /// `size`: of the eye's image. kUnsupported for angles that are no picture (a runtime's fault).
 [[nodiscard]] Result<EyePicture> eye_picture(const XrFovf& fov, PictureSize size);
 
+/// The same, of a larger centred picture; `size`: even, and not below `picture.drawn`.
+[[nodiscard]] EyePicture with_size(const EyePicture& picture, PictureSize size);
+
 [[nodiscard]] RigidTransform transform_from_pose(const XrPosef& pose);
 [[nodiscard]] XrPosef pose_from_transform(const RigidTransform& transform);
 

@@ -43,6 +43,18 @@ TEST(EyePicture, its_angles_are_those_of_its_edges_in_the_drawn_picture) {
   EXPECT_LE(picture->bottom + picture->part.height, picture->drawn.height);
 }
 
+TEST(EyePicture, of_a_larger_picture_shows_the_same) {
+  const auto picture = eye_picture(kLeftEye, {700, 640});
+  ASSERT_TRUE(picture.ok());
+  const PictureSize size = {picture->drawn.width + 10, picture->drawn.height + 4};
+  const EyePicture larger = with_size(*picture, size);
+  EXPECT_EQ(larger.drawn, size);
+  EXPECT_EQ(larger.part, picture->part);
+  EXPECT_EQ(larger.left, picture->left + 5);
+  EXPECT_EQ(larger.bottom, picture->bottom + 2);
+  EXPECT_NEAR(focal_px(larger), focal_px(*picture), 1e-9);
+}
+
 TEST(EyePicture, what_is_no_picture_is_refused) {
   EXPECT_FALSE(eye_picture({0.5F, -0.5F, 0.5F, -0.5F}, {640, 640}).ok());
   EXPECT_FALSE(eye_picture({-1.7F, 0.5F, 0.5F, -0.5F}, {640, 640}).ok());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/viewer/xr/eye_target.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "roomcast/viewer/xr/xr_struct.h"
@@ -18,12 +19,12 @@ XrSwapchainSubImage part_of(const Swapchain& images, const EyePicture& picture) 
 }  // namespace
 
 Result<EyeTarget> EyeTarget::create(XrSession session, std::int64_t color_format,
-                                    std::int64_t depth_format, PictureSize size) {
+                                    std::int64_t depth_format, PictureSize size, int number) {
   auto color =
       Swapchain::create(session, color_format, size,
                         XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT);
   if (!color) return color.error();
-  EyeTarget eye(std::move(*color));
+  EyeTarget eye(std::move(*color), number);
   if (depth_format == 0) return eye;
   auto depth = Swapchain::create(
       session, depth_format, size,
@@ -40,6 +41,13 @@ Status EyeTarget::look(const XrView& view) {
   pose_ = view.pose;
   shown_ = Error{ErrorCode::kUnavailable, "an eye of the headset was given no picture"};
   return {};
+}
+
+void draw_alike(EyeTarget& left, EyeTarget& right) {
+  const PictureSize &a = left.picture_.drawn, &b = right.picture_.drawn;
+  const PictureSize size = {std::max(a.width, b.width), std::max(a.height, b.height)};
+  left.picture_ = with_size(left.picture_, size);
+  right.picture_ = with_size(right.picture_, size);
 }
 
 ViewCamera EyeTarget::camera() const {
@@ -71,9 +79,9 @@ Status EyeTarget::copy(const OffscreenTarget& picture) {
   glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_SCISSOR_TEST);
   const auto [width, height] = picture_.part;
-  glBlitNamedFramebuffer(picture.framebuffer(), framebuffer, picture_.left, picture_.bottom,
-                         picture_.left + width, picture_.bottom + height, 0, 0, width, height,
-                         parts, GL_NEAREST);
+  const int left = number_ * picture.width() + picture_.left, bottom = picture_.bottom;
+  glBlitNamedFramebuffer(picture.framebuffer(), framebuffer, left, bottom, left + width,
+                         bottom + height, 0, 0, width, height, parts, GL_NEAREST);
   if (depth_) {
     if (auto status = depth_->release(); !status) return status;
   }

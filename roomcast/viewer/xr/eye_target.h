@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// EyeTarget: one eye of a headset as a ViewTarget: the finished picture's part that the eye sees is
+// EyeTarget: one eye of a headset: of the finished picture of both eyes what this one sees is
 // copied into the headset's image, with its depth where the headset takes that. Needs the GL
 // context of the session.
 #pragma once
@@ -7,25 +7,26 @@
 #include <optional>
 
 #include "roomcast/render/gl_object.h"
-#include "roomcast/viewer/view_target.h"
+#include "roomcast/render/offscreen_target.h"
 #include "roomcast/viewer/xr/eye_picture.h"
 #include "roomcast/viewer/xr/swapchain.h"
 
 namespace roomcast::xr {
 
-class EyeTarget final : public ViewTarget {
+class EyeTarget {
  public:
-  /// `depth_format` 0: the headset takes no depth. Errors as Swapchain::create.
+  /// `depth_format` 0: the headset takes no depth. `number`: of this eye in the picture of both.
+  /// Errors as Swapchain::create.
   static Result<EyeTarget> create(XrSession session, std::int64_t color_format,
-                                  std::int64_t depth_format, PictureSize size);
+                                  std::int64_t depth_format, PictureSize size, int number);
 
   /// What the eye sees in the coming frame. Errors as eye_picture.
   Status look(const XrView& view);
   /// Of the picture to draw, in the space in which look()'s view was located.
   [[nodiscard]] ViewCamera camera() const;
 
-  [[nodiscard]] PictureSize size() const override { return picture_.drawn; }
-  void show(const OffscreenTarget& picture) override;
+  /// Copies this eye's part.
+  void show(const OffscreenTarget& picture);
 
   /// Whether the frame's picture has been shown, or why not.
   [[nodiscard]] const Status& shown() const { return shown_; }
@@ -33,10 +34,12 @@ class EyeTarget final : public ViewTarget {
   [[nodiscard]] XrCompositionLayerProjectionView layer();
 
  private:
-  explicit EyeTarget(Swapchain color) : color_(std::move(color)) {}
+  EyeTarget(Swapchain color, int number) : color_(std::move(color)), number_(number) {}
+  friend void draw_alike(EyeTarget& left, EyeTarget& right);
   Status copy(const OffscreenTarget& picture);
 
   Swapchain color_;
+  int number_;
   std::optional<Swapchain> depth_;
   GlFramebuffer framebuffer_ = GlFramebuffer::create();
   EyePicture picture_;
@@ -44,5 +47,8 @@ class EyeTarget final : public ViewTarget {
   Status shown_;
   XrCompositionLayerDepthInfoKHR depth_info_{};
 };
+
+/// After look(): gives both pictures the size of the larger, to be drawn side by side.
+void draw_alike(EyeTarget& left, EyeTarget& right);
 
 }  // namespace roomcast::xr

@@ -88,7 +88,8 @@ Status Headset::create_eyes() {
   for (const XrViewConfigurationView& view : *views) {
     const PictureSize size = {static_cast<int>(view.recommendedImageRectWidth),
                               static_cast<int>(view.recommendedImageRectHeight)};
-    auto eye = EyeTarget::create(session_, *color, *depth, size);
+    const int number = static_cast<int>(eyes_.size());
+    auto eye = EyeTarget::create(session_, *color, *depth, size, number);
     if (!eye) return eye.error();
     eyes_.push_back(std::move(*eye));
   }
@@ -177,10 +178,15 @@ Status Headset::locate_eyes(VrInput& input) {
   for (std::size_t eye = 0; eye < kEyes; ++eye) {
     if (auto status = eyes_[eye].look(views[eye]); !status) return status;
   }
+  draw_alike(eyes_[0], eyes_[1]);
   input.stage_from_head = transform_from_pose(views[0].pose);
   input.stage_from_head.translation_m =
       (input.stage_from_head.translation_m + transform_from_pose(views[1].pose).translation_m) / 2;
   return {};
+}
+
+void Headset::show(const OffscreenTarget& picture) {
+  for (EyeTarget& eye : eyes_) eye.show(picture);
 }
 
 Status Headset::end_frame() {

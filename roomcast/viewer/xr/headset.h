@@ -4,7 +4,8 @@
 // current when it was opened.
 //
 //   poll() every round; while is_running():
-//     begin_frame() - waits until the headset wants a frame - draw both eyes - end_frame()
+//     begin_frame() - waits until the headset wants a frame - draw stage_eyes() - show() -
+//     end_frame()
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include <openxr/openxr.h>
 
 #include "roomcast/core/clock.h"
+#include "roomcast/render/eyes.h"
 #include "roomcast/viewer/xr/actions.h"
 #include "roomcast/viewer/xr/eye_target.h"
 #include "roomcast/viewer/xr/frame_timing.h"
@@ -51,9 +53,10 @@ class Headset {
 
   /// Errors as xr_status.
   Result<HeadsetFrame> begin_frame();
-  /// In the stage's frame.
-  [[nodiscard]] ViewCamera stage_camera(std::size_t eye) const { return eyes_[eye].camera(); }
-  [[nodiscard]] ViewTarget& eye(std::size_t eye) { return eyes_[eye]; }
+  /// Left and right, in the stage's frame.
+  [[nodiscard]] Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
+  /// What was drawn for stage_eyes(). Whether that went well end_frame() says.
+  void show(const OffscreenTarget& picture);
   /// Hands over what was shown to both eyes. Errors as xr_status.
   Status end_frame();
   /// Asks for the end of the session; poll() then says when it is over.

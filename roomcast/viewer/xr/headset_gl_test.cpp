@@ -45,10 +45,10 @@ XrPosef nodding_head(XrTime time) {
 Status draw_frame(Headset& headset, RoomView& room, RoomPicture& picture) {
   const auto frame = headset.begin_frame();
   if (!frame) return frame.error();
-  for (std::size_t eye = 0; eye < kEyes && frame->is_seen; ++eye) {
-    if (auto status = picture.draw(room, headset.stage_camera(eye), RenderMode::kMesh); !status)
+  if (frame->is_seen) {
+    if (auto status = picture.draw(room, headset.stage_eyes(), RenderMode::kMesh); !status)
       return status;
-    headset.eye(eye).show(*picture.target());
+    headset.show(*picture.target());
   }
   return headset.end_frame();
 }

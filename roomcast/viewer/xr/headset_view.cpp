@@ -91,12 +91,14 @@ PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
 }
 
 Status HeadsetView::draw_eyes(RoomView& room, RenderMode mode) {
-  for (std::size_t eye = 0; eye < kEyes; ++eye) {
-    ViewCamera camera = headset_->stage_camera(eye);
+  const Eyes in_stage = headset_->stage_eyes();
+  const auto in_world = [this](ViewCamera camera) {
     camera.world_from_view = walk_.world_from_stage() * camera.world_from_view;
-    if (auto status = pictures_[eye].draw(room, camera, mode); !status) return status;
-    headset_->eye(eye).show(*pictures_[eye].target());
-  }
+    return camera;
+  };
+  const Eyes eyes(in_world(in_stage[0]), in_world(in_stage[1]));
+  if (auto status = picture_.draw(room, eyes, mode); !status) return status;
+  headset_->show(*picture_.target());
   return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// HeadsetView: the room in a headset: moves its wearer, draws both eyes one after the other, and
-// says where head and hands are. Threading: the thread of the GL context.
+// HeadsetView: the room in a headset: moves its wearer, draws for both eyes at once, and says where
+// head and hands are. Threading: the thread of the GL context.
 #pragma once
 
 #include <memory>
@@ -34,10 +34,10 @@ class HeadsetView {
 
   /// In the world; of the newest frame.
   [[nodiscard]] const PersonPose& pose() const { return pose_; }
-  /// What the left eye sees; null before the first frame.
-  [[nodiscard]] const OffscreenTarget* left_eye() const { return pictures_[0].target(); }
+  /// What the left eye sees, and behind it what the right one does; null before the first frame.
+  [[nodiscard]] const OffscreenTarget* left_eye() const { return picture_.target(); }
   [[nodiscard]] std::optional<nanoseconds> take_drawing_time() {
-    return pictures_[1].take_drawing_time();
+    return picture_.take_drawing_time();
   }
   /// For the panel: the headset's name, its rate, our time for a frame, frames missed.
   [[nodiscard]] std::string report() const;
@@ -54,7 +54,7 @@ class HeadsetView {
   bool is_placed_ = false;
   HostTime last_frame_{};
   PersonPose pose_;
-  std::array<RoomPicture, kEyes> pictures_;
+  RoomPicture picture_;
   RoomPicture pointed_at_;
 };
 

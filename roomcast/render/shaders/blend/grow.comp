@@ -1,12 +1,13 @@
 // Where a level has nothing, what the next coarser one has: from the coarsest to the finest.
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D coarser;
-layout(rgba16f, binding = 0) uniform image2D level;
+layout(binding = 0) uniform sampler2DArray coarser;  // a layer for each eye
+layout(rgba16f, binding = 0) uniform image2DArray level;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec3 pixel = ivec3(gl_GlobalInvocationID);
   if (any(greaterThanEqual(pixel, imageSize(level)))) return;
   if (imageLoad(level, pixel).a > 0.0) return;
-  imageStore(level, pixel, texture(coarser, (vec2(pixel) + 0.5) / vec2(2 * textureSize(coarser, 0))));
+  vec2 at = (vec2(pixel.xy) + 0.5) / vec2(2 * textureSize(coarser, 0).xy);
+  imageStore(level, pixel, texture(coarser, vec3(at, float(pixel.z))));
 }

@@ -1,9 +1,11 @@
-// Where the triangles of each tile go in the whole mesh, and how many there are in all: the command that draws it.
+// Where the triangles of each tile go in the whole mesh, and how many there are in all: the commands that draw it.
 
 layout(local_size_x = 256) in;
+struct Command { uint count, instances, first, base, first_instance; };
+
 layout(std430, binding = 1) readonly buffer Counts { uint tile_counts[]; };
 layout(std430, binding = 2) writeonly buffer Offsets { uint tile_offsets[]; };
-layout(std430, binding = 3) writeonly buffer Command { uint count, instances, first, base, first_instance; };
+layout(std430, binding = 3) writeonly buffer Commands { Command commands[2]; };  // for one eye, for two
 
 layout(location = 0) uniform uint tiles;
 
@@ -28,11 +30,5 @@ void main() {
     tile_offsets[i] = offset;
     offset += tile_counts[i];
   }
-  if (me == 255u) {
-    count = sums[me];
-    instances = 1u;
-    first = 0u;
-    base = 0u;
-    first_instance = 0u;
-  }
+  if (me < 2u) commands[me] = Command(sums[255], me + 1u, 0u, 0u, 0u);
 }

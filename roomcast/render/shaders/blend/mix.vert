@@ -1,7 +1,7 @@
 // Weighs a surface by how well its sensor saw it and by how alike the sensor's and the eye's directions are
 // (Buehler et al. 2001, unstructured lumigraph rendering).
 
-layout(location = 4) uniform float weight;  // of this surface beside others
+layout(location = 6) uniform float weight;  // of this surface beside others
 
 out vec3 at;  // in the depth grid, 0..1: to be divided by its last, for large triangles
 out float counts;
@@ -19,10 +19,10 @@ float agreement(vec3 a, vec3 b) { return 0.5 + 0.5 * dot(a, b) * inversesqrt(dot
 void main() {
   ivec2 pixel = pixel_of(gl_VertexID);
   vec3 point = point_in_view(pixel);
-  float alike = max(agreement(point, point - view_from_depth[3].xyz), kLeastAgreement);
+  float alike = max(agreement(point, point - view_from_depth[this_eye()][3].xyz), kLeastAgreement);
   counts = kScale * weight * alike * alike * alike * alike;
   float away = max(-point.z, 1.0e-3);
   float forward = max((away - kMix_m) / (1.0 + kMixPer_m), 0.5 * away);  // never behind the eye
-  gl_Position = clip_from_view * vec4(point * (forward / away), 1.0);
+  gl_Position = in_part_of_eye(clip_from(point * (forward / away)));
   at = vec3((vec2(pixel) + 0.5) / vec2(textureSize(depth_m, 0)), 1.0) * z_at(pixel);
 }

@@ -1,1 +1,1 @@
-void main() { gl_Position = clip_from_view * vec4(point_in_view(pixel_of(gl_VertexID)), 1.0); }
+void main() { gl_Position = in_part_of_eye(clip_from(point_in_view(pixel_of(gl_VertexID)))); }

@@ -1,10 +1,11 @@
-// What may be seen where no sensor sees: the colour around, and how much of it. Half the size of the picture.
+// What may be seen where no sensor sees: the colour around, and how much of it. Half the size of the picture, a layer
+// for each eye.
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D coarser;          // colours times weights, weights
-layout(binding = 3) uniform sampler2D narrow_coverage;  // of what surrounds a pixel closely
-layout(binding = 4) uniform sampler2D wide_coverage;
-layout(rgba16f, binding = 0) uniform image2D level;  // as the coarser one; then colour, share
+layout(binding = 0) uniform sampler2DArray coarser;          // colours times weights, weights
+layout(binding = 3) uniform sampler2DArray narrow_coverage;  // of what surrounds a pixel closely
+layout(binding = 4) uniform sampler2DArray wide_coverage;
+layout(rgba16f, binding = 0) uniform image2DArray level;  // as the coarser one; then colour, share
 
 layout(location = 1) uniform vec4 coverage_sizes;  // of narrow and wide, in these pixels
 layout(location = 2) uniform int unseen;           // Unseen of blend_renderer.h
@@ -14,19 +15,20 @@ const int kSurroundings = 2;
 const vec4 kUnseenGrey = vec4(vec3(0.5), 0.0);
 
 // 1 in small holes and in large ones with surfaces all around, 0 where surfaces end.
-float is_filled(vec2 at) {
+float is_filled(vec2 at, float eye) {
   if (unseen == kSurroundings) return 1.0;
-  float narrow = texture(narrow_coverage, at / coverage_sizes.xy).r;
-  float wide = texture(wide_coverage, at / coverage_sizes.zw).r;
+  float narrow = texture(narrow_coverage, vec3(at / coverage_sizes.xy, eye)).r;
+  float wide = texture(wide_coverage, vec3(at / coverage_sizes.zw, eye)).r;
   return max(smoothstep(0.2, 0.35, narrow), smoothstep(0.45, 0.55, wide));
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec3 pixel = ivec3(gl_GlobalInvocationID);
   if (any(greaterThanEqual(pixel, imageSize(level)))) return;
-  vec2 at = vec2(pixel) + 0.5;
+  vec2 at = vec2(pixel.xy) + 0.5;
+  float eye = float(pixel.z);
   vec4 color = imageLoad(level, pixel);
-  if (color.a == 0.0) color = texture(coarser, at / vec2(2 * textureSize(coarser, 0)));
+  if (color.a == 0.0) color = texture(coarser, vec3(at / vec2(2 * textureSize(coarser, 0).xy), eye));
   bool is_shown = unseen != kBackground && color.a > 0.0;  // else there is no colour anywhere
-  imageStore(level, pixel, is_shown ? vec4(color.rgb / color.a, is_filled(at)) : kUnseenGrey);
+  imageStore(level, pixel, is_shown ? vec4(color.rgb / color.a, is_filled(at, eye)) : kUnseenGrey);
 }

@@ -1,7 +1,7 @@
 // Daylight from above and a lamp over the shoulder; a beam shines by itself.
 
-layout(location = 3) uniform vec3 color;
-layout(location = 4) uniform float own_light;
+layout(location = 4) uniform vec3 color;
+layout(location = 5) uniform float own_light;
 
 in vec3 world_normal;
 layout(location = 0) out vec4 picture;

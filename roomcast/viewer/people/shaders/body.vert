@@ -1,8 +1,8 @@
 // A ball of rings and sectors, made from gl_VertexID; the matrix makes it a head, a hand or a beam.
 
-layout(location = 0) uniform mat4 clip_from_world;
-layout(location = 1) uniform mat4 world_from_ball;
-layout(location = 2) uniform mat3 world_from_normal;
+layout(location = 0) uniform mat4 clip_from_world[2];  // of each eye
+layout(location = 2) uniform mat4 world_from_ball;
+layout(location = 3) uniform mat3 world_from_normal;
 
 const int sectors = 32;
 const int rings = 16;
@@ -18,5 +18,5 @@ void main() {
   float latitude = pi * (float(corner.y) / float(rings) - 0.5);
   vec3 ball = vec3(cos(latitude) * cos(longitude), sin(latitude), cos(latitude) * sin(longitude));
   world_normal = world_from_normal * ball;
-  gl_Position = clip_from_world * world_from_ball * vec4(ball, 1.0);
+  gl_Position = in_part_of_eye(clip_from_world[this_eye()] * world_from_ball * vec4(ball, 1.0));
 }

@@ -1,6 +1,6 @@
-layout(location = 1) uniform sampler2D letters;
-layout(location = 2) uniform vec4 color;
-layout(location = 3) uniform vec2 plate_m;  // half of its width and height; 0: a letter
+layout(location = 2) uniform sampler2D letters;
+layout(location = 3) uniform vec4 color;
+layout(location = 4) uniform vec2 plate_m;  // half of its width and height; 0: a letter
 
 in vec2 uv;
 layout(location = 0) out vec4 picture;
