@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <numbers>
 #include <random>
@@ -22,13 +21,6 @@ namespace roomcast::bench {
 namespace {
 
 constexpr int kDrawingsPerView = 3;
-
-/// Of all threads of the process.
-double process_cpu_ms() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
 
 Eigen::Vector3d random_direction(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -74,8 +66,8 @@ class RenderBench {
   Status warm_up(RoomRenderer& room, RenderMode mode);
   Status show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
   Status upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
-  static Status timed_draw(RoomRenderer& room, const ViewCamera& camera,
-                           const OffscreenTarget& target, RenderMode mode, double* cpu_ms);
+  Status measure_cost(RoomRenderer& room, const ViewCamera& camera, const OffscreenTarget& target,
+                      RenderMode mode, RenderRow& cost) const;
   Result<DrawnView> draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
                          RenderRow* cost);
   Status write_picture(const JudgedView& view, RenderMode mode, const DrawnView& drawn) const;
@@ -196,15 +188,26 @@ Status RenderBench::show(RoomRenderer& room, const FrameNumbers& numbers, Render
   return {};
 }
 
-/// Adds the CPU time it took to `cpu_ms`.
-Status RenderBench::timed_draw(RoomRenderer& room, const ViewCamera& camera,
-                               const OffscreenTarget& target, RenderMode mode, double* cpu_ms) {
-  glFinish();
-  const double before = process_cpu_ms();
-  const Status status = room.draw(camera, target, mode);
-  glFinish();
-  if (cpu_ms != nullptr) *cpu_ms += process_cpu_ms() - before;
-  return status;
+/// Leaves a picture in this mode in `target`.
+Status RenderBench::measure_cost(RoomRenderer& room, const ViewCamera& camera,
+                                 const OffscreenTarget& target, RenderMode mode,
+                                 RenderRow& cost) const {
+  if (options_.stereo) {
+    const auto stereo = stereo_cost(room, camera, mode, kDrawingsPerView);
+    if (!stereo) return stereo.error();
+    cost.stereo.at_once_cpu_ms += stereo->at_once_cpu_ms;
+    cost.stereo.one_by_one_cpu_ms += stereo->one_by_one_cpu_ms;
+    if (auto status = room.draw(camera, target, mode); !status) return status;
+  }
+  for (int i = 0; i < kDrawingsPerView; ++i) {
+    const auto points = drawing_cpu_ms(room, camera, target, RenderMode::kPoints);
+    if (!points) return points.error();
+    const auto drawn = drawing_cpu_ms(room, camera, target, mode);
+    if (!drawn) return drawn.error();
+    cost.points_cpu_ms += *points;
+    cost.draw_cpu_ms += *drawn;
+  }
+  return {};
 }
 
 Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
@@ -213,11 +216,9 @@ Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, 
   const auto target = OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
   // What is derived once from a frame belongs to the frame.
-  if (auto status = timed_draw(room, camera, *target, mode, nullptr); !status)
-    return status.error();
-  for (int i = 0; cost != nullptr && i < kDrawingsPerView; ++i) {
-    auto status = timed_draw(room, camera, *target, RenderMode::kPoints, &cost->points_cpu_ms);
-    if (status) status = timed_draw(room, camera, *target, mode, &cost->draw_cpu_ms);
+  if (auto status = room.draw(camera, *target, mode); !status) return status.error();
+  if (cost != nullptr) {
+    auto status = measure_cost(room, camera, *target, mode, *cost);
     if (!status) return status.error();
   }
   return DrawnView{target->read_color(), target->read_depth_m(camera)};
@@ -287,6 +288,8 @@ Result<RenderRow> RenderBench::measure(RenderMode mode) {
   const double drawings = kDrawingsPerView * static_cast<double>(scores.size());
   row.draw_cpu_ms /= std::max(drawings, 1.0);
   row.points_cpu_ms /= std::max(drawings, 1.0);
+  row.stereo.at_once_cpu_ms /= std::max(drawings, 1.0);
+  row.stereo.one_by_one_cpu_ms /= std::max(drawings, 1.0);
   return row;
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/render/drawing_cost.h"
 #include "bench/render/view_score.h"
 #include "roomcast/core/result.h"
 #include "roomcast/render/room_renderer.h"
@@ -28,6 +29,7 @@ struct RenderBenchOptions {
   /// Every sensor is moved and turned by this much, each in a direction of its own.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;
+  bool stereo = false;                                 // what two eyes cost, too
   std::optional<std::filesystem::path> pictures = {};  // a folder to write what was drawn into
 };
 
@@ -39,6 +41,7 @@ struct RenderRow {
   /// Per view, all threads of the process (a software driver draws there): of this mode, and of
   /// points, which are drawn in turns with it so that whatever else runs slows both.
   double draw_cpu_ms = 0, points_cpu_ms = 0;
+  StereoCost stereo;  // per view, when it was asked for
 };
 
 struct RenderReport {

@@ -106,6 +106,7 @@ TEST_F(RenderBenchTest, judges_every_mode) {
   ASSERT_NO_FATAL_FAILURE(write_rig());
   RenderBenchOptions options{.rig = folder / "rig"};
   options.pictures = folder / "drawn";
+  options.stereo = true;
   const auto report = run_render_bench(options, {});
   ASSERT_TRUE(report.ok()) << report.error().message;
   ASSERT_EQ(report->rows.size(), kRenderModes.size());
@@ -115,6 +116,8 @@ TEST_F(RenderBenchTest, judges_every_mode) {
     EXPECT_LT(row.score.holes, 0.06) << row.mode << ": half a cell is missing at the border";
     EXPECT_EQ(row.score.wrong_depth, 0) << row.mode;
     EXPECT_GT(row.points_cpu_ms, 0) << row.mode;
+    EXPECT_GT(row.stereo.at_once_cpu_ms, 0) << row.mode;
+    EXPECT_GT(row.stereo.one_by_one_cpu_ms, 0) << row.mode;
   }
   EXPECT_TRUE(fs::exists(folder / "drawn" / "view0_t0_mesh.png"));
   std::ostringstream json, table;
@@ -122,6 +125,7 @@ TEST_F(RenderBenchTest, judges_every_mode) {
   print_table(*report, table);
   EXPECT_EQ(nlohmann::json::parse(json.str()).at("rows").size(), report->rows.size());
   EXPECT_NE(table.str().find("mesh"), std::string::npos);
+  EXPECT_NE(table.str().find("two eyes at once"), std::string::npos);
 }
 
 }  // namespace

@@ -13,6 +13,21 @@ double cost_vs_points(const RenderRow& row) {
   return row.points_cpu_ms > 0 ? row.draw_cpu_ms / row.points_cpu_ms : 0;
 }
 
+/// Of drawing both eyes at once, as a share of drawing one after the other; 0: not measured.
+double stereo_vs_two(const RenderRow& row) {
+  const StereoCost& cost = row.stereo;
+  return cost.one_by_one_cpu_ms > 0 ? cost.at_once_cpu_ms / cost.one_by_one_cpu_ms : 0;
+}
+
+void print_stereo(const RenderReport& report, std::ostream& out) {
+  for (const RenderRow& row : report.rows) {
+    if (row.stereo.one_by_one_cpu_ms == 0) continue;
+    out << fmt::format("{:<8} two eyes at once {:.0f} ms, one after the other {:.0f} ms: {:.2f}\n",
+                       row.mode, row.stereo.at_once_cpu_ms, row.stereo.one_by_one_cpu_ms,
+                       stereo_vs_two(row));
+  }
+}
+
 }  // namespace
 
 void print_table(const RenderReport& report, std::ostream& out) {
@@ -35,6 +50,7 @@ void print_table(const RenderReport& report, std::ostream& out) {
         100 * s.wrong_depth, row.flicker_levels, row.upload_cpu_ms, row.draw_cpu_ms,
         fmt::format("{:.2f}", cost_vs_points(row)));
   }
+  print_stereo(report, out);
 }
 
 void print_json(const RenderReport& report, std::ostream& out) {
@@ -65,6 +81,10 @@ void print_json(const RenderReport& report, std::ostream& out) {
                             {"upload_cpu_ms", row.upload_cpu_ms},
                             {"draw_cpu_ms", row.draw_cpu_ms},
                             {"cost_vs_points", cost_vs_points(row)}});
+    if (row.stereo.one_by_one_cpu_ms == 0) continue;
+    json["rows"].back()["stereo"] = {{"at_once_cpu_ms", row.stereo.at_once_cpu_ms},
+                                     {"one_by_one_cpu_ms", row.stereo.one_by_one_cpu_ms},
+                                     {"at_once_vs_one_by_one", stereo_vs_two(row)}};
   }
   out << json.dump(1) << "\n";
 }

@@ -43,6 +43,8 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       ->check(CLI::Range(0.0, 180.0));
   command->add_option("--pose-seed", options->pose_seed, "Whereto");
   command->add_option("--pictures", options->pictures, "Writes what was drawn into this folder");
+  command->add_flag("--stereo", options->stereo,
+                    "Also what two eyes drawn at once cost beside one drawn after the other");
   command->add_flag("--json", *json, "For scripts");
   command->footer(
       "Example:\n  roomcast simulate room --scene lab --sensors 3 --seconds 3 --views 4\n"

@@ -185,6 +185,20 @@ TEST_F(EyesTest, that_do_not_fit_together_are_refused) {
   EXPECT_NE(code(illegal).find("field of view"), std::string::npos);
 }
 
+// The software driver clips by these distances whether it was asked to or not; others do not.
+TEST_F(EyesTest, have_borders_only_while_two_are_drawn) {
+  const ViewCamera eye = eye_at({0, 1.5, 0});
+  {
+    const EyeBorders one(eye);
+    EXPECT_FALSE(glIsEnabled(GL_CLIP_DISTANCE0));
+  }
+  {
+    const EyeBorders two(Eyes(eye, eye));
+    EXPECT_TRUE(glIsEnabled(GL_CLIP_DISTANCE0) && glIsEnabled(GL_CLIP_DISTANCE1));
+  }
+  EXPECT_FALSE(glIsEnabled(GL_CLIP_DISTANCE0) || glIsEnabled(GL_CLIP_DISTANCE1));
+}
+
 TEST_F(EyesTest, need_a_picture_with_room_for_both) {
   const ViewCamera eye = eye_at({0, 1.5, 0});
   const auto for_one = OffscreenTarget::create(eye.width, eye.height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ViewTarget: whatever people see the room in: a window, an eye of a headset, a picture in memory.
+// ViewTarget: whatever people see the room in on a screen: a window, a picture in memory.
 // All of them are drawn the same way: the room is drawn into an OffscreenTarget of the size that
 // the target asks for, and the finished picture is shown.
 #pragma once

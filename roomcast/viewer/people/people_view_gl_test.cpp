@@ -124,6 +124,27 @@ TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
   EXPECT_EQ(picture.at(kSide / 2, kSide / 2), kBackground);
 }
 
+TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
+  room.people[0].pose->pointer = PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
+  ViewCamera left = camera, right = camera;
+  left.world_from_view.translation_m.x() -= 0.4;  // so that each sees the head at another place
+  right.world_from_view.translation_m.x() += 0.5;
+  auto both = OffscreenTarget::create(kSide, kSide, 2);
+  ASSERT_TRUE(both.ok());
+  both->clear(kBackground);
+  people->follow(room);
+  people->draw({left, right}, *both);
+  for (const int eye : {0, 1}) {
+    camera = eye == 0 ? left : right;
+    const ColorImage alone = draw(), together = both->read_color(eye);
+    int others = 0;
+    for (std::size_t i = 0; i < alone.view().pixel_count(); ++i)
+      others += std::abs(alone.data()[i].g - together.data()[i].g) > 1 ? 1 : 0;
+    EXPECT_LT(others, 20) << "of eye " << eye;
+    EXPECT_NE(alone, ColorImage(kSide, kSide, kBackground));
+  }
+}
+
 TEST(WorldFromLabel, faces_the_eye_and_stays_upright_even_from_right_below) {
   RigidTransform head;
   head.translation_m = {1, 1.6, 1};
