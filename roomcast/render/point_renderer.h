@@ -4,6 +4,8 @@
 // holes. Draws into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
+#include <array>
+
 #include "roomcast/render/gl_program.h"
 #include "roomcast/render/sensor_surface.h"
 #include "roomcast/render/surface_view.h"
@@ -20,10 +22,10 @@ class PointRenderer {
   void draw(const SensorSurface& surface, const SurfaceView& view, PointSize size) const;
 
  private:
-  explicit PointRenderer(GlProgram program);
+  PointRenderer(GlProgram for_one_eye, GlProgram for_two);
 
-  GlProgram program_;
-  GlVertexArray no_attributes_;  // a core context draws nothing without one
+  std::array<GlProgram, kMostEyes> programs_;  // for one eye, for two
+  GlVertexArray no_attributes_;                // a core context draws nothing without one
 };
 
 }  // namespace roomcast
