@@ -36,4 +36,11 @@ void HubAligners::start(const std::string& room) {
   aligners_[room] = *std::move(started);
 }
 
+void HubAligners::stop(const std::string& room) {
+  const std::lock_guard lock(mutex_);
+  auto stopped = aligners_.extract(room);
+  if (stopped)
+    ending_.emplace_back([aligner = std::move(stopped.mapped())]() mutable { aligner.reset(); });
+}
+
 }  // namespace roomcast::cli

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "roomcast/aligner/room_aligner.h"
 #include "roomcast/core/log.h"
@@ -36,6 +38,8 @@ class HubAligners {
 
   /// A room has a sensor.
   void start(const std::string& room);
+  /// Another hub does it from now on. Waits for nothing.
+  void stop(const std::string& room);
 
  private:
   const LogSink log_;
@@ -43,6 +47,7 @@ class HubAligners {
   OwnHub hub_;
   std::string token_;
   std::map<std::string, std::unique_ptr<aligner::RoomAligner>> aligners_;  // by room
+  std::vector<std::jthread> ending_;  // each waits for an aligner's last thought
 };
 
 }  // namespace roomcast::cli

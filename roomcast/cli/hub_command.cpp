@@ -32,7 +32,9 @@ namespace {
 struct HubFlags {
   std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
   std::vector<std::string> upstream;
-  std::string upstream_token_file;
+  std::string upstream_token_file, public_url;
+  std::vector<std::string> nats;
+  std::string nats_credentials, nats_ca, nats_cert, nats_key;
   std::int64_t threads = 0;
   bool self_signed = false, insecure = false, no_align = false, verbose = false, check = false;
   bool record = false;
@@ -52,6 +54,12 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   take(flags.recordings, config.recordings);
   config.record |= flags.record;
   take(flags.upstream_token_file, config.upstream_token_file);
+  take(flags.public_url, config.public_url);
+  take(flags.nats_credentials, config.nats_credentials);
+  take(flags.nats_ca, config.nats_ca);
+  take(flags.nats_cert, config.nats_cert);
+  take(flags.nats_key, config.nats_key);
+  if (!flags.nats.empty()) config.nats_servers = flags.nats;
   if (!flags.upstream.empty()) config.upstream_hubs = flags.upstream;
   if (!flags.room.empty()) config.rooms = {nlohmann::json{{"name", flags.room}}.dump()};
   if (flags.threads > 0) config.threads = flags.threads;
@@ -93,6 +101,7 @@ struct HubPlan {
   hub::HubOptions options;
   std::optional<net::Certificate> certificate;
   std::optional<upstream::UpstreamOptions> upstream;
+  std::optional<cluster::ClusterOptions> cluster;
 };
 
 Result<HubPlan> plan_hub(const HubFlags& flags) {
@@ -112,6 +121,9 @@ Result<HubPlan> plan_hub(const HubFlags& flags) {
   auto upstream = upstream_of(plan.config);
   if (!upstream) return upstream.error();
   plan.upstream = *std::move(upstream);
+  auto cluster = cluster_of(plan.config);
+  if (!cluster) return cluster.error();
+  plan.cluster = *std::move(cluster);
   return plan;
 }
 
@@ -169,6 +181,31 @@ std::shared_ptr<HubRecorders> make_recorders(const hub::HubConfig& config,
   return data ? std::make_shared<HubRecorders>(*data / "recordings", log) : nullptr;
 }
 
+/// To other hubs, if there are any.
+hub::OpenBackplane backplane_of(const HubPlan& plan, HubAligners& aligners, const LogSink& log) {
+  using Opened = Result<std::unique_ptr<hub::Backplane>>;
+  if (plan.upstream) {
+    return [options = *plan.upstream, log](hub::BackplaneSeat seat) mutable -> Opened {
+      options.log = log;
+      return std::unique_ptr<hub::Backplane>(
+          std::make_unique<upstream::UpstreamHub>(options, std::move(seat)));
+    };
+  }
+  if (!plan.cluster) return {};
+  cluster::ClusterOptions options = *plan.cluster;
+  options.log = log;
+  if (plan.config.align) {
+    options.on_owned = [&aligners](const std::string& room, bool owns) {
+      owns ? aligners.start(room) : aligners.stop(room);
+    };
+  }
+  return [options](hub::BackplaneSeat seat) -> Opened {
+    auto opened = cluster::ClusterHub::open(options, std::move(seat));
+    if (!opened) return opened.error();
+    return std::unique_ptr<hub::Backplane>(*std::move(opened));
+  };
+}
+
 Status run_hub(const HubFlags& flags) {
   std::atomic<bool> reload = false;
   std::function<void()> on_hangup;  // on a terminal it means that the terminal is gone
@@ -195,15 +232,10 @@ Status run_hub(const HubFlags& flags) {
   const auto recorders = make_recorders(plan->config, options.data_folder, log);
   options.recordings = recorders;
   options.on_room_in_use = [&, config = plan->config](const std::string& room) {
-    if (config.align) aligners.start(room);
+    if (config.align && config.nats_servers.empty()) aligners.start(room);
     if (config.record && recorders) (void)recorders->start(room);
   };
-  if (plan->upstream) {
-    plan->upstream->log = log;
-    options.open_backplane = [&plan](hub::BackplaneSeat seat) {
-      return std::make_unique<upstream::UpstreamHub>(*plan->upstream, std::move(seat));
-    };
-  }
+  options.open_backplane = backplane_of(*plan, aligners, log);
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
   const OwnHub own{.listen_address = plan->listen.address,
@@ -256,6 +288,21 @@ void add_hub_command(CLI::App& app, Command& chosen) {
   command->add_option("--upstream-token-file", flags->upstream_token_file,
                       "File with a viewer's token of those hubs");
   command
+      ->add_option("--nats", flags->nats,
+                   "Share the rooms with all hubs at these NATS servers: nats://HOST:4222, "
+                   "tls://HOST:4222; the first that answers is taken")
+      ->delimiter(',');
+  command->add_option("--nats-credentials", flags->nats_credentials,
+                      "File (.creds) by which NATS lets this hub in");
+  command->add_option("--nats-ca", flags->nats_ca,
+                      "PEM file: who signs the certificates of NATS (default: as in the system)");
+  command->add_option("--nats-cert", flags->nats_cert,
+                      "PEM file: this hub's certificate, where NATS asks for one");
+  command->add_option("--nats-key", flags->nats_key, "PEM file: its private key");
+  command->add_option("--public-url", flags->public_url,
+                      "How sensors and viewers reach this hub: other hubs name it to theirs, to go "
+                      "on at when they are gone");
+  command
       ->add_option("--threads", flags->threads,
                    "Among which connections are dealt out (default: one per core)")
       ->check(CLI::Range(1, 64));
@@ -277,6 +324,7 @@ void add_hub_command(CLI::App& app, Command& chosen) {
       "  roomcast hub --listen 0.0.0.0:443 --tls-cert fullchain.pem --tls-key privkey.pem\n"
       "  roomcast hub --config /etc/roomcast.toml --check\n"
       "  roomcast hub --room lab --upstream wss://hub.example.org:7600 --upstream-token-file t\n"
+      "  roomcast hub --room lab --nats nats://a:4222,nats://b:4222 --nats-credentials hub.creds\n"
       "Then open the address it prints and start sensors. From other machines they need tokens:\n"
       "roomcast token --help.");
   command->callback(

@@ -78,6 +78,22 @@ Result<std::optional<upstream::UpstreamOptions>> upstream_of(const hub::HubConfi
   return std::optional(std::move(options));
 }
 
+Result<std::optional<cluster::ClusterOptions>> cluster_of(const hub::HubConfig& config) {
+  if (config.nats_servers.empty()) return std::optional<cluster::ClusterOptions>();
+  cluster::ClusterOptions options;
+  options.nats = {.servers = config.nats_servers,
+                  .credentials_file = config.nats_credentials,
+                  .ca_file = config.nats_ca,
+                  .cert_file = config.nats_cert,
+                  .key_file = config.nats_key};
+  if (auto status = cluster::check(options.nats); !status) return status.error();
+  if (!config.public_url.empty()) {
+    if (auto url = net::parse_hub_url(config.public_url); !url) return url.error();
+  }
+  options.public_url = config.public_url;
+  return std::optional(std::move(options));
+}
+
 Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const ListenAddress& listen,
                                        bool encrypted) {
   const bool open = config.access == "anyone" || (config.access == "auto" && listen.loopback);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "roomcast/cli/listen_address.h"
+#include "roomcast/cluster/cluster_hub.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/config/hub_config.h"
 #include "roomcast/hub/hub_server.h"
@@ -26,6 +27,11 @@ namespace roomcast::cli {
 /// Whose rooms the hub serves on; nothing where no other hub is named. kInvalidArgument: not a
 /// hub's address. kNotFound: there is no token in the file.
 [[nodiscard]] Result<std::optional<upstream::UpstreamOptions>> upstream_of(
+    const hub::HubConfig& config);
+
+/// With whom it shares its rooms; nothing where no NATS server is named. Errors of
+/// cluster::check(); kInvalidArgument: the public address is none.
+[[nodiscard]] Result<std::optional<cluster::ClusterOptions>> cluster_of(
     const hub::HubConfig& config);
 
 /// All but certificate, folders and log. Whoever reaches a hub from elsewhere needs a token unless

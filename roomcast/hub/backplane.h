@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backplane: brings into a hub's rooms what other hubs have. It says what its sensors say through
-// SessionEvents, as if each had a connection of its own here, and is told what the room says to
-// them. Threading: the rooms' thread.
+// Backplane: brings into a hub's rooms what other hubs have, and to other hubs what they want of
+// this one. It says what its sensors say through SessionEvents, as if each had a connection of its
+// own here, and is told what the room says to them. Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <boost/asio/io_context.hpp>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/core/result.h"
 #include "roomcast/hub/session.h"
 
 namespace roomcast::hub {
@@ -33,6 +36,16 @@ inline constexpr std::uint64_t kBackplaneBit = std::uint64_t{1} << 63;
 class Backplane {
  public:
   virtual ~Backplane() = default;
+  virtual void room_opened(const std::string& /*room*/) {}
+  virtual void room_closed(const std::string& /*room*/) {}
+  /// A sensor is let in that has a connection here. `token_id`: of the token that it showed.
+  virtual void sensor_joins(const std::string& /*room*/, const std::string& /*name*/,
+                            const std::string& /*token_id*/) {}
+  /// Of such a sensor; the room takes it.
+  virtual void frame(const std::string& /*room*/, const wire::FrameHeader& /*header*/,
+                     std::span<const std::uint8_t> /*message*/) {}
+  /// Tokens that hold no more.
+  virtual void revoked(const std::vector<std::string>& /*token_ids*/) {}
   /// Somebody here sees this room now, or nobody any more.
   virtual void watch(const std::string& room, bool is_watched) = 0;
   /// What the room says to one of the backplane's connections.
@@ -47,6 +60,6 @@ struct BackplaneSeat {
   SessionEvents& rooms;
   std::string token;  // with which it may join every room
 };
-using OpenBackplane = std::function<std::unique_ptr<Backplane>(BackplaneSeat)>;
+using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneSeat)>;
 
 }  // namespace roomcast::hub

@@ -42,6 +42,8 @@ class HubServer::Loop {
   Loop(HubOptions options, std::unique_ptr<HubBook> book, std::optional<net::StaticSite> site);
   ~Loop();
 
+  /// Before any room is opened.
+  Status open_backplane();
   void open_rooms(const std::map<std::string, RoomSettings>& rooms,
                   std::map<std::string, std::vector<KnownSensor>> sensors);
   Status listen();
@@ -87,10 +89,6 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
         Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
-  if (options_.open_backplane) {
-    backplane_ = options_.open_backplane({.io = io(), .rooms = *hall_, .token = own_token_});
-    hall_->connect(*backplane_);
-  }
   pages_ =
       std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
                                  ROOMCAST_VERSION, options_.recordings.get());
@@ -107,6 +105,15 @@ HubServer::Loop::~Loop() {
   loops_.front().reset();
   door_.reset();
   for (auto& loop : loops_) loop.reset();
+}
+
+Status HubServer::Loop::open_backplane() {
+  if (!options_.open_backplane) return {};
+  auto opened = options_.open_backplane({.io = io(), .rooms = *hall_, .token = own_token_});
+  if (!opened) return opened.error();
+  backplane_ = *std::move(opened);
+  hall_->connect(*backplane_);
+  return {};
 }
 
 void HubServer::Loop::open_rooms(const std::map<std::string, RoomSettings>& rooms,
@@ -203,6 +210,7 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     sensors[name] = *std::move(known);
   }
   auto loop = std::make_unique<Loop>(std::move(options), *std::move(book), std::move(site));
+  if (auto status = loop->open_backplane(); !status) return status.error();
   loop->open_rooms(rooms, std::move(sensors));
   if (auto status = loop->listen(); !status) return status.error();
   return std::unique_ptr<HubServer>(new HubServer(std::move(loop)));

@@ -64,7 +64,7 @@ class HubServer {
  public:
   /// Listens at once; clients are served once run() runs. kUnavailable: the port is in use, or what
   /// the hub keeps cannot be opened. kInvalidArgument: not an address, or a room that cannot be.
-  /// kNotFound: no page in the web directory.
+  /// kNotFound: no page in the web directory. And why there is no backplane.
   static Result<std::unique_ptr<HubServer>> open(HubOptions options);
   ~HubServer();
 

@@ -15,6 +15,13 @@ Room::Room(RoomSettings settings, std::string hub_version, bool recalls_poses)
       hub_version_(std::move(hub_version)),
       recalls_poses_(recalls_poses) {}
 
+/// An aligner passes on what somebody did at another hub.
+bool Room::may_nudge(ConnectionId from) const {
+  const auto viewer = viewers_.find(from);
+  if (viewer != viewers_.end()) return viewer->second.may_nudge;
+  return std::ranges::find(aligners_, from) != aligners_.end();
+}
+
 RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
   RoomActions out;
   const auto viewer = viewers_.find(from);
@@ -40,7 +47,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       ask_for_sightings(message.sighting_request(), out);
       return out;
     case pb::Control::kNudge:
-      if (viewer == viewers_.end() || !viewer->second.may_nudge) break;
+      if (!may_nudge(from)) break;
       pass_to_aligners(message, out);
       return out;
     case pb::Control::kPlacements:
@@ -67,22 +74,29 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
                 "this control message may not be sent to a hub by this kind of client", now);
 }
 
-RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
-                        net::MessageBuffer message, RoomTime now) {
-  RoomSensor* const sensor = sensors_.find(from);
+std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader& header,
+                                      RoomTime now) {
+  const RoomSensor* sensor = sensors_.find(from);
   if (sensor == nullptr) {
-    return refuse(from, pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames", now);
+    return Refusal{pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames"};
   }
   if (header.sensor != sensor->id) {
-    return refuse(
-        from, pb::ERROR_UNEXPECTED,
-        "this frame carries the id of another sensor than " + std::to_string(sensor->id.value),
-        now);
+    return Refusal{pb::ERROR_UNEXPECTED, "this frame carries the id of another sensor than " +
+                                             std::to_string(sensor->id.value)};
   }
   if (header.capture_time > now + wire::kMaxCaptureAhead) {
-    return refuse(from, pb::ERROR_MALFORMED,
-                  "this frame was captured in the future: synchronise the clock first", now);
+    return Refusal{pb::ERROR_MALFORMED,
+                   "this frame was captured in the future: synchronise the clock first"};
   }
+  return std::nullopt;
+}
+
+RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
+                        net::MessageBuffer message, RoomTime now) {
+  if (const auto fault = fault_of(from, header, now)) {
+    return refuse(from, fault->code, fault->sentence, now);
+  }
+  RoomSensor* const sensor = sensors_.find(from);
   if (header.key) sensor->key_pace.key_frame_came();
   count_frame(header, message.size(), now, sensor->stats);
   RoomActions out;

@@ -51,6 +51,9 @@ class Room {
                                     RoomTime now);
   [[nodiscard]] RoomActions frame(ConnectionId from, const wire::FrameHeader& header,
                                   net::MessageBuffer message, RoomTime now);
+  /// Why `frame` would refuse it; nothing: it would not.
+  [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
+                                                RoomTime now);
   /// A viewer's frames of this sensor had to be left out; it needs a key frame to go on.
   [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
   /// A connection ended by itself.
@@ -90,6 +93,7 @@ class Room {
   void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
+  [[nodiscard]] bool may_nudge(ConnectionId from) const;
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);

@@ -46,6 +46,7 @@ void RoomHall::open(const RoomSettings& settings, std::vector<KnownSensor> senso
       .on_let_go = [this](ConnectionId connection) { guests_.erase(connection); }};
   rooms_[settings.name] =
       std::make_shared<HostedRoom>(RoomId{next_room_id_++}, std::move(room), std::move(around));
+  if (backplane_ != nullptr) backplane_->room_opened(settings.name);
 }
 
 void RoomHall::change(const RoomSettings& settings) {
@@ -54,6 +55,7 @@ void RoomHall::change(const RoomSettings& settings) {
 
 void RoomHall::close(const std::string& name) {
   const auto found = rooms_.find(name);
+  if (backplane_ != nullptr) backplane_->room_closed(name);
   for (const ConnectionId guest : found->second->room().connections()) {
     send_away(guest, "this room was closed");
   }
@@ -119,6 +121,7 @@ void RoomHall::decide(const Arrival& arrival, const pb::Join& join, const Claims
   if (const Refusal* why = refusal(verdict)) return refuse(arrival, *why);
   Entry entry = std::get<Entry>(verdict);
   entry.new_token = new_token;
+  if (arrival.token_id_there) entry.token_id = *arrival.token_id_there;
   log(LogLevel::kInfo, described(arrival, join) + " joins \"" + entry.room + "\"");
   admit(arrival, join, entry);
 }
@@ -145,6 +148,9 @@ void RoomHall::admit(const Arrival& arrival, const pb::Join& join, const Entry& 
   guest.room = &room;
   guest.token_id = entry.token_id;
   guest.expires_at = entry.expires_at;
+  if (backplane_ != nullptr && join.has_sensor() && !is_of_backplane(arrival.from)) {
+    backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
+  }
   room.carry_out(room.room().join(arrival.from, join, entry, room.now()));
   if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
     options_.on_in_use(entry.room);
@@ -166,9 +172,13 @@ void RoomHall::on_control(ConnectionId from, const pb::Control& message) {
 
 void RoomHall::on_frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message) {
-  if (HostedRoom* room = room_of(from)) {
-    room->carry_out(room->room().frame(from, header, std::move(message), room->now()));
+  HostedRoom* room = room_of(from);
+  if (room == nullptr) return;
+  if (backplane_ != nullptr && !is_of_backplane(from) &&
+      !room->room().fault_of(from, header, room->now())) {
+    backplane_->frame(room->room().name(), header, message.payload());
   }
+  room->carry_out(room->room().frame(from, header, std::move(message), room->now()));
 }
 
 void RoomHall::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {

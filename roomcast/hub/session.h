@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "roomcast/core/clock.h"
@@ -25,6 +26,8 @@ struct Arrival {
   ConnectionId from;
   std::string address;  // "192.0.2.7:50312"
   std::string peer;     // for counting and banning
+  /// Of the token that a sensor showed another hub, for which a backplane speaks here.
+  std::optional<std::string> token_id_there = {};
 };
 
 /// What comes in from sessions: told to their shard, and by it to the room.

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// MirroredRoom: brings the sensors of another hub's room into a room of this hub, as if each were
-// connected here: rosters and frames of the other hub come in, what a sensor would say goes out.
-// Frames keep their bytes but for the sensor's id, the time (of this hub's clock) and its error.
-// A pose that somebody gave is given on; one that alignment found comes as an aligner's word, so
-// that people here read the same. Pure but for whom it tells. Threading: the rooms' thread.
+// MirroredRoom: brings the sensors of another hub's room into a room of this hub, poses included:
+// what alignment found there comes as an aligner's word, so that people here read the same. Pure
+// but for whom it tells. Threading: the rooms' thread.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 
-#include "roomcast/hub/session.h"
-#include "roomcast/net/message_buffer.h"
-#include "roomcast/room/clock_estimate.h"
-#include "roomcast/wire/control.pb.h"
+#include "roomcast/mirror/mirrored_sensors.h"
 
 namespace roomcast::upstream {
 
 class MirroredRoom {
  public:
-  using NewConnection = std::function<ConnectionId()>;
+  using NewConnection = mirror::MirroredSensors::NewConnection;
 
   /// `here` is told; `token` lets anybody into its room, and it outlives this.
   MirroredRoom(std::string room, std::string token, hub::SessionEvents& here,
@@ -28,9 +21,8 @@ class MirroredRoom {
 
   // From the other hub. Its messages have passed wire::decode_control.
   void roster(const wire::pb::Roster& roster);
-  void clock_is(const ClockEstimate& estimate) { clock_ = estimate; }
-  /// Dropped while the clock, or the sensor's id here, are not known; what is no frame, too.
-  void frame(net::MessageBuffer message);
+  void clock_is(const ClockEstimate& estimate) { sensors_.clock_is(estimate); }
+  void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
   /// Until it comes back all sensors are gone.
   void other_hub_is_gone();
 
@@ -41,28 +33,15 @@ class MirroredRoom {
   void let_go(ConnectionId connection);
 
  private:
-  struct Sensor {
-    wire::pb::SensorEntry entry;  // there
-    ConnectionId connection;      // here
-    std::optional<SensorId> id;   // here, once it was welcomed
-  };
-  using Sensors = std::map<std::uint32_t, Sensor>;  // by their ids there
-
-  void follow(const wire::pb::SensorEntry& entry);
-  void join(const wire::pb::SensorEntry& entry);
-  Sensors::iterator leave(Sensors::iterator sensor);
-  ConnectionId join_as(wire::pb::Join join);
+  void join_as_aligner();
   void place_sensors();
-  [[nodiscard]] Sensors::iterator find(ConnectionId connection);
-  [[nodiscard]] RoomTime time_here(RoomTime there) const;
 
   const std::string room_, token_;
   hub::SessionEvents& here_;
   const NewConnection new_connection_;
-  Sensors sensors_;
+  mirror::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;
   bool aligner_is_welcome_ = false;
-  std::optional<ClockEstimate> clock_;
 };
 
 }  // namespace roomcast::upstream

@@ -24,8 +24,8 @@ void UpstreamHub::watch(const std::string& name, bool is_watched) {
 
 void UpstreamHub::pull(const std::string& name) {
   const Number number = ++newest_;
-  auto new_connection = [number, count = std::uint32_t{0}]() mutable {
-    return hub::backplane_connection(number, ++count);
+  auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
+    return hub::backplane_connection(number, ++*count);
   };
   MirroredRoom mirror(name, seat_.token, seat_.rooms, std::move(new_connection));
   rooms_[number] =

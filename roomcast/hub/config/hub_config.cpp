@@ -53,7 +53,13 @@ const std::vector<NamedField>& fields() {
       {"limits.ban_within_s", &HubConfig::ban_within_s},
       {"limits.ban_s", &HubConfig::ban_s},
       {"upstream.hubs", &HubConfig::upstream_hubs},
-      {"upstream.token_file", &HubConfig::upstream_token_file}};
+      {"upstream.token_file", &HubConfig::upstream_token_file},
+      {"public_url", &HubConfig::public_url},
+      {"nats.servers", &HubConfig::nats_servers},
+      {"nats.credentials", &HubConfig::nats_credentials},
+      {"nats.ca", &HubConfig::nats_ca},
+      {"nats.cert", &HubConfig::nats_cert},
+      {"nats.key", &HubConfig::nats_key}};
   return all;
 }
 
@@ -251,6 +257,9 @@ Status check(const HubConfig& config) {
   }
   if (!is_one_of(config.access, {"auto", "anyone", "token"})) {
     return wrong("access.default is \"auto\", \"anyone\" or \"token\"");
+  }
+  if (!config.nats_servers.empty() && !config.upstream_hubs.empty()) {
+    return wrong("upstream.hubs and nats.servers exclude each other");
   }
   if (config.threads < 0 || config.threads > 64) return wrong("threads is 0 to 64");
   for (const auto& [name, field] : fields()) {

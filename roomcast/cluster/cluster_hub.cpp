@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cluster/cluster_hub.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "roomcast/cluster/subjects.h"
+
+namespace roomcast::cluster {
+namespace {
+
+template <class Message>
+std::vector<std::uint8_t> bytes_of(const Message& message) {
+  std::vector<std::uint8_t> bytes(message.ByteSizeLong());
+  message.SerializeToArray(bytes.data(), static_cast<int>(bytes.size()));
+  return bytes;
+}
+
+template <class Message>
+std::optional<Message> read(std::span<const std::uint8_t> bytes) {
+  Message message;
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return std::nullopt;
+  return message;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
+                                                     hub::BackplaneSeat seat) {
+  std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(seat)));
+  NatsHandlers handlers{
+      .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
+      .on_connected = [hub = hub.get()] { hub->say_alive(); },
+      .log = hub->options_.log};
+  auto nats = NatsClient::open(hub->options_.nats, hub->seat_.io, std::move(handlers));
+  if (!nats) return nats.error();
+  hub->nats_ = *std::move(nats);
+  hub->nats_->subscribe(kHeartbeatSubject);
+  hub->nats_->subscribe(inbox_subject(hub->id_));
+  hub->beat_later();
+  return hub;
+}
+
+ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneSeat seat)
+    : options_(std::move(options)), seat_(std::move(seat)), timer_(seat_.io) {}
+
+ClusterHub::~ClusterHub() {
+  timer_.cancel();
+  if (nats_) say_alive(true);
+}
+
+// ---- rooms
+
+void ClusterHub::room_opened(const std::string& name) {
+  const Number number = ++newest_;
+  auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
+    return hub::backplane_connection(number, ++*count);
+  };
+  SharedRoom::Seat seat{.own = id_,
+                        .room = name,
+                        .token = seat_.token,
+                        .rooms = seat_.rooms,
+                        .new_connection = std::move(new_connection),
+                        .out = *this};
+  rooms_[number] =
+      std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(seat)),
+                                     .packer = FramePacker(nats_->max_message_bytes()),
+                                     .gathered = boost::asio::steady_timer(seat_.io),
+                                     .unwatched = boost::asio::steady_timer(seat_.io)});
+  nats_->subscribe(news_subject(name));
+  // Rooms are opened one after the other, before the first of them can take anybody in.
+  boost::asio::post(seat_.io, [this, number] {
+    const auto room = rooms_.find(number);
+    if (room != rooms_.end()) room->second->shared->stay();
+  });
+}
+
+void ClusterHub::room_closed(const std::string& name) {
+  nats_->unsubscribe(news_subject(name));
+  nats_->unsubscribe(all_frames_subject(name));
+  std::erase_if(rooms_, [&](const auto& entry) { return entry.second->shared->name() == name; });
+}
+
+ClusterHub::Room* ClusterHub::find(std::string_view name) {
+  const auto found = std::ranges::find_if(
+      rooms_, [&](const auto& entry) { return entry.second->shared->name() == name; });
+  return found == rooms_.end() ? nullptr : found->second.get();
+}
+
+void ClusterHub::watch(const std::string& name, bool is_watched) {
+  Room* room = find(name);
+  if (room == nullptr) return;
+  room->is_watched = is_watched;
+  room->unwatched.cancel();
+  if (is_watched && !std::exchange(room->is_subscribed, true)) {
+    nats_->subscribe(all_frames_subject(name));
+    return say_alive();
+  }
+  if (is_watched) return;
+  room->unwatched.expires_after(options_.kept_unwatched);
+  room->unwatched.async_wait([this, name](boost::system::error_code error) {
+    Room* unwatched = find(name);
+    if (error || unwatched == nullptr || unwatched->is_watched) return;
+    unwatched->is_subscribed = false;
+    nats_->unsubscribe(all_frames_subject(name));
+    say_alive();
+  });
+}
+
+void ClusterHub::sensor_joins(const std::string& room, const std::string& name,
+                              const std::string& token_id) {
+  if (Room* found = find(room)) found->shared->sensor_joins(name, token_id);
+}
+
+// Frames that come together go together: when all sensors here have delivered, or after a while.
+void ClusterHub::frame(const std::string& name, const wire::FrameHeader&,
+                       std::span<const std::uint8_t> message) {
+  Room* room = find(name);
+  if (room == nullptr || !room->is_wanted) return;
+  room->packer.add(message);
+  if (room->packer.frame_count() >= room->shared->local_sensor_count()) return flush(*room);
+  if (room->packer.frame_count() > 1) return;
+  room->gathered.expires_after(kGatherFor);
+  room->gathered.async_wait([this, name](boost::system::error_code error) {
+    if (Room* gathered = find(name); gathered != nullptr && !error) flush(*gathered);
+  });
+}
+
+void ClusterHub::flush(Room& room) {
+  room.gathered.cancel();
+  for (auto& message : room.packer.take()) {
+    nats_->publish_now(frames_subject(room.shared->name(), id_), std::move(message));
+  }
+}
+
+SharedRoom* ClusterHub::owner_of_connection(ConnectionId connection) {
+  const auto room = rooms_.find(hub::backplane_owner(connection));
+  return room == rooms_.end() ? nullptr : room->second->shared.get();
+}
+
+void ClusterHub::send(ConnectionId to, const wire::pb::Control& message) {
+  if (SharedRoom* room = owner_of_connection(to)) room->said(to, message);
+}
+
+void ClusterHub::let_go(ConnectionId connection) {
+  if (SharedRoom* room = owner_of_connection(connection)) room->let_go(connection);
+}
+
+// ---- to other hubs
+
+void ClusterHub::tell_all(const pb::RoomNews& news) {
+  nats_->publish(news_subject(news.room()), bytes_of(news));
+  say_alive();
+}
+
+void ClusterHub::tell(HubId hub, const pb::ToHub& message) {
+  nats_->publish(inbox_subject(hub), bytes_of(message));
+}
+
+pb::Heartbeat ClusterHub::heartbeat() const {
+  pb::Heartbeat own;
+  own.set_hub(id_.value);
+  own.set_sent_ns(static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
+  own.set_public_url(options_.public_url);
+  own.set_aligns(options_.on_owned != nullptr);
+  own.set_load(load_.cores());
+  for (const auto& [number, room] : rooms_) {
+    if (room->shared->revision() == 0 && !room->is_subscribed) continue;
+    pb::RoomHere& here = *own.add_rooms();
+    here.set_room(room->shared->name());
+    here.set_revision(room->shared->revision());
+    here.set_sensors(static_cast<std::uint32_t>(room->shared->local_sensor_count()));
+    here.set_wants_frames(room->is_subscribed);
+  }
+  return own;
+}
+
+void ClusterHub::say_alive(bool leaves) {
+  pb::Heartbeat own = heartbeat();
+  own.set_leaves(leaves);
+  directory_.write_heard(own);
+  nats_->publish(kHeartbeatSubject, bytes_of(own));
+}
+
+/// At random distances: clocks are compared by heartbeats, and what falls in step with frames waits
+/// behind one every time.
+void ClusterHub::beat_later() {
+  std::uniform_real_distribution<double> share(0.7, 1.3);
+  timer_.expires_after(
+      std::chrono::duration_cast<nanoseconds>(kHeartbeatInterval * share(random_)));
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (error) return;
+    beat();
+    beat_later();
+  });
+}
+
+void ClusterHub::beat() {
+  load_.look(clock_.now());
+  for (const HubId gone : directory_.take_gone(clock_.now())) {
+    if (options_.log) options_.log(LogLevel::kWarning, "hub " + to_string(gone) + " is gone");
+    for (const auto& [number, room] : rooms_) room->shared->hub_is_gone(gone);
+  }
+  look_after_rooms();
+  say_alive();
+}
+
+void ClusterHub::look_after_rooms() {
+  const pb::Heartbeat own = heartbeat();
+  for (const auto& [number, room] : rooms_) {
+    const std::string& name = room->shared->name();
+    room->asked.clear();
+    room->shared->stay();
+    room->is_wanted = directory_.is_wanted(name);
+    const auto owner = owner_of(name, own, directory_);
+    const bool was_ours = room->owner == id_;
+    room->owner = owner;
+    room->shared->owner_is(owner);
+    if (was_ours != (owner == id_)) options_.on_owned(name, owner == id_);
+  }
+}
+
+// ---- from other hubs
+
+void ClusterHub::take(std::string_view subject, std::span<const std::uint8_t> bytes) {
+  const auto what = read_subject(subject);
+  if (!what) return;
+  if (what->subject == Subject::kHeartbeat) {
+    if (const auto heartbeat = read<pb::Heartbeat>(bytes)) take_heartbeat(*heartbeat);
+  } else if (what->subject == Subject::kInbox) {
+    const auto message = read<pb::ToHub>(bytes);
+    Room* room = message ? find(message->room()) : nullptr;
+    if (room != nullptr && directory_.find(HubId{message->from()})) room->shared->take(*message);
+  } else if (what->subject == Subject::kNews) {
+    const auto news = read<pb::RoomNews>(bytes);
+    Room* room = find(what->room);
+    if (room != nullptr && news && directory_.find(HubId{news->hub()})) room->shared->news(*news);
+  } else if (what->subject == Subject::kFrames) {
+    if (Room* room = find(what->room)) room->shared->frames(what->hub, bytes);
+  }
+}
+
+void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
+  const HubId from{heartbeat.hub()};
+  const bool is_new = directory_.find(from) == nullptr;
+  if (!directory_.take(heartbeat, clock_.now())) return;
+  const auto estimate = directory_.find(from)->clock.estimate();
+  for (const auto& [number, room] : rooms_) {
+    const pb::RoomHere* there = room_of(heartbeat, room->shared->name());
+    if (there == nullptr) continue;
+    room->is_wanted = directory_.is_wanted(room->shared->name());
+    if (estimate) room->shared->clock_is(from, *estimate);
+    if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
+      pb::ToHub please;
+      please.set_from(id_.value);
+      please.set_room(room->shared->name());
+      please.mutable_news_please();
+      tell(from, please);
+    }
+  }
+  if (heartbeat.leaves()) beat();
+  if (is_new) say_alive();  // it knows of us at once
+}
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// ClusterHub: the backplane of a hub that shares its rooms with others over NATS. Every hub tells
+// the others several times a second that it is alive, what its rooms have, and of which it wants
+// frames; it gets frames of a room only while somebody watches that here, and a little longer.
+// Threading: the rooms' thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/cluster/frame_parts.h"
+#include "roomcast/cluster/hub_directory.h"
+#include "roomcast/cluster/nats_client.h"
+#include "roomcast/cluster/processor_load.h"
+#include "roomcast/cluster/shared_room.h"
+#include "roomcast/hub/backplane.h"
+
+namespace roomcast::cluster {
+
+struct ClusterOptions {
+  NatsOptions nats;
+  std::string public_url;  // how others reach this hub; empty: nobody is sent here
+  /// This hub could work out where sensors stand: it begins for a room when told so, and ends.
+  std::function<void(const std::string& room, bool owns)> on_owned = {};
+  /// How long a room's frames still come that nobody watches any more.
+  std::chrono::milliseconds kept_unwatched{3000};
+  LogSink log = {};
+};
+
+class ClusterHub final : public hub::Backplane, private SharedRoomOut {
+ public:
+  /// Frames of several sensors share a message when they come within this time.
+  static constexpr std::chrono::milliseconds kGatherFor{8};
+
+  /// Errors of NatsClient::open.
+  static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options, hub::BackplaneSeat seat);
+  ~ClusterHub() override;
+
+  void room_opened(const std::string& room) override;
+  void room_closed(const std::string& room) override;
+  void watch(const std::string& room, bool is_watched) override;
+  void sensor_joins(const std::string& room, const std::string& name,
+                    const std::string& token_id) override;
+  void frame(const std::string& room, const wire::FrameHeader& header,
+             std::span<const std::uint8_t> message) override;
+  void send(ConnectionId to, const wire::pb::Control& message) override;
+  void let_go(ConnectionId connection) override;
+
+ private:
+  /// Part of the ids of a room's connections. Never used twice.
+  using Number = std::uint32_t;
+  struct Room {
+    std::unique_ptr<SharedRoom> shared;
+    FramePacker packer;
+    boost::asio::steady_timer gathered, unwatched;
+    std::size_t viewers = 0;
+    bool is_watched = false, is_subscribed = false;
+    bool is_wanted = false;  // by another hub
+    std::optional<HubId> owner = {};
+    std::set<HubId> asked = {};  // for their news, since the last heartbeat of ours
+  };
+  using Rooms = std::map<Number, std::unique_ptr<Room>>;
+
+  ClusterHub(ClusterOptions options, hub::BackplaneSeat seat);
+
+  void tell_all(const pb::RoomNews& news) override;
+  void tell(HubId hub, const pb::ToHub& message) override;
+
+  void take(std::string_view subject, std::span<const std::uint8_t> message);
+  void take_heartbeat(const pb::Heartbeat& heartbeat);
+  void beat_later();
+  void beat();
+  void say_alive(bool leaves = false);
+  [[nodiscard]] pb::Heartbeat heartbeat() const;
+  void look_after_rooms();
+  void flush(Room& room);
+  [[nodiscard]] Room* find(std::string_view room);
+  [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);
+
+  const ClusterOptions options_;
+  const hub::BackplaneSeat seat_;
+  const HubId id_ = new_hub_id();
+  SteadyClock clock_;
+  HubDirectory directory_{id_};
+  ProcessorLoad load_;
+  std::unique_ptr<NatsClient> nats_;
+  Number newest_ = 0;
+  Rooms rooms_;
+  boost::asio::steady_timer timer_;
+  std::minstd_rand random_{std::random_device{}()};
+};
+
+}  // namespace roomcast::cluster

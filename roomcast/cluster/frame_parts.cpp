@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cluster/frame_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::cluster {
+namespace {
+
+constexpr std::uint32_t kContinues = 1, kGoesOn = 2;
+constexpr std::size_t kLengthBytes = 4;
+/// Of messages that belong together.
+constexpr std::size_t kMaxBegunBytes = 2 * wire::kMaxFrameBytes;
+
+void append_u32(std::uint32_t number, std::vector<std::uint8_t>& out) {
+  for (int shift = 0; shift < 32; shift += 8) {
+    out.push_back(static_cast<std::uint8_t>(number >> shift));
+  }
+}
+
+std::uint32_t u32_at(std::span<const std::uint8_t> bytes) {
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+}  // namespace
+
+void FramePacker::add(std::span<const std::uint8_t> frame) {
+  append_u32(static_cast<std::uint32_t>(frame.size()), bytes_);
+  bytes_.insert(bytes_.end(), frame.begin(), frame.end());
+  ++count_;
+}
+
+std::vector<FramePacker::Message> FramePacker::take() {
+  const std::size_t room_for = max_bytes_ - kPartHeaderBytes;
+  std::vector<Message> messages;
+  for (std::size_t from = 0; from < bytes_.size(); from += room_for) {
+    const std::size_t size = std::min(room_for, bytes_.size() - from);
+    messages.push_back(
+        message_with(std::span(bytes_).subspan(from, size), from > 0, from + size < bytes_.size()));
+  }
+  bytes_.clear();
+  count_ = 0;
+  return messages;
+}
+
+FramePacker::Message FramePacker::message_with(std::span<const std::uint8_t> bytes, bool continues,
+                                               bool goes_on) {
+  Message message;
+  message.reserve(kPartHeaderBytes + bytes.size());
+  append_u32(next_number_++, message);
+  append_u32((continues ? kContinues : 0) | (goes_on ? kGoesOn : 0), message);
+  message.insert(message.end(), bytes.begin(), bytes.end());
+  return message;
+}
+
+void FrameUnpacker::take(std::span<const std::uint8_t> message, const TakeFrame& take_frame) {
+  if (message.size() < kPartHeaderBytes) return;
+  const std::uint32_t number = u32_at(message), flags = u32_at(message.subspan(4));
+  const auto bytes = message.subspan(kPartHeaderBytes);
+  const bool continues = (flags & kContinues) != 0, goes_on = (flags & kGoesOn) != 0;
+  const bool follows = continues && number == next_number_ && !begun_.empty();
+  next_number_ = number + 1;
+  if (!follows) begun_.clear();
+  if (continues && !follows) return;
+  if (!continues && !goes_on) return unpack(bytes, take_frame);
+  if (begun_.size() + bytes.size() > kMaxBegunBytes) return begun_.clear();
+  begun_.insert(begun_.end(), bytes.begin(), bytes.end());
+  if (goes_on) return;
+  unpack(begun_, take_frame);
+  begun_.clear();
+}
+
+void FrameUnpacker::unpack(std::span<const std::uint8_t> bytes, const TakeFrame& take_frame) const {
+  while (bytes.size() >= kLengthBytes) {
+    const std::size_t length = u32_at(bytes);
+    bytes = bytes.subspan(kLengthBytes);
+    if (length > bytes.size()) return;
+    take_frame(net::MessageBuffer(bytes.first(length)));
+    bytes = bytes.subspan(length);
+  }
+}
+
+}  // namespace roomcast::cluster

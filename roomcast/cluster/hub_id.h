@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// HubId: one run of one hub. Made up when it starts, so that a hub that was killed and started
+// again is another one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "roomcast/core/ids.h"
+
+namespace roomcast::cluster {
+
+using HubId = Id<struct HubTag, std::uint64_t>;
+
+/// Not zero, and nobody else's.
+[[nodiscard]] HubId new_hub_id();
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string to_string(HubId hub);
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// With a real server.
+#include "roomcast/cluster/nats_client.h"
+
+#include <functional>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <gtest/gtest.h>
+
+#include "roomcast/cluster/nats_server_fixture.h"
+
+namespace roomcast::cluster {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::vector<std::uint8_t> bytes(const std::string& text) {
+  return {text.begin(), text.end()};
+}
+
+class NatsClientTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!NatsServer::is_installed()) GTEST_SKIP() << "nats-server is not installed";
+  }
+  Result<std::unique_ptr<NatsClient>> open(const NatsOptions& options) {
+    return NatsClient::open(options, io,
+                            {.on_message =
+                                 [this](std::string_view subject, auto message) {
+                                   heard.push_back(std::string(subject) + " " +
+                                                   std::string(message.begin(), message.end()));
+                                 },
+                             .on_connected = [this] { ++connected; },
+                             .log = {}});
+  }
+  void run_until(const std::function<bool()>& done) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    auto work = boost::asio::make_work_guard(io);
+    io.restart();
+    while (!done() && io.run_one_until(give_up) > 0) {
+    }
+    ASSERT_TRUE(done()) << "nothing happened in 5 s";
+  }
+  /// Says it until it was heard: a subscription takes a moment.
+  void say_until_heard(NatsClient& speaker, const std::string& subject) {
+    heard.clear();
+    boost::asio::steady_timer pace(io);
+    std::function<void()> say = [&] {
+      speaker.publish(subject, bytes("hello"));
+      pace.expires_after(10ms);
+      pace.async_wait([&](auto error) {
+        if (!error) say();
+      });
+    };
+    say();
+    run_until([&] { return !heard.empty(); });
+    pace.cancel();
+    io.poll();
+  }
+
+  boost::asio::io_context io;
+  std::vector<std::string> heard;
+  int connected = 0;
+};
+
+TEST_F(NatsClientTest, what_one_says_who_subscribed_hears_in_order) {
+  const NatsServer server;
+  const auto speaker = *open({.servers = {server.url()}});
+  const auto listener = *open({.servers = {server.url()}});
+  listener->subscribe("a.*");
+  listener->subscribe("b");
+  say_until_heard(*speaker, "b");
+  heard.clear();
+  for (int i = 0; i < 50; ++i) {
+    speaker->publish(i % 2 == 0 ? "a.x" : "b", bytes(std::to_string(i)));
+    speaker->publish("c", bytes("nobody listens"));
+  }
+  run_until([&] { return !heard.empty() && heard.back() == "b 49"; });
+  std::erase(heard, "b hello");
+  ASSERT_EQ(heard.size(), 50u);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(heard[static_cast<std::size_t>(i)], (i % 2 == 0 ? "a.x " : "b ") + std::to_string(i));
+  }
+}
+
+TEST_F(NatsClientTest, a_server_that_comes_later_is_found) {
+  std::string port;
+  { port = NatsServer().port(); }
+  const auto speaker = *open({.servers = {"nats://127.0.0.1:" + port}});
+  const auto listener = *open({.servers = {"nats://127.0.0.1:" + port}});
+  listener->subscribe("a");
+  const NatsServer server("", port);
+  run_until([&] { return connected == 2; });
+  say_until_heard(*speaker, "a");
+}
+
+TEST_F(NatsClientTest, when_a_server_is_gone_the_next_one_is_taken) {
+  auto first = std::make_unique<NatsServer>();
+  const NatsServer second;
+  const auto speaker = *open({.servers = {second.url()}});
+  const auto listener = *open({.servers = {first->url(), second.url()}});
+  listener->subscribe("a");
+  run_until([&] { return connected == 2; });
+  first.reset();
+  run_until([&] { return connected == 3; });
+  say_until_heard(*speaker, "a");
+}
+
+TEST_F(NatsClientTest, it_knows_how_long_a_message_may_be) {
+  const NatsServer server("max_payload: 100KB\n");
+  const auto client = *open({.servers = {server.url()}});
+  EXPECT_EQ(client->max_message_bytes(), 100u * 1024);
+}
+
+TEST_F(NatsClientTest, who_has_no_password_or_a_wrong_one_is_told_so) {
+  const NatsServer server("authorization { user: hub, password: right }\n");
+  for (const std::string secret : {"", "hub:wrong@"}) {
+    const auto refused = open({.servers = {"nats://" + secret + server.url().substr(7)}});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kClosed);
+    EXPECT_NE(refused.error().message.find("refuses this hub"), std::string::npos);
+  }
+  EXPECT_TRUE(open({.servers = {"nats://hub:right@" + server.url().substr(7)}}));
+}
+
+}  // namespace
+}  // namespace roomcast::cluster

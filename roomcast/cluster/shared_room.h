@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// SharedRoom: one room of this hub among hubs that have it too. It tells the others what sends to
+// this hub, brings in what sends to them, and sees that a name is one sensor everywhere: who came
+// last has it. One of the hubs, the room's owner, works out where all sensors stand; it gets what
+// the others' sensors see for that, and its word on poses holds everywhere.
+//
+// In the room here it is an aligner, and a sensor for each of another hub's. Pure but for whom it
+// tells. Threading: the rooms' thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/cluster/cluster.pb.h"
+#include "roomcast/cluster/frame_parts.h"
+#include "roomcast/cluster/hub_id.h"
+#include "roomcast/hub/session.h"
+#include "roomcast/mirror/mirrored_sensors.h"
+
+namespace roomcast::cluster {
+
+/// What a room says to other hubs.
+class SharedRoomOut {
+ public:
+  virtual ~SharedRoomOut() = default;
+  virtual void tell_all(const pb::RoomNews& news) = 0;
+  virtual void tell(HubId hub, const pb::ToHub& message) = 0;
+};
+
+class SharedRoom {
+ public:
+  struct Seat {
+    HubId own;
+    std::string room;
+    std::string token;  // lets anybody into it
+    hub::SessionEvents& rooms;
+    mirror::MirroredSensors::NewConnection new_connection;
+    SharedRoomOut& out;
+  };
+
+  explicit SharedRoom(Seat seat);
+
+  /// Is in the room again if it was sent away. Call it at first, and now and then.
+  void stay();
+
+  // From the room here.
+  /// To one of our connections.
+  void said(ConnectionId to, const wire::pb::Control& message);
+  void let_go(ConnectionId connection);
+  /// A sensor with a connection here is let in.
+  void sensor_joins(const std::string& name, const std::string& token_id);
+
+  // From other hubs.
+  void news(const pb::RoomNews& news);
+  void take(const pb::ToHub& message);
+  void frames(HubId from, std::span<const std::uint8_t> message);
+  void clock_is(HubId hub, const ClockEstimate& estimate);
+  void hub_is_gone(HubId hub);
+  /// Who works out where sensors stand; nothing: nobody.
+  void owner_is(std::optional<HubId> owner);
+
+  /// Of the newest news of this hub. 0: nothing ever.
+  [[nodiscard]] std::uint32_t revision() const { return news_.revision(); }
+  /// Of the newest news of that hub. 0: nothing.
+  [[nodiscard]] std::uint32_t revision_of(HubId hub) const;
+  [[nodiscard]] std::size_t local_sensor_count() const {
+    return static_cast<std::size_t>(news_.sensors_size());
+  }
+  [[nodiscard]] const std::string& name() const { return seat_.room; }
+
+ private:
+  /// Whose a sensor's name is: the highest has it.
+  struct Claim {
+    std::uint32_t number = 0;
+    HubId hub;
+    friend auto operator<=>(const Claim&, const Claim&) = default;
+  };
+  struct OwnClaim {
+    std::uint32_t number = 0;
+    std::string token_id;
+  };
+  struct OtherHub {
+    pb::RoomNews news;
+    mirror::MirroredSensors sensors;
+    FrameUnpacker unpacker;
+  };
+
+  void join();
+  void leave();
+  [[nodiscard]] OtherHub& other(HubId hub);
+  void take_roster(const wire::pb::Roster& roster);
+  void tell_news();
+  [[nodiscard]] pb::RoomNews news_of_roster() const;
+  void follow_winners();
+  [[nodiscard]] Claim winner(const std::string& sensor) const;
+  [[nodiscard]] bool is_mirrored(const std::string& sensor) const;
+  [[nodiscard]] bool is_local(std::uint32_t sensor_id) const;
+  void forget_claims();
+
+  void place_sensors();
+  void pass_to_owner(const wire::pb::Control& said_here);
+  void ask_for_bundles(HubId hub);
+  void take_said(HubId from, const pb::SensorSaid& said);
+  void take_nudge(const pb::NudgeByName& nudge);
+  [[nodiscard]] bool is_owner() const { return owner_ == seat_.own; }
+  [[nodiscard]] pb::ToHub message_to_hub() const;
+  [[nodiscard]] const wire::pb::SensorEntry* entry_of(const std::string& sensor) const;
+
+  const Seat seat_;
+  std::optional<ConnectionId> aligner_;
+  bool is_welcome_ = false;
+  wire::pb::Roster roster_;  // of the room here, newest
+  pb::RoomNews news_;        // as last told
+  std::map<std::string, OwnClaim> claims_;
+  std::map<HubId, OtherHub> others_;
+  std::optional<HubId> owner_;
+};
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// MirroredSensors: sensors of another hub's room in a room of this hub, as if each were connected
+// here: who is there and its frames come in, what the room here asks of a sensor goes out. Frames
+// keep their bytes but for the sensor's id, the time (of this hub's clock) and its error. A pose
+// that somebody gave is given on; what alignment found is left to whoever owns this. Pure but for
+// whom it tells. Threading: the rooms' thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomcast/hub/session.h"
+#include "roomcast/net/message_buffer.h"
+#include "roomcast/room/clock_estimate.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::mirror {
+
+/// A sensor that is online at the other hub.
+struct SensorThere {
+  wire::pb::SensorEntry entry;
+  /// Of the token that it showed there, where the other hub says so; else it is as good as ours.
+  std::optional<std::string> token_id = {};
+};
+
+struct MirroredSensor {
+  SensorThere there;
+  ConnectionId connection;          // here
+  std::optional<SensorId> id = {};  // here, once it was welcomed
+};
+
+class MirroredSensors {
+ public:
+  using NewConnection = std::function<ConnectionId()>;
+
+  /// `here` is told; `token` lets anybody into its room, and it outlives this.
+  MirroredSensors(std::string room, std::string token, hub::SessionEvents& here,
+                  NewConnection new_connection);
+
+  // From the other hub.
+  /// All that are online there; who was and is not any more is gone here too.
+  void follow(const std::vector<SensorThere>& online);
+  void clock_is(const ClockEstimate& estimate) { clock_ = estimate; }
+  /// Dropped while the clock, or the sensor's id here, are not known; what is no frame, too.
+  void frame(net::MessageBuffer message);
+  /// What the sensor with this id there has said.
+  void say(std::uint32_t id_there, const wire::pb::Control& message);
+  /// Until it comes back all sensors are gone.
+  void other_hub_is_gone();
+
+  // From the room here.
+  /// To one of our connections. The message that the other hub should get, if any.
+  std::optional<wire::pb::Control> said(ConnectionId to, const wire::pb::Control& message);
+  /// It was sent away. True: it was one of ours. Back when it is followed again.
+  bool let_go(ConnectionId connection);
+
+  /// By their ids there.
+  [[nodiscard]] const std::map<std::uint32_t, MirroredSensor>& all() const { return sensors_; }
+  /// Is it in the room here, through us?
+  [[nodiscard]] bool has(std::string_view name) const;
+  /// A time of the other hub's clock in this one's. Nothing while that is not known.
+  [[nodiscard]] std::optional<RoomTime> time_here(RoomTime there) const;
+
+ private:
+  using Sensors = std::map<std::uint32_t, MirroredSensor>;
+
+  void follow(const SensorThere& sensor);
+  void join(const SensorThere& sensor);
+  Sensors::iterator leave(Sensors::iterator sensor);
+  [[nodiscard]] Sensors::iterator find(ConnectionId connection);
+
+  const std::string room_, token_;
+  hub::SessionEvents& here_;
+  const NewConnection new_connection_;
+  Sensors sensors_;
+  std::optional<ClockEstimate> clock_;
+};
+
+/// What alignment knows of it, as an aligner's word on sensor `here`; the newest there is.
+[[nodiscard]] wire::pb::SensorPlacement placement_of(const wire::pb::SensorEntry& entry,
+                                                     SensorId here);
+
+}  // namespace roomcast::mirror

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of what speaks for sensors of other hubs: a room that remembers what it was told.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/session.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::mirror {
+
+namespace pb = wire::pb;
+using namespace std::chrono_literals;
+
+/// A room here that remembers what it was told.
+struct RoomHere final : hub::SessionEvents {
+  void on_join(const hub::Arrival& arrival, const pb::Join& join) override {
+    joins.emplace_back(arrival.from, join);
+    arrivals.push_back(arrival);
+  }
+  void on_control(ConnectionId from, const pb::Control& message) override {
+    said.emplace_back(from, message);
+  }
+  void on_frame(ConnectionId from, const wire::FrameHeader& header,
+                net::MessageBuffer message) override {
+    EXPECT_EQ(*wire::parse_frame(message.payload()), header) << "the bytes say the same";
+    frames.emplace_back(from, header);
+  }
+  void on_key_needs(ConnectionId, const std::vector<SensorId>& sensors) override {
+    key_needs.insert(key_needs.end(), sensors.begin(), sensors.end());
+  }
+  void on_left(ConnectionId from, const net::CloseReason&) override { left.push_back(from); }
+
+  std::vector<std::pair<ConnectionId, pb::Join>> joins;
+  std::vector<hub::Arrival> arrivals;
+  std::vector<std::pair<ConnectionId, pb::Control>> said;
+  std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
+  std::vector<SensorId> key_needs;
+  std::vector<ConnectionId> left;
+};
+
+inline void set_camera(pb::Intrinsics& camera) {
+  camera.set_width(512);
+  camera.set_height(424);
+  camera.set_fx(360);
+  camera.set_fy(360);
+  camera.set_cx(256);
+  camera.set_cy(212);
+}
+
+inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
+                                    pb::Placement placement = pb::PLACEMENT_GIVEN) {
+  pb::SensorEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_online(true);
+  entry.set_fps(30);
+  entry.set_placement(placement);
+  set_camera(*entry.mutable_calibration()->mutable_depth());
+  set_camera(*entry.mutable_calibration()->mutable_color());
+  for (int i = 0; i < 16; ++i) {
+    entry.mutable_calibration()->add_color_from_depth(i % 5 == 0 ? 1 : 0);
+  }
+  for (int i = 0; i < 16; ++i) entry.add_world_from_depth(i % 5 == 0 ? 1 : 0);
+  return entry;
+}
+
+/// Of sensor 7 there, captured at 10 s of that hub's clock.
+inline net::MessageBuffer frame_there() {
+  const wire::FrameHeader header{
+      .key = true, .sensor = SensorId{7}, .capture_time = RoomTime(10s), .clock_error_us = 100};
+  std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+  wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+  return net::MessageBuffer(bytes);
+}
+
+}  // namespace roomcast::mirror

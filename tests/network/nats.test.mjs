@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hubs side by side: three of them share a room over a cluster of three NATS servers, four sensors send to any of them, and
+// somebody watches at each. What a server or a hub that is killed or hangs means to who watches. More rounds, with the
+// longest gap of all: ROOMCAST_GAP_ROUNDS=5 node --test tests/network/nats.test.mjs
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { setTimeout as delay } from 'node:timers/promises';
+
+import { Program, scratchFolder } from '../cli/program.mjs';
+import { natsIsMissing, startCluster } from './nats.mjs';
+import { RoomClient, SendingSensor } from './room_client.mjs';
+import { assertMissedNothing } from './rooms.mjs';
+
+const rounds = Number(process.env.ROOMCAST_GAP_ROUNDS ?? 1);
+const fps = 30;
+const payloadBytes = 8000;
+const sensors = ['s0', 's1', 's2', 's3'];
+const skip = natsIsMissing;
+const timeout = 60_000 + 20_000 * rounds;
+
+async function startHub(t, ...options) {
+  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--verbose', '--data', scratchFolder(t), ...options];
+  const program = new Program(args, { limitMs: timeout });
+  t.after(() => program.stop('SIGKILL'));
+  const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
+  return { program, url: `ws://127.0.0.1:${port}` };
+}
+
+/** A hub beside each server, its own one first. */
+async function startHubs(t, nodes) {
+  return Promise.all(
+    nodes.map((_, i) => startHub(t, '--nats', [...nodes.slice(i), ...nodes.slice(0, i)].map(({ url }) => url).join(','))));
+}
+
+const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps, payloadBytes });
+
+async function watch(t, hub) {
+  const viewer = await RoomClient.join(t, hub.url);
+  await viewer.until('all sensors', () => sensors.every((name) => viewer.sensor(name)?.online));
+  await viewer.until('their frames', () => sensors.every((name) => viewer.seqsOf(viewer.sensor(name).id).length > 10));
+  await viewer.moreSets(fps);
+  return viewer;
+}
+
+/** Three servers, three hubs, sensors at the first two hubs, somebody watching at each. */
+async function start(t) {
+  const nodes = await startCluster(t);
+  const hubs = await startHubs(t, nodes);
+  await Promise.all(sensors.map((name, i) => startSensor(t, hubs[i % 2], name)));
+  const viewers = await Promise.all(hubs.map((hub) => watch(t, hub)));
+  return { nodes, hubs, viewers };
+}
+
+const forget = (viewers) => viewers.forEach((viewer) => viewer.sets.splice(0, viewer.sets.length - 1));
+
+/** The longest time in which a viewer saw nothing of one of these sensors. */
+function longestGap_ms(viewer, names) {
+  return Math.max(...names.map((name) => {
+    const { id } = viewer.sensor(name);
+    const seen_ms = viewer.sets.filter(({ frames }) => frames.some(({ sensor }) => sensor === id)).map(({ at_ms }) => at_ms);
+    seen_ms.push(performance.now());
+    return Math.max(...seen_ms.slice(1).map((at_ms, i) => at_ms - seen_ms[i]));
+  }));
+}
+
+/** The longest time in which any of them saw nothing of some sensor, while and after something happens. */
+async function gap_ms(viewers, happen, names = sensors) {
+  forget(viewers);
+  await delay(200);
+  happen();
+  await delay(2000);
+  await Promise.all(viewers.map((viewer) => viewer.moreSets(10)));
+  return Math.max(...viewers.map((viewer) => longestGap_ms(viewer, names)));
+}
+
+test('viewers_at_any_hub_see_sensors_at_any_hub', { skip, timeout }, async (t) => {
+  const { viewers } = await start(t);
+  forget(viewers);
+  await Promise.all(viewers.map((viewer) => viewer.moreSets(2 * fps)));
+  for (const viewer of viewers) {
+    assertMissedNothing(viewer, sensors.map((name) => viewer.sensor(name).id));
+    const roomMinusHostNs = await viewer.askTime();
+    const newest = viewer.sets.at(-1).frames.at(-1);
+    const age_ms = Number(process.hrtime.bigint() + roomMinusHostNs - newest.captureNs) / 1e6;
+    assert.ok(age_ms > -5 && age_ms < 1000, `captured ${age_ms} ms ago in the time of this hub`);
+  }
+});
+
+test('frames_go_to_hubs_where_somebody_watches_and_no_others', { skip, timeout }, async (t) => {
+  const nodes = await startCluster(t, 1);
+  const [first, second] = [await startHub(t, '--nats', nodes[0].url), await startHub(t, '--nats', nodes[0].url)];
+  await Promise.all(sensors.map((name) => startSensor(t, first, name)));
+  const viewer = await watch(t, second);
+  assert.ok(await bytesThrough(nodes[0]) > 500_000, 'somebody watches');
+  viewer.socket.terminate();
+  await delay(3500);
+  assert.ok(await bytesThrough(nodes[0]) < 50_000, 'nobody does');
+});
+
+/** What a server took in a second. */
+async function bytesThrough({ monitor }) {
+  const bytes = async () => (await (await fetch(`${monitor}/varz`)).json()).in_bytes;
+  const before = await bytes();
+  await delay(1000);
+  return (await bytes()) - before;
+}
+
+for (const [what, signal, limit_ms] of [['killed', 'SIGKILL', 150], ['hung', 'SIGSTOP', 1000]]) {
+  test(`a_${what}_nats_server_is_replaced_by_the_next`, { skip, timeout }, async (t) => {
+    const gaps_ms = [];
+    for (let round = 0; round < rounds; ++round) {
+      const { nodes, viewers } = await start(t);
+      gaps_ms.push(await gap_ms(viewers, () => nodes[round % 3].child.kill(signal)));
+      for (const viewer of viewers) {
+        assert.ok(sensors.every((name) => viewer.sensor(name)?.online), viewer.summary());
+        viewer.socket.terminate();
+      }
+    }
+    t.diagnostic(`${what}: at most ${Math.round(Math.max(...gaps_ms))} ms without a sensor's frame (${gaps_ms.map(Math.round)})`);
+    assert.ok(Math.max(...gaps_ms) <= limit_ms, `${Math.max(...gaps_ms)} ms without a sensor's frame`);
+  });
+}
