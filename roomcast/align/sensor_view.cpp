@@ -40,8 +40,8 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
                      "comes into its view"};
   }
   auto floor = find_floor(planes, surface.samples, bundle.up);
-  FeatureSet in_picture = picture_features(picture);
-  FeatureSet on_planes = rectified_features(picture, planes);
+  FeatureSet in_picture = picture_features(picture, surface);
+  FeatureSet on_planes = rectified_features(picture, surface, planes);
   find_look_alikes(in_picture);
   find_look_alikes(on_planes);
   return SensorView{bundle.name,           std::move(surface),  std::move(picture),

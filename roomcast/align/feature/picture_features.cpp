@@ -2,13 +2,14 @@
 #include "roomcast/align/feature/picture_features.h"
 
 #include "roomcast/align/feature/sift_detector.h"
+#include "roomcast/align/view/lift.h"
 
 namespace roomcast::align {
 
-FeatureSet picture_features(const ColorPicture& picture) {
+FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& surface) {
   FeatureSet set;
   for (const SiftFeature& found : detect_sift(picture.grey, {}, SiftOptions{})) {
-    const auto point_m = picture.lift(found.pixel);
+    const auto point_m = lift(picture, surface, found.pixel);
     if (!point_m) continue;
     set.features.push_back({*point_m, found.pixel});
     set.descriptors.push_back(found.descriptor);

@@ -8,6 +8,6 @@
 
 namespace roomcast::align {
 
-[[nodiscard]] FeatureSet picture_features(const ColorPicture& picture);
+[[nodiscard]] FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& surface);
 
 }  // namespace roomcast::align

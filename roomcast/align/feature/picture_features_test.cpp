@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/align/feature/picture_features.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/align/feature/feature_comparison.h"
@@ -13,9 +17,9 @@ namespace roomcast::align {
 namespace {
 
 struct Seen {
-  explicit Seen(const RigidTransform& pose)
+  explicit Seen(const RigidTransform& pose, const MadeUpRoom& room = {})
       : world_from_depth(pose),
-        bundle(made_up_bundle({}, "s", pose)),
+        bundle(made_up_bundle(room, "s", pose)),
         surface(depth_surface(bundle.depth_mm, bundle.calibration.depth)),
         picture(color_picture(bundle.color, bundle.calibration, surface)) {}
   RigidTransform world_from_depth;
@@ -55,6 +59,36 @@ TEST(SiftDetector, gives_the_same_every_time) {
   }
 }
 
+/// Places along x and y of features found in a picture and in the same turned by half, put
+/// together as if both were found in the first.
+std::vector<float> differences_when_turned(const Image<std::uint8_t>& grey) {
+  Image<std::uint8_t> turned(grey.width(), grey.height());
+  std::reverse_copy(grey.data(), grey.data() + grey.view().pixel_count(), turned.data());
+  const Eigen::Vector2f last(static_cast<float>(grey.width() - 1),
+                             static_cast<float>(grey.height() - 1));
+  const auto of_turned = detect_sift(turned, {}, {});
+  std::vector<float> differences;
+  for (const SiftFeature& one : detect_sift(grey, {}, {})) {
+    for (const SiftFeature& other : of_turned) {
+      const Eigen::Vector2f apart = last - other.pixel - one.pixel;
+      if (apart.cwiseAbs().maxCoeff() < 1 && std::abs(one.size - other.size) < 0.1F * one.size)
+        differences.insert(differences.end(), {apart.x(), apart.y()});
+    }
+  }
+  return differences;
+}
+
+TEST(SiftDetector, finds_the_same_places_in_a_picture_turned_by_half) {
+  const Seen seen(kHere);
+  Image<std::uint8_t> whole_tiles(400, 296);  // contrast is equalised in 8 x 8 of them
+  std::copy_n(seen.picture.grey.data(), whole_tiles.view().pixel_count(), whole_tiles.data());
+  auto differences = differences_when_turned(whole_tiles);
+  ASSERT_GT(differences.size(), 200u);
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  EXPECT_NEAR(*middle, 0, 0.05F) << "a quarter pixel aside, each of them: half a pixel in all";
+}
+
 TEST(SiftDetector, finds_nothing_in_tiny_or_even_pictures) {
   EXPECT_TRUE(detect_sift(Image<std::uint8_t>(4, 4), {}, {}).empty());
   EXPECT_TRUE(detect_sift(Image<std::uint8_t>(200, 200, 90), {}, {}).empty());
@@ -71,20 +105,40 @@ TEST(SiftDetector, seeks_only_where_the_mask_lets_it) {
 
 TEST(PictureFeatures, match_between_neighbouring_views) {
   const Seen one(kHere), other(kBeside);
-  EXPECT_GT(right_share(one, picture_features(one.picture), other, picture_features(other.picture)),
+  EXPECT_GT(right_share(one, picture_features(one.picture, one.surface), other,
+                        picture_features(other.picture, other.surface)),
             0.3);
 }
 
 TEST(RectifiedFeatures, match_between_views_far_aside) {
   const Seen one(kHere), other(kAside);
-  const auto of_one = rectified_features(one.picture, find_planes(one.surface.samples));
-  const auto of_other = rectified_features(other.picture, find_planes(other.surface.samples));
+  const auto of_one =
+      rectified_features(one.picture, one.surface, find_planes(one.surface.samples));
+  const auto of_other =
+      rectified_features(other.picture, other.surface, find_planes(other.surface.samples));
   EXPECT_GT(right_share(one, of_one, other, of_other), 0.1)
       << "one in ten is plenty for the vote, chance would be one in hundreds";
 }
 
+TEST(RectifiedFeatures, of_a_rug_lie_on_the_rug) {
+  MadeUpRoom room;
+  room.boxes = {{Eigen::Vector3d(-1, 0, -0.8), Eigen::Vector3d(1, 0.02, 0.8)}};
+  const Seen here(kHere, room);
+  const auto set =
+      rectified_features(here.picture, here.surface, find_planes(here.surface.samples));
+  std::vector<double> heights_m;
+  for (const Feature& feature : set.features) {
+    const Eigen::Vector3d at = here.world_from_depth * feature.point_m.cast<double>();
+    if (std::abs(at.x()) < 0.9 && std::abs(at.z()) < 0.7) heights_m.push_back(at.y());
+  }
+  ASSERT_GT(heights_m.size(), 20u);
+  std::sort(heights_m.begin(), heights_m.end());
+  EXPECT_NEAR(heights_m[heights_m.size() / 2], 0.02, 0.002);
+}
+
 TEST(RectifiedFeatures, of_no_planes_are_none) {
-  EXPECT_EQ(rectified_features(Seen(kHere).picture, {}).size(), 0u);
+  const Seen here(kHere);
+  EXPECT_EQ(rectified_features(here.picture, here.surface, {}).size(), 0u);
 }
 
 }  // namespace

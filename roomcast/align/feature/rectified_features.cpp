@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "roomcast/align/feature/sift_detector.h"
+#include "roomcast/align/view/lift.h"
 
 namespace roomcast::align {
 namespace {
@@ -112,7 +113,8 @@ ImageView<const std::uint8_t> view_of(const cv::Mat& image) {
           static_cast<std::ptrdiff_t>(image.step[0])};
 }
 
-void add_features_of(const ColorPicture& picture, const Rectification& view, FeatureSet& set) {
+void add_features_of(const ColorPicture& picture, const DepthSurface& surface,
+                     const Rectification& view, FeatureSet& set) {
   const Eigen::Matrix3f color_from_view = color_from_rectified(picture, view);
   Eigen::Matrix3f camera;
   camera << picture.camera.fx, 0, picture.camera.cx, 0, picture.camera.fy, picture.camera.cy, 0, 0,
@@ -122,20 +124,23 @@ void add_features_of(const ColorPicture& picture, const Rectification& view, Fea
   const cv::Mat z_m = warped(picture.z_m, CV_32FC1, picture_from_view, view, cv::INTER_NEAREST);
   const cv::Mat mask = plane_mask(z_m, color_from_view);
   for (const SiftFeature& found : detect_sift(view_of(grey), view_of(mask), kSift)) {
-    const Eigen::Vector3f point_m = view.at(found.pixel);
-    const Eigen::Vector2f pixel = picture.pixel_of(picture.in_color_frame(point_m));
-    set.features.push_back({point_m, pixel, found.size * kScale_m});
+    const Eigen::Vector2f pixel = picture.pixel_of(picture.in_color_frame(view.at(found.pixel)));
+    // Not on the plane itself: what lies on it, rugs and pictures, would come out too far.
+    const auto point_m = lift(picture, surface, pixel);
+    if (!point_m) continue;
+    set.features.push_back({*point_m, pixel, found.size * kScale_m});
     set.descriptors.push_back(found.descriptor);
   }
 }
 
 }  // namespace
 
-FeatureSet rectified_features(const ColorPicture& picture, std::span<const Plane> planes) {
+FeatureSet rectified_features(const ColorPicture& picture, const DepthSurface& surface,
+                              std::span<const Plane> planes) {
   cv::setNumThreads(1);
   FeatureSet set;
   for (const Plane& plane : planes) {
-    if (const auto view = rectification_of(plane)) add_features_of(picture, *view, set);
+    if (const auto view = rectification_of(plane)) add_features_of(picture, surface, *view, set);
   }
   return set;
 }

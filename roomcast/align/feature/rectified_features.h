@@ -14,6 +14,7 @@
 namespace roomcast::align {
 
 [[nodiscard]] FeatureSet rectified_features(const ColorPicture& picture,
+                                            const DepthSurface& surface,
                                             std::span<const Plane> planes);
 
 }  // namespace roomcast::align

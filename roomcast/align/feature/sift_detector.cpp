@@ -15,6 +15,8 @@ constexpr int kOctaveLayers = 3;
 constexpr double kClaheLimit = 2;
 constexpr int kClaheTiles = 8;
 constexpr int kLeastSide = 16;  // pixels; nothing is found in smaller pictures
+// OpenCV seeks in a picture of twice the size, whose pixel 2x lies at x - 0.25, and calls it x.
+constexpr float kTooFar_px = 0.25F;
 
 /// A view of our pixels; OpenCV takes no const pointers but does not write through this one.
 cv::Mat mat_of(ImageView<const std::uint8_t> image) {
@@ -51,7 +53,7 @@ std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskVie
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float* const row = histograms.ptr<float>(static_cast<int>(i));
     features.push_back(
-        {{points[i].pt.x, points[i].pt.y},
+        {{points[i].pt.x - kTooFar_px, points[i].pt.y - kTooFar_px},
          points[i].size,
          root_descriptor(std::span<const float, kDescriptorSize>(row, kDescriptorSize))});
   }

@@ -12,6 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "roomcast/align/rig/world_frame.h"
+#include "roomcast/align/view/lift.h"
 
 namespace roomcast::align {
 namespace {
@@ -88,8 +89,8 @@ LiftedMatches lift(const SensorView& a, const SensorView& b, const CornerMatches
   LiftedMatches lifted;
   for (std::size_t i = 0; i < matches.a.size(); ++i) {
     if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0) continue;
-    const auto in_a = a.picture.lift({matches.a[i].x, matches.a[i].y});
-    const auto in_b = b.picture.lift({matches.b[i].x, matches.b[i].y});
+    const auto in_a = lift(a.picture, a.surface, {matches.a[i].x, matches.a[i].y});
+    const auto in_b = lift(b.picture, b.surface, {matches.b[i].x, matches.b[i].y});
     if (!in_a || !in_b) continue;
     lifted.a.push_back(a.picture.in_color_frame(*in_a).cast<double>());
     lifted.b.push_back(b.picture.in_color_frame(*in_b).cast<double>());

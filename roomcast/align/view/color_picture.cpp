@@ -2,13 +2,10 @@
 #include "roomcast/align/view/color_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace roomcast::align {
 namespace {
-
-constexpr float kEdgeStep_m = 0.01F, kEdgeStepPerDepth = 0.04F;  // within 3x3 pixels
 
 /// Grey, `factor` times smaller: the mean of factor x factor pixels.
 Image<float> shrunk_grey(ColorView color, int factor) {
@@ -87,26 +84,6 @@ void splat(const DepthSurface& surface, ColorPicture& picture) {
 }
 
 }  // namespace
-
-std::optional<Eigen::Vector3f> ColorPicture::lift(const Eigen::Vector2f& pixel) const {
-  const int u = static_cast<int>(std::lround(pixel.x())),
-            v = static_cast<int>(std::lround(pixel.y()));
-  if (u < 1 || v < 1 || u >= z_m.width() - 1 || v >= z_m.height() - 1) return std::nullopt;
-  std::array<float, 9> around{};
-  std::size_t count = 0;
-  for (int y = v - 1; y <= v + 1; ++y) {
-    for (int x = u - 1; x <= u + 1; ++x) {
-      if (z_m.at(x, y) > 0) around[count++] = z_m.at(x, y);
-    }
-  }
-  if (count == 0) return std::nullopt;
-  std::sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count));
-  const float z = around[count / 2];
-  if (around[count - 1] - around[0] > kEdgeStep_m + kEdgeStepPerDepth * z) return std::nullopt;
-  const Eigen::Vector3f in_color(z * (pixel.x() - camera.cx) / camera.fx,
-                                 z * (pixel.y() - camera.cy) / camera.fy, z);
-  return color_from_depth_rotation.transpose() * (in_color - color_from_depth_m);
-}
 
 ColorPicture color_picture(ColorView color, const SensorCalibration& calibration,
                            const DepthSurface& surface) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include <Eigen/Core>
 
@@ -34,9 +33,6 @@ struct ColorPicture {
     return {camera.fx * color_point_m.x() / color_point_m.z() + camera.cx,
             camera.fy * color_point_m.y() / color_point_m.z() + camera.cy};
   }
-  /// The surface point seen at `pixel`, in the depth camera's frame; nothing where there is no
-  /// depth, or an edge.
-  [[nodiscard]] std::optional<Eigen::Vector3f> lift(const Eigen::Vector2f& pixel) const;
 };
 
 inline constexpr int kLargestPictureWidth = 1000;

@@ -19,31 +19,6 @@ struct Seen {
   ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
 };
 
-TEST(ColorPicture, lifts_a_pixel_to_the_surface_that_is_seen_there) {
-  const Seen seen;
-  int lifted = 0, on_surface = 0;
-  for (int y = 20; y < 280; y += 13) {
-    for (int x = 20; x < 380; x += 13) {
-      const auto point = seen.picture.lift({x, y});
-      if (!point) continue;
-      ++lifted;
-      const Eigen::Vector3d at = kPose * point->cast<double>();
-      on_surface +=
-          std::abs(cast_ray({}, kPose.translation_m, at - kPose.translation_m) - 1) < 0.01;
-    }
-  }
-  EXPECT_GT(lifted, 250);
-  EXPECT_GT(on_surface, 0.95 * lifted) << "the rest lies at edges that 3x3 pixels do not show";
-}
-
-TEST(ColorPicture, lifts_nothing_outside_or_without_depth) {
-  Seen seen;
-  EXPECT_FALSE(seen.picture.lift({-5, 10}).has_value());
-  EXPECT_FALSE(seen.picture.lift({1e6F, 10}).has_value());
-  seen.picture.z_m = Image<float>(seen.picture.z_m.width(), seen.picture.z_m.height());
-  EXPECT_FALSE(seen.picture.lift({200, 150}).has_value());
-}
-
 TEST(ColorPicture, large_pictures_are_made_smaller_and_keep_their_geometry) {
   Seen seen;
   SensorCalibration large = seen.bundle.calibration;
