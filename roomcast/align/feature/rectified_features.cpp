@@ -9,8 +9,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "roomcast/align/feature/plane_relief.h"
 #include "roomcast/align/feature/sift_detector.h"
-#include "roomcast/align/view/lift.h"
 
 namespace roomcast::align {
 namespace {
@@ -113,8 +113,17 @@ ImageView<const std::uint8_t> view_of(const cv::Mat& image) {
           static_cast<std::ptrdiff_t>(image.step[0])};
 }
 
-void add_features_of(const ColorPicture& picture, const DepthSurface& surface,
+/// Where the ray through a point of the plane is, `height_m` above it.
+Eigen::Vector3f raised(const Eigen::Vector3f& on_plane_m, float height_m, const Plane& plane,
+                       const Eigen::Vector3f& eye_m) {
+  return on_plane_m + height_m / plane.height_m(eye_m) * (eye_m - on_plane_m);
+}
+
+void add_features_of(const ColorPicture& picture, const DepthSurface& surface, const Plane& plane,
                      const Rectification& view, FeatureSet& set) {
+  const PlaneRelief relief(plane, surface.samples);
+  const Eigen::Vector3f eye_m =
+      -(picture.color_from_depth_rotation.transpose() * picture.color_from_depth_m);
   const Eigen::Matrix3f color_from_view = color_from_rectified(picture, view);
   Eigen::Matrix3f camera;
   camera << picture.camera.fx, 0, picture.camera.cx, 0, picture.camera.fy, picture.camera.cy, 0, 0,
@@ -125,10 +134,10 @@ void add_features_of(const ColorPicture& picture, const DepthSurface& surface,
   const cv::Mat mask = plane_mask(z_m, color_from_view);
   for (const SiftFeature& found : detect_sift(view_of(grey), view_of(mask), kSift)) {
     const Eigen::Vector2f pixel = picture.pixel_of(picture.in_color_frame(view.at(found.pixel)));
-    // Not on the plane itself: what lies on it, rugs and pictures, would come out too far.
-    const auto point_m = lift(picture, surface, pixel);
-    if (!point_m) continue;
-    set.features.push_back({*point_m, pixel, found.size * kScale_m});
+    const auto height_m = relief.height_m(view.at(found.pixel));
+    if (!height_m) continue;
+    set.features.push_back(
+        {raised(view.at(found.pixel), *height_m, plane, eye_m), pixel, found.size * kScale_m});
     set.descriptors.push_back(found.descriptor);
   }
 }
@@ -140,7 +149,8 @@ FeatureSet rectified_features(const ColorPicture& picture, const DepthSurface& s
   cv::setNumThreads(1);
   FeatureSet set;
   for (const Plane& plane : planes) {
-    if (const auto view = rectification_of(plane)) add_features_of(picture, surface, *view, set);
+    if (const auto view = rectification_of(plane))
+      add_features_of(picture, surface, plane, *view, set);
   }
   return set;
 }
