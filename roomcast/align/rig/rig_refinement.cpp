@@ -16,11 +16,12 @@ constexpr int kSteps = 16;
 constexpr std::size_t kPoints = 8000;
 constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
 constexpr float kFeatureReach_m = 0.08F;
-// Neighbouring features err alike, by what the lenses' calibrations leave over: however many there
-// are, they tell no more than so many of which each errs for itself.
-constexpr double kIndependentFeatures = 10;
+// Features are found to a quarter of a pixel, but neighbouring ones err alike, by what calibrations
+// and depth leave over: however many there are, they tell no more than so many of which each errs
+// for itself.
+constexpr double kIndependentFeatures = 30;
 constexpr double kStill = 3e-5;  // metres and radians
-constexpr double kLeastEvidenceKept = 0.5;
+constexpr double kLeastScoreKept = 0.5, kLeastMatchesKept = 0.5, kLeastCommonKept = 0.95;
 
 /// A pair and the matches that agreed with it when refinement began.
 struct HeldPair {
@@ -151,13 +152,25 @@ void settle(std::span<const HeldPair> held, std::size_t origin,
   }
 }
 
-/// What speaks for all pairs' poses, in one number.
-double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
-  double score = 0;
-  for (const HeldPair& each : held)
-    score += each.pair->candidates->examine(state_of(*each.pair, sensors)).score;
-  return score;
-}
+/// What speaks for all pairs' poses.
+struct Evidence {
+  double score = 0, matches = 0, common = 0;
+
+  Evidence(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+    for (const HeldPair& each : held) {
+      const PoseEvidence here = each.pair->candidates->examine(state_of(*each.pair, sensors));
+      score += here.score;
+      matches += here.matches.weight;
+      common += here.space.consistent;
+    }
+  }
+  /// Where views share little, surfaces slide along each other until less of them is common. A
+  /// lower score alone does not tell: colours that lie aside of depth speak for the worse pose.
+  [[nodiscard]] bool slid_from(const Evidence& start) const {
+    return score < kLeastScoreKept * start.score && (common < kLeastCommonKept * start.common ||
+                                                     matches < kLeastMatchesKept * start.matches);
+  }
+};
 
 void add_covariance(std::span<const HeldPair> held, std::size_t origin,
                     std::vector<RefinedSensor>& sensors) {
@@ -178,8 +191,7 @@ std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_fro
   for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
   std::vector<RefinedSensor> refined = start;
   settle(held, origin, refined);
-  // Where views share little, surfaces slide along each other until less of them is common.
-  if (evidence_for(held, refined) < kLeastEvidenceKept * evidence_for(held, start)) refined = start;
+  if (Evidence(held, refined).slid_from(Evidence(held, start))) refined = start;
   add_covariance(held, origin, refined);
   return refined;
 }
