@@ -93,7 +93,8 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
   if (same_pictures()) return;
   rank(vote_for_poses(matches_), ColorPlace::kAsCalibrated);
   if (!convinces()) rank(hypotheses_by_shape(a_->surface, b_->surface), ColorPlace::kAsCalibrated);
-  if (!any_is_strong()) rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
+  if (!any_can_be_believed())
+    rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
 }
 
 /// Judges hypotheses and puts them among those ranked before.
@@ -116,8 +117,10 @@ bool PairCandidates::convinces() const {
   return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kLeastMargin;
 }
 
-bool PairCandidates::any_is_strong() const {
-  return std::ranges::any_of(ranked_, [](const PoseEvidence& each) { return is_strong(each); });
+bool PairCandidates::any_can_be_believed() const {
+  return std::ranges::any_of(ranked_, [](const PoseEvidence& each) {
+    return is_strong(each) && each.score > kPoseCost + kLeastMargin;
+  });
 }
 
 const PoseEvidence* PairCandidates::nearest(const RigidTransform& a_from_b) const {

@@ -45,6 +45,9 @@ struct PooledEvidence {
 /// By this much an answer must be ahead of its best rival.
 inline constexpr double kLeastMargin = 6;
 
+/// What an answer pays for every pose that it takes on trust; each must explain more.
+inline constexpr double kPoseCost = 6;
+
 class PairCandidates {
  public:
   /// The views must outlive this. None where both gave the same pictures: one is a copy.
@@ -71,7 +74,7 @@ class PairCandidates {
  private:
   void rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color);
   [[nodiscard]] bool convinces() const;
-  [[nodiscard]] bool any_is_strong() const;
+  [[nodiscard]] bool any_can_be_believed() const;
   [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis, ColorPlace color) const;
 
   const SensorView* a_;

@@ -11,7 +11,6 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kEdgeCost = 6;  // an edge must explain more than it costs
 constexpr std::size_t kEdgesPerPair = 6;
 constexpr std::size_t kBeam = 24;
 constexpr double kSameAngle_rad = 0.7 * std::numbers::pi / 180, kSameDistance_m = 0.03;
@@ -59,7 +58,7 @@ std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
     std::size_t taken = 0;
     for (const PoseEvidence& evidence : pairs[pair].candidates->ranked()) {
       if (taken == kEdgesPerPair) break;
-      if (evidence.score < kEdgeCost) continue;
+      if (evidence.score < kPoseCost) continue;
       edges.push_back({pair, &evidence});
       ++taken;
     }
@@ -131,7 +130,7 @@ std::vector<Placement> extended(std::span<const Placement> beam, std::span<const
       Placement after = joined(before, pair, edge.evidence->a_from_b);
       const PooledEvidence pooled = pooled_evidence(before, after, pairs, edge, evidence);
       if (!is_strong(*edge.evidence) && !is_strong(pooled)) continue;
-      after.score = before.score + pooled.score - kEdgeCost;
+      after.score = before.score + pooled.score - kPoseCost;
       next.push_back(std::move(after));
     }
   }
