@@ -33,9 +33,9 @@ pb::Join join_message(const RoomAlignerOptions& options) {
 
 class RoomAligner::Link final : public HubLinkEvents {
  public:
-  Link(net::HubUrl hub, RoomAlignerOptions options)
+  Link(std::vector<net::HubUrl> hubs, RoomAlignerOptions options)
       : options_(std::move(options)),
-        link_(network_.io(), std::move(hub), join_message(options_), *this),
+        link_(network_.io(), std::move(hubs), join_message(options_), *this),
         thinker_([this](Thought thought) { tell(std::move(thought)); }) {
     link_.start();
     network_.start();
@@ -165,10 +165,10 @@ RoomAligner::RoomAligner(std::unique_ptr<Link> link) : link_(std::move(link)) {}
 RoomAligner::~RoomAligner() = default;
 
 Result<std::unique_ptr<RoomAligner>> RoomAligner::open(RoomAlignerOptions options) {
-  auto hub = net::parse_hub_url(options.hub_url);
-  if (!hub) return hub.error();
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
   return std::unique_ptr<RoomAligner>(
-      new RoomAligner(std::make_unique<Link>(*std::move(hub), std::move(options))));
+      new RoomAligner(std::make_unique<Link>(*std::move(hubs), std::move(options))));
 }
 
 }  // namespace roomcast::aligner

@@ -71,18 +71,17 @@ class HubLink::Connection final : public net::ConnectionHandler {
   std::deque<net::SealedMessagePtr> control_;
 };
 
-HubLink::HubLink(boost::asio::io_context& io, net::HubUrl hub, pb::Join join, HubLinkEvents& events,
-                 net::ConnectionTimings timings)
+HubLink::HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, pb::Join join,
+                 HubLinkEvents& events, std::optional<net::ConnectionTimings> timings)
     : io_(io),
-      hub_(std::move(hub)),
+      hubs_(std::move(hubs), std::random_device{}()),
       join_(std::move(join)),
       events_(events),
       timings_(timings),
       retry_timer_(io),
       ping_timer_(io),
       ping_pace_(join_.has_sensor() ? PingPace::kOfSensor : PingPace::kOfViewer,
-                 std::random_device{}()),
-      retry_pace_(std::random_device{}()) {}
+                 std::random_device{}()) {}
 
 HubLink::~HubLink() {
   stop();
@@ -111,8 +110,8 @@ void HubLink::send(const pb::Control& message) {
 void HubLink::connect() {
   net::ClientOptions options;
   options.max_message_bytes = wire::kMaxFrameBytes;
-  options.timings = timings_;
-  attempt_ = net::connect(io_, hub_, options,
+  options.timings = timings_.value_or(hubs_.has_others() ? kTimingsWithOthers : kTimings);
+  attempt_ = net::connect(io_, hubs_.current(), options,
                           [this](auto connection) { on_connected(std::move(connection)); });
 }
 
@@ -121,7 +120,8 @@ void HubLink::connect() {
 void HubLink::on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection) {
   attempt_.reset();
   if (!connection) {
-    const bool is_no_hub = connection.error().code == ErrorCode::kUnsupported && !was_welcome_;
+    const bool is_no_hub =
+        connection.error().code == ErrorCode::kUnsupported && !was_welcome_ && !hubs_.has_others();
     if (is_no_hub) return give_up(connection.error());
     return retry_later(connection.error());
   }
@@ -142,8 +142,14 @@ void HubLink::on_ended(const net::CloseReason& reason) {
   const std::string sentence = refusal_ ? "the hub says: " + refusal_->message
                                         : "the connection to the hub ended: " + reason.sentence;
   const Error error{ErrorCode::kClosed, sentence};
-  if (refusal_ && refusal_is_final_) return give_up(error);
+  if (is_over()) return give_up(error);
   retry_later(error);
+}
+
+/// Another hub may know us better than this one.
+bool HubLink::is_over() const {
+  if (!refusal_ || !is_final(refusal_code_, welcomed_at_.has_value())) return false;
+  return refusal_code_ == pb::ERROR_REPLACED || !was_welcome_ || !hubs_.has_others();
 }
 
 void HubLink::give_up(const Error& reason) {
@@ -152,7 +158,7 @@ void HubLink::give_up(const Error& reason) {
 }
 
 void HubLink::retry_later(const Error& reason) {
-  retry_timer_.expires_after(retry_pace_.next());
+  retry_timer_.expires_after(hubs_.failed());
   retry_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && !stopped_) connect();
   });
@@ -188,6 +194,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     case pb::Control::kWelcome:
       was_welcome_ = true;
       welcomed_at_ = clock_.now();
+      hubs_.welcomed();
       keep_token(control->welcome());
       events_.on_welcome(control->welcome());
       return ping();
@@ -195,8 +202,11 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
       return take_pong(control->clock_pong());
     case pb::Control::kError:
       refusal_ = Error{ErrorCode::kClosed, control->error().sentence()};
-      refusal_is_final_ = is_final(control->error().code(), welcomed_at_.has_value());
+      refusal_code_ = control->error().code();
       return;
+    case pb::Control::kOtherHubs:
+      return hubs_.learn(
+          {control->other_hubs().urls().begin(), control->other_hubs().urls().end()});
     default:
       events_.on_control(*control);
   }
@@ -213,7 +223,7 @@ void HubLink::take_pong(const pb::ClockPong& pong) {
   const HostTime sent{nanoseconds(static_cast<std::int64_t>(pong.client_ns()))};
   const RoomTime hub{nanoseconds(static_cast<std::int64_t>(pong.hub_ns()))};
   const HostTime now = clock_.now();
-  if (welcomed_at_ && now - *welcomed_at_ > kSettled) retry_pace_.succeeded();
+  if (welcomed_at_ && now - *welcomed_at_ > kSettled) hubs_.settled();
   clock_sync_.add(sent, hub, now);
   if (const auto estimate = clock_sync_.estimate()) events_.on_clock(*estimate);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HubLink: a client's connection to its hub: joins, keeps the clock, and comes back when the
-// connection breaks or the hub falls silent, until the hub refuses it for good. What sensors and
-// viewers have in common.
+// connection breaks or the hub falls silent, at the next one where there are several, until the hub
+// refuses it for good. What sensors and viewers have in common.
 // Threading: lives on one io_context; everything, the events too, happens on the thread that runs
 // it.
 #pragma once
@@ -10,15 +10,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/client/clock_sync.h"
+#include "roomcast/client/hub_choice.h"
 #include "roomcast/client/ping_pace.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
-#include "roomcast/core/retry_pace.h"
 #include "roomcast/net/hub_url.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/control.pb.h"
@@ -48,9 +49,13 @@ class HubLink {
   /// is gone although nobody said so (a cable pulled, a machine that sleeps).
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
                                                    .give_up_after = std::chrono::seconds(8)};
+  /// Where there is another hub to go on at.
+  static constexpr net::ConnectionTimings kTimingsWithOthers{
+      .ping_after = std::chrono::milliseconds(800), .give_up_after = std::chrono::seconds(3)};
 
-  HubLink(boost::asio::io_context& io, net::HubUrl hub, wire::pb::Join join, HubLinkEvents& events,
-          net::ConnectionTimings timings = kTimings);
+  /// At least one hub. `timings`: other ones than the above.
+  HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, wire::pb::Join join,
+          HubLinkEvents& events, std::optional<net::ConnectionTimings> timings = {});
   ~HubLink();
   HubLink(const HubLink&) = delete;
   HubLink& operator=(const HubLink&) = delete;
@@ -77,12 +82,13 @@ class HubLink {
   void keep_token(const wire::pb::Welcome& welcome);
   void take_pong(const wire::pb::ClockPong& pong);
   void give_up(const Error& reason);
+  [[nodiscard]] bool is_over() const;
 
   boost::asio::io_context& io_;
-  const net::HubUrl hub_;
+  HubChoice hubs_;
   wire::pb::Join join_;
   HubLinkEvents& events_;
-  const net::ConnectionTimings timings_;
+  const std::optional<net::ConnectionTimings> timings_;
   SteadyClock clock_;
   ClockSync clock_sync_;
   std::shared_ptr<Connection> connection_;  // null while there is none
@@ -90,11 +96,10 @@ class HubLink {
   boost::asio::steady_timer retry_timer_;
   boost::asio::steady_timer ping_timer_;
   PingPace ping_pace_;
-  RetryPace retry_pace_;
   bool was_welcome_ = false;             // on any connection
   std::optional<HostTime> welcomed_at_;  // on this one
   std::optional<Error> refusal_;         // what the hub said before it closed
-  bool refusal_is_final_ = false;
+  wire::pb::ErrorCode refusal_code_ = wire::pb::ERROR_UNSPECIFIED;
   bool stopped_ = false;
 };
 

@@ -65,7 +65,7 @@ class HubLinkTest : public testing::Test {
   boost::asio::io_context io;
   std::optional<FakeHub> hub{std::in_place, io};
   Heard heard;
-  HubLink link{io, *net::parse_hub_url(hub->url()), join(), heard};
+  HubLink link{io, *net::parse_hub_urls(hub->url()), join(), heard};
 };
 
 TEST_F(HubLinkTest, joins_first) {
@@ -121,8 +121,8 @@ TEST(HubLink, a_hub_that_falls_silent_is_given_up_and_tried_again) {
   Heard heard;
   wire::pb::Join join;
   join.mutable_viewer();
-  HubLink link(io, *net::parse_hub_url(hub.url()), join, heard,
-               {.ping_after = 20ms, .give_up_after = 60ms});
+  HubLink link(io, *net::parse_hub_urls(hub.url()), join, heard,
+               net::ConnectionTimings{.ping_after = 20ms, .give_up_after = 60ms});
   link.start();
   const auto both_run_until_welcome = [&](std::size_t number) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
@@ -189,6 +189,47 @@ TEST_F(HubLinkTest, tries_again_after_a_fault_that_need_not_come_again) {
   hub->refuse(wire::pb::ERROR_MALFORMED, "this frame was captured in the future");
   run_until([&] { return heard.welcomes.size() == 2; });
   EXPECT_FALSE(heard.is_final);
+}
+
+TEST_F(HubLinkTest, goes_on_at_the_next_hub_at_once_when_one_is_gone) {
+  FakeHub next(io);
+  Heard heard_of_either;
+  HubLink either(io, *net::parse_hub_urls(hub->url() + "," + next.url()), join(), heard_of_either);
+  either.start();
+  run_until([&] { return heard_of_either.welcomes.size() == 1; });
+  EXPECT_TRUE(next.heard.empty());
+  hub->hang_up();
+  run_until([&] { return heard_of_either.welcomes.size() == 2; });
+  EXPECT_FALSE(next.heard.empty());
+  EXPECT_EQ(heard_of_either.down.size(), 1u);
+}
+
+TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
+  FakeHub next(io);
+  welcomed();
+  wire::pb::Control others;
+  others.mutable_other_hubs()->add_urls(next.url());
+  hub->say(others);
+  wire::pb::Control last;
+  last.mutable_roster();
+  hub->say(last);
+  run_until([&] { return heard.controls.size() == 1; });
+  hub->hang_up();
+  run_until([&] { return heard.welcomes.size() == 2; });
+  EXPECT_FALSE(next.heard.empty());
+}
+
+TEST_F(HubLinkTest, where_the_next_hub_does_not_know_us_it_comes_back_to_the_first) {
+  FakeHub stranger(io);
+  stranger.refuse_joins_with = wire::pb::ERROR_TOKEN_INVALID;
+  Heard heard_of_either;
+  HubLink either(io, *net::parse_hub_urls(hub->url() + "," + stranger.url()), join(),
+                 heard_of_either);
+  either.start();
+  run_until([&] { return heard_of_either.welcomes.size() == 1; });
+  hub->hang_up();
+  run_until([&] { return heard_of_either.welcomes.size() == 2; });
+  EXPECT_FALSE(heard_of_either.is_final);
 }
 
 TEST_F(HubLinkTest, stops_in_good_order_and_without_work_left) {

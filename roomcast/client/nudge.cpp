@@ -29,8 +29,8 @@ pb::Join join_message(const NudgeOptions& options) {
 /// One guess and its answer: the sensor's entry in the roster changes.
 class Asking final : public HubLinkEvents {
  public:
-  Asking(net::HubUrl hub, const NudgeOptions& options)
-      : options_(options), link_(network_.io(), std::move(hub), join_message(options), *this) {
+  Asking(std::vector<net::HubUrl> hubs, const NudgeOptions& options)
+      : options_(options), link_(network_.io(), std::move(hubs), join_message(options), *this) {
     link_.start();
     network_.start();
   }
@@ -100,9 +100,9 @@ RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions
 }
 
 Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {
-  auto hub = net::parse_hub_url(options.hub_url);
-  if (!hub) return hub.error();
-  return Asking(*std::move(hub), options).wait();
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
+  return Asking(*std::move(hubs), options).wait();
 }
 
 }  // namespace roomcast

@@ -50,9 +50,9 @@ std::uint32_t clock_error_us(nanoseconds error) {
 
 class Publisher::Link final : public HubLinkEvents {
  public:
-  Link(net::HubUrl hub, PublisherOptions options)
+  Link(std::vector<net::HubUrl> hubs, PublisherOptions options)
       : options_(std::move(options)),
-        link_(network_.io(), std::move(hub), join_message(options_), *this) {
+        link_(network_.io(), std::move(hubs), join_message(options_), *this) {
     link_.start();
     network_.start();
   }
@@ -287,9 +287,9 @@ Publisher::Publisher(std::unique_ptr<Link> link) : link_(std::move(link)) {}
 Publisher::~Publisher() = default;
 
 Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
-  auto hub = net::parse_hub_url(options.hub_url);
-  if (!hub) return hub.error();
-  auto link = std::make_unique<Link>(std::move(*hub), std::move(options));
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
+  auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Publisher>(new Publisher(std::move(link)));
 }

@@ -26,9 +26,9 @@ wire::pb::Join join_message(const SubscriberOptions& options) {
 
 class Subscriber::Link final : public HubLinkEvents {
  public:
-  Link(net::HubUrl hub, SubscriberOptions options)
+  Link(std::vector<net::HubUrl> hubs, SubscriberOptions options)
       : options_(std::move(options)),
-        link_(network_.io(), std::move(hub), join_message(options_), *this) {
+        link_(network_.io(), std::move(hubs), join_message(options_), *this) {
     link_.start();
     network_.start();
   }
@@ -145,9 +145,9 @@ Subscriber::Subscriber(std::unique_ptr<Link> link) : link_(std::move(link)) {}
 Subscriber::~Subscriber() = default;
 
 Result<std::unique_ptr<Subscriber>> Subscriber::open(SubscriberOptions options) {
-  auto hub = net::parse_hub_url(options.hub_url);
-  if (!hub) return hub.error();
-  auto link = std::make_unique<Link>(std::move(*hub), std::move(options));
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
+  auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Subscriber>(new Subscriber(std::move(link)));
 }

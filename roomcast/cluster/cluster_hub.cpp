@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "roomcast/cluster/subjects.h"
+#include "roomcast/wire/limits.h"
+#include "roomcast/wire/name_check.h"
 
 namespace roomcast::cluster {
 namespace {
@@ -37,6 +39,7 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
   if (!nats) return nats.error();
   hub->nats_ = *std::move(nats);
   hub->nats_->subscribe(kHeartbeatSubject);
+  hub->nats_->subscribe(kRevokedSubject);
   hub->nats_->subscribe(inbox_subject(hub->id_));
   hub->beat_later();
   return hub;
@@ -171,6 +174,7 @@ pb::Heartbeat ClusterHub::heartbeat() const {
     here.set_room(room->shared->name());
     here.set_revision(room->shared->revision());
     here.set_sensors(static_cast<std::uint32_t>(room->shared->local_sensor_count()));
+    here.set_viewers(static_cast<std::uint32_t>(room->shared->viewer_count()));
     here.set_wants_frames(room->is_subscribed);
   }
   return own;
@@ -179,6 +183,9 @@ pb::Heartbeat ClusterHub::heartbeat() const {
 void ClusterHub::say_alive(bool leaves) {
   pb::Heartbeat own = heartbeat();
   own.set_leaves(leaves);
+  if (beats_ % kBeatsPerList == 0) {
+    for (const auto& [number, room] : rooms_) own.add_all_rooms(room->shared->name());
+  }
   directory_.write_heard(own);
   nats_->publish(kHeartbeatSubject, bytes_of(own));
 }
@@ -203,6 +210,7 @@ void ClusterHub::beat() {
     for (const auto& [number, room] : rooms_) room->shared->hub_is_gone(gone);
   }
   look_after_rooms();
+  ++beats_;
   say_alive();
 }
 
@@ -213,6 +221,7 @@ void ClusterHub::look_after_rooms() {
     room->asked.clear();
     room->shared->stay();
     room->is_wanted = directory_.is_wanted(name);
+    room->shared->others_are(directory_.urls_with(name));
     const auto owner = owner_of(name, own, directory_);
     const bool was_ours = room->owner == id_;
     room->owner = owner;
@@ -236,6 +245,8 @@ void ClusterHub::take(std::string_view subject, std::span<const std::uint8_t> by
     const auto news = read<pb::RoomNews>(bytes);
     Room* room = find(what->room);
     if (room != nullptr && news && directory_.find(HubId{news->hub()})) room->shared->news(*news);
+  } else if (what->subject == Subject::kRevoked) {
+    if (const auto revoked = read<pb::Revoked>(bytes)) take_revoked(*revoked);
   } else if (what->subject == Subject::kFrames) {
     if (Room* room = find(what->room)) room->shared->frames(what->hub, bytes);
   }
@@ -260,7 +271,60 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
     }
   }
   if (heartbeat.leaves()) beat();
-  if (is_new) say_alive();  // it knows of us at once
+  if (!is_new) return;
+  beats_ = 0;
+  say_alive();  // it knows of us at once
+  seat_.tell_revoked();
+}
+
+// ---- tokens that hold no more
+
+void ClusterHub::revoked(const std::vector<hub::Claims>& tokens) {
+  pb::Revoked message;
+  for (const hub::Claims& token : tokens) {
+    pb::RevokedToken& revoked = *message.add_tokens();
+    revoked.set_id(token.id);
+    revoked.set_room(token.grant.room);
+    revoked.set_role(std::string(hub::name_of(token.grant.role)));
+    revoked.set_name(token.grant.name);
+    revoked.set_issued_at(token.issued_at);
+    revoked.set_expires_at(token.expires_at);
+  }
+  nats_->publish(kRevokedSubject, bytes_of(message));
+}
+
+void ClusterHub::take_revoked(const pb::Revoked& revoked) {
+  std::vector<hub::Claims> tokens;
+  for (const pb::RevokedToken& token : revoked.tokens()) {
+    const auto role = hub::token_role(token.role());
+    const bool is_legal = !token.id().empty() && token.id().size() <= wire::kMaxNameBytes &&
+                          wire::check_name(token.room(), "room").ok() &&
+                          wire::check_name(token.name(), "name").ok();
+    if (!role || !is_legal) continue;
+    tokens.push_back({.id = token.id(),
+                      .grant = {.room = token.room(), .role = *role, .name = token.name()},
+                      .issued_at = token.issued_at(),
+                      .expires_at = token.expires_at()});
+  }
+  if (!tokens.empty()) seat_.revoke(std::move(tokens));
+}
+
+// ---- who is there
+
+std::vector<hub::HubStatus> ClusterHub::hubs() const {
+  std::vector<hub::HubStatus> all;
+  const auto add = [&all](const pb::Heartbeat& heartbeat) {
+    hub::HubStatus& status = all.emplace_back();
+    status.id = to_string(HubId{heartbeat.hub()});
+    status.public_url = heartbeat.public_url();
+    status.load = heartbeat.load();
+    for (const pb::RoomHere& room : heartbeat.rooms()) {
+      status.rooms.push_back({room.room(), room.sensors(), room.viewers()});
+    }
+  };
+  add(heartbeat());
+  for (const auto& [id, hub] : directory_.others()) add(hub.newest);
+  return all;
 }
 
 }  // namespace roomcast::cluster

@@ -40,6 +40,8 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
  public:
   /// Frames of several sensors share a message when they come within this time.
   static constexpr std::chrono::milliseconds kGatherFor{8};
+  /// All rooms are named in each so manyth heartbeat.
+  static constexpr unsigned kBeatsPerList = 8;
 
   /// Errors of NatsClient::open.
   static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options, hub::BackplaneSeat seat);
@@ -54,6 +56,8 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
              std::span<const std::uint8_t> message) override;
   void send(ConnectionId to, const wire::pb::Control& message) override;
   void let_go(ConnectionId connection) override;
+  void revoked(const std::vector<hub::Claims>& tokens) override;
+  [[nodiscard]] std::vector<hub::HubStatus> hubs() const override;
 
  private:
   /// Part of the ids of a room's connections. Never used twice.
@@ -76,6 +80,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void tell(HubId hub, const pb::ToHub& message) override;
 
   void take(std::string_view subject, std::span<const std::uint8_t> message);
+  void take_revoked(const pb::Revoked& revoked);
   void take_heartbeat(const pb::Heartbeat& heartbeat);
   void beat_later();
   void beat();
@@ -94,6 +99,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   ProcessorLoad load_;
   std::unique_ptr<NatsClient> nats_;
   Number newest_ = 0;
+  unsigned beats_ = 0;
   Rooms rooms_;
   boost::asio::steady_timer timer_;
   std::minstd_rand random_{std::random_device{}()};

@@ -2,6 +2,8 @@
 // Two real hubs and a real NATS server on loopback.
 #include "roomcast/cluster/cluster_hub.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/cluster/nats_server_fixture.h"
@@ -15,8 +17,9 @@ using namespace std::chrono_literals;
 namespace wpb = wire::pb;
 using hub::RunningHub;
 
-hub::HubOptions sharing_over(const NatsServer& server) {
+hub::HubOptions sharing_over(const NatsServer& server, const std::string& public_url = "") {
   ClusterOptions cluster;
+  cluster.public_url = public_url;
   cluster.nats.servers = {server.url()};
   cluster.kept_unwatched = 50ms;
   hub::HubOptions options;
@@ -106,6 +109,22 @@ TEST_F(ClusterHubTest, a_sensor_that_leaves_there_is_offline_here_and_comes_back
   run_until([&] { return !shows_online(*viewer); });
   const auto again = join(second, hub::sensor_join("left"));
   run_until([&] { return shows_online(*viewer); });
+  part();
+}
+
+TEST_F(ClusterHubTest, viewers_and_sensors_are_told_where_else_their_room_is) {
+  const NatsServer server;
+  const RunningHub first(sharing_over(server, "wss://first")), second(sharing_over(server));
+  const auto names_first = [](const hub::RawClient& client) {
+    return std::ranges::any_of(client.heard, [](const wpb::Control& message) {
+      return message.has_other_hubs() && message.other_hubs().urls_size() == 1 &&
+             message.other_hubs().urls(0) == "wss://first";
+    });
+  };
+  const auto viewer = join(second, hub::viewer_join());
+  run_until([&] { return names_first(*viewer); });
+  const auto sensor = join(second, hub::sensor_join("left"));
+  run_until([&] { return names_first(*sensor); });
   part();
 }
 

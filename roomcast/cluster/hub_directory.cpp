@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/wire/limits.h"
+
 namespace roomcast::cluster {
 namespace {
 
@@ -25,6 +27,9 @@ bool HubDirectory::take(const pb::Heartbeat& heartbeat, HostTime now) {
   OtherHub& hub = others_[id];
   learn_clock(hub, heartbeat, now);
   hub.newest = heartbeat;
+  if (heartbeat.all_rooms_size() > 0) {
+    hub.rooms = {heartbeat.all_rooms().begin(), heartbeat.all_rooms().end()};
+  }
   hub.received = now;
   return true;
 }
@@ -62,6 +67,18 @@ void HubDirectory::write_heard(pb::Heartbeat& own) const {
 const OtherHub* HubDirectory::find(HubId hub) const {
   const auto found = others_.find(hub);
   return found == others_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> HubDirectory::urls_with(const std::string& room) const {
+  std::vector<std::string> urls;
+  for (const auto& [id, hub] : others_) {
+    const std::string& url = hub.newest.public_url();
+    const bool is_short = !url.empty() && url.size() <= wire::kMaxUrlBytes;
+    if (is_short && hub.rooms.contains(room)) urls.push_back(url);
+  }
+  std::ranges::sort(urls);
+  if (urls.size() > wire::kMaxOtherHubs) urls.resize(wire::kMaxOtherHubs);
+  return urls;
 }
 
 bool HubDirectory::is_wanted(std::string_view room) const {

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,7 @@ struct OtherHub {
   pb::Heartbeat newest;
   HostTime received{};
   ClockSync clock = {};
+  std::set<std::string> rooms = {};  // all that it has
 };
 
 class HubDirectory {
@@ -45,6 +47,8 @@ class HubDirectory {
   [[nodiscard]] const std::map<HubId, OtherHub>& others() const { return others_; }
   /// Null: there is no such hub.
   [[nodiscard]] const OtherHub* find(HubId hub) const;
+  /// Where else this room is: public addresses, sorted, at most wire::kMaxOtherHubs.
+  [[nodiscard]] std::vector<std::string> urls_with(const std::string& room) const;
   /// Does any of them want frames of this room?
   [[nodiscard]] bool is_wanted(std::string_view room) const;
 

@@ -102,6 +102,20 @@ TEST(HubDirectory, frames_are_wanted_as_long_as_one_hub_wants_them) {
   EXPECT_FALSE(directory.is_wanted("lab"));
 }
 
+TEST(HubDirectory, says_where_else_a_room_is) {
+  HubDirectory directory(kOwn);
+  for (const auto& [hub, url] : {std::pair(kLower, "wss://b"), std::pair(kHigher, "wss://a"),
+                                 std::pair(HubId{9}, ""), std::pair(HubId{10}, "wss://other")}) {
+    auto heartbeat = heartbeat_of(hub);
+    heartbeat.set_public_url(url);
+    heartbeat.add_all_rooms(hub == HubId{10} ? "kitchen" : "lab");
+    directory.take(heartbeat, {});
+    heartbeat.clear_all_rooms();  // not in each
+    directory.take(heartbeat, {});
+  }
+  EXPECT_EQ(directory.urls_with("lab"), (std::vector<std::string>{"wss://a", "wss://b"}));
+}
+
 /// All hubs say the same, whichever of them is asked.
 std::optional<HubId> owner_as_seen_by(HubId who, const std::vector<pb::Heartbeat>& hubs) {
   HubDirectory directory(who);

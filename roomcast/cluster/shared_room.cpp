@@ -203,6 +203,14 @@ void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
       message, [&](net::MessageBuffer frame) { hub->second.sensors.frame(std::move(frame)); });
 }
 
+void SharedRoom::others_are(const std::vector<std::string>& urls) {
+  if (!is_welcome_ || urls == other_urls_) return;
+  other_urls_ = urls;
+  wpb::Control control;
+  control.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
+  seat_.rooms.on_control(*aligner_, control);
+}
+
 void SharedRoom::clock_is(HubId hub, const ClockEstimate& estimate) {
   other(hub).sensors.clock_is(estimate);
 }

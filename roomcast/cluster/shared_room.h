@@ -63,12 +63,18 @@ class SharedRoom {
   /// Who works out where sensors stand; nothing: nobody.
   void owner_is(std::optional<HubId> owner);
 
+  /// Where else this room is.
+  void others_are(const std::vector<std::string>& urls);
+
   /// Of the newest news of this hub. 0: nothing ever.
   [[nodiscard]] std::uint32_t revision() const { return news_.revision(); }
   /// Of the newest news of that hub. 0: nothing.
   [[nodiscard]] std::uint32_t revision_of(HubId hub) const;
   [[nodiscard]] std::size_t local_sensor_count() const {
     return static_cast<std::size_t>(news_.sensors_size());
+  }
+  [[nodiscard]] std::size_t viewer_count() const {
+    return static_cast<std::size_t>(roster_.viewers_size());
   }
   [[nodiscard]] const std::string& name() const { return seat_.room; }
 
@@ -118,6 +124,7 @@ class SharedRoom {
   std::map<std::string, OwnClaim> claims_;
   std::map<HubId, OtherHub> others_;
   std::optional<HubId> owner_;
+  std::vector<std::string> other_urls_;
 };
 
 }  // namespace roomcast::cluster

@@ -184,6 +184,15 @@ TEST_F(SharedRoomTest, who_missed_news_is_told_again) {
   EXPECT_EQ(told.to_all[1].revision(), told.to_all[0].revision());
 }
 
+TEST_F(SharedRoomTest, the_room_here_is_told_where_else_it_is_when_that_changes) {
+  room.others_are({});
+  EXPECT_TRUE(here.said.empty());
+  room.others_are({"wss://a"});
+  room.others_are({"wss://a"});
+  ASSERT_EQ(here.said.size(), 1u);
+  EXPECT_EQ(here.said[0].second.other_hubs().urls(0), "wss://a");
+}
+
 TEST_F(SharedRoomTest, it_joins_again_when_it_was_sent_away) {
   room.let_go(here.joins[0].first);
   room.stay();

@@ -15,6 +15,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
+#include "roomcast/hub/access/claims.h"
 #include "roomcast/hub/session.h"
 
 namespace roomcast::hub {
@@ -33,6 +34,18 @@ inline constexpr std::uint64_t kBackplaneBit = std::uint64_t{1} << 63;
   return static_cast<std::uint32_t>((connection.value & ~kBackplaneBit) >> 32);
 }
 
+/// One of several hubs.
+struct HubStatus {
+  std::string id;
+  std::string public_url;  // empty: not for others
+  float load = 0;          // processor cores that it uses
+  struct Room {
+    std::string name;
+    std::size_t sensors = 0, viewers = 0;  // connected there
+  };
+  std::vector<Room> rooms = {};  // where somebody is, or was
+};
+
 class Backplane {
  public:
   virtual ~Backplane() = default;
@@ -44,8 +57,10 @@ class Backplane {
   /// Of such a sensor; the room takes it.
   virtual void frame(const std::string& /*room*/, const wire::FrameHeader& /*header*/,
                      std::span<const std::uint8_t> /*message*/) {}
-  /// Tokens that hold no more.
-  virtual void revoked(const std::vector<std::string>& /*token_ids*/) {}
+  /// All tokens of this hub that hold no more.
+  virtual void revoked(const std::vector<Claims>& /*tokens*/) {}
+  /// Those that are there now, this one first; empty: this one is alone.
+  [[nodiscard]] virtual std::vector<HubStatus> hubs() const { return {}; }
   /// Somebody here sees this room now, or nobody any more.
   virtual void watch(const std::string& room, bool is_watched) = 0;
   /// What the room says to one of the backplane's connections.
@@ -59,6 +74,10 @@ struct BackplaneSeat {
   boost::asio::io_context& io;
   SessionEvents& rooms;
   std::string token;  // with which it may join every room
+  /// These tokens hold no more, say other hubs.
+  std::function<void(std::vector<Claims>)> revoke = {};
+  /// Answered by Backplane::revoked().
+  std::function<void()> tell_revoked = {};
 };
 using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneSeat)>;
 

@@ -109,7 +109,12 @@ HubServer::Loop::~Loop() {
 
 Status HubServer::Loop::open_backplane() {
   if (!options_.open_backplane) return {};
-  auto opened = options_.open_backplane({.io = io(), .rooms = *hall_, .token = own_token_});
+  auto opened = options_.open_backplane(
+      {.io = io(),
+       .rooms = *hall_,
+       .token = own_token_,
+       .revoke = [this](std::vector<Claims> tokens) { hall_->take_revoked(std::move(tokens)); },
+       .tell_revoked = [this] { hall_->tell_revoked(); }});
   if (!opened) return opened.error();
   backplane_ = *std::move(opened);
   hall_->connect(*backplane_);

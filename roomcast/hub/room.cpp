@@ -54,6 +54,10 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;
       take_placements(message.placements(), now, out);
       return out;
+    case pb::Control::kOtherHubs:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      name_other_hubs(message, out);
+      return out;
     case pb::Control::kKeyRequest:
       if (viewer == viewers_.end()) break;
       return key_needed(wire_id(message.key_request().sensor_id()), now);
@@ -72,6 +76,16 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
   }
   return refuse(from, pb::ERROR_UNEXPECTED,
                 "this control message may not be sent to a hub by this kind of client", now);
+}
+
+/// To all but aligners, which belong to this hub.
+void Room::name_other_hubs(const pb::Control& message, RoomActions& out) {
+  other_hubs_ = message;
+  std::vector<ConnectionId> to = viewer_connections();
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) to.push_back(*sensor.connection);
+  }
+  if (!to.empty()) out.push_back(SendControl{std::move(to), message});
 }
 
 std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader& header,

@@ -94,6 +94,7 @@ class Room {
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   [[nodiscard]] bool may_nudge(ConnectionId from) const;
+  void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
@@ -114,6 +115,7 @@ class Room {
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
   wire::pb::SightingRequest wanted_sightings_;
+  wire::pb::Control other_hubs_;  // where else this room is; empty: nowhere
   PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets

@@ -206,6 +206,24 @@ bool RoomHall::send_away(ConnectionId guest, const std::string& sentence) {
   return room != nullptr;
 }
 
+void RoomHall::tell_revoked() {
+  if (backplane_ == nullptr) return;
+  desk_.ask([](HubBook& book) { return book.revoked(); },
+            [this](const Result<std::vector<Claims>>& revoked) {
+              if (revoked && !revoked->empty()) backplane_->revoked(*revoked);
+            });
+}
+
+void RoomHall::take_revoked(std::vector<Claims> tokens) {
+  std::vector<std::string> ids;
+  for (const Claims& token : tokens) ids.push_back(token.id);
+  desk_.ask([tokens = std::move(tokens)](HubBook& book) { return book.take_revoked(tokens); },
+            [this, ids = std::move(ids)](const Status& kept) {
+              if (!kept) log(LogLevel::kWarning, kept.error().message);
+              send_away_holders(ids);
+            });
+}
+
 void RoomHall::send_away_holders(const std::vector<std::string>& token_ids) {
   std::vector<std::pair<ConnectionId, HostedRoom*>> holders;
   for (const auto& [connection, guest] : guests_) {

@@ -70,6 +70,14 @@ class RoomHall final : public SessionEvents {
   bool send_away(ConnectionId guest, const std::string& sentence);
   /// Whoever came with one of these tokens.
   void send_away_holders(const std::vector<std::string>& token_ids);
+  /// Other hubs learn which tokens hold no more, if there are any.
+  void tell_revoked();
+  /// They hold no more, say other hubs.
+  void take_revoked(std::vector<Claims> tokens);
+  /// Empty: this one is alone.
+  [[nodiscard]] std::vector<HubStatus> hubs() const {
+    return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
+  }
 
   /// Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;

@@ -35,12 +35,16 @@ void RoomHall::look_around() {
   end_expired();
   desk_.ask(
       [](HubBook& book) {
-        if (!book.changed_elsewhere()) return std::vector<std::string>();
+        if (!book.changed_elsewhere()) return std::vector<Claims>();
         auto revoked = book.revoked();
-        return revoked ? *std::move(revoked) : std::vector<std::string>();
+        return revoked ? *std::move(revoked) : std::vector<Claims>();
       },
-      [this](const std::vector<std::string>& revoked) {
-        if (!revoked.empty()) send_away_holders(revoked);
+      [this](const std::vector<Claims>& revoked) {
+        if (revoked.empty()) return;
+        std::vector<std::string> ids;
+        for (const Claims& token : revoked) ids.push_back(token.id);
+        send_away_holders(ids);
+        if (backplane_ != nullptr) backplane_->revoked(revoked);
       });
 }
 

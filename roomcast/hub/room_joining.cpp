@@ -40,6 +40,8 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& ent
     default:
       join_viewer(from, join, entry, now, out);
   }
+  const bool is_in = sensors_.find(from) != nullptr || viewers_.contains(from);
+  if (is_in && other_hubs_.has_other_hubs()) out.push_back(SendControl{{from}, other_hubs_});
   return out;
 }
 

@@ -117,6 +117,18 @@ Result<HubUrl> parse_hub_url(std::string_view text) {
   return url;
 }
 
+Result<std::vector<HubUrl>> parse_hub_urls(std::string_view text) {
+  std::vector<HubUrl> urls;
+  for (;;) {
+    const auto comma = text.find(',');
+    auto url = parse_hub_url(text.substr(0, comma));
+    if (!url) return url.error();
+    urls.push_back(*std::move(url));
+    if (comma == std::string_view::npos) return urls;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 std::string host_and_port(const HubUrl& url) {
   const bool is_v6 = url.host.find(':') != std::string::npos;
   const std::string host = is_v6 ? "[" + url.host + "]" : url.host;

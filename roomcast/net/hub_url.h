@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "roomcast/core/result.h"
 #include "roomcast/net/tls/fingerprint.h"
@@ -23,10 +24,15 @@ struct HubUrl {
   std::string path = "/ws";
   bool tls = false;
   std::optional<Fingerprint> pinned = std::nullopt;  // with TLS only
+
+  friend bool operator==(const HubUrl&, const HubUrl&) = default;
 };
 
 /// kInvalidArgument: not such an address.
 [[nodiscard]] Result<HubUrl> parse_hub_url(std::string_view text);
+
+/// One or more, separated by commas.
+[[nodiscard]] Result<std::vector<HubUrl>> parse_hub_urls(std::string_view text);
 
 /// "host:port", "[::1]:port"
 [[nodiscard]] std::string host_and_port(const HubUrl& url);

@@ -17,10 +17,10 @@ class BundleLink final : private HubLinkEvents {
  public:
   using OnBundle = std::function<void(const wire::pb::CalibrationBundle&)>;
 
-  BundleLink(boost::asio::io_context& io, net::HubUrl hub, const std::string& room,
+  BundleLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, const std::string& room,
              const Credential& credential, OnBundle on_bundle)
       : on_bundle_(std::move(on_bundle)),
-        link_(io, std::move(hub), join_message(room, credential), *this) {
+        link_(io, std::move(hubs), join_message(room, credential), *this) {
     link_.start();
   }
   ~BundleLink() override { link_.stop(); }

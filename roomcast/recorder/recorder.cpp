@@ -38,12 +38,12 @@ pb::Join join_message(const RecorderOptions& options) {
 
 class Recorder::Link final : public HubLinkEvents {
  public:
-  Link(net::HubUrl hub, RecorderOptions options)
+  Link(std::vector<net::HubUrl> hubs, RecorderOptions options)
       : options_(std::move(options)),
         chunk_timer_(network_.io()),
-        link_(network_.io(), hub, join_message(options_), *this) {
+        link_(network_.io(), hubs, join_message(options_), *this) {
     if (options_.bundles) {
-      bundles_.emplace(network_.io(), std::move(hub), options_.room, options_.credential,
+      bundles_.emplace(network_.io(), std::move(hubs), options_.room, options_.credential,
                        [this](const pb::CalibrationBundle& bundle) { take(bundle); });
     }
     link_.start();
@@ -253,9 +253,9 @@ Recorder::Recorder(std::unique_ptr<Link> link) : link_(std::move(link)) {}
 Recorder::~Recorder() = default;
 
 Result<std::unique_ptr<Recorder>> Recorder::open(RecorderOptions options) {
-  auto hub = net::parse_hub_url(options.hub_url);
-  if (!hub) return hub.error();
-  auto link = std::make_unique<Link>(std::move(*hub), std::move(options));
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
+  auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_file(); !status) return status.error();
   return std::unique_ptr<Recorder>(new Recorder(std::move(link)));
 }

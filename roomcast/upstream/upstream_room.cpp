@@ -1,46 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/upstream/upstream_room.h"
 
-#include <random>
 #include <utility>
 
 namespace roomcast::upstream {
 
 namespace pb = wire::pb;
 
+namespace {
+
+pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
+  pb::Join join;
+  join.set_room(room);
+  join.set_name("hub");
+  show(options.credential, join);
+  join.mutable_viewer();
+  return join;
+}
+
+}  // namespace
+
 UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options,
                            const std::string& room, MirroredRoom mirror)
-    : io_(io),
-      options_(options),
-      room_(room),
-      mirror_(std::move(mirror)),
-      pace_(std::random_device{}()),
-      timer_(io) {
-  connect();
+    : options_(options), room_(room), mirror_(std::move(mirror)), io_(io), timer_(io) {
+  join();
 }
 
-UpstreamRoom::~UpstreamRoom() {
-  timer_.cancel();
-}
-
-void UpstreamRoom::connect() {
-  pb::Join join;
-  join.set_room(room_);
-  join.set_name("hub");
-  show(options_.credential, join);
-  join.mutable_viewer();
+void UpstreamRoom::join() {
   HubLinkEvents& events = *this;
-  link_.emplace(io_, options_.hubs[hub_], std::move(join), events, kTimings);
+  link_.emplace(io_, options_.hubs, join_message(options_, room_), events, kTimings);
   link_->start();
 }
 
 void UpstreamRoom::said(ConnectionId to, const pb::Control& message) {
-  if (const auto answer = mirror_.said(to, message); answer && link_) link_->send(*answer);
+  if (const auto answer = mirror_.said(to, message)) link_->send(*answer);
 }
 
 void UpstreamRoom::on_welcome(const pb::Welcome&) {
-  failures_ = 0;
-  pace_.succeeded();
+  is_down_ = false;
 }
 
 void UpstreamRoom::on_control(const pb::Control& message) {
@@ -55,24 +52,16 @@ void UpstreamRoom::on_clock(const ClockEstimate& estimate) {
   mirror_.clock_is(estimate);
 }
 
-void UpstreamRoom::on_down(const Error& reason, bool) {
-  link_->stop();
+void UpstreamRoom::on_down(const Error& reason, bool final) {
   mirror_.other_hub_is_gone();
-  if (failures_++ == 0 && options_.log) {
-    options_.log(LogLevel::kWarning,
-                 "room \"" + room_ + "\" of " + options_.hubs[hub_].host + ": " + reason.message);
+  if (final) {
+    timer_.expires_after(kAskAgainAfter);
+    timer_.async_wait([this](boost::system::error_code error) {
+      if (!error) join();
+    });
   }
-  connect_to_next();
-}
-
-/// At once, unless all of them have failed in a row.
-void UpstreamRoom::connect_to_next() {
-  hub_ = (hub_ + 1) % options_.hubs.size();
-  const bool all_failed = failures_ >= options_.hubs.size();
-  timer_.expires_after(all_failed ? pace_.next() : nanoseconds(0));
-  timer_.async_wait([this](boost::system::error_code error) {
-    if (!error) connect();
-  });
+  if (std::exchange(is_down_, true) || !options_.log) return;
+  options_.log(LogLevel::kWarning, "room \"" + room_ + "\" of another hub: " + reason.message);
 }
 
 }  // namespace roomcast::upstream

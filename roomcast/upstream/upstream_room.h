@@ -12,7 +12,6 @@
 #include "roomcast/client/credential.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/core/log.h"
-#include "roomcast/core/retry_pace.h"
 #include "roomcast/upstream/mirrored_room.h"
 
 namespace roomcast::upstream {
@@ -31,18 +30,18 @@ class UpstreamRoom final : private HubLinkEvents {
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::milliseconds(200),
                                                    .give_up_after = std::chrono::milliseconds(600),
                                                    .close_within = std::chrono::milliseconds(500)};
+  /// After it was refused: perhaps the room is opened there, or the token is renewed.
+  static constexpr std::chrono::seconds kAskAgainAfter{4};
 
   UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options, const std::string& room,
                MirroredRoom mirror);
-  ~UpstreamRoom() override;
+  ~UpstreamRoom() override { timer_.cancel(); }
 
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
   void said(ConnectionId to, const wire::pb::Control& message);
 
  private:
-  void connect();
-  void connect_to_next();
-
+  void join();
   void on_welcome(const wire::pb::Welcome& welcome) override;
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
@@ -50,14 +49,12 @@ class UpstreamRoom final : private HubLinkEvents {
   void on_clock(const ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 
-  boost::asio::io_context& io_;
   const UpstreamOptions& options_;
   const std::string room_;
   MirroredRoom mirror_;
+  boost::asio::io_context& io_;
   std::optional<HubLink> link_;
-  std::size_t hub_ = 0;       // which one it is connected to, or tries
-  std::size_t failures_ = 0;  // since the last welcome
-  RetryPace pace_;
+  bool is_down_ = false;  // since the last welcome
   boost::asio::steady_timer timer_;
 };
 

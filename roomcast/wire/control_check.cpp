@@ -246,6 +246,18 @@ Status check_stats(const pb::ViewerStats& stats) {
   return {};
 }
 
+Status check_other_hubs(const pb::OtherHubs& message) {
+  if (message.urls_size() > kMaxOtherHubs) {
+    return Error{ErrorCode::kTooLarge, "more other hubs than a client needs"};
+  }
+  for (const std::string& url : message.urls()) {
+    const bool is_plain =
+        std::ranges::all_of(url, [](unsigned char c) { return c > 0x20 && c < 0x7f; });
+    if (!is_plain || url.size() > kMaxUrlBytes) return malformed("a hub's address is a short URL");
+  }
+  return {};
+}
+
 }  // namespace
 
 Status check_control(const pb::Control& control) {
@@ -272,6 +284,8 @@ Status check_control(const pb::Control& control) {
       return check_sightings(control.sightings());
     case pb::Control::kNudge:
       return check_nudge(control.nudge());
+    case pb::Control::kOtherHubs:
+      return check_other_hubs(control.other_hubs());
     case pb::Control::kSightingRequest:
     case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:

@@ -228,6 +228,22 @@ TEST(ControlCheck, a_token_and_a_code_have_an_end) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
+TEST(ControlCheck, other_hubs_are_few_and_have_short_plain_addresses) {
+  pb::Control control;
+  for (int i = 0; i < kMaxOtherHubs; ++i) {
+    control.mutable_other_hubs()->add_urls(std::string(kMaxUrlBytes, 'x'));
+  }
+  EXPECT_TRUE(check_control(control).ok());
+  control.mutable_other_hubs()->add_urls("x");
+  EXPECT_FALSE(check_control(control).ok());
+  control.mutable_other_hubs()->clear_urls();
+  for (const std::string& url : {std::string(kMaxUrlBytes + 1, 'x'), std::string("a b")}) {
+    control.mutable_other_hubs()->clear_urls();
+    control.mutable_other_hubs()->add_urls(url);
+    EXPECT_FALSE(check_control(control).ok());
+  }
+}
+
 TEST(ControlCheck, ids_and_statistics_are_checked) {
   pb::Control key_request;
   key_request.mutable_key_request()->set_sensor_id(65'536);

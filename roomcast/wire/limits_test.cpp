@@ -16,6 +16,8 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxBundleBytes, 2'097'152u);
   EXPECT_EQ(kMaxNoteBytes, 300u);
   EXPECT_EQ(kMaxTokenBytes, 1024u);
+  EXPECT_EQ(kMaxOtherHubs, 16);
+  EXPECT_EQ(kMaxUrlBytes, 256u);
   EXPECT_EQ(kMaxSightings, 64);
   EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);

@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, scratchFolder } from '../cli/program.mjs';
+import { costRounds, tellCost } from './hub_cost.mjs';
 import { natsIsMissing, startCluster } from './nats.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
 import { assertMissedNothing } from './rooms.mjs';
@@ -16,7 +17,7 @@ const fps = 30;
 const payloadBytes = 8000;
 const sensors = ['s0', 's1', 's2', 's3'];
 const skip = natsIsMissing;
-const timeout = 60_000 + 20_000 * rounds;
+const timeout = 60_000 + 20_000 * rounds + 15_000 * costRounds;
 
 async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--verbose', '--data', scratchFolder(t), ...options];
@@ -120,3 +121,11 @@ for (const [what, signal, limit_ms] of [['killed', 'SIGKILL', 150], ['hung', 'SI
     assert.ok(Math.max(...gaps_ms) <= limit_ms, `${Math.max(...gaps_ms)} ms without a sensor's frame`);
   });
 }
+
+test('what_it_costs_to_share_a_room', { skip, timeout }, async (t) => {
+  const brokers = await startCluster(t, 1);
+  const origin = await startHub(t, '--nats', brokers[0].url);
+  const edge = await startHub(t, '--nats', brokers[0].url);
+  await Promise.all(sensors.map((name) => startSensor(t, origin, name)));
+  await tellCost(t, { origin, edge, brokers });
+});

@@ -3,23 +3,20 @@
 // on the way means to them. More rounds for the cost:
 // ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, scratchFolder } from '../cli/program.mjs';
+import { costRounds, tellCost } from './hub_cost.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
 import { assertMissedNothing, longestPause_ms } from './rooms.mjs';
 
 const fps = 30;
 const longestGap_ms = 1000;
-const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
-const costOver_s = 2;
-const pulledUnwatched_ms = 3200;
 
 async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--data', scratchFolder(t), ...options];
-  const program = new Program(args, { limitMs: 60_000 + 12_000 * costRounds });
+  const program = new Program(args, { limitMs: 60_000 + 15_000 * costRounds });
   t.after(() => program.stop('SIGKILL'));
   const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
   return { program, url: `ws://127.0.0.1:${port}` };
@@ -83,48 +80,8 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
   });
 }
 
-/** Processor time of a hub so far. */
-function taken_ms({ program }) {
-  const threads = `/proc/${program.child.pid}/task`;
-  return readdirSync(threads).reduce(
-    (sum, thread) => sum + Number(readFileSync(`${threads}/${thread}/schedstat`, 'utf8').split(' ')[0]) / 1e6, 0);
-}
-
-/** Processor time that these hubs take in a second, in milliseconds. */
-async function load_ms(...hubs) {
-  const sum_ms = () => hubs.reduce((sum, hub) => sum + taken_ms(hub), 0);
-  const before_ms = sum_ms();
-  await delay(1000 * costOver_s);
-  return (sum_ms() - before_ms) / costOver_s;
-}
-
-/** What these hubs take more with a viewer at `hub`, who misses nothing. */
-async function extra_ms(t, hub, hubs, before_ms) {
-  const viewer = await RoomClient.join(t, hub.url);
-  await viewer.moreSets(30);
-  const extra = (await load_ms(...hubs)) - before_ms;
-  assertMissedNothing(viewer, [0, 1, 2, 3].map((n) => viewer.sensor(`s${n}`).id));
-  viewer.socket.terminate();
-  await viewer.closed;
-  return extra;
-}
-
-const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
-
-test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 10_000 * costRounds }, async (t) => {
+test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 15_000 * costRounds }, async (t) => {
   const origin = await startHub(t);
   await startSensors(t, origin, 4);
-  const edge = await startEdge(t, origin);
-  const rounds = [];
-  for (let round = 0; round < costRounds; ++round) {
-    await delay(pulledUnwatched_ms);
-    const alone = await load_ms(origin, edge);
-    const local = await extra_ms(t, origin, [origin, edge], alone);
-    const remote = await extra_ms(t, edge, [origin, edge], alone);
-    rounds.push({ alone, local, hubToHub: remote - local }); // the edge serves its viewer as the origin would
-  }
-  const [alone, local, hubToHub] = ['alone', 'local', 'hubToHub'].map((what) => median(rounds.map((r) => r[what])));
-  t.diagnostic(
-    `milliseconds of processor a second: 4 sensors ${alone.toFixed(1)}, one local viewer ${local.toFixed(1)}, ` +
-      `hub to hub ${hubToHub.toFixed(1)} (${(hubToHub / local).toFixed(1)} times as much)`);
+  await tellCost(t, { origin, edge: await startEdge(t, origin) });
 });

@@ -104,4 +104,12 @@ bool HubBook::changed_elsewhere() {
   return std::exchange(foreign_changes_, changes) != changes;
 }
 
+Status HubBook::take_revoked(const std::vector<Claims>& tokens) {
+  for (const Claims& token : tokens) {
+    if (token.expires_at <= now_() || token.expires_at > now_() + kMaxTtl) continue;
+    if (auto status = tokens_.add_revoked(token, now_()); !status) return status;
+  }
+  return {};
+}
+
 }  // namespace roomcast::hub

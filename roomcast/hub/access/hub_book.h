@@ -63,7 +63,10 @@ class HubBook {
   }
   [[nodiscard]] Result<IssuedToken> token(std::string_view id) const { return tokens_.find(id); }
   [[nodiscard]] Status revoke(std::string_view id) { return tokens_.revoke(id, now_()); }
-  [[nodiscard]] Result<std::vector<std::string>> revoked() const { return tokens_.revoked(now_()); }
+  /// All that have not expired.
+  [[nodiscard]] Result<std::vector<Claims>> revoked() const { return tokens_.revoked(now_()); }
+  /// Tokens that other hubs with the same secret have made, or this one, hold no more.
+  [[nodiscard]] Status take_revoked(const std::vector<Claims>& tokens);
   /// Has another program, `roomcast token`, changed what is kept since this was last asked?
   [[nodiscard]] bool changed_elsewhere();
 

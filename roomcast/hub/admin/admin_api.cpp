@@ -76,6 +76,8 @@ void AdminApi::carry_out(const Call& call) {
   switch (call.match.route.call) {
     case AdminCall::kStatus:
       return status(call);
+    case AdminCall::kListHubs:
+      return list_hubs(call);
     case AdminCall::kListRooms:
       return list_rooms(call);
     case AdminCall::kOpenRoom:
@@ -138,6 +140,20 @@ void AdminApi::status(const Call& call) const {
 }
 
 // ---- rooms
+
+void AdminApi::list_hubs(const Call& call) const {
+  if (!call.is_hub_admin()) return call.respond(not_yours());
+  Json hubs = Json::array();
+  for (const HubStatus& hub : hall_.hubs()) {
+    Json rooms = Json::array();
+    for (const auto& room : hub.rooms) {
+      rooms.push_back({{"name", room.name}, {"sensors", room.sensors}, {"viewers", room.viewers}});
+    }
+    hubs.push_back(
+        {{"id", hub.id}, {"url", hub.public_url}, {"load", hub.load}, {"rooms", std::move(rooms)}});
+  }
+  call.respond(json_answer(200, {{"hubs", std::move(hubs)}}));
+}
 
 void AdminApi::list_rooms(const Call& call) const {
   Json rooms = Json::array();
@@ -332,6 +348,7 @@ void AdminApi::revoke_token(const Call& call) {
       [this, call, id](const Status& revoked) {
         if (!revoked) return call.respond(error_answer(revoked.error()));
         hall_.send_away_holders({id});
+        hall_.tell_revoked();
         call.respond(no_content());
       });
 }

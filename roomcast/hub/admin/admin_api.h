@@ -45,6 +45,7 @@ class AdminApi {
   void carry_out(const Call& call);
   void carry_out_in_room(const Call& call);
   void status(const Call& call) const;
+  void list_hubs(const Call& call) const;
   void list_rooms(const Call& call) const;
   void room(const Call& call) const;
   void open_room(const Call& call);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array kRoutes = {
     AdminRoute{"GET", "/status", AdminCall::kStatus},
+    AdminRoute{"GET", "/hubs", AdminCall::kListHubs},
     AdminRoute{"GET", "/rooms", AdminCall::kListRooms, false},
     AdminRoute{"POST", "/rooms", AdminCall::kOpenRoom},
     AdminRoute{"GET", "/rooms/{room}", AdminCall::kRoom, false},

@@ -14,6 +14,7 @@ namespace roomcast::hub {
 
 enum class AdminCall {
   kStatus,
+  kListHubs,
   kListRooms,
   kOpenRoom,
   kRoom,

@@ -74,14 +74,25 @@ Status TokenStore::revoke(std::string_view id, UnixSeconds now) {
   return {};
 }
 
-Result<std::vector<std::string>> TokenStore::revoked(UnixSeconds now) const {
-  Statement rows(database_,
-                 "SELECT id FROM tokens WHERE revoked_at IS NOT NULL AND expires_at > ?1");
+Status TokenStore::add_revoked(const Claims& claims, UnixSeconds now) {
+  Statement row(database_,
+                "INSERT INTO tokens VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT (id) DO UPDATE "
+                "SET revoked_at = coalesce(revoked_at, ?7)");
+  row.bind(1, claims.id).bind(2, claims.grant.room).bind(3, name_of(claims.grant.role));
+  row.bind(4, claims.grant.name).bind(5, claims.issued_at).bind(6, claims.expires_at);
+  if (row.bind(7, now).run()) return {};
+  return database_.failure("cannot keep that a token was revoked");
+}
+
+Result<std::vector<Claims>> TokenStore::revoked(UnixSeconds now) const {
+  const std::string sql =
+      std::string(kColumns) + "WHERE revoked_at IS NOT NULL AND expires_at > ?1";
+  Statement rows(database_, sql.c_str());
   rows.bind(1, now);
-  std::vector<std::string> ids;
-  while (rows.next()) ids.push_back(rows.text(0));
+  std::vector<Claims> tokens;
+  while (rows.next()) tokens.push_back(read_token(rows).claims);
   if (!rows.finished()) return database_.failure("cannot read the tokens");
-  return ids;
+  return tokens;
 }
 
 Status TokenStore::add_code(const CodeDigest& digest, const CodeGrant& grant,

@@ -39,8 +39,10 @@ class TokenStore {
   [[nodiscard]] Result<bool> is_revoked(std::string_view id) const;
   /// kNotFound: no such token was made here. Twice is as good as once.
   [[nodiscard]] Status revoke(std::string_view id, UnixSeconds now);
-  /// Of all that have not expired.
-  [[nodiscard]] Result<std::vector<std::string>> revoked(UnixSeconds now) const;
+  /// One that was perhaps made elsewhere. Twice is as good as once.
+  [[nodiscard]] Status add_revoked(const Claims& claims, UnixSeconds now);
+  /// All that have not expired.
+  [[nodiscard]] Result<std::vector<Claims>> revoked(UnixSeconds now) const;
 
   [[nodiscard]] Status add_code(const CodeDigest& digest, const CodeGrant& grant,
                                 UnixSeconds expires_at);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/hub_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/core/assert.h"
+
+namespace roomcast {
+
+HubChoice::HubChoice(std::vector<net::HubUrl> named, std::uint32_t seed)
+    : named_(std::move(named)), hubs_(named_), pace_(seed) {
+  ROOMCAST_ASSERT(!named_.empty());
+}
+
+void HubChoice::learn(const std::vector<std::string>& urls) {
+  const net::HubUrl stays = current();
+  hubs_ = named_;
+  const auto add = [this](const net::HubUrl& hub) {
+    if (std::ranges::find(hubs_, hub) == hubs_.end()) hubs_.push_back(hub);
+  };
+  add(stays);
+  for (const std::string& url : urls) {
+    if (const auto hub = net::parse_hub_url(url)) add(*hub);
+  }
+  current_ = static_cast<std::size_t>(std::ranges::find(hubs_, stays) - hubs_.begin());
+}
+
+std::chrono::nanoseconds HubChoice::failed() {
+  current_ = (current_ + 1) % hubs_.size();
+  ++failures_;
+  return failures_ % hubs_.size() == 0 ? pace_.next() : std::chrono::nanoseconds(0);
+}
+
+}  // namespace roomcast
