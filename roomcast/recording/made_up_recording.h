@@ -35,6 +35,12 @@ class MadeUpRoom {
     }
   }
 
+  /// What the last sensor says of its rate; what it sends comes as that of the others.
+  MadeUpRoom& with_last_fps(double fps) {
+    last_fps_ = fps;
+    return *this;
+  }
+
   static std::string name(int sensor) { return "s" + std::to_string(sensor); }
 
   /// Side by side, half a metre apart, all looking along world -z.
@@ -73,7 +79,7 @@ class MadeUpRoom {
       entry.set_id(static_cast<std::uint32_t>(10 + i));
       entry.set_name(name(i));
       entry.set_online(true);
-      entry.set_fps(10);
+      entry.set_fps(i + 1 == static_cast<int>(encoders_.size()) ? last_fps_ : 10);
       entry.set_placement(placed ? wire::pb::PLACEMENT_ALIGNED : wire::pb::PLACEMENT_UNPLACED);
       *entry.mutable_calibration() = message_from_calibration(calibration());
       write_transform(placed ? world_from_depth(i) : RigidTransform(),
@@ -137,6 +143,7 @@ class MadeUpRoom {
 
  private:
   std::vector<std::unique_ptr<codec::FrameEncoder>> encoders_;
+  double last_fps_ = 10;
   std::uint32_t base_seq_ = 0;
 };
 

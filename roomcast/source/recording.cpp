@@ -126,22 +126,22 @@ Error no_such_sensor(const fs::path& directory, const RigDescription& rig, const
   return {ErrorCode::kNotFound, directory.string() + what + "; choose one of " + names};
 }
 
-/// The part of the rig's time that all its sensors play.
+/// The part of the rig's time that its sensors play, from the first frame of any to the last of
+/// any: none begins again while another still plays its end, for that would show people twice.
 struct Span {
-  nanoseconds start{nanoseconds::max()};
-  nanoseconds loop_duration{};
+  nanoseconds start{}, loop_duration{};
 };
 
 Result<Span> span_of(const fs::path& directory, const RigDescription& rig) {
-  Span span;
+  nanoseconds start = nanoseconds::max(), end = nanoseconds::min();
   for (const RigSensorEntry& sensor : rig.sensors) {
     const auto files = read_depth_list(directory / sensor.path);
     if (!files.ok()) return files.error();
-    const nanoseconds first = files->front().timestamp, last = files->back().timestamp;
-    span.start = std::min(span.start, first - seconds(sensor.clock_offset_s));
-    span.loop_duration = std::max(span.loop_duration, duration_of(first, last, rig.fps));
+    const nanoseconds offset = seconds(sensor.clock_offset_s);
+    start = std::min(start, files->front().timestamp - offset);
+    end = std::max(end, files->back().timestamp - offset);
   }
-  return span;
+  return Span{start, duration_of(start, end, rig.fps)};
 }
 
 Result<Recording> read_recording(const fs::path& folder, std::string name, double fps,

@@ -259,6 +259,30 @@ TEST(TumSource, a_missing_folder_or_camera_is_named) {
   EXPECT_EQ(open_tum_source((folder / "none").string(), {}).error().code, ErrorCode::kNotFound);
 }
 
+TEST(Recording, no_sensor_of_a_rig_begins_again_before_all_have_ended) {
+  const TemporaryFolder folder;
+  std::vector<RigSensor> sensors(2);
+  for (const int i : {0, 1}) {
+    const std::string name = "s" + std::to_string(i);
+    sensors[static_cast<std::size_t>(i)].description = {name, small_calibration(), {}, kSmallFps};
+  }
+  auto writer = RigWriter::create(folder / "rig", kSmallFps, sensors);
+  ASSERT_TRUE(writer.ok());
+  for (int i = 0; i < 5; ++i) {  // the second one was switched on three frames later
+    const auto index = static_cast<std::uint64_t>(i);
+    ASSERT_TRUE(writer->add(0, small_frame(0, index), milliseconds(20 * i)).ok());
+    ASSERT_TRUE(writer->add(1, small_frame(1, index), milliseconds(20 * (i + 3))).ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  for (const char* sensor : {"s0", "s1"}) {
+    const auto recording = read_rig_recording(folder / "rig", sensor);
+    ASSERT_TRUE(recording.ok()) << recording.error().message;
+    EXPECT_EQ(recording->start, nanoseconds(0)) << sensor;
+    EXPECT_EQ(recording->loop_duration, milliseconds(20 * 8)) << sensor;
+    EXPECT_LT(recording->frames.back().true_time, recording->start + recording->loop_duration);
+  }
+}
+
 TEST(Recording, a_rig_loops_after_a_whole_number_of_frames_for_all_sensors) {
   const TemporaryFolder folder;
   const auto rig = write_small_rig(folder);

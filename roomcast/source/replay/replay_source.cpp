@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/replay/replay_source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -38,6 +39,19 @@ Result<SensorDescription> describe(const RoomRecording& recording, const Recorde
   return description;
 }
 
+nanoseconds period_of(double fps) {
+  return nanoseconds(static_cast<std::int64_t>(1e9 / fps));
+}
+
+/// Of all its sensors: each plays its part by itself, and all have to begin again together.
+nanoseconds longest_period(const RoomRecording& recording) {
+  nanoseconds longest{};
+  for (const RecordedSensor& sensor : recording.sensors()) {
+    longest = std::max(longest, period_of(sensor.entry.fps()));
+  }
+  return longest;
+}
+
 class ReplaySource final : public FrameSource {
  public:
   ReplaySource(RoomRecording recording, const RecordedSensor& sensor, SensorDescription description,
@@ -47,8 +61,8 @@ class ReplaySource final : public FrameSource {
         description_(std::move(description)),
         decoder_(std::move(decoder)),
         options_(options),
-        period_(static_cast<std::int64_t>(1e9 / description_.fps)),
-        length_(recording_.end() - recording_.origin() + period_),
+        period_(period_of(description_.fps)),
+        length_(recording_.end() - recording_.origin() + longest_period(recording_)),
         cursor_(recording_) {
     begin();
   }

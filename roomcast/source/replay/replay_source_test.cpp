@@ -69,6 +69,17 @@ TEST_F(ReplaySourceTest, starts_again_at_the_end) {
   }
 }
 
+TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
+  MadeUpRoom().with_last_fps(7).record(path, 3);
+  auto first = open("s0", true), second = open("s1", true);
+  CapturedFrame from_first, from_second;
+  for (int i = 0; i < 7; ++i) {
+    ASSERT_TRUE(*(*first)->next(from_first, {}));
+    ASSERT_TRUE(*(*second)->next(from_second, {}));
+    EXPECT_EQ(from_first.capture_time, from_second.capture_time) << i;
+  }
+}
+
 TEST_F(ReplaySourceTest, a_loop_in_real_time_shows_what_is_due_now) {
   MadeUpRoom().record(path, 20);
   auto source = open("s0", true, Pace::kRealTime);
