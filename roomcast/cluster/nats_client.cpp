@@ -1,257 +1,208 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cluster/nats_client.h"
 
-#include <atomic>
-#include <map>
-#include <mutex>
+#include <algorithm>
 #include <thread>
 #include <utility>
 
-#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/cluster/nats_session.h"
 
 namespace roomcast::cluster {
 namespace {
 
 namespace asio = boost::asio;
 
-constexpr std::chrono::milliseconds kTryAgainAfter{500};
+constexpr std::chrono::milliseconds kTryAgainAfter{500}, kLookEvery{100};
+constexpr std::chrono::milliseconds kGivenUpAfter = kPingInterval * (kMaxPingsOut + 1);
 constexpr std::size_t kUsualMessageBytes = 1u << 20;
-
-using MessagePtr = std::unique_ptr<natsMsg, decltype(&natsMsg_Destroy)>;
+/// libnats wakes a thread of its own for messages that are given back, so that is done in bulk.
+constexpr std::size_t kKeptMessages = 32;
 
 std::span<const std::uint8_t> bytes_of(const natsMsg* message) {
   return {reinterpret_cast<const std::uint8_t*>(natsMsg_GetData(message)),
           static_cast<std::size_t>(natsMsg_GetDataLength(message))};
 }
 
+/// The server after the one named `last` first, and that one last: it is gone or hangs.
+NatsOptions from_next(NatsOptions options, const std::string& last) {
+  const auto found = std::ranges::find(options.servers, last, without_secret);
+  if (found != options.servers.end()) {
+    std::rotate(options.servers.begin(), found + 1, options.servers.end());
+  }
+  return options;
+}
+
 }  // namespace
 
-// Messages on their way from libnats' thread to ours. libnats may call back a last time while a
-// connection is being closed, so each subscription and connection holds one of these.
-class Inlet {
+// Sessions one after the other.
+class NatsClient::Link : public std::enable_shared_from_this<Link> {
  public:
-  Inlet(asio::io_context& io, NatsHandlers handlers) : io_(io), handlers_(std::move(handlers)) {}
+  Link(NatsOptions options, asio::io_context& io, NatsHandlers handlers)
+      : options_(std::move(options)),
+        io_(io),
+        handlers_(std::move(handlers)),
+        again_(io),
+        watch_(io) {}
 
-  /// From libnats' thread.
-  void put(const std::shared_ptr<Inlet>& self, MessagePtr message) {
-    const std::lock_guard lock(mutex_);
-    const std::size_t size = bytes_of(message.get()).size();
-    if (is_closed_ || bytes_ + size > NatsClient::kMaxUnhandledBytes) return;
-    bytes_ += size;
-    messages_.push_back(std::move(message));
-    if (messages_.size() == 1) asio::post(io_, [self] { self->handle(); });
+  Status connect_first() {
+    auto made = NatsSession::connect(options_, io_);
+    if (!made) return made.error();
+    begin(*made);
+    return {};
   }
-  void tell_connected(const std::shared_ptr<Inlet>& self) {
-    const std::lock_guard lock(mutex_);
-    if (is_closed_) return;
-    asio::post(io_, [self] {
-      if (!self->is_closed_ && self->handlers_.on_connected) self->handlers_.on_connected();
+  void start() { watch_later(); }
+  void stop() {
+    is_stopped_ = true;
+    again_.cancel();
+    watch_.cancel();
+    if (session_) session_->stop();
+  }
+
+  void connect_again_later(std::chrono::milliseconds after) {
+    again_.expires_after(after);
+    again_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
+      const auto self = weak.lock();
+      if (self && !error) self->connect_again();
     });
+  }
+
+  void subscribe(std::string subject) {
+    if (session_) session_->subscribe(subject);
+    subjects_.push_back(std::move(subject));
+  }
+  void unsubscribe(const std::string& subject) {
+    std::erase(subjects_, subject);
+    if (session_) session_->unsubscribe(subject);
+  }
+  void publish(std::string subject, std::vector<std::uint8_t> message, bool keep) {
+    if (session_) {
+      session_->publish(subject, message, kMaxWaitingBytes);
+    } else if (keep && kept_bytes_ + message.size() <= kMaxWaitingBytes) {
+      kept_bytes_ += message.size();
+      kept_.emplace_back(std::move(subject), std::move(message));
+    }
+  }
+  [[nodiscard]] std::size_t max_message_bytes() const {
+    return session_ ? session_->max_message_bytes() : kUsualMessageBytes;
   }
   void log(LogLevel level, const std::string& line) const {
     if (handlers_.log) handlers_.log(level, line);
   }
 
-  /// On the thread that runs `io`: nothing is handled after this.
-  void close() {
-    const std::lock_guard lock(mutex_);
-    is_closed_ = true;
-    messages_.clear();
-  }
-
  private:
-  void handle() {
-    std::vector<MessagePtr> messages;
-    {
-      const std::lock_guard lock(mutex_);
-      messages.swap(messages_);
-      bytes_ = 0;
-    }
-    for (const MessagePtr& message : messages) {
-      if (is_closed_) return;
-      handlers_.on_message(natsMsg_GetSubject(message.get()), bytes_of(message.get()));
-    }
-  }
-
-  asio::io_context& io_;
-  const NatsHandlers handlers_;
-  std::mutex mutex_;
-  std::vector<MessagePtr> messages_;
-  std::size_t bytes_ = 0;
-  std::atomic<bool> is_closed_ = false;
-};
-
-namespace {
-
-/// What libnats calls back with; deleted by its last call.
-using Closure = std::shared_ptr<Inlet>;
-
-void on_message(natsConnection*, natsSubscription*, natsMsg* message, void* closure) {
-  const Closure& inlet = *static_cast<Closure*>(closure);
-  inlet->put(inlet, MessagePtr(message, &natsMsg_Destroy));
-}
-
-void on_subscription_complete(void* closure) {
-  delete static_cast<Closure*>(closure);
-}
-
-void on_disconnected(natsConnection*, void* closure) {
-  (*static_cast<Closure*>(closure))->log(LogLevel::kWarning, "the NATS node is gone");
-}
-
-void on_reconnected(natsConnection* connection, void* closure) {
-  const Closure& inlet = *static_cast<Closure*>(closure);
-  char url[256] = "";
-  natsConnection_GetConnectedUrl(connection, url, sizeof url);
-  inlet->log(LogLevel::kInfo, "goes on at the NATS node " + without_secret(url));
-  inlet->tell_connected(inlet);
-}
-
-void on_closed(natsConnection*, void* closure) {
-  delete static_cast<Closure*>(closure);
-}
-
-void on_error(natsConnection*, natsSubscription*, natsStatus error, void* closure) {
-  (*static_cast<Closure*>(closure))
-      ->log(LogLevel::kWarning, std::string("NATS: ") + natsStatus_GetText(error));
-}
-
-}  // namespace
-
-// Its connection is used on its own thread only, but for the first.
-class NatsClient::Link {
- public:
-  Link(NatsOptions options, NatsOptionsPtr libnats, std::shared_ptr<Inlet> inlet)
-      : options_(std::move(options)), libnats_(std::move(libnats)), inlet_(std::move(inlet)) {}
-  ~Link() {
-    inlet_->close();
-    asio::post(io_, [this] { timer_.cancel(); });
-    work_.reset();
-    thread_ = {};  // what was said is written
-    if (connection_ == nullptr) return;
-    for (auto& [subject, subscription] : subscriptions_) natsSubscription_Destroy(subscription);
-    natsConnection_Destroy(connection_);
-  }
-
-  Status connect() {
-    auto closure = std::make_unique<Closure>(inlet_);
-    natsOptions_SetDisconnectedCB(libnats_.get(), on_disconnected, closure.get());
-    natsOptions_SetReconnectedCB(libnats_.get(), on_reconnected, closure.get());
-    natsOptions_SetClosedCB(libnats_.get(), on_closed, closure.get());
-    natsOptions_SetErrorHandler(libnats_.get(), on_error, closure.get());
-    const natsStatus status = natsConnection_Connect(&connection_, libnats_.get());
-    if (status != NATS_OK) return connect_error(status, options_);
-    (void)closure.release();  // on_closed has it
-    max_message_bytes_ = static_cast<std::size_t>(natsConnection_GetMaxPayload(connection_));
-    inlet_->tell_connected(inlet_);
-    return {};
-  }
-
-  void start() {
-    watch_later();
-    thread_ = std::jthread([this] { io_.run(); });
-  }
-
-  void subscribe(std::string subject) {
-    asio::post(io_, [this, subject = std::move(subject)] {
-      if (subscriptions_.emplace(subject, nullptr).second) subscribe_now(subject);
-    });
-  }
-  void unsubscribe(std::string subject) {
-    asio::post(io_, [this, subject = std::move(subject)] {
-      const auto ended = subscriptions_.extract(subject);
-      if (ended) natsSubscription_Destroy(ended.mapped());
-    });
-  }
-  void publish(std::string subject, std::vector<std::uint8_t> message, bool keep) {
-    const std::size_t size = message.size();
-    if (waiting_bytes_ + size > kMaxWaitingBytes) return;
-    waiting_bytes_ += size;
-    asio::post(io_, [this, subject = std::move(subject), message = std::move(message), keep] {
-      waiting_bytes_ -= message.size();
-      if (connection_ == nullptr || (!keep && natsConnection_IsReconnecting(connection_))) return;
-      natsConnection_Publish(connection_, subject.c_str(), message.data(),
-                             static_cast<int>(message.size()));
-    });
-  }
-  [[nodiscard]] std::size_t max_message_bytes() const { return max_message_bytes_; }
-
- private:
-  void subscribe_now(const std::string& subject) {
-    if (connection_ == nullptr) return;
-    auto closure = std::make_unique<Closure>(inlet_);
-    natsSubscription* made = nullptr;
-    if (natsConnection_Subscribe(&made, connection_, subject.c_str(), on_message, closure.get()) !=
-        NATS_OK) {
-      return;
-    }
-    natsSubscription_SetOnCompleteCB(made, on_subscription_complete, closure.release());
-    subscriptions_[subject] = made;
-  }
-
-  /// libnats gives up where it is refused, and never begins where no server was there at first.
-  void watch_later() {
-    timer_.expires_after(kTryAgainAfter);
-    timer_.async_wait([this](boost::system::error_code error) {
-      if (error) return;
-      watch();
-      watch_later();
-    });
-  }
-  void watch() {
-    if (connection_ != nullptr && !natsConnection_IsClosed(connection_)) return;
-    for (auto& [subject, subscription] : subscriptions_) {
-      natsSubscription_Destroy(std::exchange(subscription, nullptr));
-    }
-    natsConnection_Destroy(std::exchange(connection_, nullptr));
-    const Status status = connect();
-    if (!status && std::exchange(was_told_, status.error().message) != status.error().message) {
-      inlet_->log(LogLevel::kWarning, status.error().message);
-    }
-    if (!status) return;
+  void begin(const std::shared_ptr<NatsSession>& session) {
+    if (is_stopped_) return;
     was_told_.clear();
-    for (const auto& entry : std::map(subscriptions_)) subscribe_now(entry.first);
+    session_ = session;
+    server_ = session->server();
+    session_->start({.on_messages = [this](auto messages) { take(std::move(messages)); },
+                     .on_gone = [this] { gone(); }});
+    for (const std::string& subject : subjects_) session_->subscribe(subject);
+    for (const auto& [subject, message] : kept_) {
+      session_->publish(subject, message, kMaxWaitingBytes);
+    }
+    kept_.clear();
+    kept_bytes_ = 0;
+    log(LogLevel::kInfo, "is connected to " + server_);
+    asio::post(io_, [weak = weak_from_this()] {
+      const auto self = weak.lock();
+      if (self && !self->is_stopped_) self->handlers_.on_connected();
+    });
+  }
+
+  void take(std::vector<NatsMessagePtr> messages) {
+    for (NatsMessagePtr& message : messages) {
+      handlers_.on_message(natsMsg_GetSubject(message.get()), bytes_of(message.get()));
+      handled_.push_back(std::move(message));
+    }
+    if (handled_.size() >= kKeptMessages) handled_.clear();
+  }
+
+  void gone() {
+    log(LogLevel::kWarning, "NATS at " + server_ + " is gone");
+    asio::post(io_, [session = std::exchange(session_, nullptr)] { session->stop(); });
+    connect_again_later(std::chrono::milliseconds(0));
+  }
+
+  /// On a thread of its own: connecting waits for servers, and the rooms must not.
+  void connect_again() {
+    connecting_ =
+        std::jthread([weak = weak_from_this(), options = from_next(options_, server_), &io = io_] {
+          auto made = NatsSession::connect(options, io);
+          asio::post(io, [weak, made = std::move(made)] {
+            const auto self = weak.lock();
+            if (self && !self->is_stopped_) self->connected(made);
+          });
+        });
+  }
+
+  void connected(const Result<std::shared_ptr<NatsSession>>& made) {
+    if (made) return begin(*made);
+    const std::string& why = made.error().message;
+    if (std::exchange(was_told_, why) != why) log(LogLevel::kWarning, why);
+    connect_again_later(kTryAgainAfter);
+  }
+
+  /// A server that says nothing, though it is asked to, hangs. Who looks too late may have been
+  /// kept from reading what it said.
+  void watch_later() {
+    const HostTime due = clock_.now() + kLookEvery;
+    watch_.expires_after(kLookEvery);
+    watch_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
+      const auto self = weak.lock();
+      if (!self || error) return;
+      const HostTime now = self->clock_.now();
+      const bool is_on_time = now - due < kLookEvery;
+      if (self->session_ && is_on_time && now - self->session_->last_heard() > kGivenUpAfter) {
+        self->session_->abort();
+      }
+      self->watch_later();
+    });
   }
 
   const NatsOptions options_;
-  const NatsOptionsPtr libnats_;
-  const std::shared_ptr<Inlet> inlet_;
-  natsConnection* connection_ = nullptr;
-  std::map<std::string, natsSubscription*> subscriptions_;  // null: not subscribed to
+  asio::io_context& io_;
+  const NatsHandlers handlers_;
+  SteadyClock clock_;
+  std::shared_ptr<NatsSession> session_;  // null while there is none
+  std::string server_;                    // the newest one's
+  std::vector<std::string> subjects_;
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
+  std::size_t kept_bytes_ = 0;
+  std::vector<NatsMessagePtr> handled_;
   std::string was_told_;
-  std::atomic<std::size_t> waiting_bytes_ = 0, max_message_bytes_ = kUsualMessageBytes;
-  asio::io_context io_{1};
-  asio::executor_work_guard<asio::io_context::executor_type> work_ = asio::make_work_guard(io_);
-  asio::steady_timer timer_{io_};
-  std::jthread thread_;
+  bool is_stopped_ = false;
+  asio::steady_timer again_, watch_;
+  std::jthread connecting_;
 };
 
 Result<std::unique_ptr<NatsClient>> NatsClient::open(NatsOptions options, asio::io_context& io,
                                                      NatsHandlers handlers) {
   if (auto status = check(options); !status) return status.error();
-  auto libnats = libnats_options(options);
-  if (!libnats) return libnats.error();
-  auto inlet = std::make_shared<Inlet>(io, std::move(handlers));
-  auto link = std::make_shared<Link>(std::move(options), *std::move(libnats), inlet);
-  if (auto status = link->connect(); !status) {
+  auto link = std::make_shared<Link>(std::move(options), io, std::move(handlers));
+  if (auto status = link->connect_first(); !status) {
     if (status.error().code != ErrorCode::kUnavailable) return status.error();
-    inlet->log(LogLevel::kWarning, status.error().message + "; goes on trying");
+    link->log(LogLevel::kWarning, status.error().message + "; goes on trying");
+    link->connect_again_later(kTryAgainAfter);
   }
   link->start();
   return std::unique_ptr<NatsClient>(new NatsClient(std::move(link)));
 }
 
 NatsClient::NatsClient(std::shared_ptr<Link> link) : link_(std::move(link)) {}
-NatsClient::~NatsClient() = default;
+NatsClient::~NatsClient() {
+  link_->stop();
+}
 
 void NatsClient::subscribe(std::string subject) {
   link_->subscribe(std::move(subject));
 }
 
-void NatsClient::unsubscribe(std::string subject) {
-  link_->unsubscribe(std::move(subject));
+void NatsClient::unsubscribe(const std::string& subject) {
+  link_->unsubscribe(subject);
 }
 
 void NatsClient::publish(std::string subject, std::vector<std::uint8_t> message) {

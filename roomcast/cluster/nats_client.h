@@ -3,9 +3,9 @@
 // the node it is connected to is gone or hangs, it goes on at another one; what was said meanwhile
 // may be lost, as always with NATS.
 //
-// Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called,
-// for messages in the order in which they came. None of its calls waits for the network: a thread
-// of its own writes, and libnats reads on its own.
+// Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called.
+// It reads and writes there, too, without waiting (but for the rest of an encrypted record that
+// has begun to come); only connecting has a thread of its own.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +26,7 @@
 namespace roomcast::cluster {
 
 struct NatsHandlers {
+  /// Of several that came together, those of newer subscriptions first.
   std::function<void(std::string_view subject, std::span<const std::uint8_t> message)> on_message;
   /// Connected, perhaps to another node than before.
   std::function<void()> on_connected;
@@ -36,19 +37,16 @@ class NatsClient {
  public:
   /// No more waits to be written; what is more is dropped.
   static constexpr std::size_t kMaxWaitingBytes = 8u << 20;
-  /// No more waits to be handled here; what is more is dropped.
-  static constexpr std::size_t kMaxUnhandledBytes = 64u << 20;
 
   /// Waits for the first connection, at most kConnectWithin for each server; where none answers it
   /// goes on trying. Errors of check() and libnats_options(); kClosed: why they refuse us, or we
   /// them.
   static Result<std::unique_ptr<NatsClient>> open(NatsOptions options, boost::asio::io_context& io,
                                                   NatsHandlers handlers);
-  /// What was said before is still written, if that does not take long.
   ~NatsClient();
 
   void subscribe(std::string subject);
-  void unsubscribe(std::string subject);
+  void unsubscribe(const std::string& subject);
   /// Said later where there is no connection now.
   void publish(std::string subject, std::vector<std::uint8_t> message);
   /// Now or never.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 namespace roomcast::cluster {
@@ -82,17 +83,12 @@ Result<NatsOptionsPtr> libnats_options(const NatsOptions& options) {
   set(natsOptions_SetIgnoreDiscoveredServers(made, true));  // only those that were named
   set(natsOptions_SetName(made, "roomcast hub"));
   set(natsOptions_SetTimeout(made, kConnectWithin.count()));
-  set(natsOptions_SetMaxReconnect(made, -1));
-  set(natsOptions_SetReconnectWait(made, kReconnectWait.count()));
-  set(natsOptions_SetReconnectJitter(made, 10, 10));
-  set(natsOptions_SetReconnectBufSize(made, kKeptBytes));
+  set(natsOptions_SetAllowReconnect(made, false));  // NatsClient does
   set(natsOptions_SetPingInterval(made, kPingInterval.count()));
-  set(natsOptions_SetMaxPingsOut(made, kMaxPingsOut));
-  set(natsOptions_SetWriteDeadline(made, kWriteWithin.count()));
+  set(natsOptions_SetMaxPingsOut(made, std::numeric_limits<int>::max()));  // and it looks, too
   set(natsOptions_SetIOBufSize(made, kIoBytes));
-  set(natsOptions_SetSendAsap(made, true));  // a thread of our own writes
+  set(natsOptions_SetSendAsap(made, true));  // NatsSession writes
   set(natsOptions_SetNoEcho(made, true));
-  set(natsOptions_UseGlobalMessageDelivery(made, true));  // one thread for all: their order stays
   if (status != NATS_OK) return wrong("libnats cannot be set up: " + all_of(options.servers));
   if (wants_tls(options)) set(natsOptions_SetSecure(made, true));
   if (!options.ca_file.empty()) {

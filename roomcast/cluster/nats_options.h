@@ -18,10 +18,6 @@ namespace roomcast::cluster {
 inline constexpr std::chrono::milliseconds kPingInterval{150};
 inline constexpr int kMaxPingsOut = 2;
 inline constexpr std::chrono::milliseconds kConnectWithin{500};
-inline constexpr std::chrono::milliseconds kWriteWithin{300};
-inline constexpr std::chrono::milliseconds kReconnectWait{20};
-/// What is said while no node is there: control only, see NatsClient::publish.
-inline constexpr int kKeptBytes = 4 << 20;
 /// One frame set of a room goes out in one write.
 inline constexpr int kIoBytes = 256 << 10;
 

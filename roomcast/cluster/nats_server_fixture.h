@@ -44,6 +44,9 @@ class NatsServer {
   NatsServer(const NatsServer&) = delete;
   NatsServer& operator=(const NatsServer&) = delete;
 
+  /// It takes and says nothing from now on.
+  void hang() const { ::kill(pid_, SIGSTOP); }
+
   [[nodiscard]] static bool is_installed() { return ::access("/usr/sbin/nats-server", X_OK) == 0; }
   [[nodiscard]] const std::string& port() const { return port_; }
   [[nodiscard]] std::string url() const { return "nats://127.0.0.1:" + port_; }

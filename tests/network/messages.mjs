@@ -8,7 +8,7 @@ const version = 1;
 const preambleBytes = 4;
 const headerBytes = 48;
 const messageTypes = { frame: 1, control: 2 };
-const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, viewerPoses: 8, error: 10 };
+const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, viewerPoses: 8, error: 10, otherHubs: 17 };
 const flagKey = 1;
 const flagLast = 2;
 
@@ -125,7 +125,7 @@ function readControl(bytes) {
   let message = { case: 'unknown' };
   readFields(bytes, (number, reader) => {
     const name = Object.keys(controls).find((key) => controls[key] === number);
-    const read = { welcome: readWelcome, roster: readRoster, clockPong: readPong, viewerPoses: readPoses, error: readError }[name];
+    const read = { welcome: readWelcome, roster: readRoster, clockPong: readPong, viewerPoses: readPoses, error: readError, otherHubs: readOtherHubs }[name];
     if (name) message = { case: name, ...read?.(reader.bytes()) };
   });
   return message;
@@ -164,6 +164,12 @@ function readSensorEntry(bytes) {
 
 function readDoubles(bytes) {
   return Array.from({ length: bytes.length / 8 }, (_, i) => bytes.readDoubleLE(8 * i));
+}
+
+function readOtherHubs(bytes) {
+  const urls = [];
+  readFields(bytes, (number, reader) => number === 1 && urls.push(reader.string()));
+  return { urls };
 }
 
 function readPong(bytes) {

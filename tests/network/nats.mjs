@@ -2,13 +2,11 @@
 // A NATS cluster on loopback: real servers on free ports, with the settings that docs/scale.md tells people to use.
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { connect } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as delay } from 'node:timers/promises';
 
 import { scratchFolder } from '../cli/program.mjs';
-import { freePort } from './nginx.mjs';
 
 const env = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin` }; // where Debian has it, not in everyone's path
 const startWithin_ms = 10_000;
@@ -18,52 +16,51 @@ export const natsIsMissing = spawnSync('nats-server', ['--version'], { env }).er
   ? 'nats-server is not installed (scripts/setup test)'
   : false;
 
-async function listens(port, node) {
+/** Until a server has said this of all patterns; resolves to what each has caught. */
+async function says(node, ...patterns) {
   const deadline = Date.now() + startWithin_ms;
   for (;;) {
-    const socket = connect(port, '127.0.0.1').on('error', () => {});
-    const open = await Promise.race([once(socket, 'data').then(() => true), delay(200, false)]).catch(() => false);
-    socket.destroy();
-    if (open) return;
-    if (node.child.exitCode !== null || Date.now() > deadline) throw new Error(`nats-server: ${node.complaints}`);
-    await delay(50);
+    const matches = patterns.map((pattern) => pattern.exec(node.log));
+    if (matches.every((match) => match)) return matches.map(([, caught]) => caught);
+    if (node.child.exitCode !== null || Date.now() > deadline) throw new Error(`nats-server: ${node.log}`);
+    await delay(20);
   }
 }
 
-/** One server, until the test ends. `more` is added to its configuration. */
-export async function startNode(t, { port, routesPort, routes = [], more = '', scheme = 'nats' }) {
-  const folder = scratchFolder(t);
-  const monitorPort = await freePort();
-  const cluster = routesPort
-    ? `cluster { name: roomcast, listen: "127.0.0.1:${routesPort}", no_advertise: true, routes: [${routes.map((p) => `"nats://127.0.0.1:${p}"`).join(', ')}] }`
+/** One server on free ports, until the test ends. `more` is added to its configuration. */
+export async function startNode(t, { routes, more = '', scheme = 'nats' } = {}) {
+  const file = join(scratchFolder(t), 'nats.conf');
+  const cluster = routes
+    ? `cluster { name: roomcast, listen: "127.0.0.1:-1", no_advertise: true, routes: [${routes.map((route) => `"${route}"`).join(', ')}] }`
     : '';
   writeFileSync(
-    join(folder, 'nats.conf'),
-    `listen: "127.0.0.1:${port}"\nhttp: "127.0.0.1:${monitorPort}"\nping_interval: "1s"\nping_max: 2\nmax_payload: 2MB\nmax_pending: 16MB\n${cluster}\n${more}\n`,
+    file,
+    `listen: "127.0.0.1:-1"\nhttp: "127.0.0.1:-1"\nping_interval: "1s"\nping_max: 2\nmax_payload: 2MB\nmax_pending: 16MB\n${cluster}\n${more}\n`,
   );
-  const child = spawn('nats-server', ['-c', join(folder, 'nats.conf')], { env, stdio: ['ignore', 'ignore', 'pipe'] });
-  const node = { child, complaints: '', url: `${scheme}://127.0.0.1:${port}`, monitor: `http://127.0.0.1:${monitorPort}` };
-  child.stderr.setEncoding('utf8').on('data', (text) => (node.complaints += text));
+  const child = spawn('nats-server', ['-c', file], { env, stdio: ['ignore', 'ignore', 'pipe'] });
+  const node = { child, log: '' };
+  child.stderr.setEncoding('utf8').on('data', (text) => (node.log += text));
   const ended = once(child, 'exit');
   t.after(() => (child.kill('SIGKILL'), ended));
-  await listens(port, node);
+  const [port, monitorPort] = await says(node, /client connections on 127\.0\.0\.1:(\d+)/, /http monitor on 127\.0\.0\.1:(\d+)/, /(Server is ready)/);
+  Object.assign(node, { url: `${scheme}://127.0.0.1:${port}`, monitor: `http://127.0.0.1:${monitorPort}` });
+  if (routes) [node.route] = (await says(node, /route connections on (127\.0\.0\.1:\d+)/)).map((at) => `nats://${at}`);
   return node;
 }
 
-/** Servers that know each other. */
+/** Servers that know each other: the others are told of the first, and by it of each other. */
 export async function startCluster(t, count = 3) {
-  const ports = [], routes = [];
-  for (let i = 0; i < count; ++i) ports.push(await freePort()), routes.push(await freePort());
-  const nodes = await Promise.all(ports.map((port, i) => startNode(t, { port, routesPort: routes[i], routes })));
+  const nodes = [await startNode(t, { routes: [] })];
+  while (nodes.length < count) nodes.push(await startNode(t, { routes: [nodes[0].route] }));
   await Promise.all(nodes.map((node) => haveRoutes(node, count - 1)));
   return nodes;
 }
 
 async function haveRoutes(node, count) {
   const deadline = Date.now() + startWithin_ms;
-  const routes = () => new Set([...node.complaints.matchAll(/ - (rid:\d+) - Route connection created/g)].map(([, id]) => id)).size;
-  while (routes() < count) {
-    if (Date.now() > deadline) throw new Error(`nats-server: ${node.complaints}`);
+  const routes = async () => (await (await fetch(`${node.monitor}/routez`)).json()).routes?.length ?? 0;
+  while (await routes() < count) {
+    if (Date.now() > deadline) throw new Error(`nats-server: ${node.log}`);
     await delay(50);
   }
 }

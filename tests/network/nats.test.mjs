@@ -9,8 +9,10 @@ import { setTimeout as delay } from 'node:timers/promises';
 import { Program, scratchFolder } from '../cli/program.mjs';
 import { costRounds, tellCost } from './hub_cost.mjs';
 import { natsIsMissing, startCluster } from './nats.mjs';
+import { freePort } from './nginx.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
-import { assertMissedNothing } from './rooms.mjs';
+import { assertMissedNothing, startSensor as startNativeSensor } from './rooms.mjs';
+import { writeSmallRig } from './small_rig.mjs';
 
 const rounds = Number(process.env.ROOMCAST_GAP_ROUNDS ?? 1);
 const fps = 30;
@@ -23,7 +25,7 @@ async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--verbose', '--data', scratchFolder(t), ...options];
   const program = new Program(args, { limitMs: timeout });
   t.after(() => program.stop('SIGKILL'));
-  const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
+  const [, port] = await program.prints(/open http:\/\/127\.0\.0\.1:(\d+)/);
   return { program, url: `ws://127.0.0.1:${port}` };
 }
 
@@ -121,6 +123,42 @@ for (const [what, signal, limit_ms] of [['killed', 'SIGKILL', 150], ['hung', 'SI
     assert.ok(Math.max(...gaps_ms) <= limit_ms, `${Math.max(...gaps_ms)} ms without a sensor's frame`);
   });
 }
+
+/** A hub that names this address to others. */
+async function startPublicHub(t, node, port) {
+  const url = `ws://127.0.0.1:${port}`;
+  const program = new Program(
+    ['hub', '--listen', `127.0.0.1:${port}`, '--public-url', url, '--nats', node.url, '--threads', '1', '--no-align', '--data', scratchFolder(t)],
+    { limitMs: timeout });
+  t.after(() => program.stop('SIGKILL'));
+  await program.prints(/open http/);
+  return { program, url };
+}
+
+test('when_a_hub_is_killed_others_miss_little_and_its_sensors_go_on_elsewhere', { skip, timeout }, async (t) => {
+  const gaps_ms = [], comeback_ms = [];
+  for (let round = 0; round < rounds; ++round) {
+    const nodes = await startCluster(t);
+    const hubs = await Promise.all(nodes.map(async (node) => startPublicHub(t, node, await freePort())));
+    const rig = writeSmallRig(scratchFolder(t), { fps });
+    const stays = ['s0', 's1', 's3'];
+    for (const [n, hub] of [[0, hubs[0]], [1, hubs[1]], [3, hubs[0]]]) await startSensor(t, hub, `s${n}`);
+    await startNativeSensor(t, hubs[2].url, rig, 2, { limitMs: timeout }); // it is told of this hub only
+    const viewers = await Promise.all(hubs.slice(0, 2).map((hub) => watch(t, hub)));
+    const abandoned = await RoomClient.join(t, hubs[2].url);
+    await abandoned.until('where else the room is', () => abandoned.otherHubs.length === 2);
+    gaps_ms.push(await gap_ms(viewers, () => hubs[2].program.child.kill('SIGKILL'), stays));
+    await abandoned.closed;
+    await Promise.all(viewers.map((viewer) => viewer.until('the sensor', () => viewer.sensor('s2')?.online)));
+    await viewers[0].moreSets(10);
+    comeback_ms.push(Math.max(...viewers.map((viewer) => longestGap_ms(viewer, ['s2']))));
+    viewers.forEach((viewer) => viewer.socket.terminate());
+  }
+  t.diagnostic(
+    `a hub is killed: at most ${Math.round(Math.max(...gaps_ms))} ms without a frame of a sensor at another one (${gaps_ms.map(Math.round)}), ` +
+      `${Math.round(Math.max(...comeback_ms))} ms without one of its own (${comeback_ms.map(Math.round)})`);
+  assert.ok(Math.max(...gaps_ms) <= 1000, `${Math.max(...gaps_ms)} ms without a frame`);
+});
 
 test('what_it_costs_to_share_a_room', { skip, timeout }, async (t) => {
   const brokers = await startCluster(t, 1);

@@ -13,6 +13,7 @@ export class RoomClient {
   rosters = [];
   errors = [];
   heads = []; // of other viewers that moved last
+  otherHubs = []; // where else the room is
   welcome = null;
   #changed = [];
 
@@ -101,6 +102,7 @@ export class RoomClient {
     else if (control.case === 'roster') this.rosters.push(control);
     else if (control.case === 'clockPong') this.pong = control;
     else if (control.case === 'viewerPoses') this.heads = control.heads;
+    else if (control.case === 'otherHubs') this.otherHubs = control.urls;
     else if (control.case === 'error') this.errors.push(control);
     this.#tellWaiters();
   }
