@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/align/simulated_views.h"
 
+#include <ctime>
 #include <utility>
 
 #include "roomcast/align/bundle/bundle_capture.h"
@@ -37,10 +38,12 @@ Result<SimulatedView> simulate_view(const std::shared_ptr<const SimulatedRoom>& 
   const auto sensor =
       SimulatedSensor::open(room, {index, options.sensors, options.seed, 1.0, 1, options.sensing});
   if (!sensor) return sensor.error();
-  SimulatedView seen{nullptr, (*sensor)->world_from_depth()};
+  SimulatedView seen{nullptr, (*sensor)->world_from_depth(), 0};
   const auto bundle = capture(**sensor, "s" + std::to_string(index), options.frames);
   if (!bundle) return seen;
+  const std::clock_t start = std::clock();
   auto view = align::make_sensor_view(*bundle);
+  seen.look_cpu_s = double(std::clock() - start) / CLOCKS_PER_SEC;
   if (view) seen.view = std::make_shared<const align::SensorView>(std::move(*view));
   return seen;
 }

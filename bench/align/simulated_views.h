@@ -26,6 +26,7 @@ struct SimulatedViewsOptions {
 struct SimulatedView {
   std::shared_ptr<const align::SensorView> view;  // nothing when the sensor's view is of no use
   RigidTransform world_from_depth;                // the truth
+  double look_cpu_s = 0;                          // CPU time of making the view
 };
 
 /// Errors of SimulatedRoom and SimulatedSensor; a sensor that is refused keeps its place, without a

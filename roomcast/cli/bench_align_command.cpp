@@ -9,6 +9,7 @@
 #include "bench/align/align_bench.h"
 #include "bench/align/corners_suite.h"
 #include "bench/align/fresh_suite.h"
+#include "bench/align/join_suite.h"
 #include "bench/live_align/board_suite.h"
 #include "bench/live_align/moved_suite.h"
 #include "bench/live_align/walker_suite.h"
@@ -113,9 +114,10 @@ struct AlignBenchCommand {
   std::vector<std::string> folders;
   std::string suite_name;
   bool json = false;
-  int rooms = 16;  // of corners, walkers and boards
+  int rooms = 16;  // of corners, joins, walkers and boards
   bench::FreshSuiteOptions suite;
   bench::CornersSuiteOptions corners;
+  bench::JoinSuiteOptions join;
   bench::MovedSuiteOptions moved;
   bench::WalkerSuiteOptions walker;
   bench::BoardSuiteOptions board;
@@ -123,12 +125,15 @@ struct AlignBenchCommand {
 
 Status run(AlignBenchCommand command) {
   command.moved.seed = command.walker.seed = command.board.seed = command.corners.seed =
-      command.suite.seed;
-  command.board.rooms = command.walker.rooms = command.corners.rooms = command.rooms;
+      command.join.seed = command.suite.seed;
+  command.board.rooms = command.walker.rooms = command.corners.rooms = command.join.rooms =
+      command.rooms;
   StatusLine line;
   const auto show = [&](std::string_view what) { line.show(what); };
   if (command.suite_name == "corners")
     return print(bench::run_corners_suite(command.corners, show), command.json);
+  if (command.suite_name == "join")
+    return print(bench::run_join_suite(command.join, show), command.json);
   if (command.suite_name == "moved")
     return print(bench::run_moved_suite(command.moved, show), command.json);
   if (command.suite_name == "board")
@@ -137,10 +142,11 @@ Status run(AlignBenchCommand command) {
     return print(bench::run_walker_suite(command.walker, show), command.json);
   if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
-  return Error{ErrorCode::kInvalidArgument,
-               "give recordings with known poses, or --suite fresh, corners, moved, walker or "
-               "board for simulated "
-               "rooms"};
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "give recordings with known poses, or --suite fresh, corners, join, moved, walker or "
+      "board for simulated "
+      "rooms"};
 }
 
 }  // namespace
@@ -155,9 +161,10 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
       ->add_option("--suite", values->suite_name,
                    "fresh: simulated rooms of every scene, half of the pairs without an answer; "
                    "corners: how exactly four sensors in the corners of a room are placed; "
-                   "moved: sensors that are pushed, or not, with people about; walker: opposite "
+                   "join: what it costs that a sensor joins four; moved: sensors that are pushed, "
+                   "or not, with people about; walker: opposite "
                    "sensors placed by somebody who walks; board: by a printed board")
-      ->check(CLI::IsMember({"fresh", "corners", "moved", "walker", "board"}));
+      ->check(CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "board"}));
   command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -169,7 +176,7 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--scene", values->moved.scenes, "moved: these only");
-  command->add_option("--rooms", values->rooms, "corners, walker, board: how many")
+  command->add_option("--rooms", values->rooms, "corners, join, walker, board: how many")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", values->json, "For scripts");
