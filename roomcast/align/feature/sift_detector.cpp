@@ -2,6 +2,7 @@
 #include "roomcast/align/feature/sift_detector.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include <opencv2/core.hpp>
@@ -34,6 +35,16 @@ bool comes_before(const cv::KeyPoint& a, const cv::KeyPoint& b) {
   return std::tie(a.pt.y, a.pt.x, a.size, a.angle) < std::tie(b.pt.y, b.pt.x, b.size, b.angle);
 }
 
+/// The points' numbers.
+std::vector<std::size_t> in_order(const std::vector<cv::KeyPoint>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return comes_before(points[a], points[b]);
+  });
+  return order;
+}
+
 }  // namespace
 
 std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,
@@ -45,12 +56,10 @@ std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskVie
   const cv::Mat picture = equalised(grey);
   const cv::Mat wanted = mask.data == nullptr ? cv::Mat() : mat_of(mask);
   std::vector<cv::KeyPoint> points;
-  sift->detect(picture, points, wanted);
-  std::stable_sort(points.begin(), points.end(), comes_before);
-  cv::Mat histograms;
-  sift->compute(picture, points, histograms);
+  cv::Mat histograms;  // both at once: they are of the same pyramid, which is what takes long
+  sift->detectAndCompute(picture, wanted, points, histograms);
   std::vector<SiftFeature> features;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (const std::size_t i : in_order(points)) {
     const float* const row = histograms.ptr<float>(static_cast<int>(i));
     features.push_back(
         {{points[i].pt.x - kTooFar_px, points[i].pt.y - kTooFar_px},
