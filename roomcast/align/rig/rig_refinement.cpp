@@ -21,7 +21,8 @@ constexpr float kFeatureReach_m = 0.08F;
 // for itself.
 constexpr double kIndependentFeatures = 30;
 constexpr double kStill = 3e-5;  // metres and radians
-constexpr double kLeastScoreKept = 0.5, kLeastMatchesKept = 0.5, kLeastCommonKept = 0.95;
+constexpr double kLeastEvidenceKept = 0.5, kLeastMatchesKept = 0.5, kLeastCommonKept = 0.95;
+constexpr std::size_t kTestedPoints = 1500;
 
 /// A pair and the matches that agreed with it when refinement began.
 struct HeldPair {
@@ -152,25 +153,39 @@ void settle(std::span<const HeldPair> held, std::size_t origin,
   }
 }
 
-/// What speaks for all pairs' poses.
-struct Evidence {
-  double score = 0, matches = 0, common = 0;
+/// What holds sensors together: places that match and surfaces that both see.
+struct Hold {
+  double matches = 0, common = 0;
 
-  Evidence(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+  Hold(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
     for (const HeldPair& each : held) {
-      const PoseEvidence here = each.pair->candidates->examine(state_of(*each.pair, sensors));
-      score += here.score;
-      matches += here.matches.weight;
-      common += here.space.consistent;
+      const PairCandidates& pair = *each.pair->candidates;
+      const PairState state = state_of(*each.pair, sensors);
+      matches += match_support(agreeing_at(*each.pair, sensors)).weight;
+      common += check_free_space(pair.a().surface, pair.b().surface, state.a_from_b, kTestedPoints)
+                    .consistent;
     }
   }
-  /// Where views share little, surfaces slide along each other until less of them is common. A
-  /// lower score alone does not tell: colours that lie aside of depth speak for the worse pose.
-  [[nodiscard]] bool slid_from(const Evidence& start) const {
-    return score < kLeastScoreKept * start.score && (common < kLeastCommonKept * start.common ||
-                                                     matches < kLeastMatchesKept * start.matches);
+  [[nodiscard]] bool is_lost_from(const Hold& start) const {
+    return common < kLeastCommonKept * start.common || matches < kLeastMatchesKept * start.matches;
   }
 };
+
+/// What speaks for all pairs' poses, in one number.
+double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+  double score = 0;
+  for (const HeldPair& each : held)
+    score += each.pair->candidates->examine(state_of(*each.pair, sensors)).score;
+  return score;
+}
+
+/// Where views share little, surfaces slide along each other until less of them is common. Weaker
+/// evidence alone does not tell: colours that lie aside of depth speak for the worse pose.
+bool slid(std::span<const HeldPair> held, std::span<const RefinedSensor> start,
+          std::span<const RefinedSensor> refined) {
+  return Hold(held, refined).is_lost_from(Hold(held, start)) &&
+         evidence_for(held, refined) < kLeastEvidenceKept * evidence_for(held, start);
+}
 
 void add_covariance(std::span<const HeldPair> held, std::size_t origin,
                     std::vector<RefinedSensor>& sensors) {
@@ -191,7 +206,7 @@ std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_fro
   for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
   std::vector<RefinedSensor> refined = start;
   settle(held, origin, refined);
-  if (Evidence(held, refined).slid_from(Evidence(held, start))) refined = start;
+  if (slid(held, start, refined)) refined = start;
   add_covariance(held, origin, refined);
   return refined;
 }
