@@ -8,7 +8,7 @@ import { assertMissedNothing } from './rooms.mjs';
 
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
 const costOver_s = 2;
-const fetchedUnwatched_ms = 3200;
+const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
 
 /** Processor time of a process so far. */
 function taken_ms(child) {

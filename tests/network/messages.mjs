@@ -72,9 +72,10 @@ function control(number, write) {
 }
 
 /** As a viewer, or as `sensor` {fps, worldFromDepth}. */
-export function writeJoin({ name, sensor }) {
+export function writeJoin({ name, sensor, token }) {
   return control(controls.join, (join) => {
     join.tag(2, WireType.LengthDelimited).string(name);
+    if (token) join.tag(6, WireType.LengthDelimited).string(token);
     join.tag(sensor ? 3 : 4, WireType.LengthDelimited).fork();
     if (sensor) writeSensorRole(join, sensor);
     join.join();

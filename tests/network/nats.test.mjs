@@ -19,7 +19,7 @@ const fps = 30;
 const payloadBytes = 8000;
 const sensors = ['s0', 's1', 's2', 's3'];
 const skip = natsIsMissing;
-const timeout = 60_000 + 20_000 * rounds + 15_000 * costRounds;
+const timeout = 60_000 + 20_000 * rounds + 20_000 * costRounds;
 
 async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--verbose', '--data', scratchFolder(t), ...options];

@@ -27,9 +27,9 @@ export class RoomClient {
   }
 
   /** A viewer, or a sensor if `sensor` is given, that has been welcomed. */
-  static async join(t, url, { name = 'test', sensor, options } = {}) {
+  static async join(t, url, { name = 'test', sensor, token, options } = {}) {
     const client = await RoomClient.open(t, url, options);
-    client.send(writeJoin({ name, sensor }));
+    client.send(writeJoin({ name, sensor, token }));
     await client.until('the welcome', () => client.welcome);
     return client;
   }

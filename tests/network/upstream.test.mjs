@@ -16,7 +16,7 @@ const longestGap_ms = 1000;
 
 async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--data', scratchFolder(t), ...options];
-  const program = new Program(args, { limitMs: 60_000 + 15_000 * costRounds });
+  const program = new Program(args, { limitMs: 60_000 + 20_000 * costRounds });
   t.after(() => program.stop('SIGKILL'));
   const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
   return { program, url: `ws://127.0.0.1:${port}` };
@@ -80,7 +80,7 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
   });
 }
 
-test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 15_000 * costRounds }, async (t) => {
+test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 20_000 * costRounds }, async (t) => {
   const origin = await startHub(t);
   await startSensors(t, origin, 4);
   await tellCost(t, { origin, edge: await startEdge(t, origin) });
