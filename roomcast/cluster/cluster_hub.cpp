@@ -226,8 +226,16 @@ void ClusterHub::look_after_rooms() {
     const bool was_ours = room->owner == id_;
     room->owner = owner;
     room->shared->owner_is(owner);
-    if (was_ours != (owner == id_)) options_.on_owned(name, owner == id_);
+    if (was_ours != (owner == id_)) begin_or_end_owning(name, owner == id_);
   }
+}
+
+void ClusterHub::begin_or_end_owning(const std::string& room, bool owns) const {
+  if (options_.log) {
+    options_.log(LogLevel::kInfo, std::string(owns ? "works" : "no longer works") +
+                                      " out where the sensors of \"" + room + "\" stand");
+  }
+  options_.on_owned(room, owns);
 }
 
 // ---- from other hubs

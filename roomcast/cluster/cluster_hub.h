@@ -87,6 +87,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void say_alive(bool leaves = false);
   [[nodiscard]] pb::Heartbeat heartbeat() const;
   void look_after_rooms();
+  void begin_or_end_owning(const std::string& room, bool owns) const;
   void flush(Room& room);
   [[nodiscard]] Room* find(std::string_view room);
   [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);

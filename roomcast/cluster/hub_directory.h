@@ -23,7 +23,7 @@ namespace roomcast::cluster {
 
 /// How often a hub says that it is alive, and after which silence it is not.
 inline constexpr std::chrono::milliseconds kHeartbeatInterval{150};
-inline constexpr std::chrono::milliseconds kGoneAfter{800};
+inline constexpr std::chrono::milliseconds kGoneAfter{700};
 inline constexpr std::size_t kMaxHubs = 256;
 
 struct OtherHub {

@@ -22,7 +22,8 @@ const skip = natsIsMissing;
 const timeout = 60_000 + 20_000 * rounds + 20_000 * costRounds;
 
 async function startHub(t, ...options) {
-  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--verbose', '--data', scratchFolder(t), ...options];
+  const align = options[0]?.align ? (options.shift(), []) : ['--no-align'];
+  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', ...align, '--verbose', '--data', scratchFolder(t), ...options];
   const program = new Program(args, { limitMs: timeout });
   t.after(() => program.stop('SIGKILL'));
   const [, port] = await program.prints(/open http:\/\/127\.0\.0\.1:(\d+)/);
@@ -37,10 +38,10 @@ async function startHubs(t, nodes) {
 
 const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps, payloadBytes });
 
-async function watch(t, hub) {
+async function watch(t, hub, names = sensors) {
   const viewer = await RoomClient.join(t, hub.url);
-  await viewer.until('all sensors', () => sensors.every((name) => viewer.sensor(name)?.online));
-  await viewer.until('their frames', () => sensors.every((name) => viewer.seqsOf(viewer.sensor(name).id).length > 10));
+  await viewer.until('all sensors', () => names.every((name) => viewer.sensor(name)?.online));
+  await viewer.until('their frames', () => names.every((name) => viewer.seqsOf(viewer.sensor(name).id).length > 10));
   await viewer.moreSets(fps);
   return viewer;
 }
@@ -158,6 +159,32 @@ test('when_a_hub_is_killed_others_miss_little_and_its_sensors_go_on_elsewhere', 
     `a hub is killed: at most ${Math.round(Math.max(...gaps_ms))} ms without a frame of a sensor at another one (${gaps_ms.map(Math.round)}), ` +
       `${Math.round(Math.max(...comeback_ms))} ms without one of its own (${comeback_ms.map(Math.round)})`);
   assert.ok(Math.max(...gaps_ms) <= 1000, `${Math.max(...gaps_ms)} ms without a frame`);
+});
+
+test('when_the_hub_that_places_sensors_is_killed_another_takes_over_within_a_second', { skip, timeout }, async (t) => {
+  const owns = /: works out where the sensors of "room" stand/g;
+  const [node] = await startCluster(t, 1);
+  const takeovers_ms = [];
+  for (let round = 0; round < rounds; ++round) {
+    const hubs = await Promise.all([0, 1, 2].map(() => startHub(t, { align: true }, '--nats', node.url)));
+    await Promise.all(hubs.map((hub, i) => startSensor(t, hub, `s${i}`)));
+    await Promise.all(hubs.map((hub) => watch(t, hub, ['s0', 's1', 's2'])));
+    await delay(500);
+    const now = (hub) => (hub.program.stderr.match(owns) ?? []).length - (hub.program.stderr.match(/no longer works out/g) ?? []).length;
+    assert.deepEqual(hubs.map(now).sort(), [0, 0, 1], 'one hub, and one only');
+    const owner = hubs.find((hub) => now(hub) === 1);
+    const others = hubs.filter((hub) => hub !== owner);
+    owner.program.child.kill('SIGKILL');
+    const killed_ms = performance.now();
+    while (!others.some((hub) => now(hub) === 1)) {
+      assert.ok(performance.now() - killed_ms < 5000, 'nobody takes over');
+      await delay(5);
+    }
+    takeovers_ms.push(performance.now() - killed_ms);
+    hubs.forEach(({ program }) => program.stop('SIGKILL'));
+  }
+  t.diagnostic(`takeover: at most ${Math.round(Math.max(...takeovers_ms))} ms (${takeovers_ms.map(Math.round)})`);
+  assert.ok(Math.max(...takeovers_ms) <= 1000, `${Math.max(...takeovers_ms)} ms`);
 });
 
 test('what_it_costs_to_share_a_room', { skip, timeout }, async (t) => {
