@@ -162,7 +162,10 @@ void add_record_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("record", "Keep a room in a file: what the hub sends, the same bytes");
   command->add_option("out", options->out, "File to make, OUT.mcap; of several rooms a folder")
       ->required();
-  command->add_option("--hub", options->hub_url, "ws://HOST:PORT")->required();
+  command
+      ->add_option("--hub", options->hub_url,
+                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+      ->required();
   command->add_option("--room", options->rooms,
                       "The room (default: the hub's only one); several are recorded at once");
   add_token_options(*command, options->token);

@@ -84,7 +84,10 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
           "sim[:scene][#n], rig:DIR#s0, tum:DIR, or a camera: freenect:0, openni2:[FILE.oni], "
           "realsense:, freenect2:, k4a: (roomcast devices lists them)")
       ->required();
-  command->add_option("--hub", options->feed.hub_url, "ws://HOST:PORT")->required();
+  command
+      ->add_option("--hub", options->feed.hub_url,
+                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+      ->required();
   command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
   command->add_option("--name", options->feed.name,
                       "Its name in the room (default: the source's); same name, same id and pose");

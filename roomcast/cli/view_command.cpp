@@ -41,7 +41,10 @@ void add_view_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "See a room in a window, or a picture of it without one");
-  command->add_option("--hub", options->subscriber.hub_url, "ws://HOST:PORT")->required();
+  command
+      ->add_option("--hub", options->subscriber.hub_url,
+                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+      ->required();
   command->add_option("--room", options->subscriber.room, "The room (default: the hub's only one)");
   add_token_options(*command, options->token);
   command->add_option("--name", options->subscriber.name, "Shown to others");

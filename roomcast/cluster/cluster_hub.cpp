@@ -56,7 +56,7 @@ ClusterHub::~ClusterHub() {
 // ---- rooms
 
 void ClusterHub::room_opened(const std::string& name) {
-  const Number number = ++newest_;
+  const Number number = numbers_[name] = ++newest_;
   auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
     return hub::backplane_connection(number, ++*count);
   };
@@ -82,13 +82,13 @@ void ClusterHub::room_opened(const std::string& name) {
 void ClusterHub::room_closed(const std::string& name) {
   nats_->unsubscribe(news_subject(name));
   nats_->unsubscribe(all_frames_subject(name));
-  std::erase_if(rooms_, [&](const auto& entry) { return entry.second->shared->name() == name; });
+  const auto number = numbers_.extract(name);
+  if (number) rooms_.erase(number.mapped());
 }
 
 ClusterHub::Room* ClusterHub::find(std::string_view name) {
-  const auto found = std::ranges::find_if(
-      rooms_, [&](const auto& entry) { return entry.second->shared->name() == name; });
-  return found == rooms_.end() ? nullptr : found->second.get();
+  const auto number = numbers_.find(name);
+  return number == numbers_.end() ? nullptr : rooms_.at(number->second).get();
 }
 
 void ClusterHub::watch(const std::string& name, bool is_watched) {

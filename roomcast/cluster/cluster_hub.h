@@ -102,6 +102,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   Number newest_ = 0;
   unsigned beats_ = 0;
   Rooms rooms_;
+  std::map<std::string, Number, std::less<>> numbers_;  // by name
   boost::asio::steady_timer timer_;
   std::minstd_rand random_{std::random_device{}()};
 };

@@ -103,8 +103,7 @@ std::vector<NatsMessagePtr> NatsSession::take_messages() {
     int waiting = 0, bytes = 0;  // libnats makes up a sentence where there is nothing
     natsSubscription_GetPending(entry->second.get(), &waiting, &bytes);
     natsMsg* message = nullptr;
-    while (waiting-- > 0 &&
-           natsSubscription_NextMsg(&message, entry->second.get(), 0) == NATS_OK) {
+    while (waiting-- > 0 && natsSubscription_NextMsg(&message, entry->second.get(), 0) == NATS_OK) {
       messages.emplace_back(message, &natsMsg_Destroy);
     }
   }
