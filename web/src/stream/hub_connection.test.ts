@@ -131,6 +131,15 @@ describe('a hub connection', () => {
     expect(states.at(-1)!.phase).toBe('connecting');
   });
 
+  test('that breaks says where else the room is', () => {
+    start();
+    socket().open();
+    socket().say({ case: 'welcome', value: {} });
+    socket().say({ case: 'otherHubs', value: { urls: ['wss://b:7600/ws#sha256=00', 'ws://c:7600'] } });
+    socket().end(1006);
+    expect(sentence()).toMatch(/is gone\. The room is also at https:\/\/b:7600, http:\/\/c:7600\.$/);
+  });
+
   test('that breaks is made again', () => {
     start();
     socket().open();

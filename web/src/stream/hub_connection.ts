@@ -3,6 +3,7 @@
 // docs/spec/wire.md §1, §3 and §5. Local time is this program's performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
 import type { Control, Roster, ViewerPose, Welcome } from '../gen/control_pb';
+import { connectionTexts } from '../texts';
 import { decodeControl, encodeControl, type ControlMessage } from '../wire/control';
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { asName } from '../wire/name_check';
@@ -39,6 +40,7 @@ export class HubConnection {
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
+  private otherPages: string[] = []; // of hubs where the room is, too
 
   constructor(
     private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access'>,
@@ -113,6 +115,9 @@ export class HubConnection {
           performance.now(),
           Number(message.value.hubNs) / 1e6,
         );
+      case 'otherHubs':
+        this.otherPages = message.value.urls.map(pageOf);
+        return;
       case 'error':
         this.ending.error = { code: message.value.code, sentence: message.value.sentence };
     }
@@ -159,13 +164,23 @@ export class HubConnection {
     this.ending.closeReason = event.reason;
     const { sentence, reload } = explain(this.ending, new URL(this.options.socketUrl).host, this.room);
     const delay = reconnectDelay_ms(++this.failures, Math.random(), isHopeless(this.ending));
-    this.report('waiting', sentence, reload, Date.now() + delay);
+    this.report('waiting', sentence + this.elsewhere(), reload, Date.now() + delay);
     setTimeout(() => this.connect(), delay);
+  }
+
+  /** The page may connect to its own hub only; a person may open another's. */
+  private elsewhere(): string {
+    return this.otherPages.length > 0 ? ` ${connectionTexts.elsewhere(this.otherPages)}` : '';
   }
 
   private report(phase: ConnectionState['phase'], sentence: string, reload = false, retryAt_ms?: number): void {
     this.events.connection({ phase, sentence, reload, retryAt_ms, openedAt_ms: this.openedAt_ms });
   }
+}
+
+/** "wss://b:7600/ws#sha256=..." -> "https://b:7600" */
+function pageOf(hubUrl: string): string {
+  return hubUrl.replace(/#.*$/, '').replace(/\/ws$/, '').replace(/^ws/, 'http');
 }
 
 function noEnding(): Ending {
