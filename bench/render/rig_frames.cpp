@@ -19,7 +19,7 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const Rig
     auto recording = read_rig_recording(folder, entry.id);
     if (!recording) return recording.error();
     auto registration =
-        Registration::create(recording->camera.calibration, {.color_scale = color_scale});
+        HoleRegistration::create(recording->camera.calibration, {.color_scale = color_scale});
     if (!registration) return registration.error();
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth,
                                *std::move(registration), folder / "truth" / entry.id});

@@ -11,7 +11,7 @@
 #include "bench/render/view_classes.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
-#include "roomcast/geometry/registration.h"
+#include "roomcast/geometry/hole_registration.h"
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/recording.h"
 
@@ -32,7 +32,7 @@ class RigFrames {
   struct Sensor {
     Recording recording;
     RigidTransform world_from_depth;
-    Registration registration;
+    HoleRegistration registration;
     std::filesystem::path truth;  // folder of its depth without error
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }

@@ -10,7 +10,7 @@
 #include "roomcast/cli/preview.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/geometry/registration.h"
+#include "roomcast/geometry/hole_registration.h"
 
 namespace roomcast::cli {
 namespace {
@@ -47,7 +47,7 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
 
 class SensorFeed::Worker {
  public:
-  Worker(std::unique_ptr<FrameSource> source, Registration registration,
+  Worker(std::unique_ptr<FrameSource> source, HoleRegistration registration,
          std::unique_ptr<codec::FrameEncoder> encoder, const SensorFeedOptions& options,
          std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
@@ -125,7 +125,7 @@ class SensorFeed::Worker {
     follow_network(turn->rate_share);
     if (auto status = register_color(); !status) return status;
     auto message = Publisher::begin_frame();
-    const auto info = encoder_->encode(captured_.depth_mm, registered_.color, registered_.seen,
+    const auto info = encoder_->encode(captured_.depth_mm, registered_.color, known_colors(),
                                        turn->want_key, message.appendable());
     if (!info) return info.error();
     const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
@@ -150,6 +150,11 @@ class SensorFeed::Worker {
     encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
   }
 
+  /// What of the registered colour is new.
+  MaskView known_colors() const {
+    return registered_.color.empty() ? MaskView{} : registration_.fresh();
+  }
+
   Status register_color() {
     if (!captured_.color.empty())
       return registration_.run(captured_.depth_mm, captured_.color, registered_);
@@ -163,7 +168,7 @@ class SensorFeed::Worker {
   aligner::WatchedBundle bundle_;
   aligner::Lookout lookout_;
   std::string complaint_;  // the last
-  Registration registration_;
+  HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const int full_color_kbit_per_s_;
   double rate_share_ = 1;  // that the encoder was told
@@ -191,7 +196,7 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSourc
                                                       SensorFeedOptions options) {
   const SensorDescription sensor = source->description();
   auto registration =
-      Registration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
+      HoleRegistration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
   if (!registration) return registration.error();
   auto encoder = codec::FrameEncoder::create(encoder_options(sensor, options));
   if (!encoder) return encoder.error();

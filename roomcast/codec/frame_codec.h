@@ -52,8 +52,9 @@ class FrameEncoder {
   virtual ~FrameEncoder() = default;
 
   /// Appends the payload to `out`. `color` is in the depth grid, color_scale times as fine;
-  /// `color_seen` has the size of depth. Both may be empty views (no colour in this frame). The
-  /// first frame, and any with `want_key`, is a key frame.
+  /// `color_seen` has the size of depth; where it is not 0 without a reading, that colour is sent,
+  /// too, but not that it was seen. Both may be empty views (no colour in this frame). The first
+  /// frame, and any with `want_key`, is a key frame.
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
 

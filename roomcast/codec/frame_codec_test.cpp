@@ -112,6 +112,30 @@ MaskImage twice_as_fine(const MaskImage& mask) {
   return fine;
 }
 
+TEST(FrameCodec, colour_is_sent_where_nothing_is_read_but_not_as_seen) {
+  for (const DepthMode mode : {DepthMode::kLossless, DepthMode::kLive}) {
+    FrameEncoderOptions options = options_for(kWidth, kHeight);
+    options.depth_mode = mode;
+    Stream stream(options);
+    SyntheticFrame frame;
+    frame.depth_mm = DepthImage(kWidth, kHeight, 2000);
+    frame.color = ColorImage(kWidth, kHeight, {200, 200, 200});
+    frame.seen = MaskImage(kWidth, kHeight, 255);
+    for (int y = 16; y < 64; ++y) {
+      for (int x = 16; x < 64; ++x) {
+        frame.depth_mm.at(x, y) = 0;
+        frame.color.at(x, y) = {20, 20, 20};
+      }
+    }
+    const auto decoder = decoder_for(kWidth, kHeight);
+    DecodedFrame decoded;
+    ASSERT_TRUE(decoder->decode(stream.next(frame, true).bytes, decoded).ok());
+    EXPECT_NEAR(decoded.color.at(40, 40).r, 20, 10);
+    EXPECT_EQ(decoded.color_seen.at(40, 40), 0);
+    EXPECT_EQ(decoded.color_seen.at(5, 40), 255);
+  }
+}
+
 TEST(FrameCodec, colour_may_be_twice_as_fine_as_depth) {
   FrameEncoderOptions options = options_for(kWidth, kHeight);
   options.color_scale = 2;

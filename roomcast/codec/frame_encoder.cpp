@@ -160,14 +160,13 @@ class SectionFrameEncoder final : public FrameEncoder {
       color_ = std::move(*created);
     }
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
-    if (mode_ == DepthMode::kLive) {
-      shown_surface_.update(depth_mm, live_->shown_mm(), seen);
-      seen = shown_surface_.seen();
-    }
-    if (Status status = color_->encode(color, seen, role, out); !status.ok()) return status;
+    const DepthView shown_mm = mode_ == DepthMode::kLive ? live_->shown_mm() : depth_mm;
+    shown_surface_.update(depth_mm, shown_mm, seen);
+    Status status = color_->encode(color, shown_surface_.colored(), role, out);
+    if (!status.ok()) return status;
     end_section(section, out);
     section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
-    append_mask(seen, role, out);
+    append_mask(shown_surface_.seen(), role, out);
     end_section(section, out);
     return {};
   }
@@ -191,8 +190,8 @@ class SectionFrameEncoder final : public FrameEncoder {
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
-  ShownSurface shown_surface_;              // in live mode
-  SteadyMask steady_;                       // in live mode
+  ShownSurface shown_surface_;
+  SteadyMask steady_;  // in live mode
   ColorMaskEncoder mask_;
   DepthView input_depth_;       // of the newest frame; not owned
   bool color_started_ = false;  // since the last key frame

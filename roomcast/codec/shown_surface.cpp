@@ -20,16 +20,19 @@ void ShownSurface::update(DepthView measured_mm, DepthView shown_mm, MaskView se
   if (!same_size(seen_.view(), seen)) {
     depth_mm_.resize(seen.width, seen.height);
     seen_.resize(seen.width, seen.height);
+    colored_.resize(seen.width, seen.height);
   }
   for (int y = 0; y < seen.height; ++y) {
     const std::uint16_t *measured = measured_mm.row(y), *shown = shown_mm.row(y);
     const std::uint8_t* from = seen.row(y);
     std::uint16_t* depth = depth_mm_.view().row(y);
-    std::uint8_t* to = seen_.view().row(y);
+    std::uint8_t *to = seen_.view().row(y), *colored = colored_.view().row(y);
     for (int x = 0; x < seen.width; ++x) {
       const bool usable = measured[x] != 0 && shown[x] != 0 && is_near(measured[x], shown[x]);
       depth[x] = usable ? measured[x] : std::uint16_t{0};
       to[x] = usable ? from[x] : std::uint8_t{0};
+      const bool is_hole = measured[x] == 0 && shown[x] == 0;
+      colored[x] = is_hole ? from[x] : to[x];
     }
   }
 }

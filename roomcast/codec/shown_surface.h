@@ -21,10 +21,13 @@ class ShownSurface {
   [[nodiscard]] DepthView depth_mm() const { return depth_mm_; }
   /// `seen` at these; 0 elsewhere.
   [[nodiscard]] MaskView seen() const { return seen_; }
+  /// The same, and `seen` where neither was there a reading nor is one shown: its colour is sent,
+  /// too.
+  [[nodiscard]] MaskView colored() const { return colored_; }
 
  private:
   DepthImage depth_mm_;
-  MaskImage seen_;
+  MaskImage seen_, colored_;
 };
 
 }  // namespace roomcast::codec

@@ -34,5 +34,15 @@ TEST(ShownSurface, what_is_not_seen_stays_so) {
   EXPECT_EQ(surface.depth_mm().at(0, 0), 900);
 }
 
+TEST(ShownSurface, a_color_without_a_reading_is_sent_but_does_not_count) {
+  ShownSurface surface;
+  const MaskImage known(1, 1, 255);
+  surface.update(DepthImage(1, 1), DepthImage(1, 1), known);
+  EXPECT_EQ(surface.seen().at(0, 0), 0);
+  EXPECT_EQ(surface.colored().at(0, 0), 255);
+  surface.update(DepthImage(1, 1), DepthImage(1, 1, 900), known);
+  EXPECT_EQ(surface.colored().at(0, 0), 0) << "a reading that vanished for a moment is shown on";
+}
+
 }  // namespace
 }  // namespace roomcast::codec

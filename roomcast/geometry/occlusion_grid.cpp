@@ -35,9 +35,9 @@ void OcclusionGrid::clear() {
   std::fill(splatted_m_.begin(), splatted_m_.end(), kNothing);
 }
 
-void OcclusionGrid::splat_row(const float* __restrict u, const float* __restrict v,
-                              const float* __restrict z_m, int count,
-                              std::int32_t* __restrict cells) {
+void OcclusionGrid::find_cells(const float* __restrict u, const float* __restrict v,
+                               const float* __restrict z_m, int count,
+                               std::int32_t* __restrict cells) const {
   const float scale = cells_per_pixel_;
   // The border, the pixel's half before its centre, and a little so that -0.5 never rounds into the
   // border.
@@ -48,6 +48,11 @@ void OcclusionGrid::splat_row(const float* __restrict u, const float* __restrict
     const std::int32_t y = static_cast<std::int32_t>(v[i] * scale + first);
     cells[i] = z_m[i] > 0 ? y * stride + x : kNowhere;
   }
+}
+
+void OcclusionGrid::splat_row(const float* u, const float* v, const float* z_m, int count,
+                              std::int32_t* cells) {
+  find_cells(u, v, z_m, count, cells);
   for (int i = 0; i < count; ++i) {
     float& nearest = splatted_m_[static_cast<std::size_t>(cells[i])];
     nearest = std::min(nearest, z_m[i]);

@@ -24,6 +24,10 @@ class OcclusionGrid {
   /// everything is occluded.
   void splat_row(const float* u, const float* v, const float* z_m, int count, std::int32_t* cells);
 
+  /// Only tells the cells.
+  void find_cells(const float* u, const float* v, const float* z_m, int count,
+                  std::int32_t* cells) const;
+
   /// To be called after the last surface and before `nearest_m`.
   void finish();
 

@@ -71,6 +71,29 @@ void copy_where_depth(DepthView depth_mm, ColorView color, RegisteredColor& out)
   }
 }
 
+void copy_holes(DepthView depth_mm, DepthView filled_mm, ColorView color, RegisteredColor& out) {
+  for (int y = 0; y < depth_mm.height; ++y) {
+    for (int x = 0; x < depth_mm.width; ++x) {
+      const bool seen = depth_mm.at(x, y) == 0 && filled_mm.at(x, y) != 0;
+      out.color.at(x, y) = seen ? color.at(x, y) : Rgb8{};
+      out.seen.at(x, y) = seen ? 255 : 0;
+    }
+  }
+}
+
+/// A gap in a row that could be a thing; single readings are missing everywhere.
+constexpr int kSmallestGap = 5;
+
+/// Whether the row has a gap of readings that is filled.
+bool has_gap(DepthView depth_mm, DepthView filled_mm, int y) {
+  const std::uint16_t *read = depth_mm.row(y), *filled = filled_mm.row(y);
+  int length = 0;
+  for (int x = 0; x < depth_mm.width && length < kSmallestGap; ++x) {
+    length = read[x] == 0 && filled[x] != 0 ? length + 1 : 0;
+  }
+  return length == kSmallestGap;
+}
+
 /// The smaller of two consecutive steps of depth along an axis; 0 at a peak or in a pit, which is
 /// no slope.
 int slope(int step_before, int step_after) {
@@ -122,6 +145,41 @@ Status Registration::check_sizes(DepthView depth_mm, ColorView color) const {
 
 Status Registration::run(DepthView depth_mm, ColorView color, RegisteredColor& out) {
   if (Status status = check_sizes(depth_mm, color); !status.ok()) return status;
+  make_room(out);
+  if (copy_only_) {
+    copy_where_depth(depth_mm, color, out);
+    return {};
+  }
+  project_surfaces(depth_mm);
+  for (int y = 0; y < depth_height_; ++y) {
+    find_visible(y, &out.seen.at(0, y));
+    sample(color, y, out);
+  }
+  return {};
+}
+
+Status Registration::run_in_holes(DepthView depth_mm, DepthView filled_mm, ColorView color,
+                                  RegisteredColor& out) {
+  if (Status status = check_sizes(depth_mm, color); !status.ok()) return status;
+  if (Status status = check_sizes(filled_mm, color); !status.ok()) return status;
+  make_room(out);
+  if (copy_only_) {
+    copy_holes(depth_mm, filled_mm, color, out);
+    return {};
+  }
+  for (int y = 0; y < depth_height_; ++y) {
+    if (has_gap(depth_mm, filled_mm, y)) project_filled(filled_mm, y);
+  }
+  for (int y = 0; y < depth_height_; ++y) {
+    std::fill_n(&out.seen.at(0, y), depth_width_, std::uint8_t{0});
+    if (!has_gap(depth_mm, filled_mm, y)) continue;
+    find_visible_holes(depth_mm, y, &out.seen.at(0, y));
+    sample(color, y, out);
+  }
+  return {};
+}
+
+void Registration::make_room(RegisteredColor& out) const {
   const int color_width = options_.color_scale * depth_width_;
   const int color_height = options_.color_scale * depth_height_;
   if (out.color.width() != color_width || out.color.height() != color_height) {
@@ -130,16 +188,10 @@ Status Registration::run(DepthView depth_mm, ColorView color, RegisteredColor& o
   if (out.seen.width() != depth_width_ || out.seen.height() != depth_height_) {
     out.seen.resize(depth_width_, depth_height_);
   }
-  if (copy_only_) {
-    copy_where_depth(depth_mm, color, out);
-    return {};
-  }
-  project_surfaces(depth_mm);
-  for (int y = 0; y < depth_height_; ++y) {
-    find_visible(y, &out.seen.at(0, y));
-    options_.color_scale == 1 ? sample_row(color, y, out) : sample_quarters(color, y, out);
-  }
-  return {};
+}
+
+void Registration::sample(ColorView color, int y, RegisteredColor& out) {
+  options_.color_scale == 1 ? sample_row(color, y, out) : sample_quarters(color, y, out);
 }
 
 void Registration::project_surfaces(DepthView depth_mm) {
@@ -152,6 +204,14 @@ void Registration::project_surfaces(DepthView depth_mm) {
     limit_occluders(depth_mm, y);
   }
   grid_.finish();
+}
+
+/// Hides nothing: nobody has read it.
+void Registration::project_filled(DepthView filled_mm, int y) {
+  const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+  const ProjectedRow row{&u_[start], &v_[start], &z_m_[start]};
+  projection_.project_row(filled_mm.row(y), y, row);
+  grid_.find_cells(row.u, row.v, row.z_m, depth_width_, &cells_[start]);
 }
 
 void Registration::limit_occluders(DepthView depth_mm, int y) {
@@ -183,6 +243,18 @@ void Registration::find_visible(int y, std::uint8_t* seen) const {
   for (int x = 0; x < depth_width_; ++x) {
     const std::size_t i = start + static_cast<std::size_t>(x);
     seen[x] = grid_.nearest_m(cells_[i]) < occluder_limit_m_[i] ? 0 : 255;
+  }
+}
+
+void Registration::find_visible_holes(DepthView depth_mm, int y, std::uint8_t* seen) const {
+  const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
+  const float margin_m = static_cast<float>(options_.occlusion_margin_m);
+  const float keep = 1 - static_cast<float>(options_.occlusion_margin_per_m);
+  for (int x = 0; x < depth_width_; ++x) {
+    const std::size_t i = start + static_cast<std::size_t>(x);
+    const bool is_hole = depth_mm.at(x, y) == 0 && z_m_[i] > 0;
+    const bool is_hidden = grid_.nearest_m(cells_[i]) < z_m_[i] * keep - margin_m;
+    seen[x] = is_hole && !is_hidden ? 255 : 0;
   }
 }
 

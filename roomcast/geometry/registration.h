@@ -47,13 +47,24 @@ class Registration {
   /// kInvalidArgument when the sizes are not those of the calibration.
   [[nodiscard]] Status run(DepthView depth_mm, ColorView color, RegisteredColor& out);
 
+  /// After run() with the same depth and colour: the colour of pixels without a reading, if their
+  /// surface were where `filled_mm` says, as far as nothing that was read hides it. `filled_mm` is
+  /// that depth where it has a reading. `out` is unseen at pixels with one, and in rows without a
+  /// gap of several.
+  [[nodiscard]] Status run_in_holes(DepthView depth_mm, DepthView filled_mm, ColorView color,
+                                    RegisteredColor& out);
+
  private:
   Registration(const SensorCalibration& calibration, const RegistrationOptions& options);
 
   [[nodiscard]] Status check_sizes(DepthView depth_mm, ColorView color) const;
+  void make_room(RegisteredColor& out) const;
   void project_surfaces(DepthView depth_mm);
+  void project_filled(DepthView filled_mm, int y);
   void limit_occluders(DepthView depth_mm, int y);
   void find_visible(int y, std::uint8_t* seen) const;
+  void find_visible_holes(DepthView depth_mm, int y, std::uint8_t* seen) const;
+  void sample(ColorView color, int y, RegisteredColor& out);
   void sample_row(ColorView color, int y, RegisteredColor& out) const;
   void sample_quarters(ColorView color, int y, RegisteredColor& out);
 
