@@ -85,7 +85,7 @@ void SurfaceCleaner::repair(Shows shows, CleanSurface& surface) {
   for (int px = 0; px < kLostAtRims_px; ++px) filter(passes_.extend, surface);
 }
 
-void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& background, Shows shows,
+void SurfaceCleaner::finish(const SensorSurface& sensor, const Known& known, Shows shows,
                             const Options& options, CleanSurface& surface) {
   filter(passes_.smooth, surface);
 
@@ -97,20 +97,19 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Background& backg
   bind_texture(kEdges, surface.edge_in_row);
   bind_image(0, surface.quality, ImageAccess::kWrite, GL_R16F);
   passes_.quality.run(surface.width, surface.height);
-  if (shows == Shows::kNewest) still_colors(sensor, background, surface);
-  weigh_colors(shows == Shows::kNewest ? surface.still_color : background.color, options.gain,
-               surface);
+  if (shows == Shows::kNewest) still_colors(sensor, known, surface);
+  weigh_colors(shows == Shows::kNewest ? surface.still_color : known.color, options.gain, surface);
 
   mesher_.build(surface.depth_m, options.covering != nullptr ? &options.covering->depth_m : nullptr,
                 surface.width, surface.height, options.mesh, surface.mesh);
 }
 
-void SurfaceCleaner::still_colors(const SensorSurface& sensor, const Background& background,
+void SurfaceCleaner::still_colors(const SensorSurface& sensor, const Known& known,
                                   CleanSurface& surface) {
   bind_texture(kColor, sensor.color());
-  bind_texture(kSeen, sensor.seen());
-  bind_texture(kBackgroundColor, background.color);
-  bind_texture(kReadings, background.readings);
+  bind_texture(kSeen, known.seen);
+  bind_texture(kBackgroundColor, known.color);
+  bind_texture(kReadings, known.readings);
   bind_image(0, surface.still_color, ImageAccess::kWrite, GL_RGBA16F);
   run_on_colors(passes_.still, surface);
 }

@@ -33,10 +33,12 @@ class SurfaceCleaner {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<SurfaceCleaner> create();
 
-  /// What is remembered: metres and readings; mean colour and of how many.
-  struct Background {
+  /// What is remembered: metres and readings; mean colour and of how many. And where the newest
+  /// colour is to be believed.
+  struct Known {
     const GlTexture& readings;
     const GlTexture& color;
+    const GlTexture& seen;
   };
   enum class Shows { kNewest, kBackground };
   struct Options {
@@ -50,8 +52,8 @@ class SurfaceCleaner {
   void repair(Shows shows, CleanSurface& surface);
 
   /// Smooths it and derives the rest.
-  void finish(const SensorSurface& sensor, const Background& background, Shows shows,
-              const Options& options, CleanSurface& surface);
+  void finish(const SensorSurface& sensor, const Known& known, Shows shows, const Options& options,
+              CleanSurface& surface);
 
  private:
   struct Passes {
@@ -59,8 +61,7 @@ class SurfaceCleaner {
   };
   SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
   static void filter(const ComputePass& pass, CleanSurface& surface);
-  void still_colors(const SensorSurface& sensor, const Background& background,
-                    CleanSurface& surface);
+  void still_colors(const SensorSurface& sensor, const Known& known, CleanSurface& surface);
   void weigh_colors(const GlTexture& color, const Eigen::Vector3f& gain, CleanSurface& surface);
   static void run_on_colors(const ComputePass& pass, const CleanSurface& surface);
 

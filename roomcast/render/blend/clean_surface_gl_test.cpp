@@ -27,7 +27,8 @@ class CleanSurfaceTest : public GlTest {
     const GlTexture nothing = make_texture(GL_RGBA32F, kLens.width, kLens.height);
     glClearTexImage(nothing.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     cleaner->repair(SurfaceCleaner::Shows::kNewest, surface);
-    cleaner->finish(*sensor, {nothing, nothing}, SurfaceCleaner::Shows::kNewest, {}, surface);
+    cleaner->finish(*sensor, {nothing, nothing, sensor->seen()}, SurfaceCleaner::Shows::kNewest, {},
+                    surface);
     return {read(surface.depth_m), read(surface.quality)};
   }
 

@@ -10,7 +10,7 @@ namespace roomcast {
 namespace {
 
 // As in shaders/blend/.
-enum ImageUnit : GLuint { kReadings = 0, kColor = 1, kDepthOut = 2 };
+enum ImageUnit : GLuint { kReadings = 0, kColor = 1, kDepthOut = 2, kSteadiness = 3 };
 enum CarveTexture : GLuint { kRays = 1, kOtherDepth = 4 };
 enum CarveUniform : GLint {
   kOtherFromDepth = 0,
@@ -28,10 +28,14 @@ void clear(const GlTexture& texture) {
 
 SensorMemory::SensorMemory(const CameraIntrinsics& lens)
     : newest_m_(make_texture(GL_R32F, lens.width, lens.height)),
+      steadiness_(make_texture(GL_R16F, lens.width, lens.height)),
+      verdict_(make_texture(GL_R8UI, lens.width, lens.height)),
+      seen_(make_texture(GL_R8UI, lens.width, lens.height)),
       readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
       live_(lens),
       background_(lens) {
   clear(newest_m_);
+  clear(steadiness_);
   clear(readings_);
   set_color_scale(1);
 }
@@ -54,17 +58,20 @@ Result<MemoryKeeper> MemoryKeeper::create() {
   if (!background) return std::move(background).error();
   auto carve = ComputePass::create({shaders::carve_comp});
   if (!carve) return std::move(carve).error();
+  auto lost = LostDepth::create();
+  if (!lost) return std::move(lost).error();
   auto cleaner = SurfaceCleaner::create();
   if (!cleaner) return std::move(cleaner).error();
   return MemoryKeeper(*std::move(remember), *std::move(background), *std::move(carve),
-                      *std::move(cleaner));
+                      *std::move(lost), *std::move(cleaner));
 }
 
 MemoryKeeper::MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve,
-                           SurfaceCleaner cleaner)
+                           LostDepth lost, SurfaceCleaner cleaner)
     : remember_(std::move(remember)),
       background_(std::move(background)),
       carve_(std::move(carve)),
+      lost_(std::move(lost)),
       cleaner_(std::move(cleaner)) {}
 
 void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) const {
@@ -72,7 +79,8 @@ void MemoryKeeper::remember(const SensorSurface& sensor, SensorMemory& memory) c
   sensor.bind();
   bind_image(kReadings, memory.readings_, ImageAccess::kBoth, GL_RGBA32F);
   bind_image(kColor, memory.background_color_, ImageAccess::kBoth, GL_RGBA16F);
-  bind_image(kDepthOut, memory.newest_m_, ImageAccess::kWrite, GL_R32F);
+  bind_image(kDepthOut, memory.newest_m_, ImageAccess::kBoth, GL_R32F);
+  bind_image(kSteadiness, memory.steadiness_, ImageAccess::kBoth, GL_R16F);
   remember_.run(sensor.intrinsics().width, sensor.intrinsics().height);
 }
 
@@ -83,16 +91,15 @@ void MemoryKeeper::refresh(const SensorSurface& sensor, std::span<const OtherSen
   bind_image(kReadings, memory.readings_, ImageAccess::kRead, GL_RGBA32F);
   bind_image(kDepthOut, memory.background_.depth_m, ImageAccess::kWrite, GL_R32F);
   background_.run(sensor.intrinsics().width, sensor.intrinsics().height);
-  const CameraIntrinsics& lens = sensor.intrinsics();
-  glCopyImageSubData(memory.newest_m_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     memory.live_.depth_m.name(), GL_TEXTURE_2D, 0, 0, 0, 0, lens.width,
-                     lens.height, 1);
+  lost_.cover(sensor,
+              {memory.newest_m_, memory.readings_, memory.background_color_, memory.steadiness_},
+              {memory.verdict_, memory.live_.depth_m, memory.seen_});
   using Shows = SurfaceCleaner::Shows;
   cleaner_.repair(Shows::kNewest, memory.live_);
   for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
   cleaner_.repair(Shows::kBackground, memory.background_);
 
-  const SurfaceCleaner::Background known{memory.readings_, memory.background_color_};
+  const SurfaceCleaner::Known known{memory.readings_, memory.background_color_, memory.seen_};
   cleaner_.finish(sensor, known, Shows::kNewest, options, memory.live_);
   SurfaceCleaner::Options behind = options;
   behind.covering = &memory.live_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorMemory: what one sensor shows now and what it has seen behind that before: two clean
 // surfaces. The remembered background fills what people hide and what a sensor momentarily loses;
-// it gives way where any sensor looks through it. Single-threaded; needs the GL context it was made
+// it gives way where any sensor looks through it, and what stands before it without a reading is
+// drawn before it. Single-threaded; needs the GL context it was made
 // with.
 #pragma once
 
@@ -11,6 +12,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/blend/compute_pass.h"
+#include "roomcast/render/blend/lost_depth.h"
 #include "roomcast/render/sensor_surface.h"
 
 namespace roomcast {
@@ -34,6 +36,8 @@ class SensorMemory {
   void set_color_scale(int scale);
 
   GlTexture newest_m_;          // R32F: what was read last, 0 without a reading
+  GlTexture steadiness_;        // R16F: remember_background.comp
+  GlTexture verdict_, seen_;    // R8UI: LostDepth
   GlTexture readings_;          // RGBA32F: remember_background.comp
   GlTexture background_color_;  // RGBA16F, scaled: rgb, readings
   int color_scale_ = 0;
@@ -55,11 +59,12 @@ class MemoryKeeper {
                const SurfaceCleaner::Options& options, SensorMemory& memory);
 
  private:
-  MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve,
+  MemoryKeeper(ComputePass remember, ComputePass background, ComputePass carve, LostDepth lost,
                SurfaceCleaner cleaner);
   void carve(const SensorSurface& sensor, const OtherSensor& other, const GlTexture& depth) const;
 
   ComputePass remember_, background_, carve_;
+  LostDepth lost_;
   SurfaceCleaner cleaner_;
 };
 

@@ -6,11 +6,13 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform image2D background;        // metres, readings; metres, readings of a candidate
 layout(rgba16f, binding = 1) uniform image2D background_color;  // rgb, readings
-layout(r32f, binding = 2) writeonly uniform image2D depth_out;  // metres
+layout(r32f, binding = 2) uniform image2D depth_out;            // metres; of the frame before, until it is written
+layout(r16f, binding = 3) uniform image2D steadiness;           // 1: there is always a reading
 
 const float kMostReadings = 64.0;
 const float kMostColors = 32.0;
 const float kReadingsOfFarther = 3.0;
+const float kSteadinessStep = 1.0 / 16.0;
 
 void remember_colors(ivec2 pixel, bool is_new) {
   int shift = color_is_fine() ? 1 : 0;
@@ -25,12 +27,22 @@ void remember_colors(ivec2 pixel, bool is_new) {
   }
 }
 
+// How often readings begin to miss among those that come. How long they then stay away says nothing about the surface:
+// something may stand before it.
+void remember_steadiness(ivec2 pixel, bool is_read) {
+  bool was_read = imageLoad(depth_out, pixel).r > 0.0;
+  if (!is_read && !was_read) return;
+  float known = imageLoad(steadiness, pixel).r;
+  imageStore(steadiness, pixel, vec4(mix(known, is_read ? 1.0 : 0.0, kSteadinessStep)));
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, textureSize(depth_mm, 0)))) return;
   float z = z_at(pixel);
   vec4 known = imageLoad(background, pixel);
   float shown = z;
+  remember_steadiness(pixel, z > 0.0);
   if (z > 0.0) {
     float gate = same_surface_gate(z);
     if (known.x > 0.0 && abs(z - known.x) < gate) {

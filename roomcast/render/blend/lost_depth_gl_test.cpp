@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn where readings of a remembered wall are missing.
+#include "roomcast/render/blend/lost_depth.h"
+#include "roomcast/render/room_fixture.h"
+
+namespace roomcast {
+namespace {
+
+using Eigen::Vector3d;
+
+const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const RigidTransform kPose =
+    world_from_optical_looking_at(Vector3d(0, 1.5, 0), Vector3d(0, 1.5, -3));
+constexpr Rgb8 kWall = {190, 180, 170}, kDark = {20, 22, 25};
+constexpr int kMiddleX = 32, kMiddleY = 24;
+
+class LostDepthTest : public RoomTest {
+ protected:
+  void SetUp() override {
+    RoomTest::SetUp();
+    for (int i = 0; i < 40; ++i) add(kFirst, kLens, kPose, wall(kLens, 3000, kWall));
+  }
+
+  /// The wall, of which a box in the middle is not read, and what the colour camera sees there.
+  static SensorPictures without_readings(Rgb8 seen, int half_px = 10) {
+    SensorPictures pictures = wall(kLens, 3000, kWall);
+    const int x0 = kMiddleX - half_px, x1 = kMiddleX + half_px;
+    const int y0 = kMiddleY - half_px, y1 = kMiddleY + half_px;
+    fill_box<std::uint16_t>(pictures.depth_mm, x0, y0, x1, y1, 0);
+    fill_box<std::uint8_t>(pictures.seen, x0, y0, x1, y1, 0);
+    fill_box(pictures.color, x0, y0, x1, y1, seen);
+    return pictures;
+  }
+  Rgb8 middle(const SensorPictures& pictures, RenderMode mode = RenderMode::kBlend) {
+    add(kFirst, kLens, kPose, pictures);
+    return draw(eye_of(kLens, kPose), mode).color.at(kMiddleX, kMiddleY);
+  }
+  double middle_m(const SensorPictures& pictures) {
+    add(kFirst, kLens, kPose, pictures);
+    const ViewCamera eye = eye_of(kLens, kPose);
+    const auto target = OffscreenTarget::create(eye.width, eye.height);
+    EXPECT_TRUE(room_->draw(eye, *target, RenderMode::kBlend).ok());
+    return target->read_depth_m(eye).at(kMiddleX, kMiddleY);
+  }
+};
+
+TEST_F(LostDepthTest, a_dark_thing_is_dark_and_not_the_wall_behind_it) {
+  const Rgb8 shown = middle(without_readings(kDark));
+  EXPECT_LT(shown.r, 60);
+  EXPECT_LT(middle(without_readings(kDark), RenderMode::kAdaptive).r, 60);
+}
+
+TEST_F(LostDepthTest, the_wall_is_there_without_its_readings) {
+  const Rgb8 shown = middle(without_readings(kWall));
+  EXPECT_NEAR(shown.r, kWall.r, 2);
+}
+
+TEST_F(LostDepthTest, a_shadow_or_another_exposure_makes_no_thing_of_it) {
+  for (const double light : {0.82, 1.2}) {
+    const auto lit = [light](std::uint8_t level) {
+      return static_cast<std::uint8_t>(light * level);
+    };
+    const Rgb8 shown = middle(without_readings({lit(kWall.r), lit(kWall.g), lit(kWall.b)}));
+    EXPECT_NEAR(shown.r, kWall.r, 2) << light;
+  }
+}
+
+TEST_F(LostDepthTest, a_few_pixels_are_no_thing) {
+  EXPECT_NEAR(middle(without_readings(kDark, 1)).r, kWall.r, 40);
+}
+
+TEST_F(LostDepthTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {
+  SensorPictures pictures = without_readings(kDark);
+  EXPECT_NEAR(middle_m(pictures), 3, 0.05);
+  SensorPictures framed = wall(kLens, 3000, kWall);
+  fill_box<std::uint16_t>(framed.depth_mm, 20, 12, 44, 36, 1800);
+  fill_box<std::uint16_t>(framed.depth_mm, 23, 15, 41, 33, 0);
+  fill_box<std::uint8_t>(framed.seen, 23, 15, 41, 33, 0);
+  fill_box(framed.color, 23, 15, 41, 33, kDark);
+  EXPECT_NEAR(middle_m(framed), 1.8, 0.05);
+}
+
+TEST_F(LostDepthTest, where_readings_always_came_and_went_the_wall_stays) {
+  for (int i = 0; i < 60; ++i) {
+    add(kFirst, kLens, kPose, i % 2 == 0 ? without_readings(kWall) : wall(kLens, 3000, kWall));
+  }
+  EXPECT_NEAR(middle(without_readings(kDark)).r, kWall.r, 2);
+}
+
+}  // namespace
+}  // namespace roomcast

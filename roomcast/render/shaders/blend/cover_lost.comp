@@ -1,0 +1,109 @@
+// A thing that gives no reading (a dark monitor) stands where the colour camera sees something else than the background
+// that was read there before. It gets the distance of what is around it and nearer than that background: who carries it,
+// its frame; with nothing of the kind around, it hangs on the background.
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D newest_m;
+layout(binding = 3) uniform usampler2D seen;
+layout(binding = 4) uniform usampler2D verdict;    // judge_lost.comp
+layout(binding = 6) uniform sampler2D background;  // metres, readings
+layout(r32f, binding = 0) writeonly uniform image2D depth_out;
+layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is to be shown
+
+const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
+const int kAround = 2, kLeastOthers = 13;  // of 25 pixels: what is smaller comes and goes at every edge
+const int kReach = 64;
+const float kBefore_m = 0.1, kBeforePer_m = 0.03;
+
+// Around the pixel: where something else is seen than the background, and where that.
+ivec2 others_and_same(ivec2 pixel, ivec2 size) {
+  int others = 0, same = 0;
+  for (int y = max(pixel.y - kAround, 0); y <= min(pixel.y + kAround, size.y - 1); ++y) {
+    for (int x = max(pixel.x - kAround, 0); x <= min(pixel.x + kAround, size.x - 1); ++x) {
+      uint there = texelFetch(verdict, ivec2(x, y), 0).r;
+      others += there == kOther ? 1 : 0;
+      same += there == kSame ? 1 : 0;
+    }
+  }
+  return ivec2(others, same);
+}
+
+// The next reading in a direction, metres and pixels away; 0 where there is none.
+vec2 next_reading(ivec2 pixel, ivec2 step, ivec2 size) {
+  for (int i = 1; i <= kReach; ++i) {
+    ivec2 at = pixel + i * step;
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) break;
+    float z = texelFetch(newest_m, at, 0).r;
+    if (z > 0.0) return vec2(z, float(i) * length(vec2(step)));
+  }
+  return vec2(0.0);
+}
+
+// A thing that gives a reading here and there: how far it is between readings, nearer than the background, at three
+// corners that agree; 0: there are none, or the pixel lies beside them.
+const int kNear = 7, kCorners = 3;
+
+float between_readings(ivec2 pixel, ivec2 size) {
+  float behind = texelFetch(background, pixel, 0).x;
+  if (behind == 0.0) return 0.0;
+  float before = behind - kBefore_m - kBeforePer_m * behind;
+  int corners = 0;
+  float sum = 0.0, nearest = 1.0e9, farthest = 0.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    ivec2 away = 2 * ivec2(corner & 1, corner >> 1) - 1;
+    for (int i = 0; i < kNear * kNear; ++i) {
+      ivec2 at = pixel + away * ivec2(1 + i % kNear, 1 + i / kNear);
+      if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
+      float z = texelFetch(newest_m, at, 0).r;
+      if (z == 0.0 || z > before) continue;
+      sum += z;
+      nearest = min(nearest, z);
+      farthest = max(farthest, z);
+      ++corners;
+      break;
+    }
+  }
+  bool agree = corners >= kCorners && farthest - nearest < kBefore_m + kBeforePer_m * farthest;
+  return agree ? sum / float(corners) : 0.0;
+}
+
+float distance_around(ivec2 pixel, ivec2 size) {
+  float behind = texelFetch(background, pixel, 0).x;
+  float before = behind - kBefore_m - kBeforePer_m * behind;
+  float sum = 0.0, weights = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 step = ivec2(i % 3, i / 3) - 1;
+    if (step == ivec2(0)) continue;
+    vec2 next = next_reading(pixel, step, size);
+    if (next.x == 0.0 || next.x > before) continue;
+    float weight = 1.0 / (next.y * next.y);
+    sum += weight * next.x;
+    weights += weight;
+  }
+  return weights > 0.0 ? sum / weights : behind;
+}
+
+// 0: it is not covered.
+float distance_of_cover(ivec2 pixel, ivec2 size) {
+  uint lost = texelFetch(verdict, pixel, 0).r;
+  if (lost == kNothingLost) return 0.0;
+  ivec2 seen_around = others_and_same(pixel, size);
+  float between = 2 * seen_around.x > seen_around.y ? between_readings(pixel, size) : 0.0;
+  if (between > 0.0) return between;
+  bool is_patch = lost == kOther && seen_around.x >= kLeastOthers && seen_around.x > 2 * seen_around.y;
+  return is_patch ? distance_around(pixel, size) : 0.0;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(depth_out);
+  if (any(greaterThanEqual(pixel, size))) return;
+  float z = texelFetch(newest_m, pixel, 0).r;
+  uint is_seen = texelFetch(seen, pixel, 0).r;
+  if (z == 0.0) {
+    z = distance_of_cover(pixel, size);
+    if (z > 0.0) is_seen = 255u;
+  }
+  imageStore(depth_out, pixel, vec4(z));
+  imageStore(seen_out, pixel, uvec4(is_seen));
+}

@@ -1,0 +1,50 @@
+// Where a reading is missing before a remembered background: does the colour camera still see that background there?
+// Shadows and a camera's exposure make a surface darker or lighter, not another one, so brightness may differ by much.
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D newest_m;
+layout(binding = 2) uniform sampler2D color;             // the newest; without a reading what was seen there last
+layout(binding = 5) uniform sampler2D background_color;  // its alpha: the mean of how many
+layout(binding = 6) uniform sampler2D background;        // metres, readings
+layout(binding = 7) uniform sampler2D steadiness;        // remember_background.comp
+layout(r8ui, binding = 0) writeonly uniform uimage2D verdict;
+
+layout(location = 0) uniform int color_shift;  // how often the depth grid doubles to that of colour
+
+const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
+const float kEnoughReadings = 8.0;
+const float kSteady = 0.8;  // where readings come and go, one that misses means nothing
+const float kEnoughColors = 2.0;
+// Brightness, 0..1 as displays show it, as a share of the background's.
+const float kDarkest = 0.75, kLightest = 1.35, kNoise = 0.03;
+// Of colours divided by their brightness, where there is light enough to tell.
+const float kOtherHue = 0.15, kEnoughLight = 0.12;
+
+float brightness(vec3 rgb) { return dot(rgb, vec3(1.0 / 3.0)); }
+
+bool is_other(vec3 now, vec3 known) {
+  float light_now = brightness(now), light_known = brightness(known);
+  if (light_now < kDarkest * light_known - kNoise || light_now > kLightest * light_known + kNoise) return true;
+  if (min(light_now, light_known) < kEnoughLight) return false;
+  return distance(now / light_now, known / light_known) > kOtherHue;
+}
+
+uint judged(ivec2 pixel) {
+  if (texelFetch(newest_m, pixel, 0).r > 0.0 || texelFetch(background, pixel, 0).y < kEnoughReadings) return kNothingLost;
+  if (texelFetch(steadiness, pixel, 0).r < kSteady) return kNothingLost;
+  vec3 now = vec3(0.0), known = vec3(0.0);
+  for (int i = 0; i < 1 << (2 * color_shift); ++i) {
+    ivec2 at = (pixel << color_shift) + ivec2(i & 1, i >> 1);
+    vec4 mean = texelFetch(background_color, at, 0);
+    if (mean.a < kEnoughColors) return kNothingLost;
+    now += texelFetch(color, at, 0).rgb;
+    known += mean.rgb;
+  }
+  float count = float(1 << (2 * color_shift));
+  return is_other(now / count, known / count) ? kOther : kSame;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (all(lessThan(pixel, imageSize(verdict)))) imageStore(verdict, pixel, uvec4(judged(pixel)));
+}
