@@ -180,6 +180,12 @@ TEST_F(RoomTest, nobody_else_nudges) {
             pb::ERROR_UNEXPECTED);
 }
 
+TEST_F(RoomTest, an_aligner_passes_on_a_nudge_from_another_hub) {
+  const auto aligner = enter(aligner_join());
+  EXPECT_EQ(messages(room.control(aligner, nudge_message(), at(1s)), pb::Control::kNudge).size(),
+            1u);
+}
+
 TEST_F(RoomTest, only_a_sensor_can_say_that_it_was_moved) {
   const auto viewer = enter(viewer_join());
   EXPECT_EQ(all<Disconnect>(room.control(viewer, moved_message(), at(1s))).at(0).code,

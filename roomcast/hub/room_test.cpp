@@ -125,6 +125,32 @@ TEST_F(RoomTest, frames_from_strangers_or_under_another_id_or_from_the_future_en
       pb::ERROR_MALFORMED);
 }
 
+TEST_F(RoomTest, what_a_frame_would_be_refused_for_is_known_before_it_goes_to_other_hubs) {
+  const auto sensor = enter(sensor_join("left"));
+  const wire::FrameHeader own{.sensor = SensorId{0}, .capture_time = at(0s)};
+  const wire::FrameHeader anothers{.sensor = SensorId{1}, .capture_time = at(0s)};
+  EXPECT_FALSE(room.fault_of(sensor, own, at(0s)).has_value());
+  EXPECT_EQ(room.fault_of(sensor, anothers, at(0s))->code, pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(room.fault_of(ConnectionId{99}, own, at(0s))->code, pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(room.online_sensor_count(), 1u) << "asking changes nothing";
+}
+
+TEST_F(RoomTest, sensors_and_viewers_are_told_where_else_the_room_is_now_and_when_they_come) {
+  const auto sensor = enter(sensor_join("left"));
+  pb::Join join;
+  join.mutable_aligner();
+  const auto speaker = enter(join);
+  pb::Control others;
+  others.mutable_other_hubs()->add_urls("wss://b");
+  const auto told = messages(room.control(speaker, others, at(1s)), pb::Control::kOtherHubs);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0].to, UnorderedElementsAre(sensor));
+  const auto viewer = enter(viewer_join());
+  ASSERT_EQ(messages(actions, pb::Control::kOtherHubs).size(), 1u);
+  EXPECT_EQ(all<Disconnect>(room.control(viewer, others, at(1s))).at(0).code, pb::ERROR_UNEXPECTED)
+      << "a viewer sends nobody elsewhere";
+}
+
 pb::Control pose_message(float x) {
   pb::Control control;
   control.mutable_viewer_pose()->set_viewer_id(12345);  // a lie; the hub knows better
