@@ -34,11 +34,6 @@ double megabytes(std::size_t bytes) {
   return static_cast<double>(bytes) / 1e6;
 }
 
-struct Round {
-  std::vector<double> quiet_ms, attacked_ms;
-  std::uint64_t tried = 0;
-};
-
 /// Until the attack is felt, and a little longer.
 Status wait_for(const Attack& attack, Load& load, const AbuseBenchOptions& options) {
   constexpr int kPatience = 20;  // looks
@@ -49,24 +44,50 @@ Status wait_for(const Attack& attack, Load& load, const AbuseBenchOptions& optio
   return Error{ErrorCode::kUnavailable, "the attacker got no time to attack"};
 }
 
-/// Peace, then the attack. Viewers of their own each time: they do not answer pings, and a hub
-/// gives them up after 15 s.
-Result<Round> run_round(AttackKind kind, const RunningEngine& hub, const FanoutRoom& room,
-                        const AbuseBenchOptions& options) {
+struct Phase {
+  std::vector<double> latencies_ms;
+  std::uint64_t tried = 0;  // connections of the attacker
+};
+
+/// Viewers of their own each time: they do not answer pings, and a hub gives them up after 15 s.
+Result<std::unique_ptr<Load>> warm_load(const RunningEngine& hub, const FanoutRoom& room,
+                                        const AbuseBenchOptions& options) {
   auto load = Load::connect(hub, room, kPublishers, options.viewers);
   if (!load) return load.error();
   if (auto status = (*load)->warm_up(); !status) return status.error();
-  auto quiet = (*load)->run_paced(kFps, options.duration);
-  if (!quiet) return quiet.error();
+  return load;
+}
+
+Result<Phase> run_in_peace(const RunningEngine& hub, const FanoutRoom& room,
+                           const AbuseBenchOptions& options) {
+  auto load = warm_load(hub, room, options);
+  if (!load) return load.error();
+  auto paced = (*load)->run_paced(kFps, options.duration);
+  if (!paced) return paced.error();
+  return Phase{std::move(paced->latencies_ms), 0};
+}
+
+Result<Phase> run_under_attack(AttackKind kind, const RunningEngine& attacked,
+                               const RunningEngine& hub, const FanoutRoom& room,
+                               const AbuseBenchOptions& options) {
+  auto load = warm_load(hub, room, options);
+  if (!load) return load.error();
   const int connections =
       kind == AttackKind::kBadTokens ? options.bad_tokens / options.rounds : options.connections;
-  const Attack attack(kind, hub.process.port(), connections);
+  const Attack attack(kind, attacked.process.port(), connections);
   if (auto status = wait_for(attack, **load, options); !status) return status.error();
-  auto attacked = (*load)->run_paced(kFps, options.duration);
-  if (!attacked) return attacked.error();
+  auto paced = (*load)->run_paced(kFps, options.duration);
+  if (!paced) return paced.error();
   while (kind == AttackKind::kBadTokens && !attack.is_over()) std::this_thread::sleep_for(kLook);
-  return Round{std::move(quiet->latencies_ms), std::move(attacked->latencies_ms),
-               attack.counts().tried};
+  return Phase{std::move(paced->latencies_ms), attack.counts().tried};
+}
+
+double p99_of(const std::vector<double>& values) {
+  return quantile(values, 0.99);
+}
+
+void append(const std::vector<double>& values, std::vector<double>& all) {
+  all.insert(all.end(), values.begin(), values.end());
 }
 
 Result<AbuseRow> measure(AttackKind kind, const AbuseBenchOptions& options) {
@@ -74,24 +95,34 @@ Result<AbuseRow> measure(AttackKind kind, const AbuseBenchOptions& options) {
   room.fps = kFps;
   const auto hub = make_hub(false)->start(room);
   if (!hub) return hub.error();
+  const auto other = make_hub(false)->start(room);
+  if (!other) return other.error();
   AbuseRow row;
   row.attack = name_of(kind);
   row.rss_before_mb = megabytes(hub->process.resident_bytes());
-  std::vector<double> quiet, attacked, ratios;
+  std::vector<double> quiet, beside, attacked, ratios, ratios_beside;
   for (int i = 0; i < options.rounds; ++i) {
-    const auto round = run_round(kind, *hub, room, options);
-    if (!round) return round.error();
-    ratios.push_back(quantile(round->attacked_ms, 0.99) / quantile(round->quiet_ms, 0.99));
-    quiet.insert(quiet.end(), round->quiet_ms.begin(), round->quiet_ms.end());
-    attacked.insert(attacked.end(), round->attacked_ms.begin(), round->attacked_ms.end());
-    row.tried += round->tried;
+    const auto peace = run_in_peace(*hub, room, options);
+    if (!peace) return peace.error();
+    const auto bystander = run_under_attack(kind, *other, *hub, room, options);
+    if (!bystander) return bystander.error();
+    const auto target = run_under_attack(kind, *hub, *hub, room, options);
+    if (!target) return target.error();
+    ratios.push_back(p99_of(target->latencies_ms) / p99_of(peace->latencies_ms));
+    ratios_beside.push_back(p99_of(target->latencies_ms) / p99_of(bystander->latencies_ms));
+    append(peace->latencies_ms, quiet);
+    append(bystander->latencies_ms, beside);
+    append(target->latencies_ms, attacked);
+    row.tried += target->tried;
     row.rss_most_mb = std::max(row.rss_most_mb, megabytes(hub->process.resident_bytes()));
   }
   row.p50_quiet_ms = quantile(quiet, 0.5);
-  row.p99_quiet_ms = quantile(quiet, 0.99);
+  row.p99_quiet_ms = p99_of(quiet);
+  row.p99_beside_ms = p99_of(beside);
   row.p50_ms = quantile(attacked, 0.5);
-  row.p99_ms = quantile(attacked, 0.99);
+  row.p99_ms = p99_of(attacked);
   row.p99_ratio = quantile(ratios, 0.5);
+  row.p99_ratio_beside = quantile(ratios_beside, 0.5);
   return row;
 }
 
@@ -110,12 +141,14 @@ Result<std::vector<AbuseRow>> run_abuse_bench(
 }
 
 void print_table(const std::vector<AbuseRow>& rows, std::ostream& out) {
-  out << fmt::format("{:12}{:>9}{:>14}{:>14}{:>8}{:>12}{:>12}\n", "attack", "tried", "p99 in peace",
-                     "p99 attacked", "ratio", "RSS before", "RSS most");
+  out << fmt::format("{:12}{:>8}{:>14}{:>15}{:>14}{:>10}{:>11}{:>12}{:>11}\n", "attack", "tried",
+                     "p99 in peace", "other attacked", "p99 attacked", "to peace", "to other",
+                     "RSS before", "RSS most");
   for (const AbuseRow& row : rows) {
-    out << fmt::format("{:12}{:>9}{:>11.2f} ms{:>11.2f} ms{:>8.2f}{:>9.1f} MB{:>9.1f} MB\n",
-                       row.attack, row.tried, row.p99_quiet_ms, row.p99_ms, row.p99_ratio,
-                       row.rss_before_mb, row.rss_most_mb);
+    out << fmt::format(
+        "{:12}{:>8}{:>11.2f} ms{:>12.2f} ms{:>11.2f} ms{:>10.2f}{:>11.2f}{:>9.1f} MB{:>8.1f} MB\n",
+        row.attack, row.tried, row.p99_quiet_ms, row.p99_beside_ms, row.p99_ms, row.p99_ratio,
+        row.p99_ratio_beside, row.rss_before_mb, row.rss_most_mb);
   }
 }
 
@@ -125,9 +158,11 @@ void print_json(const std::vector<AbuseRow>& rows, std::ostream& out) {
     list.push_back({{"attack", row.attack},
                     {"p50_quiet_ms", row.p50_quiet_ms},
                     {"p99_quiet_ms", row.p99_quiet_ms},
+                    {"p99_beside_ms", row.p99_beside_ms},
                     {"p50_ms", row.p50_ms},
                     {"p99_ms", row.p99_ms},
                     {"p99_ratio", row.p99_ratio},
+                    {"p99_ratio_beside", row.p99_ratio_beside},
                     {"tried", row.tried},
                     {"rss_before_mb", row.rss_before_mb},
                     {"rss_most_mb", row.rss_most_mb}});

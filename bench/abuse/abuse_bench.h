@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // `roomcast bench abuse`: what those who are in a room notice when others try to wear its hub down.
-// Four publishers at 30 frames a second and some viewers, first in peace and then under attack, in
-// turns; latency is from before a frame is sent to its last byte at a viewer. The hub runs in a
-// process of its own; load and attacker share this one and the machine with it.
+// Four publishers at 30 frames a second and some viewers: in peace, while another hub on the same
+// machine is attacked, and while this one is, in turns. What the second shows an attacker takes
+// from the machine, and no hub can give back. Latency is from before a frame is sent to its last
+// byte at a viewer. Each hub runs in a process of its own; load and attacker share this one and the
+// machine with them.
 #pragma once
 
 #include <chrono>
@@ -26,8 +28,10 @@ struct AbuseBenchOptions {
 struct AbuseRow {
   std::string attack;
   double p50_quiet_ms = 0, p99_quiet_ms = 0;
+  double p99_beside_ms = 0;                   // while another hub is attacked
   double p50_ms = 0, p99_ms = 0;              // under attack
   double p99_ratio = 0;                       // median over rounds of attack over peace
+  double p99_ratio_beside = 0;                // and of attack over that on the other hub
   std::uint64_t tried = 0;                    // connections of the attacker
   double rss_before_mb = 0, rss_most_mb = 0;  // of the hub
 };

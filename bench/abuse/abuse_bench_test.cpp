@@ -18,7 +18,9 @@ TEST(AbuseBench, measures_every_attack) {
   ASSERT_EQ(rows->size(), 4U);
   for (const AbuseRow& row : *rows) {
     EXPECT_GT(row.p99_quiet_ms, 0) << row.attack;
+    EXPECT_GT(row.p99_beside_ms, 0) << row.attack;
     EXPECT_GT(row.p99_ms, 0) << row.attack;
+    EXPECT_GT(row.p99_ratio_beside, 0) << row.attack;
     EXPECT_GT(row.tried, 0U) << row.attack;
     EXPECT_GT(row.rss_most_mb, 0) << row.attack;
   }
