@@ -95,7 +95,7 @@ const std::vector<Layer> kLayers = {
     {"web/wasm",                         {"roomcast/core", "roomcast/codec"}},
     {"bench",                            {"roomcast"}},
     {"fuzz",                             {"roomcast/core", "roomcast/geometry", "roomcast/codec", "roomcast/wire",
-                                          "roomcast/net", "roomcast/recording", "roomcast/recording/mcap"}},
+                                          "roomcast/net", "roomcast/recording", "roomcast/recording/mcap", "roomcast/cluster"}},
     {"roomcast/cli",                     {"roomcast", "bench"}},
 };
 // clang-format on

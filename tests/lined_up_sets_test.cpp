@@ -28,6 +28,9 @@ constexpr double kPeriod_s = 1.0 / 30;
 constexpr double kJitter_s = 0.002;  // of the recording's stamps, either way
 constexpr int kRounds = 20;
 constexpr double kStall_s = 0.1;
+// Of the 46 sets of a round four lack a frame that was dropped, and two a sensor that begins later
+// than the others or has ended before them.
+constexpr double kWholeSets = 0.98 * 40 / 46;
 
 fs::path house() {
   const char* data = std::getenv("ROOMCAST_DATA");
@@ -183,8 +186,8 @@ TEST_F(LinedUpSets, frames_of_one_instant_meet_although_clocks_are_seconds_apart
   EXPECT_GE(delivered + 3, frames.size()) << "none was lost; the last set is still open";
 
   const auto skews = skews_s(sets, 3);
-  EXPECT_GT(static_cast<double>(skews.size()), 0.9 * static_cast<double>(sets.size()))
-      << "sensors that drop a frame are missing in one set, and nobody else is";
+  EXPECT_GT(static_cast<double>(skews.size()), kWholeSets * static_cast<double>(sets.size()))
+      << "who drops a frame is missing in one set, and nobody else is";
   EXPECT_LT(percentile(skews, 0.95), kPeriod_s);
   EXPECT_LT(percentile(skews, 1), kPeriod_s + 2 * kJitter_s);
   RecordProperty("skew_p50_us", static_cast<int>(1e6 * percentile(skews, 0.5)));
@@ -209,7 +212,7 @@ TEST_P(AfterAStall, the_sensor_is_in_time_again) {
   auto sets = hub.run(frames);
   std::erase_if(sets, [&](const ClosedSet& set) { return set.closed_s < stall_s + 1; });
   const auto skews = skews_s(sets, 3);
-  EXPECT_GT(static_cast<double>(skews.size()), 0.9 * static_cast<double>(sets.size()));
+  EXPECT_GT(static_cast<double>(skews.size()), kWholeSets * static_cast<double>(sets.size()));
   EXPECT_LT(percentile(skews, 0.95), kPeriod_s);
 }
 
