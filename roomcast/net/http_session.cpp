@@ -303,6 +303,8 @@ void HttpSession::upgrade() {
   }
   auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
   abort_after(options_->response_within);
+  // Who has our word is a WebSocket already, and is told by a worker when all are ended.
+  origins_.lease->end_with({});
   http::async_write(stream_, *response,
                     [self = shared_from_this(), response](ErrorCode error, std::size_t) {
                       if (error || !self->stream_.is_open()) return self->abort();
