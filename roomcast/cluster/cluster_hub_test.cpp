@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/cluster/nats_server_fixture.h"
-#include "roomcast/hub/hub_server_fixture.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/mirror/clients_of_hubs_fixture.h"
 
 namespace roomcast::cluster {
 namespace {
@@ -32,58 +31,16 @@ hub::HubOptions sharing_over(const NatsServer& server, const std::string& public
   return options;
 }
 
-class ClusterHubTest : public testing::Test {
+class ClusterHubTest : public mirror::ClientsOfHubs {
  protected:
   void SetUp() override {
     if (!NatsServer::is_installed()) GTEST_SKIP() << "nats-server is not installed";
-  }
-  std::shared_ptr<hub::RawClient> join(const RunningHub& hub, const wpb::Control& message) {
-    auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
-    net::connect(io, {.host = "127.0.0.1", .port = hub.port()}, {}, [=, this](auto socket) {
-      ASSERT_TRUE(socket.ok());
-      (*socket)->start(client);
-      sockets.push_back(*socket);
-    });
-    run_until([&] { return !client->heard.empty(); });
-    return client;
-  }
-  void run_until(const std::function<bool()>& done) {
-    const auto give_up = std::chrono::steady_clock::now() + 5s;
-    while (!done() && io.run_one_until(give_up) > 0) {
-    }
-    ASSERT_TRUE(done()) << "nothing happened in 5 s";
-  }
-  void send_until_seen(const std::shared_ptr<hub::RawClient>& sensor,
-                       const std::shared_ptr<hub::RawClient>& viewer) {
-    const auto seen = viewer->frames.size();
-    boost::asio::steady_timer pace(io);
-    std::function<void()> send = [&] {
-      sensor->say(hub::key_frame(seq++));
-      sockets.front()->wake();
-      pace.expires_after(10ms);
-      pace.async_wait([&](boost::system::error_code error) {
-        if (!error) send();
-      });
-    };
-    send();
-    run_until([&] { return viewer->frames.size() > seen; });
-    pace.cancel();
-    io.poll();
   }
   static bool shows_online(const hub::RawClient& viewer) {
     const auto& last = viewer.heard.back();
     return last.has_roster() && last.roster().sensors_size() == 1 &&
            last.roster().sensors(0).online();
   }
-  /// Else the hubs would wait for an answer to their goodbyes.
-  void part() {
-    for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
-    io.run_for(100ms);
-  }
-
-  boost::asio::io_context io;
-  std::vector<std::shared_ptr<net::WebSocketConnection>> sockets;
-  std::uint32_t seq = 0;
 };
 
 TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {

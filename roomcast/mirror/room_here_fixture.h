@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/hub/hub_server_fixture.h"
 #include "roomcast/hub/session.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -43,15 +44,6 @@ struct RoomHere final : hub::SessionEvents {
   std::vector<ConnectionId> left;
 };
 
-inline void set_camera(pb::Intrinsics& camera) {
-  camera.set_width(512);
-  camera.set_height(424);
-  camera.set_fx(360);
-  camera.set_fy(360);
-  camera.set_cx(256);
-  camera.set_cy(212);
-}
-
 inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
                                     pb::Placement placement = pb::PLACEMENT_GIVEN) {
   pb::SensorEntry entry;
@@ -60,8 +52,8 @@ inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
   entry.set_online(true);
   entry.set_fps(30);
   entry.set_placement(placement);
-  set_camera(*entry.mutable_calibration()->mutable_depth());
-  set_camera(*entry.mutable_calibration()->mutable_color());
+  hub::set_camera(*entry.mutable_calibration()->mutable_depth());
+  hub::set_camera(*entry.mutable_calibration()->mutable_color());
   for (int i = 0; i < 16; ++i) {
     entry.mutable_calibration()->add_color_from_depth(i % 5 == 0 ? 1 : 0);
   }

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/hub/hub_server_fixture.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/mirror/clients_of_hubs_fixture.h"
 
 namespace roomcast::upstream {
 namespace {
@@ -28,47 +27,8 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
   return options;
 }
 
-class UpstreamHubTest : public testing::Test {
+class UpstreamHubTest : public mirror::ClientsOfHubs {
  protected:
-  std::shared_ptr<hub::RawClient> join(const RunningHub& hub, const pb::Control& message) {
-    auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
-    net::connect(io, {.host = "127.0.0.1", .port = hub.port()}, {}, [=, this](auto socket) {
-      ASSERT_TRUE(socket.ok());
-      (*socket)->start(client);
-      sockets.push_back(*socket);
-    });
-    run_until([&] { return !client->heard.empty(); });
-    return client;
-  }
-  void run_until(const std::function<bool()>& done) {
-    const auto give_up = std::chrono::steady_clock::now() + 5s;
-    while (!done() && io.run_one_until(give_up) > 0) {
-    }
-    ASSERT_TRUE(done()) << "nothing happened in 5 s";
-  }
-  /// Key frames until `viewer` has got one.
-  void send_until_seen(const std::shared_ptr<hub::RawClient>& sensor,
-                       const std::shared_ptr<hub::RawClient>& viewer) {
-    const auto seen = viewer->frames.size();
-    boost::asio::steady_timer pace(io);
-    std::function<void()> send = [&] {
-      sensor->say(hub::key_frame(seq++));
-      sockets.front()->wake();
-      pace.expires_after(10ms);
-      pace.async_wait([&](boost::system::error_code error) {
-        if (!error) send();
-      });
-    };
-    send();
-    run_until([&] { return viewer->frames.size() > seen; });
-    pace.cancel();
-    io.poll();
-  }
-  /// Else the hubs would wait for an answer to their goodbyes.
-  void part() {
-    for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
-    io.run_for(100ms);
-  }
   static std::vector<std::string> viewers_in(const hub::RawClient& client) {
     std::vector<std::string> names;
     for (const auto& message : client.heard) {
@@ -78,10 +38,6 @@ class UpstreamHubTest : public testing::Test {
     }
     return names;
   }
-
-  boost::asio::io_context io;
-  std::vector<std::shared_ptr<net::WebSocketConnection>> sockets;
-  std::uint32_t seq = 0;
 };
 
 TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {

@@ -6,18 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/align/made_up_room.h"
+#include "roomcast/align/view/seen_corner_fixture.h"
 #include "roomcast/align/view/texture.h"
 
 namespace roomcast::align {
 namespace {
-
-const RigidTransform kPose = corner_pose(2, 1.5);
-
-struct Seen {
-  CalibrationBundle bundle = made_up_bundle({}, "s", kPose);
-  DepthSurface surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
-  ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
-};
 
 TEST(ColorPicture, large_pictures_are_made_smaller_and_keep_their_geometry) {
   Seen seen;

@@ -8,17 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/align/made_up_room.h"
+#include "roomcast/align/view/seen_corner_fixture.h"
 
 namespace roomcast::align {
 namespace {
-
-const RigidTransform kPose = corner_pose(2, 1.5);
-
-struct Seen {
-  CalibrationBundle bundle = made_up_bundle({}, "s", kPose);
-  DepthSurface surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
-  ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
-};
 
 TEST(Lift, lifts_a_pixel_to_the_surface_that_is_seen_there) {
   const Seen seen;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of hubs that show each other's sensors: clients of several running hubs on one loop.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/hub_server_fixture.h"
+#include "roomcast/hub/running_hub.h"
+
+namespace roomcast::mirror {
+
+class ClientsOfHubs : public testing::Test {
+ protected:
+  using Client = std::shared_ptr<hub::RawClient>;
+
+  Client join(const hub::RunningHub& hub, const wire::pb::Control& message) {
+    auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
+    net::connect(io, {.host = "127.0.0.1", .port = hub.port()}, {}, [=, this](auto socket) {
+      ASSERT_TRUE(socket.ok());
+      (*socket)->start(client);
+      sockets.push_back(*socket);
+    });
+    run_until([&] { return !client->heard.empty(); });
+    return client;
+  }
+
+  void run_until(const std::function<bool()>& done) {
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (!done() && io.run_one_until(give_up) > 0) {
+    }
+    ASSERT_TRUE(done()) << "nothing happened in 5 s";
+  }
+
+  /// Key frames until `viewer` has got one.
+  void send_until_seen(const Client& sensor, const Client& viewer) {
+    const auto seen = viewer->frames.size();
+    boost::asio::steady_timer pace(io);
+    std::function<void()> send = [&] {
+      sensor->say(hub::key_frame(seq++));
+      sockets.front()->wake();
+      pace.expires_after(std::chrono::milliseconds(10));
+      pace.async_wait([&](boost::system::error_code error) {
+        if (!error) send();
+      });
+    };
+    send();
+    run_until([&] { return viewer->frames.size() > seen; });
+    pace.cancel();
+    io.poll();
+  }
+
+  /// Else the hubs would wait for an answer to their goodbyes.
+  void part() {
+    for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
+    io.run_for(std::chrono::milliseconds(100));
+  }
+
+  boost::asio::io_context io;
+  std::vector<std::shared_ptr<net::WebSocketConnection>> sockets;
+  std::uint32_t seq = 0;
+};
+
+}  // namespace roomcast::mirror
