@@ -55,11 +55,42 @@ void print_json(const std::vector<AlignRow>& rows, std::ostream& out) {
   out << json_of(rows).dump(1) << "\n";
 }
 
+namespace {
+
+void print_scenes(const std::vector<SceneRow>& rows, std::ostream& out) {
+  out << fmt::format(
+      "\nOf the pairs that share more than {:.0f} %, and of those without an answer:\n",
+      100 * kSharesEnough);
+  out << fmt::format("{:<14} {:<8} {:>6} {:>6} {:>8} {:>6}\n", "scene", "overlap", "pairs", "right",
+                     "refused", "wrong");
+  for (const SceneRow& row : rows) {
+    out << fmt::format("{:<14} {:<8} {:>6} {:>6} {:>8} {:>6}\n", row.scene, row.overlap, row.pairs,
+                       row.right, row.refused, row.wrong);
+  }
+}
+
+nlohmann::json json_of(const std::vector<SceneRow>& rows) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const SceneRow& row : rows) {
+    json.push_back({{"scene", row.scene},
+                    {"overlap", row.overlap},
+                    {"pairs", row.pairs},
+                    {"right", row.right},
+                    {"refused", row.refused},
+                    {"wrong", row.wrong}});
+  }
+  return json;
+}
+
+}  // namespace
+
 void print_table(const FreshSuite& suite, std::ostream& out) {
   const ErrorRatios &distances = suite.distance_ratios(), &angles = suite.angle_ratios();
   print_table(suite.rows(), out);
+  print_scenes(suite.scenes(), out);
   out << fmt::format(
-      "\n{} pairs in {} rooms, overlap \"none\": sensors of different rooms (right: refused)\n"
+      "\n{} pairs in {} rooms; overlap \"none\": sensors of different rooms, \"alike\": of "
+      "different rooms of the same kind (right: refused)\n"
       "of {} pairs that share more than {:.0f} %, {} were answered\n"
       "calibration of {} placed sensors: {:.0f} % err by at most twice the millimetres expected "
       "(median {:.2f} of them), {:.0f} % by at most twice the degrees (median {:.2f})\n",
@@ -70,6 +101,7 @@ void print_table(const FreshSuite& suite, std::ostream& out) {
 
 void print_json(const FreshSuite& suite, std::ostream& out) {
   nlohmann::json json = json_of(suite.rows());
+  json["scenes"] = json_of(suite.scenes());
   json["rooms"] = suite.rooms();
   json["pairs"] = suite.pairs();
   json["sharing"] = suite.sharing();

@@ -9,7 +9,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr const char* kNoAnswer = "none";
+constexpr const char *kOtherRooms = "none", *kRoomsOfOneKind = "alike";
 
 std::string overlap_class(double overlap) {
   if (overlap > 0.6) return ">60 %";
@@ -41,8 +41,8 @@ void AlignTally::add(const AlignCase& pair, const AlignAnswer& answer) {
   of_overlap.translations_mm.push_back(1000 * error.distance_m);
 }
 
-void AlignTally::add_unanswerable(const AlignAnswer& answer) {
-  AlignRow& row = classes_[kNoAnswer].row;
+void AlignTally::add_unanswerable(const AlignAnswer& answer, Unanswerable why) {
+  AlignRow& row = classes_[why == Unanswerable::kOtherRooms ? kOtherRooms : kRoomsOfOneKind].row;
   ++row.pairs;
   row.accepted += answer.has_value();
   row.accepted_wrong += answer.has_value();
@@ -52,7 +52,8 @@ void AlignTally::add_unanswerable(const AlignAnswer& answer) {
 std::vector<AlignRow> AlignTally::rows(const std::string& input, const std::string& method,
                                        double cpu_s_per_pair) const {
   std::vector<AlignRow> rows;
-  for (const char* overlap : {">60 %", "30-60 %", "10-30 %", "<10 %", kNoAnswer}) {
+  for (const char* overlap :
+       {">60 %", "30-60 %", "10-30 %", "<10 %", kOtherRooms, kRoomsOfOneKind}) {
     const auto found = classes_.find(overlap);
     if (found == classes_.end()) continue;
     AlignRow row = found->second.row;

@@ -15,11 +15,14 @@ namespace roomcast::bench {
 /// a_from_b, or that there is none.
 using AlignAnswer = std::optional<RigidTransform>;
 
+/// Why a pair has no answer.
+enum class Unanswerable { kOtherRooms, kRoomsOfOneKind };
+
 class AlignTally {
  public:
   void add(const AlignCase& pair, const AlignAnswer& answer);
   /// A pair that has no answer: right when none is given.
-  void add_unanswerable(const AlignAnswer& answer);
+  void add_unanswerable(const AlignAnswer& answer, Unanswerable why);
 
   /// One for each class of overlap that there is.
   [[nodiscard]] std::vector<AlignRow> rows(const std::string& input, const std::string& method,

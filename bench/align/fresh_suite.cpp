@@ -19,19 +19,21 @@ namespace {
 
 constexpr std::size_t kOverlapPoints = 4000;
 
+/// How far the seeds of rooms that may look alike are from those of the rooms themselves.
+constexpr std::uint64_t kAnotherRoom = 1'000'000;
+
 /// A sensor of the rig under test.
 struct Entry {
   const SimulatedView* seen;
   bool native;  // of the room
 };
 
-std::vector<Entry> entries_of(const std::vector<SimulatedView>& room,
-                              const std::vector<SimulatedView>& strangers) {
+std::vector<Entry> entries_of(const FreshRig& rig) {
   std::vector<Entry> entries;
-  for (const SimulatedView& seen : room) {
+  for (const SimulatedView& seen : rig.room) {
     if (seen.view) entries.push_back({&seen, true});
   }
-  for (const SimulatedView& seen : strangers) {
+  for (const SimulatedView& seen : rig.strangers) {
     if (seen.view) entries.push_back({&seen, false});
   }
   return entries;
@@ -64,9 +66,8 @@ AlignAnswer answer(const align::SensorReport& a, const align::SensorReport& b) {
 
 }  // namespace
 
-void FreshSuite::add_room(const std::vector<SimulatedView>& room,
-                          const std::vector<SimulatedView>& strangers) {
-  const std::vector<Entry> entries = entries_of(room, strangers);
+void FreshSuite::add(const FreshRig& rig) {
+  const std::vector<Entry> entries = entries_of(rig);
   const std::clock_t start = std::clock();
   const align::AlignmentReport report = aligned(entries);
   cpu_s_ += double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -75,16 +76,12 @@ void FreshSuite::add_room(const std::vector<SimulatedView>& room,
   std::size_t origin_index = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (std::size_t j = i + 1; j < entries.size(); ++j) {
-      ++pairs_;
       const AlignAnswer found = answer(report.sensors[i], report.sensors[j]);
-      if (!entries[i].native || !entries[j].native) {
-        tally_.add_unanswerable(found);
-        continue;
+      if (entries[i].native && entries[j].native) {
+        count(case_of(entries[i], entries[j]), rig.scene, found);
+      } else if (entries[i].native || !rig.alike) {
+        count_unanswerable(rig, found);  // two strangers of one room: a pair of no interest
       }
-      const AlignCase pair = case_of(entries[i], entries[j]);
-      tally_.add(pair, found);
-      sharing_ += pair.overlap > kSharesEnough;
-      sharing_answered_ += pair.overlap > kSharesEnough && found;
     }
     if (!report.sensors[i].placed || !entries[i].native) continue;
     if (!origin) {
@@ -95,6 +92,22 @@ void FreshSuite::add_room(const std::vector<SimulatedView>& room,
     const AlignAnswer found = answer(report.sensors[origin_index], report.sensors[i]);
     judge_expected(report.sensors[i], *found, case_of(*origin, entries[i]).a_from_b);
   }
+}
+
+void FreshSuite::count(const AlignCase& pair, const std::string& scene, const AlignAnswer& found) {
+  ++pairs_;
+  tally_.add(pair, found);
+  if (!(pair.overlap > kSharesEnough)) return;
+  ++sharing_;
+  sharing_answered_ += found.has_value();
+  scenes_.of(scene).add(pair, found);
+}
+
+void FreshSuite::count_unanswerable(const FreshRig& rig, const AlignAnswer& found) {
+  ++pairs_;
+  const Unanswerable why = rig.alike ? Unanswerable::kRoomsOfOneKind : Unanswerable::kOtherRooms;
+  tally_.add_unanswerable(found, why);
+  scenes_.of(rig.scene).add_unanswerable(found, why);
 }
 
 std::vector<AlignRow> FreshSuite::rows() const {
@@ -116,26 +129,65 @@ double ErrorRatios::within_twice() const {
   return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, ratios.size()));
 }
 
+namespace {
+
+/// Makes the rigs, one after the other.
+class FreshRigs {
+ public:
+  explicit FreshRigs(const FreshSuiteOptions& options) : options_(options) {
+    scenes_ = options.scenes;
+    if (scenes_.empty()) scenes_.assign(sim::kSceneNames.begin(), sim::kSceneNames.end());
+  }
+
+  [[nodiscard]] std::string next_name() const {
+    return fmt::format("room {} ({}, seed {})", number_ + 1, scene(), seed());
+  }
+
+  Result<FreshRig> next() {
+    const auto room = sensors_of(seed());
+    if (!room) return room.error();
+    FreshRig rig{scene(), *room, {before_.begin(), before_.end()}, has_look_alikes()};
+    if (rig.alike) {
+      const auto elsewhere = sensors_of(seed() + kAnotherRoom);
+      if (!elsewhere) return elsewhere.error();
+      const auto count =
+          static_cast<std::ptrdiff_t>(std::min(options_.strangers, elsewhere->size()));
+      rig.strangers.assign(elsewhere->begin(), elsewhere->begin() + count);
+    }
+    before_.push_back(room->front());
+    if (before_.size() > options_.strangers) before_.pop_front();
+    ++number_;
+    return rig;
+  }
+
+ private:
+  [[nodiscard]] const std::string& scene() const { return scenes_[number_ % scenes_.size()]; }
+  [[nodiscard]] std::uint64_t seed() const { return options_.seed + number_; }
+  /// Every second time that a scene's turn comes, beginning with the first.
+  [[nodiscard]] bool has_look_alikes() const { return number_ / scenes_.size() % 2 == 0; }
+  [[nodiscard]] Result<std::vector<SimulatedView>> sensors_of(std::uint64_t seed) const {
+    return simulate_views({scene(), seed, options_.sensors, options_.frames, {}});
+  }
+
+  FreshSuiteOptions options_;
+  std::vector<std::string> scenes_;
+  std::size_t number_ = 0;
+  std::deque<SimulatedView> before_;  // the first sensors of the rooms before
+};
+
+}  // namespace
+
 Result<FreshSuite> run_fresh_suite(const FreshSuiteOptions& options,
                                    const BenchProgress& progress) {
   FreshSuite suite;
-  std::deque<SimulatedView> strangers;  // the first sensors of the rooms before
-  SimulatedViewsOptions room;
-  room.sensors = options.sensors;
-  room.frames = options.frames;
-  for (std::size_t number = 0; suite.pairs() < options.pairs; ++number) {
-    room.scene = sim::kSceneNames[number % sim::kSceneNames.size()];
-    room.seed = options.seed + number;
-    if (progress) {
-      progress(fmt::format("{} of {} pairs: making room {} ({}, seed {})", suite.pairs(),
-                           options.pairs, number + 1, room.scene, room.seed));
-    }
-    const auto views = simulate_views(room);
-    if (!views) return views.error();
-    if (progress) progress(fmt::format("{} of {} pairs: aligning", suite.pairs(), options.pairs));
-    suite.add_room(*views, {strangers.begin(), strangers.end()});
-    strangers.push_back(views->front());
-    if (strangers.size() > options.strangers) strangers.pop_front();
+  FreshRigs rigs(options);
+  while (suite.pairs() < options.pairs) {
+    const std::string done = fmt::format("{} of {} pairs: ", suite.pairs(), options.pairs);
+    if (progress) progress(done + "making " + rigs.next_name());
+    const auto rig = rigs.next();
+    if (!rig) return rig.error();
+    if (progress) progress(done + "aligning");
+    suite.add(*rig);
   }
   return suite;
 }

@@ -22,8 +22,9 @@ FreshSuite align_two_and_a_stranger() {
   elsewhere.looks = 7;
   const auto stranger = align::made_up_view(elsewhere, "far", align::corner_pose(-2, 1.5));
   FreshSuite suite;
-  suite.add_room({seen(align::first_corner()), seen(align::second_corner()), {nullptr, {}}},
-                 {seen(stranger)});
+  suite.add({"made-up",
+             {seen(align::first_corner()), seen(align::second_corner()), {nullptr, {}}},
+             {seen(stranger)}});
   return suite;
 }
 
@@ -46,6 +47,25 @@ TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
   EXPECT_EQ(suite.sharing_answered(), 1);
 }
 
+TEST(FreshSuite, counts_what_shares_enough_by_scene) {
+  const auto scenes = two_and_a_stranger().scenes();
+  ASSERT_EQ(scenes.size(), 2u);
+  EXPECT_EQ(scenes[0].scene, "made-up");
+  EXPECT_EQ(scenes[0].right, 1);
+  EXPECT_EQ(scenes[1].overlap, "none");
+  EXPECT_EQ(scenes[1].refused, 2);
+}
+
+TEST(FreshSuite, sensors_of_one_other_room_are_held_against_this_room_only) {
+  const SimulatedView here = seen(align::first_corner());
+  FreshSuite suite;
+  suite.add({"made-up", {here}, {seen(align::one_side()), seen(align::other_side())}, true});
+  EXPECT_EQ(suite.pairs(), 2);
+  ASSERT_EQ(suite.rows().size(), 1u);
+  EXPECT_EQ(suite.rows()[0].overlap, "alike");
+  EXPECT_EQ(suite.rows()[0].right, 2);
+}
+
 TEST(FreshSuite, judges_expected_errors) {
   const FreshSuite& suite = two_and_a_stranger();
   for (const ErrorRatios* ratios : {&suite.distance_ratios(), &suite.angle_ratios()}) {
@@ -65,7 +85,9 @@ TEST(FreshSuite, reports_as_json_and_as_a_table) {
   print_json(two_and_a_stranger(), json);
   print_table(two_and_a_stranger(), table);
   EXPECT_EQ(nlohmann::json::parse(json.str())["pairs"], 3);
+  EXPECT_EQ(nlohmann::json::parse(json.str())["scenes"][0]["scene"], "made-up");
   EXPECT_THAT(table.str(), testing::HasSubstr("3 pairs in 1 rooms"));
+  EXPECT_THAT(table.str(), testing::HasSubstr("made-up"));
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ struct AlignBenchCommand {
   std::vector<std::string> folders;
   std::string suite_name;
   bool json = false;
-  int rooms = 16;  // of corners, joins, walkers and boards
+  int rooms = 16;                   // of corners, joins, walkers and boards
+  std::vector<std::string> scenes;  // of fresh rooms, and where sensors are moved
   bench::FreshSuiteOptions suite;
   bench::CornersSuiteOptions corners;
   bench::JoinSuiteOptions join;
@@ -128,6 +129,7 @@ Status run(AlignBenchCommand command) {
       command.join.seed = command.suite.seed;
   command.board.rooms = command.walker.rooms = command.corners.rooms = command.join.rooms =
       command.rooms;
+  command.suite.scenes = command.moved.scenes = command.scenes;
   StatusLine line;
   const auto show = [&](std::string_view what) { line.show(what); };
   if (command.suite_name == "corners")
@@ -175,7 +177,7 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--minutes", values->moved.minutes, "moved: watched in each scene")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  command->add_option("--scene", values->moved.scenes, "moved: these only");
+  command->add_option("--scene", values->scenes, "fresh, moved: these only");
   command->add_option("--rooms", values->rooms, "corners, join, walker, board: how many")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
