@@ -6,6 +6,7 @@
 #include "roomcast/align/feature/picture_features.h"
 #include "roomcast/align/feature/rectified_features.h"
 #include "roomcast/align/feature/repeats.h"
+#include "roomcast/align/view/flat_normals.h"
 #include "roomcast/align/view/floor.h"
 
 namespace roomcast::align {
@@ -39,6 +40,7 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
                      " sees nothing but one flat surface; turn it so that a corner or furniture "
                      "comes into its view"};
   }
+  flatten_normals(planes, surface);
   auto floor = find_floor(planes, surface.samples, bundle.up);
   FeatureSet in_picture = picture_features(picture, surface);
   FeatureSet on_planes = rectified_features(picture, surface, planes);
