@@ -18,6 +18,7 @@ struct Placement {
   double expected_error_mm = 0;
   std::string note;                 // why it is not placed
   std::uint32_t bundle_number = 0;  // of its bundle that this was found from
+  bool withdrawn = false;           // where it was found before it does not stand, either
 };
 
 /// Poses by the sensor's name.

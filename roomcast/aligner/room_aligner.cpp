@@ -81,7 +81,9 @@ class RoomAligner::Link final : public HubLinkEvents {
         if (then != before.end() && !then->second.moved) thinker_.forget(entry.name());
         continue;
       }
-      if (entry.placement() == pb::PLACEMENT_GIVEN) given[entry.name()] = *pose;
+      if (entry.placement() == pb::PLACEMENT_GIVEN) {
+        (entry.online() ? given : found_before)[entry.name()] = *pose;
+      }
       if (entry.placement() == pb::PLACEMENT_ALIGNED) found_before[entry.name()] = *pose;
     }
     thinker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
@@ -131,6 +133,7 @@ class RoomAligner::Link final : public HubLinkEvents {
         found.set_sensor_id(id);
         found.set_expected_error_mm(static_cast<float>(placement.expected_error_mm));
         found.set_bundle_number(placement.bundle_number);
+        found.set_withdrawn(placement.withdrawn);
         found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
         if (placement.world_from_depth) {
           write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());

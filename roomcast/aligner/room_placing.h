@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoomPlacing: where the sensors of a running room stand, from all that has come so far: what they
 // see (bundles), and for those that share no surface, who walked through their views, a board that
-// was held into them, and people's guesses. The world stays where it is: when something new is
-// known, a sensor whose pose is known already keeps it, and the others are placed beside it, so
-// that the rest of the room does not jump. Deterministic. Single-threaded.
+// was held into them, and people's guesses. The world stays where it is (room_world.h).
+// Deterministic. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +16,11 @@
 #include "roomcast/align/rig/rig_aligner.h"
 #include "roomcast/aligner/board_placing.h"
 #include "roomcast/aligner/placement.h"
+#include "roomcast/aligner/room_world.h"
 #include "roomcast/aligner/walk_placing.h"
 #include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::aligner {
-
-/// What the report says, moved as a whole so that one of its sensors that has a known pose keeps
-/// it: the one with whom most others keep theirs, too, so that the room stays where it is when a
-/// sensor was moved unnoticed; `given` goes before `found_before`.
-[[nodiscard]] std::vector<Placement> placements_in_place(const align::AlignmentReport& report,
-                                                         const KnownPoses& given,
-                                                         const KnownPoses& found_before);
 
 class RoomPlacing {
  public:
@@ -60,6 +53,7 @@ class RoomPlacing {
   std::map<std::string, std::shared_ptr<const align::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
   std::set<std::string> lost_;
+  RoomWorld world_;
   WalkPlacing walks_;
   BoardPlacing boards_;
   KnownPoses guesses_;                        // not answered yet

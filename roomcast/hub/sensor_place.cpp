@@ -29,12 +29,23 @@ bool SensorPlace::find(const pb::SensorPlacement& found) {
   if (found.bundle_number() < valid_from_bundle) return false;
   if (placement == pb::PLACEMENT_GIVEN && !moved) return false;
   note = found.note();
+  if (found.withdrawn() && placement == pb::PLACEMENT_ALIGNED) {
+    withdraw(SensorId{static_cast<std::uint16_t>(found.sensor_id())});
+    return true;
+  }
   if (found.world_from_depth().empty()) return false;
   std::ranges::copy(found.world_from_depth(), world_from_depth.begin());
   placement = pb::PLACEMENT_ALIGNED;
   expected_error_mm = found.expected_error_mm();
   moved = false;
   return true;
+}
+
+/// The note stays: it says why.
+void SensorPlace::withdraw(SensorId id) {
+  world_from_depth = guessed(id).world_from_depth;
+  placement = pb::PLACEMENT_UNPLACED;
+  expected_error_mm = 0;
 }
 
 void SensorPlace::lose(std::uint32_t next_bundle) {

@@ -28,7 +28,7 @@ struct SensorPlace {
 
   /// What the sensor itself says; nothing changes when it says nothing.
   void give(const wire::pb::SensorRole& role);
-  /// What the aligner says. True: a new pose holds.
+  /// What the aligner says. True: a new pose holds, or the one before no longer.
   bool find(const wire::pb::SensorPlacement& found);
   /// The sensor says that it was moved; its next bundle will have this number.
   void lose(std::uint32_t next_bundle);
@@ -38,6 +38,9 @@ struct SensorPlace {
   [[nodiscard]] std::optional<KnownPose> found() const;
 
   void write_to(wire::pb::SensorEntry& entry) const;
+
+ private:
+  void withdraw(SensorId id);
 };
 
 }  // namespace roomcast::hub

@@ -46,6 +46,22 @@ TEST(SensorPlace, what_is_found_holds_until_something_else_is) {
   EXPECT_EQ(place.note, "it shares nothing");
 }
 
+TEST(SensorPlace, what_was_found_can_be_withdrawn) {
+  const auto guess = SensorPlace::guessed(SensorId{1});
+  auto place = guess;
+  EXPECT_TRUE(place.find(found_at(1)));
+  pb::SensorPlacement withdrawn;
+  withdrawn.set_sensor_id(1);
+  withdrawn.set_withdrawn(true);
+  withdrawn.set_note("nothing connects it with the others");
+  EXPECT_TRUE(place.find(withdrawn));
+  EXPECT_EQ(place.placement, pb::PLACEMENT_UNPLACED);
+  EXPECT_EQ(place.world_from_depth, guess.world_from_depth);
+  EXPECT_FALSE(place.found()) << "nor is it remembered";
+  EXPECT_EQ(place.note, "nothing connects it with the others");
+  EXPECT_FALSE(place.find(withdrawn)) << "nothing new";
+}
+
 TEST(SensorPlace, what_is_given_goes_before_what_is_found) {
   auto place = SensorPlace::guessed(SensorId{0});
   place.recall({pose_at(1), 4});

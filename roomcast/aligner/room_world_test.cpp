@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/aligner/room_world.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::aligner {
+namespace {
+
+RigidTransform at(double x) {
+  RigidTransform pose;
+  pose.translation_m = {x, 1, 0};
+  return pose;
+}
+
+align::AlignmentReport report_of(std::vector<align::SensorReport> sensors) {
+  align::AlignmentReport report;
+  report.sensors = std::move(sensors);
+  return report;
+}
+
+align::SensorReport placed(const std::string& id, double x) {
+  align::SensorReport sensor;
+  sensor.id = id;
+  sensor.placed = true;
+  sensor.world_from_depth = at(x);
+  return sensor;
+}
+
+align::SensorReport lost(const std::string& id) {
+  align::SensorReport sensor;
+  sensor.id = id;
+  sensor.reason = "turn it towards another";
+  return sensor;
+}
+
+double x_of(const Placement& placement) {
+  return placement.world_from_depth->translation_m.x();
+}
+
+TEST(RoomWorld, without_a_known_pose_the_world_is_the_reports) {
+  const auto placements = RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}), {}, {});
+  EXPECT_EQ(x_of(placements[0]), 1);
+  EXPECT_EQ(x_of(placements[1]), 3);
+}
+
+TEST(RoomWorld, a_sensor_that_was_found_before_stays_and_the_others_come_to_it) {
+  const auto placements =
+      RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}), {}, {{"b", at(10)}});
+  EXPECT_EQ(x_of(placements[0]), 8);
+  EXPECT_EQ(x_of(placements[1]), 10);
+}
+
+TEST(RoomWorld, a_given_pose_goes_before_one_that_was_found) {
+  const auto placements = RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}),
+                                            {{"b", at(20)}}, {{"a", at(1)}});
+  EXPECT_EQ(x_of(placements[0]), 18);
+  EXPECT_EQ(x_of(placements[1]), 20);
+}
+
+TEST(RoomWorld, one_that_was_moved_unnoticed_does_not_take_the_room_along) {
+  const KnownPoses before = {{"a", at(1)}, {"b", at(3)}, {"c", at(5)}};
+  const auto placements = RoomWorld().place(
+      report_of({placed("a", 0), placed("b", 2.5), placed("c", 4.5)}), {}, before);
+  EXPECT_DOUBLE_EQ(x_of(placements[0]), 0.5);
+  EXPECT_DOUBLE_EQ(x_of(placements[1]), 3);
+  EXPECT_DOUBLE_EQ(x_of(placements[2]), 5);
+}
+
+/// With "a" in a world that was made up for it.
+RoomWorld made_up_world() {
+  RoomWorld world;
+  EXPECT_EQ(x_of(world.place(report_of({placed("a", 1)}), {}, {})[0]), 1);
+  return world;
+}
+
+TEST(RoomWorld, one_that_was_made_up_stays_while_nobody_gives_another) {
+  RoomWorld world = made_up_world();
+  const auto placements =
+      world.place(report_of({placed("a", 0), placed("b", 2)}), {}, {{"a", at(1)}});
+  EXPECT_EQ(x_of(placements[0]), 1);
+  EXPECT_EQ(x_of(placements[1]), 3);
+}
+
+TEST(RoomWorld,
+     one_that_was_made_up_ends_when_somebody_gives_a_place_that_nothing_connects_with_it) {
+  RoomWorld world = made_up_world();
+  const KnownPoses given = {{"b", at(20)}}, found_before = {{"a", at(1)}};
+  const auto placements = world.place(report_of({lost("a"), lost("b")}), given, found_before);
+  EXPECT_FALSE(placements[0].world_from_depth);
+  EXPECT_TRUE(placements[0].withdrawn);
+  EXPECT_FALSE(placements[1].withdrawn);
+  EXPECT_TRUE(world.settled(given, found_before).empty());
+}
+
+TEST(RoomWorld, who_is_placed_without_those_whose_places_are_given_has_no_place) {
+  RoomWorld world = made_up_world();
+  const auto placements = world.place(report_of({placed("a", 1)}), {{"b", at(20)}}, {{"a", at(1)}});
+  EXPECT_FALSE(placements[0].world_from_depth);
+  EXPECT_TRUE(placements[0].withdrawn);
+  EXPECT_FALSE(placements[0].note.empty());
+}
+
+TEST(RoomWorld, one_that_was_made_up_joins_the_given_one_where_something_connects_them) {
+  RoomWorld world = made_up_world();
+  const KnownPoses given = {{"b", at(20)}};
+  const auto placements =
+      world.place(report_of({placed("a", 1), placed("b", 3)}), given, {{"a", at(1)}});
+  EXPECT_EQ(x_of(placements[0]), 18);
+  EXPECT_EQ(x_of(placements[1]), 20);
+  const auto later = world.place(report_of({placed("a", 1)}), given, {{"a", at(18)}});
+  EXPECT_EQ(x_of(later[0]), 18) << "it stands in the given world now";
+}
+
+TEST(RoomWorld, who_cannot_be_placed_is_told_why) {
+  const auto placements = RoomWorld().place(report_of({placed("a", 1), lost("c")}), {}, {});
+  EXPECT_FALSE(placements[1].world_from_depth);
+  EXPECT_EQ(placements[1].note, "turn it towards another");
+}
+
+}  // namespace
+}  // namespace roomcast::aligner
