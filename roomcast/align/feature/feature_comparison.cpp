@@ -21,12 +21,13 @@ struct Partners {
   std::array<std::int32_t, kPartners> dot;
   std::array<std::uint32_t, kPartners> index;
 
-  Partners() {
-    dot.fill(-1);
+  /// Whose product is `too_small_dot` or less is none.
+  explicit Partners(std::int32_t too_small_dot) {
+    dot.fill(too_small_dot);
     index.fill(kNobody);
   }
-  void offer(std::int32_t candidate_dot, std::uint32_t candidate) {
-    if (candidate_dot <= dot.back()) return;
+  /// Of a larger product than the last one's.
+  void take(std::int32_t candidate_dot, std::uint32_t candidate) {
     std::size_t place = kPartners - 1;
     for (; place > 0 && candidate_dot > dot[place - 1]; --place) {
       dot[place] = dot[place - 1];
@@ -49,15 +50,16 @@ std::vector<std::int32_t> repeat_mask(const FeatureSet& set) {
 
 /// What one row of products holds.
 struct Row {
-  std::int32_t largest = 0, nearest_repeat = 0;
+  std::int32_t holds_partners = 0, nearest_repeat = 0;
 };
 
-ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products,
-                                     const std::int32_t* repeats_b, std::int32_t repeats_a,
-                                     std::int32_t* repeat_of_b) {
+/// `last_a`, `last_b`: the product of the last partner of the row's feature and of each other.
+ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products, std::int32_t last_a,
+                                     const std::int32_t* last_b, const std::int32_t* repeats_b,
+                                     std::int32_t repeats_a, std::int32_t* repeat_of_b) {
   Row row;
   for (std::size_t k = 0; k < products.size(); ++k) {
-    row.largest = std::max(row.largest, products[k]);
+    row.holds_partners |= products[k] > std::min(last_a, last_b[k]) ? 1 : 0;
     row.nearest_repeat = std::max(row.nearest_repeat, products[k] & repeats_b[k]);
     repeat_of_b[k] = std::max(repeat_of_b[k], products[k] & repeats_a);
   }
@@ -70,11 +72,11 @@ class Comparison {
   Comparison(const FeatureSet& a, const FeatureSet& b, float largest_distance)
       : a_(a),
         b_(b),
-        least_dot_(least_dot(largest_distance)),
         repeats_a_(repeat_mask(a)),
         repeats_b_(repeat_mask(b)),
-        of_a_(a.size()),
-        of_b_(b.size()),
+        of_a_(a.size(), Partners(too_small_dot(largest_distance))),
+        of_b_(b.size(), Partners(too_small_dot(largest_distance))),
+        last_b_(b.size(), too_small_dot(largest_distance)),
         repeat_of_a_(a.size()),
         repeat_of_b_(b.size()),
         products_(kDescriptorTile) {
@@ -94,17 +96,21 @@ class Comparison {
     descriptor_products(a_.descriptors[i], std::span(b_.descriptors).subspan(first, count),
                         products);
     const Row row =
-        look_over(products, repeats_b_.data() + first, repeats_a_[i], repeat_of_b_.data() + first);
+        look_over(products, of_a_[i].dot.back(), last_b_.data() + first, repeats_b_.data() + first,
+                  repeats_a_[i], repeat_of_b_.data() + first);
     repeat_of_a_[i] = std::max(repeat_of_a_[i], row.nearest_repeat);
-    if (row.largest >= least_dot_) offer_row(i, first, products);
+    if (row.holds_partners != 0) take_partners(i, first, products);
   }
 
-  void offer_row(std::size_t i, std::size_t first, std::span<const std::int32_t> products) {
+  void take_partners(std::size_t i, std::size_t first, std::span<const std::int32_t> products) {
     for (std::size_t k = 0; k < products.size(); ++k) {
-      if (products[k] < least_dot_) continue;
       const std::size_t j = first + k;
-      of_a_[i].offer(products[k], static_cast<std::uint32_t>(j));
-      of_b_[j].offer(products[k], static_cast<std::uint32_t>(i));
+      if (products[k] > of_a_[i].dot.back())
+        of_a_[i].take(products[k], static_cast<std::uint32_t>(j));
+      if (products[k] > last_b_[j]) {
+        of_b_[j].take(products[k], static_cast<std::uint32_t>(i));
+        last_b_[j] = of_b_[j].dot.back();
+      }
     }
   }
 
@@ -123,10 +129,10 @@ class Comparison {
     return matches;
   }
 
-  static std::int32_t least_dot(float distance) {
+  static std::int32_t too_small_dot(float distance) {
     constexpr double kLargest = double(kDescriptorLength) * kDescriptorLength;
     return static_cast<std::int32_t>(kLargest * (1 - 0.5 * double(distance) * double(distance))) -
-           1;
+           2;
   }
 
   static std::vector<float> distances(const std::vector<std::int32_t>& dots) {
@@ -138,9 +144,9 @@ class Comparison {
 
   const FeatureSet& a_;
   const FeatureSet& b_;
-  std::int32_t least_dot_;
   std::vector<std::int32_t> repeats_a_, repeats_b_;
   std::vector<Partners> of_a_, of_b_;
+  std::vector<std::int32_t> last_b_;                     // the product of the last partner
   std::vector<std::int32_t> repeat_of_a_, repeat_of_b_;  // largest product with one that repeats
   std::vector<std::int32_t> products_;
 };
