@@ -15,8 +15,10 @@
 namespace roomcast::align {
 namespace {
 
-constexpr float kScale_m = 0.004F;    // of a pixel of the rectified picture
-constexpr float kMargin_m = 0.05F;    // around the plane's points
+constexpr float kFinest_m = 0.004F;  // of a pixel of the rectified picture
+constexpr float kOfAPixel = 0.7F;    // nor does it show more than the picture where that is finest
+constexpr float kNearest = 0.1F;     // share of the points that are nearer than what counts as near
+constexpr float kMargin_m = 0.05F;   // around the plane's points
 constexpr float kOutermost = 0.005F;  // share of points cut off on every side
 constexpr int kLargestSide = 1600, kSmallestSide = 60;
 constexpr float kOnPlane_m = 0.05F, kOnPlanePerDepth = 0.01F;
@@ -26,6 +28,7 @@ constexpr SiftOptions kSift{2500, 0.012, 15};
 /// A picture of the plane: pixel (x, y) shows origin + x * right + y * down (depth frame, metres).
 struct Rectification {
   Eigen::Vector3f origin_m, right_m, down_m;
+  float scale_m = kFinest_m;  // of a pixel
   int width = 0, height = 0;
 
   [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2f& pixel) const {
@@ -45,7 +48,18 @@ Interval most_of(std::vector<float> values) {
   return {low - kMargin_m, *(values.end() - 1 - cut) + kMargin_m};
 }
 
-std::optional<Rectification> rectification_of(const Plane& plane) {
+/// What a pixel of the picture covers of a surface across its axis, where the plane is near.
+float finest_pixel_m(const ColorPicture& picture, const Plane& plane) {
+  std::vector<float> z_m;
+  for (const Eigen::Vector3f& point_m : plane.points_m)
+    z_m.push_back(picture.in_color_frame(point_m).z());
+  const auto near =
+      z_m.begin() + static_cast<std::ptrdiff_t>(kNearest * static_cast<float>(z_m.size()));
+  std::nth_element(z_m.begin(), near, z_m.end());
+  return *near / picture.camera.fx;
+}
+
+std::optional<Rectification> rectification_of(const ColorPicture& picture, const Plane& plane) {
   const Eigen::Vector3f& n = plane.normal;
   const Eigen::Vector3f up =
       std::abs(n.y()) < 0.8F ? Eigen::Vector3f(0, -1, 0) : Eigen::Vector3f(0, 0, 1);
@@ -59,12 +73,13 @@ std::optional<Rectification> rectification_of(const Plane& plane) {
   }
   const Interval across = most_of(std::move(x)), along = most_of(std::move(y));
   Rectification out;
-  out.width = std::min(kLargestSide, static_cast<int>((across.high - across.low) / kScale_m));
-  out.height = std::min(kLargestSide, static_cast<int>((along.high - along.low) / kScale_m));
+  out.scale_m = std::max(kFinest_m, kOfAPixel * finest_pixel_m(picture, plane));
+  out.width = std::min(kLargestSide, static_cast<int>((across.high - across.low) / out.scale_m));
+  out.height = std::min(kLargestSide, static_cast<int>((along.high - along.low) / out.scale_m));
   if (out.width < kSmallestSide || out.height < kSmallestSide) return std::nullopt;
   out.origin_m = centre + across.low * right + along.low * down;
-  out.right_m = kScale_m * right;
-  out.down_m = kScale_m * down;
+  out.right_m = out.scale_m * right;
+  out.down_m = out.scale_m * down;
   return out;
 }
 
@@ -137,7 +152,7 @@ void add_features_of(const ColorPicture& picture, const DepthSurface& surface, c
     const auto height_m = relief.height_m(view.at(found.pixel));
     if (!height_m) continue;
     set.features.push_back(
-        {raised(view.at(found.pixel), *height_m, plane, eye_m), pixel, found.size * kScale_m});
+        {raised(view.at(found.pixel), *height_m, plane, eye_m), pixel, found.size * view.scale_m});
     set.descriptors.push_back(found.descriptor);
   }
 }
@@ -149,7 +164,7 @@ FeatureSet rectified_features(const ColorPicture& picture, const DepthSurface& s
   cv::setNumThreads(1);
   FeatureSet set;
   for (const Plane& plane : planes) {
-    if (const auto view = rectification_of(plane))
+    if (const auto view = rectification_of(picture, plane))
       add_features_of(picture, surface, plane, *view, set);
   }
   return set;
