@@ -14,6 +14,7 @@ import { sensorsOf, until, untilAllShown } from './waiting.mjs';
 const slow = { timeout: 120_000 };
 const off_m = 0.08; // by how much the person is beside the truth
 const exact_m = 0.04;
+const aligned = 2; // PLACEMENT_ALIGNED of control.proto
 const patience_ms = 60_000; // the aligner thinks for seconds, on a machine that has other things to do
 
 describe('a sensor without a place', () => {
@@ -27,9 +28,12 @@ describe('a sensor without a place', () => {
     const data = join(folder, 'data');
     hub = await startHub(0, { data });
     const token = await adminsToken(data);
-    sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 2, rig }));
     browser = await startBrowser({ width: 1000, height: 700 });
     page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
+    sensors = [startSensor(hub, 1, { fps: 2, rig })];
+    // Alone it has a world of its own, which ends when somebody comes whose place is given.
+    await until('placed alone', lone, (sensor) => sensor?.placement === aligned, patience_ms);
+    sensors.push(startSensor(hub, 0, { fps: 2, rig }));
     await untilAllShown(page, 2);
   }, slow);
 
