@@ -40,6 +40,9 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void on_message(net::MessageBuffer message) override {
     if (link_ != nullptr) link_->take(std::move(message));
   }
+  void on_read_done() override {
+    if (link_ != nullptr) link_->events_.on_frames_done();
+  }
   net::SealedMessagePtr next_message() override {
     if (!control_.empty()) {
       auto message = std::move(control_.front());
@@ -72,16 +75,17 @@ class HubLink::Connection final : public net::ConnectionHandler {
 };
 
 HubLink::HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, pb::Join join,
-                 HubLinkEvents& events, std::optional<net::ConnectionTimings> timings)
+                 HubLinkEvents& events, const Options& options)
     : io_(io),
       hubs_(std::move(hubs), std::random_device{}()),
       join_(std::move(join)),
       events_(events),
-      timings_(timings),
+      timings_(options.timings),
       retry_timer_(io),
       ping_timer_(io),
-      ping_pace_(join_.has_sensor() ? PingPace::kOfSensor : PingPace::kOfViewer,
-                 std::random_device{}()) {}
+      ping_pace_(
+          options.pings.value_or(join_.has_sensor() ? PingPace::kOfSensor : PingPace::kOfViewer),
+          std::random_device{}()) {}
 
 HubLink::~HubLink() {
   stop();

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <boost/asio/io_context.hpp>
@@ -34,6 +35,8 @@ class HubLinkEvents {
   /// Any other message that the link does not deal with itself.
   virtual void on_control(const wire::pb::Control& message) = 0;
   virtual void on_frame(net::MessageBuffer message) = 0;
+  /// Nothing more came with these frames.
+  virtual void on_frames_done() {}
   /// The next frame to send, null for none; asked again after wake().
   virtual net::SealedMessagePtr next_frame() = 0;
   /// A better idea of room time.
@@ -53,9 +56,17 @@ class HubLink {
   static constexpr net::ConnectionTimings kTimingsWithOthers{
       .ping_after = std::chrono::milliseconds(800), .give_up_after = std::chrono::seconds(3)};
 
-  /// At least one hub. `timings`: other ones than the above.
+  struct Options {
+    std::optional<net::ConnectionTimings> timings = {};  // other ones than the above
+    std::optional<PingPace::Rhythm> pings = {};          // another one than goes with the role
+  };
+
+  /// At least one hub.
   HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, wire::pb::Join join,
-          HubLinkEvents& events, std::optional<net::ConnectionTimings> timings = {});
+          HubLinkEvents& events, const Options& options);
+  HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, wire::pb::Join join,
+          HubLinkEvents& events)
+      : HubLink(io, std::move(hubs), std::move(join), events, Options{}) {}
   ~HubLink();
   HubLink(const HubLink&) = delete;
   HubLink& operator=(const HubLink&) = delete;

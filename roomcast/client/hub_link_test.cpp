@@ -122,7 +122,8 @@ TEST(HubLink, a_hub_that_falls_silent_is_given_up_and_tried_again) {
   wire::pb::Join join;
   join.mutable_viewer();
   HubLink link(io, *net::parse_hub_urls(hub.url()), join, heard,
-               net::ConnectionTimings{.ping_after = 20ms, .give_up_after = 60ms});
+               HubLink::Options{
+                   .timings = net::ConnectionTimings{.ping_after = 20ms, .give_up_after = 60ms}});
   link.start();
   const auto both_run_until_welcome = [&](std::size_t number) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;

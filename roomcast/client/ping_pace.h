@@ -5,7 +5,6 @@
 // (measured: 6.9 ms wrong instead of 7 us). docs/spec/wire.md section 3, "Clock". Pure.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <random>
@@ -14,30 +13,39 @@ namespace roomcast {
 
 class PingPace {
  public:
-  static constexpr int kQuickPings = 5;
-  /// Of whom the first are quick: what ClockSync needs to know the drift.
-  static constexpr int kSettlingPings = 160;
-  static constexpr std::chrono::milliseconds kQuickPing{20};
-  /// Who stamps frames needs the time to microseconds; who shows them does not.
-  static constexpr std::chrono::milliseconds kOfSensor{100}, kOfViewer{500};
+  struct Rhythm {
+    int quick;                          // at first, one every kQuickPing
+    std::chrono::milliseconds average;  // then
+    int settling;                       // how many come every kSettling before that
+  };
+  static constexpr std::chrono::milliseconds kQuickPing{20}, kSettling{100};
   static constexpr double kSpread = 0.7;  // of the average, either way
 
-  PingPace(std::chrono::milliseconds average, std::uint32_t seed)
-      : average_(average), random_(seed) {}
+  /// 160 are what ClockSync needs to know the drift. Who stamps frames needs the time to
+  /// microseconds; who shows them does not.
+  static constexpr Rhythm kOfSensor{.quick = 5, .average = kSettling, .settling = 0};
+  static constexpr Rhythm kOfViewer{
+      .quick = 5, .average = std::chrono::milliseconds(500), .settling = 160};
+  /// A hub that serves on what another one has begins anew for everybody who comes to look, and
+  /// each question wakes both hubs.
+  static constexpr Rhythm kOfHub{
+      .quick = 32, .average = std::chrono::milliseconds(500), .settling = 0};
+
+  PingPace(const Rhythm& rhythm, std::uint32_t seed) : rhythm_(rhythm), random_(seed) {}
 
   /// A new connection: begin with the quick ones.
   void start_anew() { pings_ = 0; }
 
   [[nodiscard]] std::chrono::nanoseconds next() {
     const int ping = pings_++;
-    if (ping < kQuickPings) return kQuickPing;
+    if (ping < rhythm_.quick) return kQuickPing;
     std::uniform_real_distribution<double> share(1 - kSpread, 1 + kSpread);
-    const auto average = ping < kSettlingPings ? std::min(average_, kOfSensor) : average_;
+    const auto average = ping < rhythm_.settling ? kSettling : rhythm_.average;
     return std::chrono::duration_cast<std::chrono::nanoseconds>(average * share(random_));
   }
 
  private:
-  std::chrono::milliseconds average_;
+  const Rhythm rhythm_;
   std::minstd_rand random_;
   int pings_ = 0;  // on this connection
 };

@@ -12,14 +12,15 @@ TEST(PingPace, begins_with_quick_ones_on_every_connection) {
   PingPace pace(PingPace::kOfSensor, 1);
   for (int connection = 0; connection < 2; ++connection) {
     pace.start_anew();
-    for (int i = 0; i < PingPace::kQuickPings; ++i) EXPECT_EQ(pace.next(), PingPace::kQuickPing);
+    for (int i = 0; i < PingPace::kOfSensor.quick; ++i)
+      EXPECT_EQ(pace.next(), PingPace::kQuickPing);
     EXPECT_GT(pace.next(), PingPace::kQuickPing);
   }
 }
 
 TEST(PingPace, comes_ten_times_a_second_at_distances_from_30_to_170_ms) {
   PingPace pace(PingPace::kOfSensor, 1);
-  for (int i = 0; i < PingPace::kQuickPings; ++i) (void)pace.next();
+  for (int i = 0; i < PingPace::kOfSensor.quick; ++i) (void)pace.next();
   std::chrono::nanoseconds sum{}, shortest = 1h, longest{};
   constexpr int kPings = 1000;
   for (int i = 0; i < kPings; ++i) {
@@ -37,11 +38,17 @@ TEST(PingPace, comes_ten_times_a_second_at_distances_from_30_to_170_ms) {
 
 TEST(PingPace, of_a_viewer_slows_down_once_the_time_is_known) {
   PingPace pace(PingPace::kOfViewer, 1);
-  for (int i = 0; i < PingPace::kSettlingPings; ++i) EXPECT_LE(pace.next(), 170ms);
+  for (int i = 0; i < PingPace::kOfViewer.settling; ++i) EXPECT_LE(pace.next(), 170ms);
   std::chrono::nanoseconds sum{};
   constexpr int kPings = 1000;
   for (int i = 0; i < kPings; ++i) sum += pace.next();
   EXPECT_NEAR(static_cast<double>((sum / kPings).count()), 500e6, 25e6);
+}
+
+TEST(PingPace, of_a_hub_asks_a_whole_window_at_once_and_seldom_then) {
+  PingPace pace(PingPace::kOfHub, 1);
+  for (int i = 0; i < PingPace::kOfHub.quick; ++i) EXPECT_EQ(pace.next(), PingPace::kQuickPing);
+  for (int i = 0; i < 1000; ++i) EXPECT_GE(pace.next(), 150ms);
 }
 
 }  // namespace

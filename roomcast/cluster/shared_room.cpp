@@ -201,6 +201,7 @@ void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
   if (hub == others_.end()) return;
   hub->second.unpacker.take(
       message, [&](net::MessageBuffer frame) { hub->second.sensors.frame(std::move(frame)); });
+  hub->second.sensors.pass_on();
 }
 
 void SharedRoom::others_are(const std::vector<std::string>& urls) {

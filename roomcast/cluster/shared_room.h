@@ -18,7 +18,7 @@
 #include "roomcast/cluster/cluster.pb.h"
 #include "roomcast/cluster/frame_parts.h"
 #include "roomcast/cluster/hub_id.h"
-#include "roomcast/hub/session.h"
+#include "roomcast/hub/backplane.h"
 #include "roomcast/mirror/mirrored_sensors.h"
 
 namespace roomcast::cluster {
@@ -37,7 +37,7 @@ class SharedRoom {
     HubId own;
     std::string room;
     std::string token;  // lets anybody into it
-    hub::SessionEvents& rooms;
+    hub::BackplaneEvents& rooms;
     mirror::MirroredSensors::NewConnection new_connection;
     SharedRoomOut& out;
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Backplane: brings into a hub's rooms what other hubs have, and to other hubs what they want of
-// this one. It says what its sensors say through SessionEvents, as if each had a connection of its
-// own here, and is told what the room says to them. Threading: the rooms' thread.
+// this one. It says what its sensors say through BackplaneEvents, as if each had a connection of
+// its own here, and is told what the room says to them. Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
@@ -69,10 +69,18 @@ class Backplane {
   virtual void let_go(ConnectionId connection) = 0;
 };
 
+/// What comes in from a backplane.
+class BackplaneEvents : public SessionEvents {
+ public:
+  /// These came together, of sensors of one room: what they close goes on as it came, and nobody
+  /// is looked after once for each. Their messages are taken.
+  virtual void on_frames(std::span<IncomingFrame> together) = 0;
+};
+
 /// Where a backplane works; outlives it.
 struct BackplaneSeat {
   boost::asio::io_context& io;
-  SessionEvents& rooms;
+  BackplaneEvents& rooms;
   std::string token;  // with which it may join every room
   /// These tokens hold no more, say other hubs.
   std::function<void(std::vector<Claims>)> revoke = {};

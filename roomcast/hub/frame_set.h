@@ -7,10 +7,18 @@
 #include <vector>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/net/message_buffer.h"
 #include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::hub {
+
+/// As it came from a sensor; wire::parse_frame has accepted it.
+struct IncomingFrame {
+  ConnectionId from;
+  wire::FrameHeader header;
+  net::MessageBuffer message;
+};
 
 struct SetFrame {
   wire::FrameHeader header;

@@ -2,6 +2,7 @@
 #include "roomcast/hub/room.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "roomcast/wire/limits.h"
@@ -107,16 +108,27 @@ std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader
 
 RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message, RoomTime now) {
-  if (const auto fault = fault_of(from, header, now)) {
-    return refuse(from, fault->code, fault->sentence, now);
-  }
-  RoomSensor* const sensor = sensors_.find(from);
-  if (header.key) sensor->key_pace.key_frame_came();
-  count_frame(header, message.size(), now, sensor->stats);
+  IncomingFrame alone{from, header, std::move(message)};
+  return frames({&alone, 1}, now);
+}
+
+RoomActions Room::frames(std::span<IncomingFrame> together, RoomTime now) {
   RoomActions out;
-  if (!sets_.add_frame(header, std::move(message), now)) return out;
+  for (IncomingFrame& frame : together) take_frame(frame, now, out);
   send_closed_sets(now, out);
   return out;
+}
+
+void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
+  if (const auto fault = fault_of(frame.from, frame.header, now)) {
+    std::ranges::move(refuse(frame.from, fault->code, fault->sentence, now),
+                      std::back_inserter(out));
+    return;
+  }
+  RoomSensor& sensor = *sensors_.find(frame.from);
+  if (frame.header.key) sensor.key_pace.key_frame_came();
+  count_frame(frame.header, frame.message.size(), now, sensor.stats);
+  sets_.add_frame(frame.header, std::move(frame.message), now);
 }
 
 RoomActions Room::key_needed(SensorId id, RoomTime now) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -51,6 +52,8 @@ class Room {
                                     RoomTime now);
   [[nodiscard]] RoomActions frame(ConnectionId from, const wire::FrameHeader& header,
                                   net::MessageBuffer message, RoomTime now);
+  /// Several that came together. Their messages are taken.
+  [[nodiscard]] RoomActions frames(std::span<IncomingFrame> together, RoomTime now);
   /// Why `frame` would refuse it; nothing: it would not.
   [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
                                                 RoomTime now);
@@ -97,6 +100,7 @@ class Room {
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
+  void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
   bool announce_in_time(RoomTime now, RoomActions& out);

@@ -181,6 +181,11 @@ void RoomHall::on_frame(ConnectionId from, const wire::FrameHeader& header,
   room->carry_out(room->room().frame(from, header, std::move(message), room->now()));
 }
 
+void RoomHall::on_frames(std::span<IncomingFrame> together) {
+  HostedRoom* room = room_of(together.front().from);
+  if (room != nullptr) room->carry_out(room->room().frames(together, room->now()));
+}
+
 void RoomHall::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
   HostedRoom* room = room_of(from);
   if (room == nullptr) return;

@@ -41,7 +41,7 @@ struct RoomHallOptions {
   LogSink log = {};
 };
 
-class RoomHall final : public SessionEvents {
+class RoomHall final : public BackplaneEvents {
  public:
   RoomHall(RoomHallOptions options, boost::asio::io_context& io, Desk& desk,
            const std::vector<std::unique_ptr<Shard>>& shards);
@@ -86,6 +86,7 @@ class RoomHall final : public SessionEvents {
   void on_control(ConnectionId from, const wire::pb::Control& message) override;
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
                 net::MessageBuffer message) override;
+  void on_frames(std::span<IncomingFrame> together) override;
   void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
   void on_left(ConnectionId from, const net::CloseReason& reason) override;
 

@@ -2,33 +2,37 @@
 #include "roomcast/hub/room_stats.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 
 namespace roomcast::hub {
 
 namespace {
 
-std::map<SensorId, RoomTime> newest_captures(const FrameSet& set) {
-  std::map<SensorId, RoomTime> newest;
-  for (const SetFrame& frame : set.frames) {
-    RoomTime& time = newest[frame.header.sensor];
-    time = std::max(time, frame.header.capture_time);
-  }
-  return newest;
+/// The newest capture of a sensor: is this frame's?
+bool is_newest(const FrameSet& set, const SetFrame& frame) {
+  return std::ranges::none_of(set.frames, [&frame](const SetFrame& other) {
+    return other.header.sensor == frame.header.sensor &&
+           (other.header.capture_time > frame.header.capture_time ||
+            (other.header.capture_time == frame.header.capture_time && &other > &frame));
+  });
 }
 
 }  // namespace
 
 nanoseconds capture_skew(const FrameSet& set) {
-  const auto newest = newest_captures(set);
-  if (newest.empty()) return {};
-  const auto by_time = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const auto [first, last] = std::minmax_element(newest.begin(), newest.end(), by_time);
-  return last->second - first->second;
+  std::optional<RoomTime> first, last;
+  for (const SetFrame& frame : set.frames) {
+    if (!is_newest(set, frame)) continue;
+    const RoomTime time = frame.header.capture_time;
+    first = std::min(first.value_or(time), time);
+    last = std::max(last.value_or(time), time);
+  }
+  return first ? *last - *first : nanoseconds(0);
 }
 
 std::size_t sensor_count(const FrameSet& set) {
-  return newest_captures(set).size();
+  return static_cast<std::size_t>(std::ranges::count_if(
+      set.frames, [&set](const SetFrame& frame) { return is_newest(set, frame); }));
 }
 
 void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime now,

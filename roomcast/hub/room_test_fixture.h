@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -76,12 +77,18 @@ class RoomTest : public testing::Test {
     return connection;
   }
 
-  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
-                    bool key = true) {
+  static IncomingFrame incoming(ConnectionId from, SensorId sensor, nanoseconds captured,
+                                bool key = true) {
     wire::FrameHeader header{.key = key, .sensor = sensor, .capture_time = at(captured)};
     std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
     wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
-    return room.frame(from, header, net::MessageBuffer(bytes), at(arrived));
+    return {from, header, net::MessageBuffer(bytes)};
+  }
+
+  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
+                    bool key = true) {
+    auto [who, header, message] = incoming(from, sensor, captured, key);
+    return room.frame(who, header, std::move(message), at(arrived));
   }
 
   Room room{RoomSettings{.name = "lab"}, "test"};

@@ -52,7 +52,7 @@ pb::SensorPlacement placement_of(const pb::SensorEntry& entry, SensorId here) {
   return placement;
 }
 
-MirroredSensors::MirroredSensors(std::string room, std::string token, hub::SessionEvents& here,
+MirroredSensors::MirroredSensors(std::string room, std::string token, hub::BackplaneEvents& here,
                                  NewConnection new_connection)
     : room_(std::move(room)),
       token_(std::move(token)),
@@ -62,6 +62,7 @@ MirroredSensors::MirroredSensors(std::string room, std::string token, hub::Sessi
 // ---- from the other hub
 
 void MirroredSensors::follow(const std::vector<SensorThere>& online) {
+  pass_on();  // they were sent before this was said
   std::set<std::uint32_t> ids;
   for (const SensorThere& sensor : online) {
     ids.insert(sensor.entry.id());
@@ -116,7 +117,15 @@ void MirroredSensors::frame(net::MessageBuffer message) {
   header->capture_time = *time_here(header->capture_time);
   header->clock_error_us = added_error_us(header->clock_error_us, clock_->error);
   wire::stamp_source(message.payload(), *header);
-  here_.on_frame(sensor->second.connection, *header, std::move(message));
+  came_.push_back({sensor->second.connection, *header, std::move(message)});
+}
+
+void MirroredSensors::pass_on() {
+  if (came_.empty()) return;
+  auto together = std::exchange(came_, {});
+  here_.on_frames(together);
+  together.clear();
+  came_ = std::move(together);  // its memory
 }
 
 void MirroredSensors::say(std::uint32_t id_there, const pb::Control& message) {
@@ -134,6 +143,7 @@ std::optional<RoomTime> MirroredSensors::time_here(RoomTime there) const {
 
 void MirroredSensors::other_hub_is_gone() {
   clock_.reset();
+  came_.clear();
   while (!sensors_.empty()) leave(sensors_.begin());
 }
 
@@ -165,6 +175,7 @@ std::optional<pb::Control> MirroredSensors::said(ConnectionId to, const pb::Cont
 bool MirroredSensors::let_go(ConnectionId connection) {
   const auto sensor = find(connection);
   if (sensor == sensors_.end()) return false;
+  std::erase_if(came_, [connection](const auto& frame) { return frame.from == connection; });
   sensors_.erase(sensor);
   return true;
 }

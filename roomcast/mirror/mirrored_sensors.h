@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomcast/hub/session.h"
+#include "roomcast/hub/backplane.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/room/clock_estimate.h"
 #include "roomcast/wire/control.pb.h"
@@ -38,7 +38,7 @@ class MirroredSensors {
   using NewConnection = std::function<ConnectionId()>;
 
   /// `here` is told; `token` lets anybody into its room, and it outlives this.
-  MirroredSensors(std::string room, std::string token, hub::SessionEvents& here,
+  MirroredSensors(std::string room, std::string token, hub::BackplaneEvents& here,
                   NewConnection new_connection);
 
   // From the other hub.
@@ -47,6 +47,8 @@ class MirroredSensors {
   void clock_is(const ClockEstimate& estimate) { clock_ = estimate; }
   /// Dropped while the clock, or the sensor's id here, are not known; what is no frame, too.
   void frame(net::MessageBuffer message);
+  /// Nothing more came with these frames: they go on to the room, together.
+  void pass_on();
   /// What the sensor with this id there has said.
   void say(std::uint32_t id_there, const wire::pb::Control& message);
   /// Until it comes back all sensors are gone.
@@ -74,10 +76,11 @@ class MirroredSensors {
   [[nodiscard]] Sensors::iterator find(ConnectionId connection);
 
   const std::string room_, token_;
-  hub::SessionEvents& here_;
+  hub::BackplaneEvents& here_;
   const NewConnection new_connection_;
   Sensors sensors_;
   std::optional<ClockEstimate> clock_;
+  std::vector<hub::IncomingFrame> came_;  // and were not passed on yet
 };
 
 /// What alignment knows of it, as an aligner's word on sensor `here`; the newest there is.

@@ -51,6 +51,7 @@ TEST_F(MirroredSensorsTest, frames_have_this_hubs_id_and_time) {
   welcome(0, 3);
   mirror.clock_is({.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
   mirror.frame(frame_there());
+  mirror.pass_on();
   ASSERT_EQ(here.frames.size(), 1u);
   EXPECT_EQ(here.frames[0].first, here.joins[0].first);
   EXPECT_EQ(here.frames[0].second.sensor, SensorId{3});
@@ -66,7 +67,38 @@ TEST_F(MirroredSensorsTest, frames_are_dropped_before_clock_and_id_are_known) {
   welcome(0, 3);
   mirror.other_hub_is_gone();
   mirror.frame(frame_there());
+  mirror.pass_on();
   EXPECT_TRUE(here.frames.empty());
+}
+
+TEST_F(MirroredSensorsTest, frames_that_come_together_go_on_together) {
+  follow({sensor_there(7, "left")});
+  welcome(0, 3);
+  mirror.clock_is({});
+  mirror.frame(frame_there());
+  mirror.frame(frame_there());
+  EXPECT_TRUE(here.frames.empty());
+  mirror.pass_on();
+  mirror.pass_on();
+  mirror.frame(frame_there());
+  mirror.pass_on();
+  EXPECT_EQ(here.batches, (std::vector<std::size_t>{2, 1}));
+}
+
+TEST_F(MirroredSensorsTest,
+       frames_go_on_before_what_was_said_after_them_and_none_of_who_was_sent_away) {
+  follow({sensor_there(7, "left")});
+  welcome(0, 3);
+  mirror.clock_is({});
+  mirror.frame(frame_there());
+  follow({});
+  EXPECT_EQ(here.frames.size(), 1u) << "sent before its sensor left";
+  follow({sensor_there(7, "left")});
+  welcome(1, 3);
+  mirror.frame(frame_there());
+  mirror.let_go(here.joins[1].first);
+  mirror.pass_on();
+  EXPECT_EQ(here.frames.size(), 1u);
 }
 
 TEST_F(MirroredSensorsTest, what_is_no_frame_is_dropped) {
@@ -75,6 +107,7 @@ TEST_F(MirroredSensorsTest, what_is_no_frame_is_dropped) {
   mirror.clock_is({});
   auto cut = frame_there();
   mirror.frame(net::MessageBuffer(cut.payload().first(20)));
+  mirror.pass_on();
   EXPECT_TRUE(here.frames.empty());
 }
 

@@ -2,14 +2,15 @@
 // For tests of what speaks for sensors of other hubs: a room that remembers what it was told.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "roomcast/hub/backplane.h"
 #include "roomcast/hub/hub_server_fixture.h"
-#include "roomcast/hub/session.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::mirror {
@@ -18,7 +19,7 @@ namespace pb = wire::pb;
 using namespace std::chrono_literals;
 
 /// A room here that remembers what it was told.
-struct RoomHere final : hub::SessionEvents {
+struct RoomHere final : hub::BackplaneEvents {
   void on_join(const hub::Arrival& arrival, const pb::Join& join) override {
     joins.emplace_back(arrival.from, join);
     arrivals.push_back(arrival);
@@ -31,6 +32,10 @@ struct RoomHere final : hub::SessionEvents {
     EXPECT_EQ(*wire::parse_frame(message.payload()), header) << "the bytes say the same";
     frames.emplace_back(from, header);
   }
+  void on_frames(std::span<hub::IncomingFrame> together) override {
+    batches.push_back(together.size());
+    for (auto& frame : together) on_frame(frame.from, frame.header, std::move(frame.message));
+  }
   void on_key_needs(ConnectionId, const std::vector<SensorId>& sensors) override {
     key_needs.insert(key_needs.end(), sensors.begin(), sensors.end());
   }
@@ -40,6 +45,7 @@ struct RoomHere final : hub::SessionEvents {
   std::vector<hub::Arrival> arrivals;
   std::vector<std::pair<ConnectionId, pb::Control>> said;
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
+  std::vector<std::size_t> batches;  // how many frames came together
   std::vector<SensorId> key_needs;
   std::vector<ConnectionId> left;
 };

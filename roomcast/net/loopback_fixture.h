@@ -34,6 +34,10 @@ class RecordingHandler : public ConnectionHandler {
     messages.emplace_back(message.payload().begin(), message.payload().end());
     if (when_message) when_message();
   }
+  void on_read_done() override {
+    EXPECT_FALSE(closed) << "asked after on_closed()";
+    messages_when_read_done.push_back(messages.size());
+  }
   SealedMessagePtr next_message() override {
     EXPECT_FALSE(closed) << "asked after on_closed()";
     ++times_asked;
@@ -50,6 +54,7 @@ class RecordingHandler : public ConnectionHandler {
 
   std::vector<std::vector<std::uint8_t>> messages;
   std::function<void()> when_message;
+  std::vector<std::size_t> messages_when_read_done;
   std::deque<SealedMessagePtr> to_send;
   int times_asked = 0;
   int times_given = 0;

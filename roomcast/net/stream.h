@@ -137,6 +137,8 @@ auto Stream::async_try(const Wait& direction, Try attempt, Token&& token) {
 template <class MutableBuffers, class Token>
 auto Stream::async_read_some(const MutableBuffers& into, Token&& token) {
   const boost::asio::mutable_buffer first(*boost::asio::buffer_sequence_begin(into));
+  // Asio's own reading need not tell the kernel each time what it waits for.
+  if (!tls_) return socket_.async_read_some(first, std::forward<Token>(token));
   return async_try(
       to_read_, [this, first](ErrorCode& error) { return read_some(first, error); },
       std::forward<Token>(token));

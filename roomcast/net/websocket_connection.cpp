@@ -123,6 +123,7 @@ void WebSocketConnection::take(std::span<const std::uint8_t> bytes) {
     ReaderEvent event = reader_.next(bytes);
     std::visit([this](auto&& what) { take_event(std::move(what)); }, std::move(event));
   }
+  if (stage_ == Stage::kOpen) handler_->on_read_done();
 }
 
 void WebSocketConnection::take_event(MessageBuffer message) {

@@ -47,6 +47,10 @@ class ConnectionHandler {
   /// A whole message from the peer. Not called once close() or on_closed() has been called.
   virtual void on_message(MessageBuffer message) = 0;
 
+  /// All messages that came with one read have been handed over: for who does better with several
+  /// at once. Called like on_message().
+  virtual void on_read_done() {}
+
   /// The socket can take more: the next message (sealed without a mask), or null when there is
   /// nothing to say now; then call wake() when there is. Not called once close() or on_closed() has
   /// been called; may be called from within wake().

@@ -34,6 +34,21 @@ TEST_F(WebSocketConnectionTest, carries_messages_both_ways_in_order) {
   EXPECT_EQ(server_.connection->counters().bytes_in, 3U * (6U + 1U));
 }
 
+TEST_F(WebSocketConnectionTest, says_when_all_that_came_with_a_read_was_handed_over) {
+  open_server();
+  const auto message = seal(MessageBuffer(bytes_of("part")), Opcode::kBinary, MaskKey{1, 2, 3, 4});
+  Bytes three;
+  for (int i = 0; i < 3; ++i) {
+    three.insert(three.end(), message->wire_bytes().begin(), message->wire_bytes().end());
+  }
+  boost::asio::write(*peer_, boost::asio::buffer(three));
+  ASSERT_TRUE(run_until([&] { return server_.handler->messages.size() == 3; }));
+  EXPECT_THAT(server_.handler->messages_when_read_done.back(), 3U);
+  const auto& done = server_.handler->messages_when_read_done;
+  EXPECT_THAT(std::count(done.begin(), done.end(), 1U) + std::count(done.begin(), done.end(), 2U),
+              0);
+}
+
 TEST_F(WebSocketConnectionTest, carries_messages_of_two_mebibytes_unharmed) {
   open_both();
   const Bytes payload = pattern(kTwoMiB);

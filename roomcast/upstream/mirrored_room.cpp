@@ -8,7 +8,7 @@ namespace roomcast::upstream {
 
 namespace pb = wire::pb;
 
-MirroredRoom::MirroredRoom(std::string room, std::string token, hub::SessionEvents& here,
+MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
                            NewConnection new_connection)
     : room_(std::move(room)),
       token_(std::move(token)),

@@ -16,13 +16,14 @@ class MirroredRoom {
   using NewConnection = mirror::MirroredSensors::NewConnection;
 
   /// `here` is told; `token` lets anybody into its room, and it outlives this.
-  MirroredRoom(std::string room, std::string token, hub::SessionEvents& here,
+  MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
                NewConnection new_connection);
 
   // From the other hub. Its messages have passed wire::decode_control.
   void roster(const wire::pb::Roster& roster);
   void clock_is(const ClockEstimate& estimate) { sensors_.clock_is(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
+  void frames_done() { sensors_.pass_on(); }
   /// Until it comes back all sensors are gone.
   void other_hub_is_gone();
 
@@ -37,7 +38,7 @@ class MirroredRoom {
   void place_sensors();
 
   const std::string room_, token_;
-  hub::SessionEvents& here_;
+  hub::BackplaneEvents& here_;
   const NewConnection new_connection_;
   mirror::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;

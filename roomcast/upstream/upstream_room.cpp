@@ -28,7 +28,8 @@ UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& o
 
 void UpstreamRoom::join() {
   HubLinkEvents& events = *this;
-  link_.emplace(io_, options_.hubs, join_message(options_, room_), events, kTimings);
+  link_.emplace(io_, options_.hubs, join_message(options_, room_), events,
+                HubLink::Options{.timings = kTimings, .pings = PingPace::kOfHub});
   link_->start();
 }
 
