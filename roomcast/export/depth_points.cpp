@@ -12,8 +12,8 @@ namespace roomcast {
 DepthPoints::DepthPoints(const CameraIntrinsics& camera)
     : camera_(camera),
       rays_(ray_table(camera)),
-      points_m_(camera.width, camera.height),
-      normals_(camera.width, camera.height) {}
+      points_m_(camera.width, camera.height, Eigen::Vector3f::Zero()),
+      normals_(camera.width, camera.height, Eigen::Vector3f::Zero()) {}
 
 void DepthPoints::set(DepthView depth_mm) {
   ROOMCAST_ASSERT(depth_mm.width == camera_.width && depth_mm.height == camera_.height);
