@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
+#include "roomcast/cluster/revoked_tokens.h"
 #include "roomcast/cluster/subjects.h"
 #include "roomcast/wire/limits.h"
-#include "roomcast/wire/name_check.h"
 
 namespace roomcast::cluster {
 namespace {
@@ -116,18 +116,26 @@ void ClusterHub::sensor_joins(const std::string& room, const std::string& name,
   if (Room* found = find(room)) found->shared->sensor_joins(name, token_id);
 }
 
-// Frames that come together go together: when all sensors here have delivered, or after a while.
 void ClusterHub::frame(const std::string& name, const wire::FrameHeader&,
                        std::span<const std::uint8_t> message) {
   Room* room = find(name);
   if (room == nullptr || !room->is_wanted) return;
+  if (room->packer.byte_count() + message.size() > wire::kMaxFrameBytes) flush(*room);
   room->packer.add(message);
+  if (!room->shared->has_sensors_elsewhere()) return;  // they go when they close a set
   if (room->packer.frame_count() >= room->shared->local_sensor_count()) return flush(*room);
   if (room->packer.frame_count() > 1) return;
   room->gathered.expires_after(kGatherFor);
   room->gathered.async_wait([this, name](boost::system::error_code error) {
     if (Room* gathered = find(name); gathered != nullptr && !error) flush(*gathered);
   });
+}
+
+void ClusterHub::set_closed(const std::string& name) {
+  Room* room = find(name);
+  if (room == nullptr || room->packer.frame_count() == 0) return;
+  room->packer.close_set();
+  flush(*room);
 }
 
 void ClusterHub::flush(Room& room) {
@@ -288,32 +296,11 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
 // ---- tokens that hold no more
 
 void ClusterHub::revoked(const std::vector<hub::Claims>& tokens) {
-  pb::Revoked message;
-  for (const hub::Claims& token : tokens) {
-    pb::RevokedToken& revoked = *message.add_tokens();
-    revoked.set_id(token.id);
-    revoked.set_room(token.grant.room);
-    revoked.set_role(std::string(hub::name_of(token.grant.role)));
-    revoked.set_name(token.grant.name);
-    revoked.set_issued_at(token.issued_at);
-    revoked.set_expires_at(token.expires_at);
-  }
-  nats_->publish(kRevokedSubject, bytes_of(message));
+  nats_->publish(kRevokedSubject, bytes_of(revoked_message(tokens)));
 }
 
 void ClusterHub::take_revoked(const pb::Revoked& revoked) {
-  std::vector<hub::Claims> tokens;
-  for (const pb::RevokedToken& token : revoked.tokens()) {
-    const auto role = hub::token_role(token.role());
-    const bool is_legal = !token.id().empty() && token.id().size() <= wire::kMaxNameBytes &&
-                          wire::check_name(token.room(), "room").ok() &&
-                          wire::check_name(token.name(), "name").ok();
-    if (!role || !is_legal) continue;
-    tokens.push_back({.id = token.id(),
-                      .grant = {.room = token.room(), .role = *role, .name = token.name()},
-                      .issued_at = token.issued_at(),
-                      .expires_at = token.expires_at()});
-  }
+  auto tokens = revoked_tokens(revoked);
   if (!tokens.empty()) seat_.revoke(std::move(tokens));
 }
 

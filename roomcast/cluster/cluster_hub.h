@@ -38,7 +38,8 @@ struct ClusterOptions {
 
 class ClusterHub final : public hub::Backplane, private SharedRoomOut {
  public:
-  /// Frames of several sensors share a message when they come within this time.
+  /// Frames that close a set together share a message. Where a room has sensors at other hubs, too,
+  /// who would wait for each other's, those that come within this time.
   static constexpr std::chrono::milliseconds kGatherFor{8};
   /// All rooms are named in each so manyth heartbeat.
   static constexpr unsigned kBeatsPerList = 8;
@@ -54,6 +55,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
                     const std::string& token_id) override;
   void frame(const std::string& room, const wire::FrameHeader& header,
              std::span<const std::uint8_t> message) override;
+  void set_closed(const std::string& room) override;
   void send(ConnectionId to, const wire::pb::Control& message) override;
   void let_go(ConnectionId connection) override;
   void revoked(const std::vector<hub::Claims>& tokens) override;

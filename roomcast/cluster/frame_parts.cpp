@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::cluster {
@@ -29,8 +30,13 @@ std::uint32_t u32_at(std::span<const std::uint8_t> bytes) {
 
 void FramePacker::add(std::span<const std::uint8_t> frame) {
   append_u32(static_cast<std::uint32_t>(frame.size()), bytes_);
+  newest_at_ = bytes_.size();
   bytes_.insert(bytes_.end(), frame.begin(), frame.end());
   ++count_;
+}
+
+void FramePacker::close_set() {
+  if (count_ > 0) wire::stamp_frame_set(std::span(bytes_).subspan(newest_at_), SetId{0}, true);
 }
 
 std::vector<FramePacker::Message> FramePacker::take() {

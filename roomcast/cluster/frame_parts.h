@@ -27,8 +27,12 @@ class FramePacker {
   /// No message is longer than `max_message_bytes`.
   explicit FramePacker(std::size_t max_message_bytes) : max_bytes_(max_message_bytes) {}
 
+  /// A frame that wire::parse_frame has accepted.
   void add(std::span<const std::uint8_t> frame);
+  /// The newest frame is the last one of its set: marks it as that.
+  void close_set();
   [[nodiscard]] std::size_t frame_count() const { return count_; }
+  [[nodiscard]] std::size_t byte_count() const { return bytes_.size(); }
   /// What was added, in the order in which it is to be sent.
   [[nodiscard]] std::vector<Message> take();
 
@@ -40,6 +44,7 @@ class FramePacker {
   std::uint32_t next_number_ = 0;
   std::vector<std::uint8_t> bytes_;
   std::size_t count_ = 0;
+  std::size_t newest_at_ = 0;  // in bytes_
 };
 
 class FrameUnpacker {

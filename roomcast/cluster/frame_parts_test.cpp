@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::cluster {
@@ -40,6 +41,21 @@ TEST(FrameParts, frames_that_fit_share_a_message) {
   EXPECT_TRUE(packer.take().empty());
   FrameUnpacker unpacker;
   EXPECT_EQ(unpacked(unpacker, messages), frames);
+}
+
+TEST(FrameParts, the_newest_frame_of_a_closed_set_says_that_it_is_the_last) {
+  FramePacker packer(1000);
+  packer.close_set();
+  Bytes frame(wire::kFrameHeaderBytes);
+  wire::write_frame_header({}, std::span(frame).first<wire::kFrameHeaderBytes>());
+  packer.add(frame);
+  packer.add(frame);
+  packer.close_set();
+  FrameUnpacker unpacker;
+  const auto frames = unpacked(unpacker, packer.take());
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_FALSE(wire::parse_frame(frames[0])->last);
+  EXPECT_TRUE(wire::parse_frame(frames[1])->last);
 }
 
 TEST(FrameParts, a_frame_longer_than_a_message_goes_in_parts) {

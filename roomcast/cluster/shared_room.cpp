@@ -179,7 +179,8 @@ void SharedRoom::tell_news() {
 SharedRoom::OtherHub& SharedRoom::other(HubId hub) {
   const auto known = others_.find(hub);
   if (known != others_.end()) return known->second;
-  mirror::MirroredSensors sensors(seat_.room, seat_.token, seat_.rooms, seat_.new_connection);
+  mirror::MirroredSensors sensors(hub.value, seat_.room, seat_.token, seat_.rooms,
+                                  seat_.new_connection);
   return others_.emplace(hub, OtherHub{{}, std::move(sensors), {}}).first->second;
 }
 

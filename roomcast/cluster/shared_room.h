@@ -8,6 +8,7 @@
 // tells. Threading: the rooms' thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -72,6 +73,11 @@ class SharedRoom {
   [[nodiscard]] std::uint32_t revision_of(HubId hub) const;
   [[nodiscard]] std::size_t local_sensor_count() const {
     return static_cast<std::size_t>(news_.sensors_size());
+  }
+  /// Does anything in the room here come from another hub?
+  [[nodiscard]] bool has_sensors_elsewhere() const {
+    return std::ranges::any_of(
+        others_, [](const auto& other) { return !other.second.sensors.all().empty(); });
   }
   [[nodiscard]] std::size_t viewer_count() const {
     return static_cast<std::size_t>(roster_.viewers_size());

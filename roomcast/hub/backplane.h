@@ -57,6 +57,8 @@ class Backplane {
   /// Of such a sensor; the room takes it.
   virtual void frame(const std::string& /*room*/, const wire::FrameHeader& /*header*/,
                      std::span<const std::uint8_t> /*message*/) {}
+  /// The room has closed a set: its frames have all been told.
+  virtual void set_closed(const std::string& /*room*/) {}
   /// All tokens of this hub that hold no more.
   virtual void revoked(const std::vector<Claims>& /*tokens*/) {}
   /// Those that are there now, this one first; empty: this one is alone.

@@ -17,13 +17,18 @@ nanoseconds period_of(double fps) {
 
 }  // namespace
 
-void FrameSetBuilder::add_sensor(SensorId sensor, double fps) {
-  sensors_[sensor] = {.fps = fps, .last = {}};
+void FrameSetBuilder::add_sensor(SensorId sensor, double fps, std::uint64_t other_hub) {
+  sensors_[sensor] = {.fps = fps, .other_hub = other_hub, .last = {}};
   follow_rate();
 }
 
 void FrameSetBuilder::remove_sensor(SensorId sensor) {
-  sensors_.erase(sensor);
+  const auto found = sensors_.find(sensor);
+  if (found == sensors_.end()) return;
+  const std::uint64_t hub = found->second.other_hub;
+  sensors_.erase(found);
+  const auto is_there = [hub](const auto& entry) { return entry.second.other_hub == hub; };
+  if (std::ranges::none_of(sensors_, is_there)) other_hubs_.erase(hub);
   follow_rate();
 }
 
@@ -40,6 +45,7 @@ void FrameSetBuilder::follow_rate() {
   while (!open_.empty()) close_oldest();
   newest_closed_.reset();
   for (auto& [id, sensor] : sensors_) sensor.last.reset();
+  other_hubs_.clear();
   period_ = period;
 }
 
@@ -76,11 +82,19 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
   const bool joins_own = sensor.last && sensor.last->slot == *slot;
   const std::size_t frames_in_slot = joins_own ? sensor.last->frames_in_slot + 1 : 1;
   sensor.last = Sensor::Delivery{*slot, is_late, frames_in_slot, header.capture_time, now};
+  if (sensor.other_hub != 0) note_closing(sensor.other_hub, *slot, header.last);
   const auto [set, is_new] = open_.try_emplace(*slot);
   if (is_new) set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
   set->second.frames.push_back({header, std::move(message)});
   if (open_.size() > kMaxOpenSets) close_oldest();
   return true;
+}
+
+void FrameSetBuilder::note_closing(std::uint64_t other_hub, Slot slot, bool is_last) {
+  const auto [found, is_new] = other_hubs_.try_emplace(other_hub, OtherHub{slot, slot - 1});
+  OtherHub& hub = found->second;
+  hub.newest = std::max(hub.newest, slot);
+  if (is_last) hub.closed = hub.newest;
 }
 
 // Is this sensor's frame for this slot still to come, by its own rate, and will it be in time if it
@@ -90,6 +104,8 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
 bool FrameSetBuilder::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
                              RoomTime now) const {
   if (!sensor.last || now - sensor.last->arrival > wire::kSensorSilent) return false;
+  const auto hub = other_hubs_.find(sensor.other_hub);
+  if (hub != other_hubs_.end() && slot <= hub->second.closed) return false;
   const auto& last = *sensor.last;
   const bool has_delivered = last.slot > slot || (last.slot == slot && !last.is_late);
   if (has_delivered || natural_slot(last.capture_time + period_of(sensor.fps)) > slot) return false;

@@ -27,8 +27,10 @@ class FrameSetBuilder {
   static constexpr std::size_t kMaxFramesOfSensorInSet = 4;
 
   /// A sensor delivers from now on, `fps` frames a second. Nobody waits for it before its first
-  /// frame.
-  void add_sensor(SensorId sensor, double fps);
+  /// frame. `other_hub`: at which it is, if it is at another one; 0: here. What that hub calls the
+  /// last frame of a set says that none of its other sensors is still to come: nobody waits here,
+  /// too, for whom was waited for there.
+  void add_sensor(SensorId sensor, double fps, std::uint64_t other_hub = 0);
   /// It delivers no more; nobody waits for it.
   void remove_sensor(SensorId sensor);
 
@@ -50,6 +52,7 @@ class FrameSetBuilder {
 
   struct Sensor {
     double fps = 0;
+    std::uint64_t other_hub = 0;
     struct Delivery {
       Slot slot = 0;
       bool is_late = false;  // it belonged to an earlier slot
@@ -68,7 +71,13 @@ class FrameSetBuilder {
     std::vector<Pending> frames;
   };
 
+  struct OtherHub {
+    Slot newest = 0;  // of its frames since it last closed a set
+    Slot closed = 0;  // up to here nothing more comes
+  };
+
   void follow_rate();
+  void note_closing(std::uint64_t other_hub, Slot slot, bool is_last);
   [[nodiscard]] Slot natural_slot(RoomTime capture) const;
   [[nodiscard]] std::optional<Slot> assign_slot(const Sensor& sensor, RoomTime capture) const;
   [[nodiscard]] bool is_due(const Sensor& sensor, Slot slot, RoomTime deadline, RoomTime now) const;
@@ -76,6 +85,7 @@ class FrameSetBuilder {
   void close_oldest();
 
   std::unordered_map<SensorId, Sensor> sensors_;
+  std::unordered_map<std::uint64_t, OtherHub> other_hubs_;
   nanoseconds period_{};  // of the room; 0 without sensors
   std::map<Slot, OpenSet> open_;
   std::optional<Slot> newest_closed_;  // slots up to here take no more frames

@@ -232,6 +232,58 @@ TEST_F(Builder, a_sensor_that_outruns_its_rate_does_not_hurry_the_room) {
   EXPECT_GE(sets, 35U);
 }
 
+constexpr SensorId kThere{2}, kAlsoThere{3};
+constexpr std::uint64_t kOtherHub = 7;
+
+class BuilderOfTwoHubs : public Builder {
+ protected:
+  BuilderOfTwoHubs() {
+    builder.add_sensor(kThere, kFps, kOtherHub);
+    builder.add_sensor(kAlsoThere, kFps, kOtherHub);
+    for (const SensorId sensor : {kLeft, kRight, kThere, kAlsoThere}) add(sensor, 0ms, 0ms);
+    closed(0ms);
+  }
+  void add_last(SensorId sensor, nanoseconds captured, nanoseconds arrived) {
+    const wire::FrameHeader header{.last = true, .sensor = sensor, .capture_time = at(captured)};
+    builder.add_frame(header, message_of(header), at(arrived));
+  }
+};
+
+TEST_F(BuilderOfTwoHubs, nobody_is_waited_for_whom_the_other_hub_has_waited_for_already) {
+  add(kLeft, 50ms, 60ms);
+  add(kRight, 50ms, 61ms);
+  EXPECT_THAT(closed(62ms), IsEmpty());
+  add_last(kThere, 50ms, 63ms);
+  EXPECT_THAT(closed(63ms), ElementsAre(ElementsAre(0, 1, 2)));
+}
+
+TEST_F(BuilderOfTwoHubs, sensors_here_are_still_waited_for) {
+  add(kLeft, 50ms, 60ms);
+  add(kThere, 50ms, 62ms);
+  add_last(kAlsoThere, 50ms, 62ms);
+  EXPECT_THAT(closed(62ms), IsEmpty());
+  add(kRight, 50ms, 70ms);
+  EXPECT_THAT(closed(70ms), ElementsAre(ElementsAre(0, 1, 2, 3)));
+}
+
+TEST_F(BuilderOfTwoHubs, what_a_sensor_here_calls_the_last_is_nothing_to_go_by) {
+  add_last(kLeft, 50ms, 60ms);
+  add_last(kThere, 50ms, 60ms);
+  EXPECT_THAT(closed(61ms), IsEmpty()) << "the right one is still to come";
+}
+
+TEST_F(BuilderOfTwoHubs, a_late_frame_closes_the_set_with_which_it_travels) {
+  add(kLeft, 50ms, 60ms);
+  add(kRight, 50ms, 60ms);
+  add_last(kThere, 50ms, 60ms);
+  EXPECT_THAT(closed(60ms), ElementsAre(ElementsAre(0, 1, 2)));
+  add(kLeft, 100ms, 110ms);
+  add(kRight, 100ms, 110ms);
+  add(kThere, 100ms, 110ms);
+  add_last(kAlsoThere, 51ms, 110ms);
+  EXPECT_THAT(closed(110ms), ElementsAre(ElementsAre(0, 1, 2, 3)));
+}
+
 TEST_F(Builder, set_ids_grow_by_one_and_are_stamped_into_the_messages) {
   for (int i = 0; i < 3; ++i) {
     add(kLeft, i * 50ms, i * 50ms);

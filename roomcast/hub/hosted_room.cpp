@@ -19,8 +19,11 @@ void HostedRoom::carry_out(RoomActions actions) {
 }
 
 void HostedRoom::tell_backplane() {
+  if (around_.backplane == nullptr) return;
+  const std::uint64_t sets = room_.closed_set_count();
+  if (std::exchange(closed_sets_, sets) != sets) around_.backplane->set_closed(room_.name());
   const bool is_watched = room_.viewer_count() > 0;
-  if (around_.backplane == nullptr || is_watched == is_watched_) return;
+  if (is_watched == is_watched_) return;
   is_watched_ = is_watched;
   around_.backplane->watch(room_.name(), is_watched);
 }

@@ -69,6 +69,7 @@ class HostedRoom : public std::enable_shared_from_this<HostedRoom> {
   boost::asio::steady_timer timer_;
   std::optional<RoomTime> armed_for_;  // what timer_ waits for
   bool is_watched_ = false;            // the backplane knows
+  std::uint64_t closed_sets_ = 0;      // as told
 };
 
 }  // namespace roomcast::hub

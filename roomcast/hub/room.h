@@ -72,6 +72,7 @@ class Room {
   [[nodiscard]] std::vector<ConnectionId> connections() const;
   [[nodiscard]] std::size_t online_sensor_count() const { return sensors_.online_count(); }
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
+  [[nodiscard]] std::uint64_t closed_set_count() const { return set_stats_.sets; }
   [[nodiscard]] RoomStats stats() const;
 
  private:

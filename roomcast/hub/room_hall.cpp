@@ -122,6 +122,7 @@ void RoomHall::decide(const Arrival& arrival, const pb::Join& join, const Claims
   Entry entry = std::get<Entry>(verdict);
   entry.new_token = new_token;
   if (arrival.token_id_there) entry.token_id = *arrival.token_id_there;
+  entry.other_hub = arrival.other_hub;
   log(LogLevel::kInfo, described(arrival, join) + " joins \"" + entry.room + "\"");
   admit(arrival, join, entry);
 }

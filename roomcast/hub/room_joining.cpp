@@ -80,7 +80,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->bundle.reset();
   sensor->place.give(join.sensor());
   sets_.remove_sensor(sensor->id);
-  sets_.add_sensor(sensor->id, join.sensor().fps());
+  sets_.add_sensor(sensor->id, join.sensor().fps(), entry.other_hub);
 
   pb::Control welcome = welcome_message(entry);
   welcome.mutable_welcome()->set_sensor_id(sensor->id.value);

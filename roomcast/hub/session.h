@@ -28,6 +28,7 @@ struct Arrival {
   std::string peer;     // for counting and banning
   /// Of the token that a sensor showed another hub, for which a backplane speaks here.
   std::optional<std::string> token_id_there = {};
+  std::uint64_t other_hub = 0;  // at which that sensor is; 0: it is here
 };
 
 /// What comes in from sessions: told to their shard, and by it to the room.

@@ -52,9 +52,10 @@ pb::SensorPlacement placement_of(const pb::SensorEntry& entry, SensorId here) {
   return placement;
 }
 
-MirroredSensors::MirroredSensors(std::string room, std::string token, hub::BackplaneEvents& here,
-                                 NewConnection new_connection)
-    : room_(std::move(room)),
+MirroredSensors::MirroredSensors(std::uint64_t other_hub, std::string room, std::string token,
+                                 hub::BackplaneEvents& here, NewConnection new_connection)
+    : other_hub_(other_hub),
+      room_(std::move(room)),
       token_(std::move(token)),
       here_(here),
       new_connection_(std::move(new_connection)) {}
@@ -96,9 +97,12 @@ void MirroredSensors::join(const SensorThere& sensor) {
   join.set_token(token_);
   join.set_name(sensor.entry.name());
   *join.mutable_sensor() = role_of(sensor.entry);
-  here_.on_join(
-      {.from = connection, .address = "another hub", .peer = "", .token_id_there = sensor.token_id},
-      join);
+  here_.on_join({.from = connection,
+                 .address = "another hub",
+                 .peer = "",
+                 .token_id_there = sensor.token_id,
+                 .other_hub = other_hub_},
+                join);
 }
 
 MirroredSensors::Sensors::iterator MirroredSensors::leave(Sensors::iterator sensor) {

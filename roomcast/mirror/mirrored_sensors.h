@@ -6,6 +6,7 @@
 // whom it tells. Threading: the rooms' thread.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -37,9 +38,10 @@ class MirroredSensors {
  public:
   using NewConnection = std::function<ConnectionId()>;
 
-  /// `here` is told; `token` lets anybody into its room, and it outlives this.
-  MirroredSensors(std::string room, std::string token, hub::BackplaneEvents& here,
-                  NewConnection new_connection);
+  /// `here` is told; `token` lets anybody into its room, and it outlives this. `other_hub`: tells
+  /// that hub from others whose sensors are in the room here, not 0.
+  MirroredSensors(std::uint64_t other_hub, std::string room, std::string token,
+                  hub::BackplaneEvents& here, NewConnection new_connection);
 
   // From the other hub.
   /// All that are online there; who was and is not any more is gone here too.
@@ -75,6 +77,7 @@ class MirroredSensors {
   Sensors::iterator leave(Sensors::iterator sensor);
   [[nodiscard]] Sensors::iterator find(ConnectionId connection);
 
+  const std::uint64_t other_hub_;
   const std::string room_, token_;
   hub::BackplaneEvents& here_;
   const NewConnection new_connection_;

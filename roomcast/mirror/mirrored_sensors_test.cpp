@@ -26,7 +26,7 @@ class MirroredSensorsTest : public testing::Test {
 
   RoomHere here;
   std::uint64_t connections = 0;
-  MirroredSensors mirror{"lab", "own", here, [this] { return ConnectionId{++connections}; }};
+  MirroredSensors mirror{9, "lab", "own", here, [this] { return ConnectionId{++connections}; }};
 };
 
 TEST_F(MirroredSensorsTest, sensors_there_join_here_as_themselves) {
@@ -39,6 +39,7 @@ TEST_F(MirroredSensorsTest, sensors_there_join_here_as_themselves) {
   EXPECT_EQ(join.sensor().fps(), 30);
   EXPECT_EQ(join.sensor().world_from_depth_size(), 16) << "somebody gave its pose";
   EXPECT_FALSE(here.arrivals[0].token_id_there.has_value());
+  EXPECT_EQ(here.arrivals[0].other_hub, 9u);
 }
 
 TEST_F(MirroredSensorsTest, whose_token_a_sensor_showed_there_is_said_here) {

@@ -8,13 +8,19 @@ namespace roomcast::upstream {
 
 namespace pb = wire::pb;
 
+namespace {
+
+constexpr std::uint64_t kOtherHub = 1;  // there is only one
+
+}  // namespace
+
 MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
                            NewConnection new_connection)
     : room_(std::move(room)),
       token_(std::move(token)),
       here_(here),
       new_connection_(std::move(new_connection)),
-      sensors_(room_, token_, here_, new_connection_) {}
+      sensors_(kOtherHub, room_, token_, here_, new_connection_) {}
 
 // ---- from the other hub
 

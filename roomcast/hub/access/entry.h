@@ -25,6 +25,7 @@ struct Entry {
   bool may_share = false;        // and hand it on
   bool takes_over_name = false;  // a sensor that may replace another of its name
   std::string new_token = {};    // in exchange for a code
+  std::uint64_t other_hub = 0;   // at which the sensor is, for which a backplane speaks; 0: here
 };
 
 /// Null: there is no such room.
