@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be said to `roomcast hub` on the command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "roomcast/hub/config/hub_config.h"
+
+namespace roomcast::cli {
+
+/// What was said on the command line holds against file and environment.
+struct HubFlags {
+  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
+  std::vector<std::string> upstream;
+  std::string upstream_token_file, public_url;
+  std::vector<std::string> nats;
+  std::string nats_credentials, nats_ca, nats_cert, nats_key;
+  std::int64_t threads = 0;
+  bool self_signed = false, insecure = false, no_align = false, verbose = false, check = false;
+  bool record = false;
+};
+
+/// Options of `command` that write into `flags`, which outlives it.
+void add_hub_flags(CLI::App& command, HubFlags& flags);
+
+/// What was said holds against what is configured.
+[[nodiscard]] hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags);
+
+}  // namespace roomcast::cli
