@@ -8,7 +8,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "roomcast/cluster/nats_session.h"
+#include "roomcast/cluster/nats_session_thread.h"
 
 namespace roomcast::cluster {
 namespace {
@@ -48,7 +48,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
         watch_(io) {}
 
   Status connect_first() {
-    auto made = NatsSession::connect(options_, io_);
+    auto made = connect_to_nats(options_, io_);
     if (!made) return made.error();
     begin(*made);
     return {};
@@ -93,7 +93,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   }
 
  private:
-  void begin(const std::shared_ptr<NatsSession>& session) {
+  void begin(const std::shared_ptr<NatsServerLink>& session) {
     if (is_stopped_) return;
     was_told_.clear();
     session_ = session;
@@ -131,7 +131,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   void connect_again() {
     connecting_ =
         std::jthread([weak = weak_from_this(), options = from_next(options_, server_), &io = io_] {
-          auto made = NatsSession::connect(options, io);
+          auto made = connect_to_nats(options, io);
           asio::post(io, [weak, made = std::move(made)] {
             const auto self = weak.lock();
             if (self && !self->is_stopped_) self->connected(made);
@@ -139,7 +139,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
         });
   }
 
-  void connected(const Result<std::shared_ptr<NatsSession>>& made) {
+  void connected(const Result<std::shared_ptr<NatsServerLink>>& made) {
     if (made) return begin(*made);
     const std::string& why = made.error().message;
     if (std::exchange(was_told_, why) != why) log(LogLevel::kWarning, why);
@@ -167,8 +167,8 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   asio::io_context& io_;
   const NatsHandlers handlers_;
   SteadyClock clock_;
-  std::shared_ptr<NatsSession> session_;  // null while there is none
-  std::string server_;                    // the newest one's
+  std::shared_ptr<NatsServerLink> session_;  // null while there is none
+  std::string server_;                       // the newest one's
   std::vector<std::string> subjects_;
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;

@@ -4,8 +4,8 @@
 // may be lost, as always with NATS.
 //
 // Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called.
-// It reads and writes there, too, without waiting (but for the rest of an encrypted record that
-// has begun to come); only connecting has a thread of its own.
+// It reads and writes there, too, without waiting; connecting, and encrypted connections, have a
+// thread of their own.
 #pragma once
 
 #include <cstddef>

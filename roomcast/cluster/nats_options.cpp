@@ -13,13 +13,6 @@ Error wrong(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-bool wants_tls(const NatsOptions& options) {
-  return !options.ca_file.empty() || !options.cert_file.empty() ||
-         std::ranges::any_of(options.servers, [](const std::string& server) {
-           return server.starts_with("tls://");
-         });
-}
-
 Status check_server(const std::string& server) {
   const auto scheme_end = server.find("://");
   const std::string scheme = server.substr(0, std::min(scheme_end, server.size()));
@@ -69,6 +62,13 @@ Status check(const NatsOptions& options) {
     if (auto status = check_file(*file); !status) return status;
   }
   return {};
+}
+
+bool wants_tls(const NatsOptions& options) {
+  return !options.ca_file.empty() || !options.cert_file.empty() ||
+         std::ranges::any_of(options.servers, [](const std::string& server) {
+           return server.starts_with("tls://");
+         });
 }
 
 Result<NatsOptionsPtr> libnats_options(const NatsOptions& options) {

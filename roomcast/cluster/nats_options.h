@@ -34,6 +34,9 @@ struct NatsOptions {
 /// kInvalidArgument: no NATS address, or half of a pair of files. kNotFound: a file cannot be read.
 [[nodiscard]] Status check(const NatsOptions& options);
 
+/// Every connection is to be encrypted.
+[[nodiscard]] bool wants_tls(const NatsOptions& options);
+
 using NatsOptionsPtr = std::unique_ptr<natsOptions, decltype(&natsOptions_Destroy)>;
 /// kInvalidArgument: libnats cannot use one of the files; the sentence says which.
 [[nodiscard]] Result<NatsOptionsPtr> libnats_options(const NatsOptions& options);

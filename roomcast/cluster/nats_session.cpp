@@ -74,6 +74,10 @@ void NatsSession::close_now() {
   natsConnection_Close(connection_.get());
 }
 
+int NatsSession::duplicate_socket() {
+  return ::dup(socket_.native_handle());
+}
+
 void NatsSession::abort() {
   ::shutdown(socket_.native_handle(), SHUT_RDWR);
 }
