@@ -99,7 +99,7 @@ void HubLink::stop() {
   stopped_ = true;
   retry_timer_.cancel();
   ping_timer_.cancel();
-  if (attempt_) std::exchange(attempt_, nullptr)->cancel();
+  cancel_attempts();
   if (connection_) std::exchange(connection_, nullptr)->part();
 }
 
@@ -115,26 +115,46 @@ void HubLink::connect() {
   net::ClientOptions options;
   options.max_message_bytes = wire::kMaxFrameBytes;
   options.timings = timings_.value_or(hubs_.has_others() ? kTimingsWithOthers : kTimings);
-  attempt_ = net::connect(io_, hubs_.current(), options,
-                          [this](auto connection) { on_connected(std::move(connection)); });
+  const auto hubs = hubs_.to_try();
+  unanswered_ = hubs.size();
+  for (const net::HubUrl& hub : hubs) {
+    attempts_.push_back(net::connect(io_, hub, options,
+                                     [this, hub](auto connection) { on_answer(hub, connection); }));
+  }
+}
+
+void HubLink::on_answer(const net::HubUrl& hub,
+                        const Result<std::shared_ptr<net::WebSocketConnection>>& connection) {
+  if (!connection) {
+    if (--unanswered_ > 0) return;
+    attempts_.clear();
+    return on_nobody(connection.error());
+  }
+  hubs_.answered(hub);
+  cancel_attempts();
+  on_connected(*connection);
+}
+
+void HubLink::cancel_attempts() {
+  for (const auto& attempt : std::exchange(attempts_, {})) attempt->cancel();
 }
 
 // What answers otherwise than a hub is none, and trying again is useless. But where a hub was
 // before, it is somebody in between (a reverse proxy) whose hub starts again.
-void HubLink::on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection) {
-  attempt_.reset();
-  if (!connection) {
-    const bool is_no_hub =
-        connection.error().code == ErrorCode::kUnsupported && !was_welcome_ && !hubs_.has_others();
-    if (is_no_hub) return give_up(connection.error());
-    return retry_later(connection.error());
-  }
+void HubLink::on_nobody(const Error& reason) {
+  const bool is_no_hub =
+      reason.code == ErrorCode::kUnsupported && !was_welcome_ && !hubs_.has_others();
+  if (is_no_hub) return give_up(reason);
+  retry_after(hubs_.nobody_answered(), reason);
+}
+
+void HubLink::on_connected(const std::shared_ptr<net::WebSocketConnection>& connection) {
   clock_sync_ = {};
   ping_pace_.start_anew();
   welcomed_at_.reset();
   refusal_.reset();
-  connection_ = std::make_shared<Connection>(*connection, *this);
-  (*connection)->start(connection_);
+  connection_ = std::make_shared<Connection>(connection, *this);
+  connection->start(connection_);
   pb::Control control;
   *control.mutable_join() = join_;
   connection_->send(control);
@@ -147,7 +167,7 @@ void HubLink::on_ended(const net::CloseReason& reason) {
                                         : "the connection to the hub ended: " + reason.sentence;
   const Error error{ErrorCode::kClosed, sentence};
   if (is_over()) return give_up(error);
-  retry_later(error);
+  retry_after(hubs_.failed(), error);
 }
 
 /// Another hub may know us better than this one.
@@ -161,8 +181,8 @@ void HubLink::give_up(const Error& reason) {
   events_.on_down(reason, true);
 }
 
-void HubLink::retry_later(const Error& reason) {
-  retry_timer_.expires_after(hubs_.failed());
+void HubLink::retry_after(nanoseconds pause, const Error& reason) {
+  retry_timer_.expires_after(pause);
   retry_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && !stopped_) connect();
   });

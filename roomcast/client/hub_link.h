@@ -83,9 +83,13 @@ class HubLink {
   class Connection;
 
   void connect();
-  void on_connected(Result<std::shared_ptr<net::WebSocketConnection>> connection);
+  void on_answer(const net::HubUrl& hub,
+                 const Result<std::shared_ptr<net::WebSocketConnection>>& connection);
+  void on_connected(const std::shared_ptr<net::WebSocketConnection>& connection);
+  void on_nobody(const Error& reason);
   void on_ended(const net::CloseReason& reason);
-  void retry_later(const Error& reason);
+  void retry_after(nanoseconds pause, const Error& reason);
+  void cancel_attempts();
   void ping_later();
   void ping();
   void take(net::MessageBuffer message);
@@ -102,8 +106,9 @@ class HubLink {
   const std::optional<net::ConnectionTimings> timings_;
   SteadyClock clock_;
   ClockSync clock_sync_;
-  std::shared_ptr<Connection> connection_;  // null while there is none
-  std::shared_ptr<net::ConnectAttempt> attempt_;
+  std::shared_ptr<Connection> connection_;                      // null while there is none
+  std::vector<std::shared_ptr<net::ConnectAttempt>> attempts_;  // at hubs that are knocked at
+  std::size_t unanswered_ = 0;                                  // of these
   boost::asio::steady_timer retry_timer_;
   boost::asio::steady_timer ping_timer_;
   PingPace ping_pace_;
