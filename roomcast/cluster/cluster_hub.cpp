@@ -223,6 +223,8 @@ void ClusterHub::beat() {
 }
 
 void ClusterHub::look_after_rooms() {
+  auto urls = directory_.urls();
+  if (urls != named_hubs_) seat_.name_hubs(named_hubs_ = std::move(urls));
   const pb::Heartbeat own = heartbeat();
   for (const auto& [number, room] : rooms_) {
     const std::string& name = room->shared->name();

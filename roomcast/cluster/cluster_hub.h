@@ -100,6 +100,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   SteadyClock clock_;
   HubDirectory directory_{id_};
   ProcessorLoad load_;
+  std::vector<std::string> named_hubs_;  // to those who have the page
   std::unique_ptr<NatsClient> nats_;
   Number newest_ = 0;
   unsigned beats_ = 0;

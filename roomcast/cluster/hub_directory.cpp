@@ -70,11 +70,20 @@ const OtherHub* HubDirectory::find(HubId hub) const {
 }
 
 std::vector<std::string> HubDirectory::urls_with(const std::string& room) const {
+  return urls_of([&room](const OtherHub& hub) { return hub.rooms.contains(room); });
+}
+
+std::vector<std::string> HubDirectory::urls() const {
+  return urls_of([](const OtherHub&) { return true; });
+}
+
+std::vector<std::string> HubDirectory::urls_of(
+    const std::function<bool(const OtherHub&)>& is_meant) const {
   std::vector<std::string> urls;
   for (const auto& [id, hub] : others_) {
     const std::string& url = hub.newest.public_url();
     const bool is_short = !url.empty() && url.size() <= wire::kMaxUrlBytes;
-    if (is_short && hub.rooms.contains(room)) urls.push_back(url);
+    if (is_short && is_meant(hub)) urls.push_back(url);
   }
   std::ranges::sort(urls);
   if (urls.size() > wire::kMaxOtherHubs) urls.resize(wire::kMaxOtherHubs);

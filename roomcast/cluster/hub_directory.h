@@ -7,6 +7,7 @@
 // NTP (RFC 5905 section 8), for which no message of its own is sent; client/clock_sync.h filters.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -49,10 +50,14 @@ class HubDirectory {
   [[nodiscard]] const OtherHub* find(HubId hub) const;
   /// Where else this room is: public addresses, sorted, at most wire::kMaxOtherHubs.
   [[nodiscard]] std::vector<std::string> urls_with(const std::string& room) const;
+  /// Public addresses of all, sorted, at most wire::kMaxOtherHubs.
+  [[nodiscard]] std::vector<std::string> urls() const;
   /// Does any of them want frames of this room?
   [[nodiscard]] bool is_wanted(std::string_view room) const;
 
  private:
+  [[nodiscard]] std::vector<std::string> urls_of(
+      const std::function<bool(const OtherHub&)>& is_meant) const;
   void learn_clock(OtherHub& hub, const pb::Heartbeat& heartbeat, HostTime now) const;
 
   const HubId own_;

@@ -88,6 +88,8 @@ struct BackplaneSeat {
   std::function<void(std::vector<Claims>)> revoke = {};
   /// Answered by Backplane::revoked().
   std::function<void()> tell_revoked = {};
+  /// Addresses of the other hubs that are for others: the page may go on there, and theirs here.
+  std::function<void(std::vector<std::string>)> name_hubs = {};
 };
 using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneSeat)>;
 

@@ -34,7 +34,14 @@ std::vector<std::string> HubPages::request_paths() {
 }
 
 std::optional<net::HttpResponse> HubPages::find(std::string_view path) const {
-  if (site_) return site_->find(path);
+  if (site_) {
+    auto page = site_->find(path);
+    if (!page) return page;
+    page->headers.emplace_back("Content-Security-Policy", other_sites_.policy());
+    // The policy of a worker comes with its script: a browser asks whether it still holds.
+    if (page->content_type.starts_with("text/javascript")) page->cache_control = "no-cache";
+    return page;
+  }
   if (path == "/") return net::text_response(200, kNoPage);
   return std::nullopt;
 }

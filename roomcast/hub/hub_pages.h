@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HubPages: what a hub answers to HTTP: the page, `/healthz`, `/metrics`, and the interface for
-// whoever runs it. Threading: find() on any thread; answer() from any, what it looks up lives on
-// the rooms' thread.
+// whoever runs it. Threading: find() on the door's thread; answer() from any, what it looks up
+// lives on the rooms' thread.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,7 @@
 
 #include "roomcast/hub/admin/admin_api.h"
 #include "roomcast/hub/desk.h"
+#include "roomcast/hub/other_sites.h"
 #include "roomcast/hub/room_hall.h"
 #include "roomcast/net/http_request.h"
 #include "roomcast/net/http_server.h"
@@ -33,6 +34,8 @@ class HubPages {
   [[nodiscard]] static std::vector<std::string> request_paths();
 
   [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
+  /// Hubs beside this one. On the door's thread, as find().
+  [[nodiscard]] OtherSites& other_sites() { return other_sites_; }
   void answer(net::HttpRequest request, net::Respond respond);
 
  private:
@@ -48,6 +51,7 @@ class HubPages {
   const bool metrics_for_anyone_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
+  OtherSites other_sites_;
 };
 
 }  // namespace roomcast::hub

@@ -114,7 +114,12 @@ Status HubServer::Loop::open_backplane() {
        .rooms = *hall_,
        .token = own_token_,
        .revoke = [this](std::vector<Claims> tokens) { hall_->take_revoked(std::move(tokens)); },
-       .tell_revoked = [this] { hall_->tell_revoked(); }});
+       .tell_revoked = [this] { hall_->tell_revoked(); },
+       .name_hubs =
+           [this](std::vector<std::string> urls) {
+             asio::post(*door_,
+                        [this, urls = std::move(urls)] { pages_->other_sites().are(urls); });
+           }});
   if (!opened) return opened.error();
   backplane_ = *std::move(opened);
   hall_->connect(*backplane_);
@@ -132,6 +137,7 @@ net::HttpServerOptions HubServer::Loop::http_options() {
   http.port = options_.port;
   http.tls = options_.tls;
   http.names = options_.names;
+  http.knows_site = [this](std::string_view origin) { return pages_->other_sites().has(origin); };
   http.on_get = [this](std::string_view path) { return pages_->find(path); };
   http.request_paths = HubPages::request_paths();
   http.on_request = [this](net::HttpRequest request, net::Respond respond) {

@@ -59,6 +59,9 @@ struct HttpServerOptions {
   std::string subprotocol = "roomcast.v1";
 
   AllowedNames names = {};
+  /// Pages of this site ("https://b.example.org:7600") may connect, too. Asked on the door's
+  /// thread.
+  std::function<bool(std::string_view origin)> knows_site = {};
 
   /// Asked on the door's thread, with peer_name(): whoever may not connect is dropped without a
   /// word.

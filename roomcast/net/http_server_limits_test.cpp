@@ -157,6 +157,21 @@ TEST_F(HttpServerTest, whoever_may_not_connect_is_dropped_without_a_word) {
   EXPECT_EQ(exchange(request("GET", "/page")), "");
 }
 
+TEST_F(HttpServerTest, pages_of_sites_that_it_knows_by_now_may_connect_and_no_others) {
+  auto beside_others = options();
+  std::string known;
+  beside_others.knows_site = [&known](std::string_view origin) { return origin == known; };
+  listen(std::move(beside_others));
+  const std::string knock = upgrade_request("Origin: https://b.example:7600\r\n");
+  EXPECT_THAT(exchange(knock), StartsWith("HTTP/1.1 403 "));
+  known = "https://b.example:7600";
+  auto socket = raw_connection(server_->port());
+  send(socket, knock);
+  EXPECT_TRUE(run_until([&] { return connections_.size() == 1; }));
+  known = "https://c.example:7600";
+  EXPECT_THAT(exchange(knock), StartsWith("HTTP/1.1 403 "));
+}
+
 TEST_F(HttpServerTest, a_name_that_is_not_its_own_is_not_answered) {
   auto strict = options();
   strict.names = {.any_host = false, .hosts = {"hub.example"}, .origins = {}};

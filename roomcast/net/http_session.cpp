@@ -14,6 +14,8 @@
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
 
+#include "roomcast/net/page_policy.h"
+
 namespace roomcast::net {
 
 namespace asio = boost::asio;
@@ -22,13 +24,11 @@ namespace http = boost::beast::http;
 
 namespace {
 
-// The page asks nobody but this hub, runs no script but its own, and is in nobody's frame. Isolated
-// from other origins it has exact clocks and may share memory with its workers.
+// The page asks nobody but this hub, unless the answer says otherwise (page_policy), runs no script
+// but its own, and is in nobody's frame. Isolated from other origins it has exact clocks and may
+// share memory with its workers.
 constexpr std::pair<std::string_view, std::string_view> kSecurityFields[] = {
-    {"Content-Security-Policy",
-     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
-     "connect-src 'self'; img-src 'self' data:; style-src 'self'; base-uri 'none'; "
-     "form-action 'self'; frame-ancestors 'none'"},
+    {"Content-Security-Policy", kPagePolicy},
     {"Cross-Origin-Opener-Policy", "same-origin"},
     {"Cross-Origin-Embedder-Policy", "require-corp"},
     {"Cross-Origin-Resource-Policy", "same-origin"},
@@ -298,7 +298,12 @@ void HttpSession::say_goodbye() {
 
 void HttpSession::upgrade() {
   const auto& request = parser_->get();
-  if (auto refusal = refuse_upgrade(request, options_->subprotocol, options_->names)) {
+  AllowedNames names = options_->names;
+  const auto origin = request[http::field::origin];
+  if (options_->knows_site && options_->knows_site({origin.data(), origin.size()})) {
+    names.origins.emplace_back(origin);
+  }
+  if (auto refusal = refuse_upgrade(request, options_->subprotocol, names)) {
     return send(*std::move(refusal), false);
   }
   auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));

@@ -118,7 +118,7 @@ export const connectionTexts = {
   stopped: 'The hub has stopped.',
   gone: (host: string, reason: string) =>
     `The connection to the hub at ${host} is gone.${reason ? ` It said: ${reason}` : ''}`,
-  elsewhere: (pages: string[]) => `The room is also at ${pages.join(', ')}.`,
+  elsewhere: 'Going on at another hub.',
   hungUp: (sentence: string) => `The hub hung up: ${sentence || 'it gave no reason.'}`,
   tooSlow: 'This computer or its connection was too slow, and the hub hung up.',
   roomFull: 'The room is full.',

@@ -26,7 +26,7 @@ class FakeSocket {
   send(bytes: Uint8Array): void {
     this.sent.push(decodeControl(bytes));
   }
-  close(code: number): void {
+  close(code?: number): void {
     this.closedWith = code;
     this.readyState = 3;
   }
@@ -102,7 +102,7 @@ describe('a hub connection', () => {
     socket().open();
     socket().say({ case: 'welcome', value: { token: 'signed' } });
     socket().end(1006);
-    vi.advanceTimersByTime(10_000);
+    vi.advanceTimersByTime(1000);
     socket().open();
     expect(FakeSocket.all.length).toBe(2);
     expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { token: 'signed', code: '' } });
@@ -131,13 +131,23 @@ describe('a hub connection', () => {
     expect(states.at(-1)!.phase).toBe('connecting');
   });
 
-  test('that breaks says where else the room is', () => {
+  test('that breaks goes on at the hub that answers first of those where the room is, too', () => {
     start();
     socket().open();
-    socket().say({ case: 'welcome', value: {} });
-    socket().say({ case: 'otherHubs', value: { urls: ['wss://b:7600/ws#sha256=00', 'ws://c:7600'] } });
+    socket().say({ case: 'welcome', value: { token: 'signed' } });
+    socket().say({ case: 'otherHubs', value: { urls: ['ws://b:7600/ws', 'ws://c:7600'] } });
     socket().end(1006);
-    expect(sentence()).toMatch(/is gone\. The room is also at https:\/\/b:7600, http:\/\/c:7600\.$/);
+    expect(sentence()).toMatch(/hub:7600 is gone\. Going on at another hub\.$/);
+    vi.advanceTimersByTime(0);
+    expect(FakeSocket.all.slice(1).map(({ url }) => url)).toEqual(['ws://b:7600/ws', 'ws://c:7600/ws']);
+    FakeSocket.all[1]!.open();
+    expect(FakeSocket.all[2]!.readyState).toBe(3);
+    expect(FakeSocket.all[1]!.sent[0]!.message).toMatchObject({ case: 'join', value: { room: 'lab', token: 'signed' } });
+    FakeSocket.all[1]!.say({ case: 'welcome', value: { viewerId: 2 } });
+    expect(states.at(-1)!.phase).toBe('joined');
+    FakeSocket.all[1]!.end(1006);
+    vi.advanceTimersByTime(0);
+    expect(FakeSocket.all.slice(3).map(({ url }) => url)).toEqual(['ws://hub:7600/ws', 'ws://c:7600/ws']);
   });
 
   test('that breaks is made again', () => {

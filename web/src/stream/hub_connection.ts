@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The socket to the hub: joins as a viewer, keeps the clock, hands messages on, and connects again when it ends.
+// The socket to the hub: joins as a viewer, keeps the clock, hands messages on, and connects again when it ends, or to the
+// next hub where the room is, too.
 // docs/spec/wire.md §1, §3 and §5. Local time is this program's performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
 import type { Control, Roster, ViewerPose, Welcome } from '../gen/control_pb';
@@ -8,11 +9,14 @@ import { decodeControl, encodeControl, type ControlMessage } from '../wire/contr
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { asName } from '../wire/name_check';
 import { malformed, WireError } from '../wire/wire_error';
-import { explain, isHopeless, reconnectDelay_ms, type Ending } from './close_reason';
+import { explain, isHopeless, reconnectDelay_ms, type Ending, type Explanation } from './close_reason';
+import { HubChoice } from './hub_choice';
 import { pageTime_ms, type ConnectionState, type StartOptions } from './protocol';
+import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
 const silence_ms = 8000; // pings are answered about twice a second
+const silenceWithOthers_ms = 3000; // where there is another hub to go on at
 const silenceCheck_ms = 1000;
 const normalClosure = 1000;
 const policyClosure = 4000; // private range: a browser may not send 1002 or 1008
@@ -40,13 +44,14 @@ export class HubConnection {
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
-  private otherPages: string[] = []; // of hubs where the room is, too
+  private readonly hubs: HubChoice;
 
   constructor(
     private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access'>,
     private readonly events: HubEvents,
   ) {
     this.token = options.access.token;
+    this.hubs = new HubChoice(options.socketUrl);
   }
 
   connect(): void {
@@ -55,12 +60,10 @@ export class HubConnection {
     this.pings = 0;
     this.openedAt_ms = pageTime_ms();
     this.report('connecting', '');
-    const socket = new WebSocket(this.options.socketUrl, subprotocol);
-    socket.binaryType = 'arraybuffer';
-    socket.onopen = () => this.opened();
-    socket.onmessage = (event: MessageEvent) => this.received(event.data);
-    socket.onclose = (event) => this.closed(event);
-    this.socket = socket;
+    new SocketRace(this.hubs.toTry(), subprotocol, {
+      won: (socket, url) => this.opened(socket, url),
+      lost: (event) => this.nobodyAnswered(event),
+    });
   }
 
   send(message: ControlMessage): void {
@@ -71,7 +74,11 @@ export class HubConnection {
     return this.options.room || this.options.access.room;
   }
 
-  private opened(): void {
+  private opened(socket: WebSocket, url: string): void {
+    this.hubs.answered(url);
+    socket.onmessage = (event: MessageEvent) => this.received(event.data);
+    socket.onclose = (event) => this.closed(event);
+    this.socket = socket;
     this.ending.opened = true;
     this.lastHeard_ms = performance.now();
     const name = asName(this.options.name);
@@ -116,8 +123,7 @@ export class HubConnection {
           Number(message.value.hubNs) / 1e6,
         );
       case 'otherHubs':
-        this.otherPages = message.value.urls.map(pageOf);
-        return;
+        return this.hubs.learn(message.value.urls);
       case 'error':
         this.ending.error = { code: message.value.code, sentence: message.value.sentence };
     }
@@ -125,6 +131,7 @@ export class HubConnection {
 
   private welcomed(welcome: Welcome): void {
     this.failures = 0;
+    this.hubs.welcomed();
     if (welcome.token) this.token = welcome.token;
     this.events.welcome(welcome);
     this.report('joined', '');
@@ -142,7 +149,8 @@ export class HubConnection {
   }
 
   private checkSilence(): void {
-    if (performance.now() - this.lastHeard_ms > silence_ms) this.hangUp('The hub has gone silent.', false);
+    const longest_ms = this.hubs.hasOthers ? silenceWithOthers_ms : silence_ms;
+    if (performance.now() - this.lastHeard_ms > longest_ms) this.hangUp('The hub has gone silent.', false);
   }
 
   /** The close event may come minutes later when nobody answers, so it is not waited for. */
@@ -160,27 +168,35 @@ export class HubConnection {
     clearInterval(this.silenceTimer);
     this.socket = undefined;
     this.events.disconnected();
-    this.ending.closeCode = event.code;
-    this.ending.closeReason = event.reason;
-    const { sentence, reload } = explain(this.ending, new URL(this.options.socketUrl).host, this.room);
-    const delay = reconnectDelay_ms(++this.failures, Math.random(), isHopeless(this.ending));
-    this.report('waiting', sentence + this.elsewhere(), reload, Date.now() + delay);
-    setTimeout(() => this.connect(), delay);
+    const { sentence, reload } = this.explain(event);
+    const hopeless = isHopeless(this.ending);
+    if (!this.hubs.failed(hopeless)) return this.connectLater(sentence, reload, hopeless);
+    this.report('waiting', `${sentence} ${connectionTexts.elsewhere}`, reload);
+    setTimeout(() => this.connect(), 0);
   }
 
-  /** The page may connect to its own hub only; a person may open another's. */
-  private elsewhere(): string {
-    return this.otherPages.length > 0 ? ` ${connectionTexts.elsewhere(this.otherPages)}` : '';
+  private nobodyAnswered(event: Pick<CloseEvent, 'code' | 'reason'>): void {
+    this.events.disconnected();
+    const { sentence, reload } = this.explain(event);
+    this.hubs.nobodyAnswered();
+    this.connectLater(sentence, reload, false);
+  }
+
+  private explain({ code, reason }: Pick<CloseEvent, 'code' | 'reason'>): Explanation {
+    this.ending.closeCode = code;
+    this.ending.closeReason = reason;
+    return explain(this.ending, new URL(this.hubs.current).host, this.room);
+  }
+
+  private connectLater(sentence: string, reload: boolean, hopeless: boolean): void {
+    const delay = reconnectDelay_ms(++this.failures, Math.random(), hopeless);
+    this.report('waiting', sentence, reload, Date.now() + delay);
+    setTimeout(() => this.connect(), delay);
   }
 
   private report(phase: ConnectionState['phase'], sentence: string, reload = false, retryAt_ms?: number): void {
     this.events.connection({ phase, sentence, reload, retryAt_ms, openedAt_ms: this.openedAt_ms });
   }
-}
-
-/** "wss://b:7600/ws#sha256=..." -> "https://b:7600" */
-function pageOf(hubUrl: string): string {
-  return hubUrl.replace(/#.*$/, '').replace(/\/ws$/, '').replace(/^ws/, 'http');
 }
 
 function noEnding(): Ending {

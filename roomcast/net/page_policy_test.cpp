@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/net/page_policy.h"
+
+#include <array>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace roomcast::net {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(PagePolicy, alone_a_page_may_ask_its_own_server_only) {
+  EXPECT_EQ(page_policy({}), kPagePolicy);
+  EXPECT_THAT(page_policy({}), HasSubstr("connect-src 'self';"));
+}
+
+TEST(PagePolicy, servers_beside_it_are_those_that_were_named_and_their_sockets_only) {
+  const std::array others = {*parse_hub_url("wss://B.example:7600/ws"),
+                             *parse_hub_url("ws://[::1]:80")};
+  EXPECT_THAT(page_policy(others),
+              HasSubstr("connect-src 'self' wss://b.example:7600 ws://[::1]:80;"));
+}
+
+TEST(PagePolicy, a_site_is_written_as_browsers_do) {
+  EXPECT_EQ(site_of(*parse_hub_url("wss://B.example/ws")), "https://b.example:7600");
+  EXPECT_EQ(site_of(*parse_hub_url("wss://b.example:443")), "https://b.example");
+  EXPECT_EQ(site_of(*parse_hub_url("ws://127.0.0.1:80")), "http://127.0.0.1");
+  EXPECT_EQ(site_of(*parse_hub_url("wss://b.example:80")), "https://b.example:80");
+}
+
+}  // namespace
+}  // namespace roomcast::net
