@@ -7,7 +7,7 @@ import { RoomClient } from './room_client.mjs';
 import { assertMissedNothing } from './rooms.mjs';
 
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
-const costOver_s = 2;
+const costOver_s = costRounds > 1 ? 5 : 2;
 const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
 
 /** Processor time of a process so far. */

@@ -128,8 +128,8 @@ export class RoomClient {
 export class SendingSensor {
   sent = 0;
 
-  static async start(t, url, { name, fps, rate = fps, payloadBytes = 2000, options }) {
-    const client = await RoomClient.join(t, url, { name, sensor: { fps }, options });
+  static async start(t, url, { name, fps, rate = fps, payloadBytes = 2000, token, options }) {
+    const client = await RoomClient.join(t, url, { name, sensor: { fps }, token, options });
     return new SendingSensor(t, client, { rate, payloadBytes, roomMinusHostNs: await client.askTime() });
   }
 

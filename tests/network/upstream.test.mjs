@@ -3,10 +3,12 @@
 // on the way means to them. More rounds for the cost:
 // ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
-import { Program, scratchFolder } from '../cli/program.mjs';
+import { Program, run, scratchFolder } from '../cli/program.mjs';
+import { makeToken } from './admin.mjs';
 import { costRounds, tellCost } from './hub_cost.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
 import { assertMissedNothing, longestPause_ms } from './rooms.mjs';
@@ -15,8 +17,9 @@ const fps = 30;
 const longestGap_ms = 1000;
 
 async function startHub(t, ...options) {
-  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', '--data', scratchFolder(t), ...options];
-  const program = new Program(args, { limitMs: 60_000 + 20_000 * costRounds });
+  const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
+  const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', ...data, ...options];
+  const program = new Program(args, { limitMs: 60_000 + 40_000 * costRounds });
   t.after(() => program.stop('SIGKILL'));
   const [, port] = await program.prints(/127\.0\.0\.1:(\d+)/);
   return { program, url: `ws://127.0.0.1:${port}` };
@@ -63,14 +66,22 @@ async function chain(t) {
   const edge = await startEdge(t, first, second);
   const viewer = await RoomClient.join(t, edge.url);
   await viewer.moreSets(30);
-  return { viewer, first };
+  return { viewer, onTheWay: await servesOn(t, first) ? first : second };
+}
+
+/** Is it a hub that watches there? */
+async function servesOn(t, hub) {
+  const witness = await RoomClient.join(t, hub.url);
+  await witness.until('who is there', () => witness.rosters.length > 0);
+  witness.socket.terminate();
+  return witness.rosters.at(-1).viewers === 2;
 }
 
 for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
   test(`a_${what}_hub_on_the_way_is_replaced_by_the_next`, async (t) => {
-    const { viewer, first } = await chain(t);
+    const { viewer, onTheWay } = await chain(t);
     viewer.sets.splice(0, viewer.sets.length - 1);
-    first.program.child.kill(signal);
+    onTheWay.program.child.kill(signal);
     await delay(longestGap_ms + 500);
     await viewer.moreSets(10);
     const gap_ms = longestPause_ms(viewer);
@@ -80,7 +91,21 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
   });
 }
 
-test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 20_000 * costRounds }, async (t) => {
+test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async (t) => {
+  const [theirs, ours] = [scratchFolder(t), scratchFolder(t)];
+  const { token, id } = await makeToken(theirs, '--room', 'room', '--role', 'viewer');
+  const { token: sensorToken } = await makeToken(theirs, '--room', 'room', '--role', 'sensor');
+  writeFileSync(`${ours}/token`, token);
+  const origin = await startHub(t, '--access', 'token', '--data', theirs);
+  const edge = await startHub(t, '--upstream', origin.url, '--upstream-token-file', `${ours}/token`);
+  await SendingSensor.start(t, origin.url, { name: 's0', fps, token: sensorToken });
+  const viewer = await RoomClient.join(t, edge.url);
+  await viewer.moreSets(10);
+  await run('token', '--data', theirs, '--revoke', id);
+  await viewer.until('the room has ended here', () => viewer.sensor('s0')?.online === false);
+});
+
+test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 40_000 * costRounds }, async (t) => {
   const origin = await startHub(t);
   await startSensors(t, origin, 4);
   await tellCost(t, { origin, edge: await startEdge(t, origin) });
