@@ -27,6 +27,7 @@ struct MadeUpRoom {
   std::uint32_t looks = 1;  // another number: other patterns
   double period_m = 0;      // above 0: the pattern repeats along x and z
   bool turned = false;      // the pattern of either half is that of the other, turned by half
+  Eigen::AlignedBox3d repainted = {};  // the pattern is another one in here
 };
 
 /// A small Kinect-like sensor: depth 200 x 160, colour 400 x 300.
@@ -54,7 +55,7 @@ inline double pattern_grey(const MadeUpRoom& room, Eigen::Vector3d at) {
   }
   if (room.turned && at.x() < 0) at = {-at.x(), at.y(), -at.z()};
   double grey = 20;
-  std::uint32_t seed = 16 * room.looks;
+  std::uint32_t seed = 16 * room.looks + (room.repainted.contains(at) ? 8 : 0);
   for (const double size : {0.5, 0.23, 0.11, 0.06}) {
     const auto cell = [&](int axis) {
       return static_cast<int>(std::floor(at(axis) / size + 1e-4));

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "roomcast/align/pair/surface_residuals.h"
 #include "roomcast/align/rig/refusal.h"
+#include "roomcast/align/rig/rig_check.h"
 #include "roomcast/align/rig/rig_refinement.h"
 #include "roomcast/align/rig/world_frame.h"
 
@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kHoldingSupport = 6, kHoldingScore = 6;
 constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
-constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
-constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
 // A lens whose centre is off by half a pixel looks aside by so much, and no view tells.
 constexpr double kPointingSigma_rad = 0.001;
 constexpr SurfaceReach kReported{0.05F, 20'000};
@@ -46,62 +44,6 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
   }
   placed[selection.origin] = any || count == 1;
   return placed;
-}
-
-/// What all others see where a sensor is said to stand.
-struct SeenByOthers {
-  double consistent = 0, violating = 0;              // shares of views
-  double solid_consistent = 0, solid_violating = 0;  // blocks
-
-  void add(const PoseEvidence& evidence) {
-    consistent += evidence.space.consistent;
-    violating += evidence.space.violating;
-    solid_consistent += static_cast<double>(evidence.solid.consistent);
-    solid_violating += static_cast<double>(evidence.solid.violating);
-  }
-  [[nodiscard]] double conflict() const { return violating / (consistent + violating + 1e-3); }
-  /// Refined poses are exact, so what they contradict is held against them more strictly.
-  [[nodiscard]] bool contradicts() const {
-    return (conflict() > kRefinedConflict && violating > kNegligibleViolation) ||
-           (solid_violating > kNegligibleSolid &&
-            solid_violating > kRefinedSolidConflict * (solid_consistent + solid_violating));
-  }
-};
-
-/// One way to place the sensors, refined.
-struct RigAnswer {
-  PoseSelection selection;
-  std::vector<bool> placed;
-  std::vector<RefinedSensor> refined;
-
-  [[nodiscard]] RigidTransform relative(const RigPair& pair) const {
-    return refined[pair.first].origin_from_sensor.inverse() *
-           refined[pair.second].origin_from_sensor;
-  }
-};
-
-/// Of the sensors whose refined places contradict what all others see, the one that does so most;
-/// of two that do so alike, the one that was less sure.
-std::optional<std::size_t> contradicted_sensor(std::span<const RigPair> pairs,
-                                               const RigAnswer& answer) {
-  const std::size_t count = answer.placed.size();
-  std::vector<SeenByOthers> seen(count);
-  for (const RigPair& pair : pairs) {
-    if (!answer.placed[pair.first] || !answer.placed[pair.second]) continue;
-    const PoseEvidence evidence = pair.candidates->examine(answer.relative(pair));
-    seen[pair.first].add(evidence);
-    seen[pair.second].add(evidence);
-  }
-  const auto rank = [&](std::size_t i) {
-    const PoseSelection& selection = answer.selection;
-    return std::tuple(seen[i].conflict(), i != selection.origin,
-                      -std::min(selection.margin_to_rival[i], selection.margin_to_unplaced[i]));
-  };
-  std::optional<std::size_t> worst;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (seen[i].contradicts() && (!worst || rank(i) > rank(*worst))) worst = i;
-  }
-  return worst;
 }
 
 std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
@@ -226,9 +168,10 @@ RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
 /// sure is taken out must hold on its own, so it is sought anew.
 RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs) {
   std::vector<RigPair> left(pairs.begin(), pairs.end());
+  RigCheck check;
   for (;;) {
     RigAnswer answer = answer_of(sensors, left);
-    const auto fooled = contradicted_sensor(left, answer);
+    const auto fooled = check.contradicted_sensor(left, answer);
     if (!fooled) return answer;
     std::erase_if(
         left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });

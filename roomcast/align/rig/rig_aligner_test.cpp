@@ -161,6 +161,19 @@ TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
   EXPECT_THAT(report.sensors[1].reason, testing::HasSubstr("very same pictures"));
 }
 
+TEST(RigAligner, a_sensor_of_a_room_with_another_poster_is_not_placed) {
+  MadeUpRoom other_room;
+  other_room.repainted = {Eigen::Vector3d(-1.5, 0.8, -2.1), Eigen::Vector3d(1.5, 2.6, -1.9)};
+  RigAligner aligner;
+  aligner.add(first_corner().view);
+  aligner.add(second_corner().view);
+  aligner.add(made_up_view(other_room, "stranger", corner_pose(1.6, 1.5)).view);
+  const AlignmentReport report = aligner.solve();
+  EXPECT_TRUE(report.sensors[0].placed);
+  EXPECT_TRUE(report.sensors[1].placed);
+  EXPECT_FALSE(report.sensors[2].placed);
+}
+
 TEST(RigAligner, a_sensor_can_leave_and_another_join) {
   RigAligner aligner;
   aligner.add(first_corner().view);

@@ -7,7 +7,6 @@
 namespace roomcast::align {
 namespace {
 
-constexpr int kGridStep = 2;
 constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
 constexpr int kBlurReach = 4;
 constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
@@ -51,12 +50,12 @@ Image<float> blurred(const Image<std::uint8_t>& grey) {
 
 Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
   Texture texture;
-  texture.width = surface.z_m.width() / kGridStep;
-  texture.height = surface.z_m.height() / kGridStep;
+  texture.width = surface.z_m.width() / kTextureStep;
+  texture.height = surface.z_m.height() / kTextureStep;
   texture.soft_grey = blurred(picture.grey);
   for (int y = 0; y < texture.height; ++y) {
     for (int x = 0; x < texture.width; ++x) {
-      const Eigen::Vector3f& point = surface.at.at(kGridStep * x, kGridStep * y).point_m;
+      const Eigen::Vector3f& point = surface.at.at(kTextureStep * x, kTextureStep * y).point_m;
       if (!(point.z() > 0)) continue;
       const Eigen::Vector3f in_color = picture.in_color_frame(point);
       if (!(in_color.z() > kNearestSurface_m)) continue;

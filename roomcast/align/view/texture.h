@@ -21,6 +21,8 @@ struct TexturedPoint {
   float grey = 0;
 };
 
+inline constexpr int kTextureStep = 2;  // rows and columns of the depth grid
+
 struct Texture {
   int width = 0, height = 0;          // of the grid
   std::vector<TexturedPoint> points;  // row by row; only what both cameras see

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/pair/plane_prints.h"
+
+#include <algorithm>
+
+#include "roomcast/align/pair/overlay.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr int kReach = 5;  // windows of 11 x 11 grid points
+constexpr int kWindow = (2 * kReach + 1) * (2 * kReach + 1);
+constexpr double kLeastFilled = 0.9;     // of a window
+constexpr double kLeastContrast = 6;     // grey levels (standard deviation) in both views
+constexpr double kContradiction = 0.12;  // a correlation below it
+constexpr int kMostAside = 1;            // grid points: refined poses are no further off
+
+/// Points on planes have a plane's very normal (flat_normals.h).
+bool lies_on_plane(const SensorView& view, const TexturedPoint& point) {
+  const Eigen::Vector3f& normal =
+      view.surface.at.at(kTextureStep * point.x, kTextureStep * point.y).normal;
+  return std::ranges::any_of(view.planes,
+                             [&](const Plane& plane) { return plane.normal == normal; });
+}
+
+void keep_planes_only(const SensorView& view, Overlay& common) {
+  for (const TexturedPoint& point : view.texture.points) {
+    if (!lies_on_plane(view, point)) common.known[common.place(point.x, point.y)] = 0;
+  }
+}
+
+/// Of a window in mine with one that lies aside in theirs.
+OverlaySums sums_aside(const Overlay& common, const TexturedPoint& centre, int dx, int dy) {
+  OverlaySums sums{};
+  for (int y = centre.y - kReach; y <= centre.y + kReach; ++y) {
+    for (int x = centre.x - kReach; x <= centre.x + kReach; ++x) {
+      if (x < 0 || y < 0 || x >= common.width || y >= common.height) continue;
+      if (x + dx < 0 || y + dy < 0 || x + dx >= common.width || y + dy >= common.height) continue;
+      const std::size_t here = common.place(x, y), aside = common.place(x + dx, y + dy);
+      if (!common.known[here] || !common.known[aside]) continue;
+      const double p = double(common.mine[here]), q = double(common.theirs[aside]);
+      const OverlaySums one = {1, p, q, p * p, q * q, p * q};
+      for (std::size_t k = 0; k < one.size(); ++k) sums[k] += one[k];
+    }
+  }
+  return sums;
+}
+
+bool can_be_judged(const OverlaySums& sums) {
+  return sums[0] >= kLeastFilled * kWindow;
+}
+
+bool agrees_aside(const Overlay& common, const TexturedPoint& centre) {
+  for (int dy = -kMostAside; dy <= kMostAside; ++dy) {
+    for (int dx = -kMostAside; dx <= kMostAside; ++dx) {
+      const OverlaySums sums = sums_aside(common, centre, dx, dy);
+      if (can_be_judged(sums) && WindowContrast(sums).correlation() >= kContradiction) return true;
+    }
+  }
+  return false;
+}
+
+PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
+                             const RigidTransform& other_from_view) {
+  Overlay common = overlay(from, other, other_from_view);
+  keep_planes_only(from.view(), common);
+  const WindowSums windows(common);
+  if (common.count == 0) return {};
+  PlanePrints prints;
+  for (const TexturedPoint& point : from.view().texture.points) {
+    if (!common.known[common.place(point.x, point.y)]) continue;
+    const OverlaySums sums = windows.around(point.x, point.y, kReach);
+    if (!can_be_judged(sums)) continue;
+    const WindowContrast contrast(sums);
+    if (std::min(contrast.mine, contrast.theirs) < kLeastContrast) continue;
+    const double correlation = contrast.correlation();
+    ++prints.judged;
+    prints.agreement += correlation;
+    prints.contradicting += correlation < kContradiction && !agrees_aside(common, point);
+  }
+  const auto points = static_cast<double>(from.view().texture.points.size());
+  return {prints.judged / points, prints.contradicting / points, prints.agreement / points};
+}
+
+}  // namespace
+
+PlanePrints compare_plane_prints(const SensorView& a, const SensorView& b, const PairState& state) {
+  const SeenPicture seen_a(a, state.a), seen_b(b, state.b);
+  PlanePrints prints = prints_seen_from(seen_a, seen_b, state.a_from_b.inverse());
+  prints.add(prints_seen_from(seen_b, seen_a, state.a_from_b));
+  return prints;
+}
+
+}  // namespace roomcast::align

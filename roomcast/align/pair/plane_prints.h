@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Do both sensors see the same prints on walls, floors and tables? Rooms of one kind are alike in
+// shape and pattern, and what tells them apart may be no more than a poster. Over a whole view that
+// is one part in a hundred, too little for a mean; so places are counted where both see contrast
+// and it is not the same, even a little aside. On planes only: what people do between two frames
+// looks like contradiction everywhere else. Thread-safe (no state).
+#pragma once
+
+#include "roomcast/align/pair/pair_equations.h"
+#include "roomcast/align/sensor_view.h"
+
+namespace roomcast::align {
+
+/// Places that could be judged, as shares of a view, of both views together.
+struct PlanePrints {
+  double judged = 0;
+  double contradicting = 0;
+  double agreement = 0;  // the sum of their correlations
+
+  void add(const PlanePrints& other) {
+    judged += other.judged;
+    contradicting += other.contradicting;
+    agreement += other.agreement;
+  }
+  [[nodiscard]] double correlation() const { return judged > 0 ? agreement / judged : 0; }
+  [[nodiscard]] double conflict() const { return judged > 0 ? contradicting / judged : 0; }
+};
+
+/// With colour corrected as the state says.
+[[nodiscard]] PlanePrints compare_plane_prints(const SensorView& a, const SensorView& b,
+                                               const PairState& state);
+
+}  // namespace roomcast::align

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/align/pair/plane_prints.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/align/made_up_views.h"
+
+namespace roomcast::align {
+namespace {
+
+/// The same room with another poster on the wall that the first two corners look at.
+MadeUpRoom with_another_poster() {
+  MadeUpRoom room;
+  room.repainted = {Eigen::Vector3d(-0.8, 1.0, -2.1), Eigen::Vector3d(0.8, 2.4, -1.9)};
+  return room;
+}
+
+PlanePrints prints_of(const MadeUpView& a, const MadeUpView& b) {
+  return compare_plane_prints(*a.view, *b.view, {true_pose(a, b), {}, {}});
+}
+
+TEST(PlanePrints, two_views_of_one_room_agree) {
+  const PlanePrints prints = prints_of(first_corner(), second_corner());
+  EXPECT_GT(prints.judged, 0.1);
+  EXPECT_GT(prints.correlation(), 0.8);
+  EXPECT_LT(prints.conflict(), 0.002);
+}
+
+TEST(PlanePrints, another_poster_on_a_wall_is_counted) {
+  const auto other = made_up_view(with_another_poster(), "s1", second_corner().world_from_depth);
+  const PlanePrints same = prints_of(first_corner(), second_corner());
+  const PlanePrints prints = prints_of(first_corner(), other);
+  EXPECT_GT(prints.conflict(), 0.01);
+  EXPECT_LT(prints.conflict(), 0.3);
+  EXPECT_NEAR(prints.judged, same.judged, 0.1 * same.judged);
+}
+
+TEST(PlanePrints, what_is_a_little_aside_is_no_contradiction) {
+  RigidTransform aside = true_pose(first_corner(), second_corner());
+  aside.translation_m.x() += 0.01;
+  const PlanePrints prints =
+      compare_plane_prints(*first_corner().view, *second_corner().view, {aside, {}, {}});
+  EXPECT_LT(prints.conflict(), 0.01);
+}
+
+TEST(PlanePrints, views_that_share_nothing_say_nothing) {
+  RigidTransform away = true_pose(first_corner(), second_corner());
+  away.translation_m.z() += 20;
+  const PlanePrints prints =
+      compare_plane_prints(*first_corner().view, *second_corner().view, {away, {}, {}});
+  EXPECT_EQ(prints.judged, 0);
+  EXPECT_EQ(prints.conflict(), 0);
+  EXPECT_EQ(prints.correlation(), 0);
+}
+
+}  // namespace
+}  // namespace roomcast::align
