@@ -12,3 +12,4 @@ import './console.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';
 import './reverse_proxy.test.mjs';
+import './other_hub.test.mjs';

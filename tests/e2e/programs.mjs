@@ -84,9 +84,9 @@ export async function adminsToken(data) {
   return token;
 }
 
-/** A hub on a free port, or on `port`; in the folder `data` it keeps what it knows. */
-export async function startHub(port = 0, { data } = {}) {
-  const args = ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose'];
+/** A hub on a free port, or on `port`; in the folder `data` it keeps what it knows. `more` are options of the program. */
+export async function startHub(port = 0, { data, more = [] } = {}) {
+  const args = ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose', ...more];
   const hub = new Program('hub', data ? [...args, '--data', data] : args);
   const [, found] = await hub.says(/open http:\/\/127\.0\.0\.1:(\d+)\//);
   hub.port = Number(found);
@@ -95,7 +95,7 @@ export async function startHub(port = 0, { data } = {}) {
 }
 
 /** Sensor number `n` of a simulated room, or of the recording `rig`; `log` is a file for one JSON line per frame sent. */
-export function startSensor(hub, n, { fps = 5, log, rig } = {}) {
+export function startSensor(hub, n, { fps = 5, log, rig, token } = {}) {
   const args = [
     'sensor',
     '--source',
@@ -107,5 +107,6 @@ export function startSensor(hub, n, { fps = 5, log, rig } = {}) {
     '--wait',
     '--verbose',
   ];
+  if (token) args.push('--token', token);
   return new Program(`sensor ${n}`, log ? [...args, '--log-frames', log] : args);
 }

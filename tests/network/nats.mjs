@@ -48,10 +48,10 @@ export async function startNode(t, { routes, more = '', scheme = 'nats' } = {}) 
   return node;
 }
 
-/** Servers that know each other: the others are told of the first, and by it of each other. */
-export async function startCluster(t, count = 3) {
-  const nodes = [await startNode(t, { routes: [] })];
-  while (nodes.length < count) nodes.push(await startNode(t, { routes: [nodes[0].route] }));
+/** Servers that know each other: the others are told of the first, and by it of each other. `options` as of startNode. */
+export async function startCluster(t, count = 3, options = {}) {
+  const nodes = [await startNode(t, { routes: [], ...options })];
+  while (nodes.length < count) nodes.push(await startNode(t, { routes: [nodes[0].route], ...options }));
   await Promise.all(nodes.map((node) => haveRoutes(node, count - 1)));
   return nodes;
 }

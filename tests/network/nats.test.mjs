@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, scratchFolder } from '../cli/program.mjs';
+import { makeCertificate } from './certificate.mjs';
 import { costRounds, tellCost } from './hub_cost.mjs';
 import { natsIsMissing, startCluster } from './nats.mjs';
 import { freePort } from './nginx.mjs';
@@ -19,7 +20,7 @@ const fps = 30;
 const payloadBytes = 8000;
 const sensors = ['s0', 's1', 's2', 's3'];
 const skip = natsIsMissing;
-const timeout = 60_000 + 20_000 * rounds + 20_000 * costRounds;
+const timeout = 60_000 + 20_000 * rounds + 40_000 * costRounds;
 
 async function startHub(t, ...options) {
   const align = options[0]?.align ? (options.shift(), []) : ['--no-align'];
@@ -31,9 +32,21 @@ async function startHub(t, ...options) {
 }
 
 /** A hub beside each server, its own one first. */
-async function startHubs(t, nodes) {
+async function startHubs(t, nodes, ...options) {
   return Promise.all(
-    nodes.map((_, i) => startHub(t, '--nats', [...nodes.slice(i), ...nodes.slice(0, i)].map(({ url }) => url).join(','))));
+    nodes.map((_, i) => startHub(t, '--nats', [...nodes.slice(i), ...nodes.slice(0, i)].map(({ url }) => url).join(','), ...options)));
+}
+
+/** Servers and hubs that encrypt what they say to each other. */
+async function startEncrypted(t) {
+  const { file } = await makeCertificate(t, scratchFolder(t));
+  const nodes = await startCluster(t, 3, { scheme: 'tls', more: `tls { cert_file: "${file}", key_file: "${file}" }` });
+  return { nodes, hubs: await startHubs(t, nodes, '--nats-ca', file) };
+}
+
+async function startPlain(t) {
+  const nodes = await startCluster(t);
+  return { nodes, hubs: await startHubs(t, nodes) };
 }
 
 const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps, payloadBytes });
@@ -47,9 +60,8 @@ async function watch(t, hub, names = sensors) {
 }
 
 /** Three servers, three hubs, sensors at the first two hubs, somebody watching at each. */
-async function start(t) {
-  const nodes = await startCluster(t);
-  const hubs = await startHubs(t, nodes);
+async function start(t, encrypted = false) {
+  const { nodes, hubs } = await (encrypted ? startEncrypted(t) : startPlain(t));
   await Promise.all(sensors.map((name, i) => startSensor(t, hubs[i % 2], name)));
   const viewers = await Promise.all(hubs.map((hub) => watch(t, hub)));
   return { nodes, hubs, viewers };
@@ -109,11 +121,16 @@ async function bytesThrough({ monitor }) {
   return (await bytes()) - before;
 }
 
-for (const [what, signal, limit_ms] of [['killed', 'SIGKILL', 150], ['hung', 'SIGSTOP', 1000]]) {
+for (const [what, signal, limit_ms, encrypted] of [
+  ['killed', 'SIGKILL', 150, false],
+  ['hung', 'SIGSTOP', 1000, false],
+  ['killed_encrypted', 'SIGKILL', 150, true],
+  ['hung_encrypted', 'SIGSTOP', 1000, true],
+]) {
   test(`a_${what}_nats_server_is_replaced_by_the_next`, { skip, timeout }, async (t) => {
     const gaps_ms = [];
     for (let round = 0; round < rounds; ++round) {
-      const { nodes, viewers } = await start(t);
+      const { nodes, viewers } = await start(t, encrypted);
       gaps_ms.push(await gap_ms(viewers, () => nodes[round % 3].child.kill(signal)));
       for (const viewer of viewers) {
         assert.ok(sensors.every((name) => viewer.sensor(name)?.online), viewer.summary());
@@ -136,6 +153,13 @@ async function startPublicHub(t, node, port) {
   return { program, url };
 }
 
+/** `roomcast view`, without a window. */
+async function watchNatively(t, hub) {
+  const viewer = new Program(['view', '--hub', hub.url, '--headless', '--seconds', '30', '--png', `${scratchFolder(t)}/seen.png`], { limitMs: timeout });
+  t.after(() => viewer.stop('SIGKILL'));
+  return viewer;
+}
+
 test('when_a_hub_is_killed_others_miss_little_and_its_sensors_go_on_elsewhere', { skip, timeout }, async (t) => {
   const gaps_ms = [], comeback_ms = [];
   for (let round = 0; round < rounds; ++round) {
@@ -148,11 +172,16 @@ test('when_a_hub_is_killed_others_miss_little_and_its_sensors_go_on_elsewhere', 
     const viewers = await Promise.all(hubs.slice(0, 2).map((hub) => watch(t, hub)));
     const abandoned = await RoomClient.join(t, hubs[2].url);
     await abandoned.until('where else the room is', () => abandoned.otherHubs.length === 2);
+    const native = await watchNatively(t, hubs[2]);
+    await abandoned.until('the native viewer', () => abandoned.rosters.at(-1).viewers === 2);
     gaps_ms.push(await gap_ms(viewers, () => hubs[2].program.child.kill('SIGKILL'), stays));
     await abandoned.closed;
     await Promise.all(viewers.map((viewer) => viewer.until('the sensor', () => viewer.sensor('s2')?.online)));
     await viewers[0].moreSets(10);
     comeback_ms.push(Math.max(...viewers.map((viewer) => longestGap_ms(viewer, ['s2']))));
+    const watching = () => viewers.reduce((sum, viewer) => sum + viewer.rosters.at(-1).viewers, 0);
+    while (watching() < 3) await Promise.race(viewers.map((viewer) => viewer.moreSets(1)));
+    await native.stop('SIGKILL');
     viewers.forEach((viewer) => viewer.socket.terminate());
   }
   t.diagnostic(

@@ -3,7 +3,9 @@
 // on the way means to them. More rounds for the cost:
 // ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
 import assert from 'node:assert/strict';
+import { once } from 'node:events';
 import { writeFileSync } from 'node:fs';
+import { connect, createServer } from 'node:net';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 
@@ -89,6 +91,39 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
     assert.ok(gap_ms <= longestGap_ms, `${gap_ms} ms without a set`);
     await viewer.until('the sensors', () => [0, 1, 2, 3].every((n) => viewer.sensor(`s${n}`)?.online));
   });
+}
+
+test('who_is_told_of_several_hubs_goes_to_the_one_that_answers_first', async (t) => {
+  const [near, far] = [await startHub(t), await startHub(t)];
+  const slow = await startSlowWay(t, far, 150);
+  for (const urls of [[slow.url, near.url], [near.url, slow.url]]) {
+    const recorder = new Program(['record', `${scratchFolder(t)}/out.mcap`, '--hub', urls.join(','), '--seconds', '20']);
+    t.after(() => recorder.stop('SIGKILL'));
+    const witness = await RoomClient.join(t, near.url);
+    await witness.until('the recorder', () => witness.rosters.at(-1)?.viewers === 2);
+    await recorder.stop('SIGKILL');
+    await witness.until('it has left', () => witness.rosters.at(-1).viewers === 1);
+    witness.socket.terminate();
+  }
+  far.program.child.kill('SIGSTOP'); // it answers nobody any more
+  const recorder = new Program(['record', `${scratchFolder(t)}/out.mcap`, '--hub', `${far.url},${near.url}`, '--seconds', '20']);
+  t.after(() => recorder.stop('SIGKILL'));
+  const witness = await RoomClient.join(t, near.url);
+  await witness.until('the recorder', () => witness.rosters.at(-1)?.viewers === 2);
+});
+
+/** A way to this hub on which everything takes so much longer, each way. */
+async function startSlowWay(t, { url }, delay_ms) {
+  const port = Number(new URL(url).port);
+  const later = (from, to) => from.on('data', (bytes) => setTimeout(() => to.write(bytes), delay_ms)).on('close', () => to.destroy()).on('error', () => {});
+  const server = createServer((client) => {
+    const hub = connect(port, '127.0.0.1');
+    later(client, hub);
+    later(hub, client);
+  }).listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  t.after(() => server.close());
+  return { url: `ws://127.0.0.1:${server.address().port}` };
 }
 
 test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async (t) => {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page goes on at another hub when its own is gone, without anybody's doing: where hubs share their rooms.
+import assert from 'node:assert/strict';
+import { copyFileSync, mkdtempSync, rmSync } from 'node:fs';
+import { get } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, test } from 'node:test';
+import { natsIsMissing, startNode } from '../network/nats.mjs';
+import { freePort } from '../network/nginx.mjs';
+import { openPage, startBrowser } from './browser.mjs';
+import { requireBuilt, run, startHub, startSensor } from './programs.mjs';
+import { stateOf, until, untilAllShown } from './waiting.mjs';
+
+const slow = { timeout: 90_000, skip: natsIsMissing };
+
+/** Two hubs with one secret over one NATS server, each with an address for others. */
+async function startTwins(t) {
+  const node = await startNode(t);
+  const folders = [0, 1].map(() => mkdtempSync(join(tmpdir(), 'roomcast-e2e-')));
+  t.after(() => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
+  const token = async (role) => (await run('token', '--data', folders[0], '--room', 'room', '--role', role))[0];
+  const tokens = { viewer: await token('viewer'), sensor: await token('sensor') };
+  copyFileSync(join(folders[0], 'hub.secret'), join(folders[1], 'hub.secret'));
+  const hubs = [];
+  for (const data of folders) {
+    const port = await freePort();
+    const more = ['--access', 'token', '--no-align', '--nats', node.url, '--public-url', `ws://127.0.0.1:${port}`];
+    const hub = await startHub(port, { data, more });
+    t.after(() => hub.end('SIGKILL'));
+    hubs.push(hub);
+  }
+  return { hubs, tokens };
+}
+
+const policyOf = async (hub) => (await fetch(hub.page)).headers.get('content-security-policy');
+const viewersAt = async (hub) => Number(/(\d+) viewers/.exec(await (await fetch(`${hub.page}healthz`)).text())[1]);
+
+/** The status with which a hub answers a page of this site that asks for a WebSocket. */
+function answerToPageOf(origin, hub) {
+  const headers = {
+    origin,
+    connection: 'Upgrade',
+    upgrade: 'websocket',
+    'sec-websocket-version': '13',
+    'sec-websocket-key': 'AAAAAAAAAAAAAAAAAAAAAA==',
+    'sec-websocket-protocol': 'roomcast.v1',
+  };
+  return new Promise((done, failed) => {
+    get(`${hub.page}ws`, { headers })
+      .on('response', (response) => (response.resume(), done(response.statusCode)))
+      .on('upgrade', (response, socket) => (socket.destroy(), done(response.statusCode)))
+      .on('error', failed);
+  });
+}
+
+describe('the page of a hub beside others', () => {
+  test('goes on at another hub when its own is gone, with its token, and stays where it is', slow, async (t) => {
+    requireBuilt();
+    const { hubs: [own, other], tokens } = await startTwins(t);
+    const sensor = startSensor(other, 0, { fps: 4, token: tokens.sensor });
+    t.after(() => sensor.end());
+    await until('the page may go there', () => policyOf(own), (policy) => policy.includes(`connect-src 'self' ws://127.0.0.1:${other.port};`));
+    const browser = await startBrowser({ width: 480, height: 320 });
+    t.after(() => browser.end());
+    const page = await openPage(browser.context, `${own.page}?panel=1#room=room&token=${tokens.viewer}`);
+    await untilAllShown(page, 1);
+    assert.equal(await viewersAt(other), 0);
+    const address = page.url();
+
+    await own.end('SIGKILL');
+    await until('it is at the other hub', () => viewersAt(other), (viewers) => viewers === 1);
+    const { shownSets } = await stateOf(page);
+    await until('new pictures', () => stateOf(page), (state) => state.phase === 'joined' && state.shownSets > shownSets + 4);
+    await untilAllShown(page, 1);
+    assert.equal(page.url(), address);
+    assert.ok(!page.complaints.some((complaint) => /Security Policy/.test(complaint)), page.complaints.join('\n'));
+    if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: join(process.env.ROOMCAST_SHOTS, 'other_hub.png') });
+  });
+
+  test('of a site that is none of theirs may not connect', slow, async (t) => {
+    const { hubs: [own, other] } = await startTwins(t);
+    await until('they know each other', () => policyOf(other), (policy) => policy.includes(`ws://127.0.0.1:${own.port};`));
+    const from = (origin) => answerToPageOf(origin, other);
+    assert.equal(await from(`http://127.0.0.1:${own.port}`), 101);
+    assert.equal(await from('http://127.0.0.1:1'), 403);
+    assert.equal(await from(`https://127.0.0.1:${own.port}`), 403);
+  });
+});
