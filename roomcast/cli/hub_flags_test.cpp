@@ -17,16 +17,22 @@ hub::HubConfig told(const std::string& line, hub::HubConfig config = {}) {
   return with_flags(std::move(config), flags);
 }
 
+hub::HubConfig file() {
+  hub::HubConfig config;
+  config.listen = "0.0.0.0:1";
+  config.nats_servers = {"nats://a:1"};
+  return config;
+}
+
 TEST(HubFlags, what_is_not_said_leaves_the_file_as_it_is) {
-  const hub::HubConfig config = told("", {.listen = "0.0.0.0:1", .nats_servers = {"nats://a:1"}});
+  const hub::HubConfig config = told("", file());
   EXPECT_EQ(config.listen, "0.0.0.0:1");
   EXPECT_THAT(config.nats_servers, ElementsAre("nats://a:1"));
 }
 
 TEST(HubFlags, what_is_said_holds_against_the_file) {
   const hub::HubConfig config =
-      told("--listen 127.0.0.1:2 --nats nats://b:1,nats://c:1 --public-url wss://d:1",
-           {.listen = "0.0.0.0:1", .nats_servers = {"nats://a:1"}});
+      told("--listen 127.0.0.1:2 --nats nats://b:1,nats://c:1 --public-url wss://d:1", file());
   EXPECT_EQ(config.listen, "127.0.0.1:2");
   EXPECT_THAT(config.nats_servers, ElementsAre("nats://b:1", "nats://c:1"));
   EXPECT_EQ(config.public_url, "wss://d:1");
