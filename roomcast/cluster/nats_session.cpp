@@ -22,6 +22,7 @@ Result<std::shared_ptr<NatsSession>> NatsSession::connect(const NatsOptions& opt
   const natsStatus status = natsConnection_Connect(&made, libnats->get());
   session->connection_.reset(made);
   if (status != NATS_OK) return connect_error(status, options);
+  session->last_heard_ = session->clock_.now();
   return session;
 }
 
@@ -49,7 +50,6 @@ natsStatus NatsSession::write_wanted(void* session, bool add) {
 
 void NatsSession::start(Handlers handlers) {
   handlers_ = std::move(handlers);
-  last_heard_ = clock_.now();
   read_later();
 }
 
