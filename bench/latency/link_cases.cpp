@@ -29,6 +29,7 @@ struct LinkCase {
 struct LinkOutcome {
   Arrivals far;
   std::vector<double> near_ages_ms;
+  std::map<std::uint64_t, int> near_sets;  // as one of those with enough saw them
   double sets_sent = 0;
   double link_bytes = 0;  // IP packets that crossed
 };
@@ -63,8 +64,10 @@ class LinkRoom {
     outcome.sets_sent = static_cast<double>(sensors_.front()->frames_sent() - sent);
     outcome.far = far_->take();
     for (const auto& watcher : near_) {
-      const auto ages = watcher->take().ages_ms;
-      outcome.near_ages_ms.insert(outcome.near_ages_ms.end(), ages.begin(), ages.end());
+      Arrivals near = watcher->take();
+      outcome.near_ages_ms.insert(outcome.near_ages_ms.end(), near.ages_ms.begin(),
+                                  near.ages_ms.end());
+      outcome.near_sets = std::move(near.sets);
     }
     return outcome;
   }
@@ -110,11 +113,16 @@ Result<LinkOutcome> measure(const LinkCase& link_case, std::chrono::milliseconds
   return (*room)->measure(duration);
 }
 
-/// Without those at either end, which the measurement may have cut.
-int partial_sets(const std::map<std::uint64_t, int>& sets, int sensors) {
-  if (sets.size() < 3) return 0;
-  return static_cast<int>(std::count_if(std::next(sets.begin()), std::prev(sets.end()),
-                                        [&](const auto& set) { return set.second < sensors; }));
+/// Of which the far viewer got less than the near one: a set may lack a sensor that was late
+/// itself. Without those at either end, which the measurement may have cut.
+int partial_sets(const LinkOutcome& outcome) {
+  const std::map<std::uint64_t, int>& far = outcome.far.sets;
+  if (far.size() < 3) return 0;
+  return static_cast<int>(
+      std::count_if(std::next(far.begin()), std::prev(far.end()), [&](const auto& set) {
+        const auto whole = outcome.near_sets.find(set.first);
+        return whole != outcome.near_sets.end() && set.second < whole->second;
+      }));
 }
 
 double percent(double part, double whole) {
@@ -152,8 +160,7 @@ Status measure_narrow(std::chrono::milliseconds duration, LatencyReport& report)
       {"narrow: sets delivered", "%",
        percent(static_cast<double>(outcome->far.sets.size()), outcome->sets_sent)});
   report.figures.push_back(
-      {"narrow: partial sets", "",
-       static_cast<double>(partial_sets(outcome->far.sets, link_case.sensors))});
+      {"narrow: partial sets", "", static_cast<double>(partial_sets(*outcome))});
   return {};
 }
 
