@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/openni2/openni2_device.h"
 
+#include <array>
+#include <thread>
+
 #include "roomcast/source/openni2/openni2_streams.h"
 
 namespace roomcast {
 namespace {
 
-constexpr double kColorFromDepth_m = -0.025;  // PrimeSense's reference design
+constexpr double kColorFromDepth_m = -0.025;                        // PrimeSense's reference design
+constexpr auto kPlayerFallsAsleep = std::chrono::milliseconds(50);  // of 10 ms a time
 
 }  // namespace
 
@@ -14,12 +18,18 @@ OpenNi2Device::OpenNi2Device(const CameraInfo& info) : departure_(info.place) {
   description_.serial = info.serial;
 }
 
+/// OpenNI's thread that plays a file goes through the streams without a lock, without a pause at
+/// the file's end, for as long as one of them is started; it crashes when one is destroyed
+/// meanwhile (seen with Debian's 2.2.0.33). Once all are stopped it sleeps.
 OpenNi2Device::~OpenNi2Device() {
   bell_.silence();
-  for (openni::VideoStream* stream : {&depth_, &color_}) {
-    if (!stream->isValid()) continue;
-    stream->stop();
-    stream->destroy();
+  const std::array streams{&depth_, &color_};
+  for (openni::VideoStream* stream : streams) {
+    if (stream->isValid()) stream->stop();
+  }
+  if (device_.isValid() && device_.isFile()) std::this_thread::sleep_for(kPlayerFallsAsleep);
+  for (openni::VideoStream* stream : streams) {
+    if (stream->isValid()) stream->destroy();
   }
   device_.close();
 }
