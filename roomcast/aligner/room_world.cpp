@@ -9,6 +9,8 @@
 namespace roomcast::aligner {
 namespace {
 
+constexpr auto kNotConnected =
+    "what it sees is not connected yet with what a sensor sees whose place was given";
 constexpr double kStays_m = 0.05, kStays_rad = 0.02;  // well within what alignment accepts
 
 bool stays(const RigidTransform& known, const RigidTransform& now) {
@@ -38,30 +40,21 @@ std::optional<RigidTransform> now_from_report(const align::AlignmentReport& repo
   return best;
 }
 
-std::vector<Placement> moved(const align::AlignmentReport& report,
-                             const RigidTransform& now_from_report) {
+/// Without a way to move the report into the world, nobody has a place.
+std::vector<Placement> placements_of(const align::AlignmentReport& report,
+                                     const std::optional<RigidTransform>& now_from_report) {
   std::vector<Placement> placements;
   for (const align::SensorReport& sensor : report.sensors) {
     Placement& placement = placements.emplace_back();
     placement.sensor = sensor.id;
-    if (sensor.placed) {
-      placement.world_from_depth = now_from_report * *sensor.world_from_depth;
-      placement.expected_error_mm = sensor.expected_error_mm;
-    } else {
+    if (!sensor.placed) {
       placement.note = sensor.reason;
+    } else if (!now_from_report) {
+      placement.note = kNotConnected;
+    } else {
+      placement.world_from_depth = *now_from_report * *sensor.world_from_depth;
+      placement.expected_error_mm = sensor.expected_error_mm;
     }
-  }
-  return placements;
-}
-
-std::vector<Placement> nowhere(const align::AlignmentReport& report) {
-  std::vector<Placement> placements;
-  for (const align::SensorReport& sensor : report.sensors) {
-    Placement& placement = placements.emplace_back();
-    placement.sensor = sensor.id;
-    placement.note = sensor.placed ? "what it sees is not connected yet with what a sensor sees "
-                                     "whose place was given"
-                                   : sensor.reason;
   }
   return placements;
 }
@@ -74,7 +67,7 @@ std::vector<Placement> RoomWorld::place(const align::AlignmentReport& report,
   auto now_from_then = now_from_report(report, given);
   if (!now_from_then) now_from_then = now_from_report(report, real);
   if (!now_from_then && given.empty()) now_from_then = RigidTransform{};
-  auto placements = now_from_then ? moved(report, *now_from_then) : nowhere(report);
+  auto placements = placements_of(report, now_from_then);
   const bool is_made_up = given.empty() && (found_before.empty() || !made_up_.empty());
   for (Placement& placement : placements) {
     if (!placement.world_from_depth) {

@@ -50,6 +50,12 @@ Overlay overlay(const SeenPicture& from, const SeenPicture& other,
   return out;
 }
 
+void add_place(float mine, float theirs, OverlaySums& sums) {
+  const double p = double(mine), q = double(theirs);
+  const OverlaySums here = {1, p, q, p * p, q * q, p * q};
+  for (std::size_t k = 0; k < here.size(); ++k) sums[k] += here[k];
+}
+
 WindowSums::WindowSums(const Overlay& overlay)
     : width_(overlay.width),
       height_(overlay.height),
@@ -59,11 +65,7 @@ WindowSums::WindowSums(const Overlay& overlay)
     OverlaySums row{};
     for (std::size_t x = 1; x < columns; ++x) {
       const std::size_t i = (y - 1) * (columns - 1) + x - 1;
-      if (overlay.known[i]) {
-        const double p = double(overlay.mine[i]), q = double(overlay.theirs[i]);
-        const OverlaySums here = {1, p, q, p * p, q * q, p * q};
-        for (std::size_t k = 0; k < here.size(); ++k) row[k] += here[k];
-      }
+      if (overlay.known[i]) add_place(overlay.mine[i], overlay.theirs[i], row);
       for (std::size_t k = 0; k < row.size(); ++k) {
         sums_[y * columns + x][k] = sums_[(y - 1) * columns + x][k] + row[k];
       }

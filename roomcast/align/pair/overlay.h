@@ -56,6 +56,9 @@ class SeenPicture {
 /// How many, x, y, xx, yy, xy.
 using OverlaySums = std::array<double, 6>;
 
+/// One more place, with its grey in either picture.
+void add_place(float mine, float theirs, OverlaySums& sums);
+
 /// Sums over rectangles in constant time (Crow 1984).
 class WindowSums {
  public:

@@ -38,9 +38,7 @@ OverlaySums sums_aside(const Overlay& common, const TexturedPoint& centre, int d
       if (x + dx < 0 || y + dy < 0 || x + dx >= common.width || y + dy >= common.height) continue;
       const std::size_t here = common.place(x, y), aside = common.place(x + dx, y + dy);
       if (!common.known[here] || !common.known[aside]) continue;
-      const double p = double(common.mine[here]), q = double(common.theirs[aside]);
-      const OverlaySums one = {1, p, q, p * p, q * q, p * q};
-      for (std::size_t k = 0; k < one.size(); ++k) sums[k] += one[k];
+      add_place(common.mine[here], common.theirs[aside], sums);
     }
   }
   return sums;
@@ -63,9 +61,9 @@ bool agrees_aside(const Overlay& common, const TexturedPoint& centre) {
 PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
                              const RigidTransform& other_from_view) {
   Overlay common = overlay(from, other, other_from_view);
+  if (common.count == 0) return {};
   keep_planes_only(from.view(), common);
   const WindowSums windows(common);
-  if (common.count == 0) return {};
   PlanePrints prints;
   for (const TexturedPoint& point : from.view().texture.points) {
     if (!common.known[common.place(point.x, point.y)]) continue;
