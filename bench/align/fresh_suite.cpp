@@ -144,15 +144,13 @@ class FreshRigs {
   }
 
   Result<FreshRig> next() {
-    const auto room = sensors_of(seed());
+    const auto room = sensors_of(seed(), static_cast<std::size_t>(options_.sensors));
     if (!room) return room.error();
     FreshRig rig{scene(), *room, {before_.begin(), before_.end()}, has_look_alikes()};
     if (rig.alike) {
-      const auto elsewhere = sensors_of(seed() + kAnotherRoom);
+      auto elsewhere = sensors_of(seed() + kAnotherRoom, options_.strangers);
       if (!elsewhere) return elsewhere.error();
-      const auto count =
-          static_cast<std::ptrdiff_t>(std::min(options_.strangers, elsewhere->size()));
-      rig.strangers.assign(elsewhere->begin(), elsewhere->begin() + count);
+      rig.strangers = *std::move(elsewhere);
     }
     before_.push_back(room->front());
     if (before_.size() > options_.strangers) before_.pop_front();
@@ -165,8 +163,9 @@ class FreshRigs {
   [[nodiscard]] std::uint64_t seed() const { return options_.seed + number_; }
   /// Every second time that a scene's turn comes, beginning with the first.
   [[nodiscard]] bool has_look_alikes() const { return number_ / scenes_.size() % 2 == 0; }
-  [[nodiscard]] Result<std::vector<SimulatedView>> sensors_of(std::uint64_t seed) const {
-    return simulate_views({scene(), seed, options_.sensors, options_.frames, {}});
+  [[nodiscard]] Result<std::vector<SimulatedView>> sensors_of(std::uint64_t seed,
+                                                              std::size_t only_first) const {
+    return simulate_views({scene(), seed, options_.sensors, options_.frames, {}, only_first});
   }
 
   FreshSuiteOptions options_;

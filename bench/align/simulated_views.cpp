@@ -54,7 +54,7 @@ Result<std::vector<SimulatedView>> simulate_views(const SimulatedViewsOptions& o
   const auto room = SimulatedRoom::build(options.scene, options.seed);
   if (!room) return room.error();
   std::vector<SimulatedView> views;
-  for (int i = 0; i < options.sensors; ++i) {
+  for (int i = 0; i < options.sensors && views.size() < options.only_first; ++i) {
     auto view = simulate_view(*room, options, i);
     if (!view) return view.error();
     views.push_back(std::move(*view));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct SimulatedViewsOptions {
   int sensors = 4;
   int frames = 5;  // averaged in each bundle
   sim::SensingOptions sensing;
+  std::size_t only_first = std::numeric_limits<std::size_t>::max();  // of the sensors
 };
 
 struct SimulatedView {

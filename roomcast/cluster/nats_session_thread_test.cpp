@@ -63,6 +63,13 @@ class NatsSessionThreadTest : public testing::Test {
     while (!done() && std::chrono::steady_clock::now() < give_up) io.run_one();
     ASSERT_TRUE(done()) << "nothing happened in 8 s";
   }
+  /// A subscription takes effect some time after it was sent.
+  void run_until_heard(NatsClient& speaker, std::size_t bytes = 10) {
+    run_until([&] {
+      speaker.publish("a", std::vector<std::uint8_t>(bytes));
+      return heard_bytes > 0;
+    });
+  }
   void run_for(std::chrono::milliseconds time) {
     const auto until = std::chrono::steady_clock::now() + time;
     run_until([until] { return std::chrono::steady_clock::now() >= until; });
@@ -80,10 +87,7 @@ TEST_F(NatsSessionThreadTest, messages_come_and_go) {
   const NatsServer server(encrypted());
   const auto speaker = open(options({server.port()})), listener = open(options({server.port()}));
   listener->subscribe("a");
-  run_until([&] {
-    speaker->publish("a", std::vector<std::uint8_t>(1000));
-    return heard_bytes > 0;
-  });
+  run_until_heard(*speaker, 1000);
   EXPECT_EQ(heard_bytes % 1000, 0u);
   EXPECT_EQ(listener->max_message_bytes(), 1u << 20);
 }
@@ -94,10 +98,7 @@ TEST_F(NatsSessionThreadTest, a_server_that_stalls_in_the_middle_of_a_record_kee
   const auto speaker = open(options({server.port()}));
   const auto listener = open(options({relay.port(), server.port()}));
   listener->subscribe("a");
-  run_until([&] {
-    speaker->publish("a", std::vector<std::uint8_t>(10));
-    return heard_bytes > 0;
-  });
+  run_until_heard(*speaker);
   relay.stall_after(100);
   speaker->publish("a", std::vector<std::uint8_t>(10'000));
   run_until([&] { return connected == 3; });
@@ -121,10 +122,7 @@ TEST_F(NatsSessionThreadTest, a_server_that_stalls_keeps_nobody_from_stopping) {
   auto listener = open(options({relay.port()}));
   const auto speaker = open(options({server.port()}));
   listener->subscribe("a");
-  run_until([&] {
-    speaker->publish("a", std::vector<std::uint8_t>(10));
-    return heard_bytes > 0;
-  });
+  run_until_heard(*speaker);
   relay.stall_after(100);
   speaker->publish("a", std::vector<std::uint8_t>(10'000));
   run_for(50ms);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/room.h"
 
+#include <array>
+
 #include "roomcast/hub/room_test_fixture.h"
 #include "roomcast/wire/limits.h"
 
@@ -89,9 +91,8 @@ TEST_F(RoomTest, frames_that_come_together_close_their_set_at_once_and_nothing_w
   const auto right = enter(sensor_join("right"));
   enter(viewer_join());
   for (int set = 0; set < 3; ++set) {
-    std::vector<IncomingFrame> together;
-    together.push_back(incoming(left, SensorId{0}, set * 33ms));
-    together.push_back(incoming(right, SensorId{1}, set * 33ms));
+    std::array together{incoming(left, SensorId{0}, set * 33ms),
+                        incoming(right, SensorId{1}, set * 33ms)};
     const auto sets = all<SendSet>(room.frames(together, at(set * 33ms + 5ms)));
     ASSERT_EQ(sets.size(), 1u);
     EXPECT_EQ(sets[0].set->frames.size(), 2u);
@@ -104,9 +105,7 @@ TEST_F(RoomTest, frames_that_come_together_wait_for_a_sensor_that_is_elsewhere) 
   const auto here = enter(sensor_join("here"));
   enter(viewer_join());
   frame(here, SensorId{2}, 0ms, 1ms);
-  std::vector<IncomingFrame> together;
-  together.push_back(incoming(left, SensorId{0}, 33ms));
-  together.push_back(incoming(right, SensorId{1}, 33ms));
+  std::array together{incoming(left, SensorId{0}, 33ms), incoming(right, SensorId{1}, 33ms)};
   EXPECT_THAT(all<SendSet>(room.frames(together, at(34ms))), IsEmpty());
   const auto sets = all<SendSet>(frame(here, SensorId{2}, 33ms, 36ms));
   ASSERT_EQ(sets.size(), 1u);
@@ -117,9 +116,7 @@ TEST_F(RoomTest, of_frames_that_come_together_only_the_wrong_ones_are_refused) {
   const auto left = enter(sensor_join("left"));
   const auto right = enter(sensor_join("right"));
   enter(viewer_join());
-  std::vector<IncomingFrame> together;
-  together.push_back(incoming(left, SensorId{1}, 0ms));
-  together.push_back(incoming(right, SensorId{1}, 0ms));
+  std::array together{incoming(left, SensorId{1}, 0ms), incoming(right, SensorId{1}, 0ms)};
   const auto out = room.frames(together, at(5ms));
   ASSERT_EQ(all<Disconnect>(out).size(), 1u);
   EXPECT_EQ(all<Disconnect>(out)[0].connection, left);
