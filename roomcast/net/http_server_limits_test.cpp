@@ -18,10 +18,26 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(HttpServerTest, refuses_garbage_in_one_sentence) {
-  listen();
+TEST_F(HttpServerTest, refuses_garbage_in_one_sentence_after_a_while) {
+  auto patient = options();
+  patient.nonsense_waits = 50ms;
+  listen(std::move(patient));
+  const auto begin = std::chrono::steady_clock::now();
   EXPECT_THAT(exchange("\x16\x03\x01garbage\r\n\r\n"),
               AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("not an HTTP request")));
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 50ms);
+}
+
+TEST_F(HttpServerTest, whoever_waits_for_the_answer_to_garbage_does_not_outlive_the_server) {
+  auto patient = options();
+  patient.nonsense_waits = 1h;
+  listen(std::move(patient));
+  auto socket = raw_connection(server_->port());
+  send(socket, "garbage\r\n\r\n");
+  ASSERT_TRUE(run_until([&] { return server_->connection_count() == 1; }));
+  EXPECT_THAT(exchange(request("GET", "/page")), StartsWith("HTTP/1.1 200 "));
+  server_->stop();
+  EXPECT_EQ(receive(socket), "");
 }
 
 TEST_F(HttpServerTest, refuses_an_oversized_header_even_while_it_still_comes) {

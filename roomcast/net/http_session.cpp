@@ -161,11 +161,21 @@ void HttpSession::answer_fault(ErrorCode error) {
   }
   const bool is_http_fault =
       error.category() == http::make_error_code(http::error::bad_method).category();
-  if (!is_http_fault || error == http::error::end_of_stream ||
-      error == http::error::partial_message) {
-    return abort();
-  }
-  send(text_response(400, "This is not an HTTP request: " + error.message() + ".\n"), false);
+  const bool is_cut = error == http::error::end_of_stream || error == http::error::partial_message;
+  if (!stream_.tls_fault().empty() || (is_http_fault && !is_cut)) return answer_nonsense(error);
+  abort();
+}
+
+/// Not at once: to open and close connections as quickly as somebody asks for them costs the whole
+/// machine more than to hold them for a while.
+void HttpSession::answer_nonsense(ErrorCode error) {
+  deadline_.expires_after(options_->nonsense_waits);
+  deadline_.async_wait([self = shared_from_this(), error](ErrorCode cancelled) {
+    if (cancelled || !self->stream_.is_open()) return;
+    if (!self->stream_.tls_fault().empty()) return self->abort();
+    self->send(text_response(400, "This is not an HTTP request: " + error.message() + ".\n"),
+               false);
+  });
 }
 
 void HttpSession::answer_request() {

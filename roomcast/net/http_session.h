@@ -48,6 +48,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void read_request();
   void on_header(ErrorCode error);
   void answer_fault(ErrorCode error);
+  void answer_nonsense(ErrorCode error);
   void answer_request();
   [[nodiscard]] bool is_for_program(std::string_view path) const;
   void read_body();
