@@ -43,6 +43,7 @@ void UpstreamRoom::on_welcome(const pb::Welcome&) {
 
 void UpstreamRoom::on_control(const pb::Control& message) {
   if (message.has_roster()) mirror_.roster(message.roster());
+  if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
 }
 
 void UpstreamRoom::on_frame(net::MessageBuffer message) {

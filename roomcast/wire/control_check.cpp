@@ -258,6 +258,29 @@ Status check_other_hubs(const pb::OtherHubs& message) {
   return {};
 }
 
+Status check_people_here(const pb::PeopleHere& message) {
+  if (message.people_size() > kMaxPeopleHere) {
+    return Error{ErrorCode::kTooLarge, "more people than one hub may tell another of"};
+  }
+  for (const auto& person : message.people()) {
+    if (auto s = check_name(person.name(), "viewer"); !s) return s;
+  }
+  return {};
+}
+
+Status check_revoked_tokens(const pb::RevokedTokens& message) {
+  if (message.tokens_size() > kMaxRevokedTokens) {
+    return Error{ErrorCode::kTooLarge, "more revoked tokens than fit into a message"};
+  }
+  for (const auto& token : message.tokens()) {
+    if (token.id().empty()) return malformed("a token has an id");
+    for (const std::string* text : {&token.id(), &token.room(), &token.role()}) {
+      if (auto s = check_name(*text, "token"); !s) return s;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Status check_control(const pb::Control& control) {
@@ -286,6 +309,10 @@ Status check_control(const pb::Control& control) {
       return check_nudge(control.nudge());
     case pb::Control::kOtherHubs:
       return check_other_hubs(control.other_hubs());
+    case pb::Control::kPeopleHere:
+      return check_people_here(control.people_here());
+    case pb::Control::kRevokedTokens:
+      return check_revoked_tokens(control.revoked_tokens());
     case pb::Control::kSightingRequest:
     case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:

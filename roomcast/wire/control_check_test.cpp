@@ -155,6 +155,28 @@ TEST(ControlCheck, a_roster_is_bounded_and_its_entries_are_checked) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
+TEST(ControlCheck, what_hubs_tell_each_other_of_people_and_tokens_is_bounded_and_checked) {
+  pb::Control people;
+  auto& here = *people.mutable_people_here();
+  for (int i = 0; i < kMaxPeopleHere; ++i) here.add_people()->set_name("Ada");
+  EXPECT_TRUE(check_control(people).ok());
+  here.mutable_people(0)->set_name("line\nbreak");
+  EXPECT_FALSE(check_control(people).ok());
+  here.mutable_people(0)->clear_name();
+  here.add_people();
+  EXPECT_FALSE(check_control(people).ok());
+
+  pb::Control revoked;
+  auto& tokens = *revoked.mutable_revoked_tokens();
+  for (int i = 0; i < kMaxRevokedTokens; ++i) tokens.add_tokens()->set_id("t");
+  EXPECT_TRUE(check_control(revoked).ok());
+  tokens.mutable_tokens(0)->clear_id();
+  EXPECT_FALSE(check_control(revoked).ok());
+  tokens.mutable_tokens(0)->set_id("t");
+  tokens.add_tokens()->set_id("t");
+  EXPECT_FALSE(check_control(revoked).ok());
+}
+
 TEST(ControlCheck, a_bundle_has_depth_and_a_direction_that_is_one) {
   pb::Control control;
   auto& bundle = *control.mutable_calibration_bundle();

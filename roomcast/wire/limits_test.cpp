@@ -19,6 +19,10 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxOtherHubs, 16);
   EXPECT_EQ(kMaxUrlBytes, 256u);
   EXPECT_EQ(kMaxSightings, 64);
+  EXPECT_EQ(kMaxPeopleHere, 64);
+  EXPECT_EQ(kMaxPeopleElsewhere, 128u);
+  EXPECT_EQ(kMaxHubsAway, 4u);
+  EXPECT_EQ(kMaxRevokedTokens, 256);
   EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 256u);
