@@ -19,13 +19,6 @@ std::vector<std::uint8_t> bytes_of(const Message& message) {
   return bytes;
 }
 
-template <class Message>
-std::optional<Message> read(std::span<const std::uint8_t> bytes) {
-  Message message;
-  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return std::nullopt;
-  return message;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
@@ -82,6 +75,7 @@ void ClusterHub::room_opened(const std::string& name) {
 void ClusterHub::room_closed(const std::string& name) {
   nats_->unsubscribe(news_subject(name));
   nats_->unsubscribe(all_frames_subject(name));
+  nats_->unsubscribe(poses_subject(name));
   const auto number = numbers_.extract(name);
   if (number) rooms_.erase(number.mapped());
 }
@@ -98,6 +92,7 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
   room->unwatched.cancel();
   if (is_watched && !std::exchange(room->is_subscribed, true)) {
     nats_->subscribe(all_frames_subject(name));
+    nats_->subscribe(poses_subject(name));
     return say_alive();
   }
   if (is_watched) return;
@@ -107,6 +102,7 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
     if (error || unwatched == nullptr || unwatched->is_watched) return;
     unwatched->is_subscribed = false;
     nats_->unsubscribe(all_frames_subject(name));
+    nats_->unsubscribe(poses_subject(name));
     say_alive();
   });
 }
@@ -167,6 +163,13 @@ void ClusterHub::tell_all(const pb::RoomNews& news) {
 
 void ClusterHub::tell(HubId hub, const pb::ToHub& message) {
   nats_->publish(inbox_subject(hub), bytes_of(message));
+}
+
+void ClusterHub::tell_moved(const std::string& room, const pb::PeopleMoved& people) {
+  const Room* moved_in = find(room);
+  if (moved_in != nullptr && moved_in->is_wanted) {
+    nats_->publish_now(poses_subject(room), bytes_of(people));
+  }
 }
 
 pb::Heartbeat ClusterHub::heartbeat() const {
@@ -237,6 +240,7 @@ void ClusterHub::look_after_rooms() {
     room->owner = owner;
     room->shared->owner_is(owner);
     if (was_ours != (owner == id_)) begin_or_end_owning(name, owner == id_);
+    if (beats_ % kBeatsPerList == 0) room->shared->tell_poses_again();
   }
 }
 
@@ -248,80 +252,8 @@ void ClusterHub::begin_or_end_owning(const std::string& room, bool owns) const {
   options_.on_owned(room, owns);
 }
 
-// ---- from other hubs
-
-void ClusterHub::take(std::string_view subject, std::span<const std::uint8_t> bytes) {
-  const auto what = read_subject(subject);
-  if (!what) return;
-  if (what->subject == Subject::kHeartbeat) {
-    if (const auto heartbeat = read<pb::Heartbeat>(bytes)) take_heartbeat(*heartbeat);
-  } else if (what->subject == Subject::kInbox) {
-    const auto message = read<pb::ToHub>(bytes);
-    Room* room = message ? find(message->room()) : nullptr;
-    if (room != nullptr && directory_.find(HubId{message->from()})) room->shared->take(*message);
-  } else if (what->subject == Subject::kNews) {
-    const auto news = read<pb::RoomNews>(bytes);
-    Room* room = find(what->room);
-    if (room != nullptr && news && directory_.find(HubId{news->hub()})) room->shared->news(*news);
-  } else if (what->subject == Subject::kRevoked) {
-    if (const auto revoked = read<pb::Revoked>(bytes)) take_revoked(*revoked);
-  } else if (what->subject == Subject::kFrames) {
-    if (Room* room = find(what->room)) room->shared->frames(what->hub, bytes);
-  }
-}
-
-void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
-  const HubId from{heartbeat.hub()};
-  const bool is_new = directory_.find(from) == nullptr;
-  if (!directory_.take(heartbeat, clock_.now())) return;
-  const auto estimate = directory_.find(from)->clock.estimate();
-  for (const auto& [number, room] : rooms_) {
-    const pb::RoomHere* there = room_of(heartbeat, room->shared->name());
-    if (there == nullptr) continue;
-    room->is_wanted = directory_.is_wanted(room->shared->name());
-    if (estimate) room->shared->clock_is(from, *estimate);
-    if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
-      pb::ToHub please;
-      please.set_from(id_.value);
-      please.set_room(room->shared->name());
-      please.mutable_news_please();
-      tell(from, please);
-    }
-  }
-  if (heartbeat.leaves()) beat();
-  if (!is_new) return;
-  beats_ = 0;
-  say_alive();  // it knows of us at once
-  seat_.tell_revoked();
-}
-
-// ---- tokens that hold no more
-
 void ClusterHub::revoked(const std::vector<hub::Claims>& tokens) {
   nats_->publish(kRevokedSubject, bytes_of(revoked_message(tokens)));
-}
-
-void ClusterHub::take_revoked(const pb::Revoked& revoked) {
-  auto tokens = revoked_tokens(revoked);
-  if (!tokens.empty()) seat_.revoke(std::move(tokens));
-}
-
-// ---- who is there
-
-std::vector<hub::HubStatus> ClusterHub::hubs() const {
-  std::vector<hub::HubStatus> all;
-  const auto add = [&all](const pb::Heartbeat& heartbeat) {
-    hub::HubStatus& status = all.emplace_back();
-    status.id = to_string(HubId{heartbeat.hub()});
-    status.public_url = heartbeat.public_url();
-    status.load = heartbeat.load();
-    for (const pb::RoomHere& room : heartbeat.rooms()) {
-      status.rooms.push_back({room.room(), room.sensors(), room.viewers()});
-    }
-  };
-  add(heartbeat());
-  for (const auto& [id, hub] : directory_.others()) add(hub.newest);
-  return all;
 }
 
 }  // namespace roomcast::cluster

@@ -41,7 +41,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   /// Frames that close a set together share a message. Where a room has sensors at other hubs, too,
   /// who would wait for each other's, those that come within this time.
   static constexpr std::chrono::milliseconds kGatherFor{8};
-  /// All rooms are named in each so manyth heartbeat.
+  /// All rooms are named in each so manyth heartbeat, and where people are who stand still.
   static constexpr unsigned kBeatsPerList = 8;
 
   /// Errors of NatsClient::open.
@@ -80,6 +80,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
 
   void tell_all(const pb::RoomNews& news) override;
   void tell(HubId hub, const pb::ToHub& message) override;
+  void tell_moved(const std::string& room, const pb::PeopleMoved& people) override;
 
   void take(std::string_view subject, std::span<const std::uint8_t> message);
   void take_revoked(const pb::Revoked& revoked);

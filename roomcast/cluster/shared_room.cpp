@@ -25,6 +25,7 @@ bool is_legal(const pb::RoomNews& news) {
   wpb::Roster sensors, placed;
   for (const pb::SensorHere& sensor : news.sensors()) *sensors.add_sensors() = sensor.entry();
   for (const wpb::SensorEntry& entry : news.placed()) *placed.add_sensors() = entry;
+  *sensors.mutable_viewers() = news.people();
   return wire::check_control(control_with(sensors)).ok() &&
          wire::check_control(control_with(placed)).ok();
 }
@@ -60,7 +61,9 @@ void SharedRoom::leave() {
 void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
   if (to == aligner_) {
     is_welcome_ |= message.has_welcome();
+    if (message.has_welcome()) shown_people_.Clear(), show_people();
     if (message.has_roster()) return take_roster(message.roster());
+    if (message.has_viewer_poses()) return tell_moved(people_here_.take(message.viewer_poses()));
     return pass_to_owner(message);
   }
   for (auto& [id, hub] : others_) {
@@ -96,6 +99,7 @@ void SharedRoom::forget_claims() {
 
 void SharedRoom::take_roster(const wpb::Roster& roster) {
   roster_ = roster;
+  people_here_.take(roster);
   tell_news();
   place_sensors();
 }
@@ -165,6 +169,7 @@ pb::RoomNews SharedRoom::news_of_roster() const {
     if (!is_owner() || entry.placement() == wpb::PLACEMENT_GIVEN) continue;
     *news.add_placed() = entry;
   }
+  *news.mutable_people() = people_here_.people().people();
   return news;
 }
 
@@ -195,6 +200,8 @@ void SharedRoom::news(const pb::RoomNews& news) {
   other(from).news = news;
   follow_winners();
   place_sensors();
+  people_there_.are(from, news.people());
+  show_people();
 }
 
 void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
@@ -223,6 +230,39 @@ void SharedRoom::hub_is_gone(HubId hub) {
   found->second.sensors.other_hub_is_gone();
   others_.erase(found);
   follow_winners();
+  people_there_.are(hub, {});
+  show_people();
+}
+
+// ---- people
+
+void SharedRoom::show_people() {
+  wpb::PeopleHere people = people_there_.all();
+  if (!is_welcome_ || people.SerializeAsString() == shown_people_.SerializeAsString()) return;
+  shown_people_ = people;
+  wpb::Control control;
+  *control.mutable_people_here() = std::move(people);
+  seat_.rooms.on_control(*aligner_, control);
+}
+
+void SharedRoom::people_moved(const pb::PeopleMoved& people) {
+  const HubId from{people.hub()};
+  if (from == seat_.own || !is_welcome_) return;
+  wpb::Control control;
+  *control.mutable_viewer_poses() = people_there_.renamed(from, people.poses());
+  if (wire::check_control(control)) seat_.rooms.on_control(*aligner_, control);
+}
+
+void SharedRoom::tell_moved(const wpb::ViewerPoses& poses) {
+  if (poses.poses().empty()) return;
+  pb::PeopleMoved moved;
+  moved.set_hub(seat_.own.value);
+  *moved.mutable_poses() = poses;
+  seat_.out.tell_moved(seat_.room, moved);
+}
+
+void SharedRoom::tell_poses_again() {
+  tell_moved(people_here_.newest_poses());
 }
 
 }  // namespace roomcast::cluster

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SharedRoom: one room of this hub among hubs that have it too. It tells the others what sends to
-// this hub, brings in what sends to them, and sees that a name is one sensor everywhere: who came
-// last has it. One of the hubs, the room's owner, works out where all sensors stand; it gets what
-// the others' sensors see for that, and its word on poses holds everywhere.
+// this hub and who watches here, brings in what sends to them and who watches there, and sees that
+// a name is one sensor everywhere: who came last has it. One of the hubs, the room's owner, works
+// out where all sensors stand; it gets what the others' sensors see for that, and its word on poses
+// holds everywhere.
 //
 // In the room here it is an aligner, and a sensor for each of another hub's. Pure but for whom it
 // tells. Threading: the rooms' thread.
@@ -19,8 +20,10 @@
 #include "roomcast/cluster/cluster.pb.h"
 #include "roomcast/cluster/frame_parts.h"
 #include "roomcast/cluster/hub_id.h"
+#include "roomcast/cluster/people_of_hubs.h"
 #include "roomcast/hub/backplane.h"
 #include "roomcast/mirror/mirrored_sensors.h"
+#include "roomcast/mirror/people_to_tell.h"
 
 namespace roomcast::cluster {
 
@@ -30,6 +33,7 @@ class SharedRoomOut {
   virtual ~SharedRoomOut() = default;
   virtual void tell_all(const pb::RoomNews& news) = 0;
   virtual void tell(HubId hub, const pb::ToHub& message) = 0;
+  virtual void tell_moved(const std::string& room, const pb::PeopleMoved& people) = 0;
 };
 
 class SharedRoom {
@@ -59,10 +63,14 @@ class SharedRoom {
   void news(const pb::RoomNews& news);
   void take(const pb::ToHub& message);
   void frames(HubId from, std::span<const std::uint8_t> message);
+  void people_moved(const pb::PeopleMoved& people);
   void clock_is(HubId hub, const ClockEstimate& estimate);
   void hub_is_gone(HubId hub);
   /// Who works out where sensors stand; nothing: nobody.
   void owner_is(std::optional<HubId> owner);
+
+  /// Where those who watch here are, for who has come since or missed it.
+  void tell_poses_again();
 
   /// Where else this room is.
   void others_are(const std::vector<std::string>& urls);
@@ -79,8 +87,10 @@ class SharedRoom {
     return std::ranges::any_of(
         others_, [](const auto& other) { return !other.second.sensors.all().empty(); });
   }
+  /// At this hub.
   [[nodiscard]] std::size_t viewer_count() const {
-    return static_cast<std::size_t>(roster_.viewers_size());
+    return static_cast<std::size_t>(std::ranges::count_if(
+        roster_.viewers(), [](const auto& viewer) { return viewer.hubs_away() == 0; }));
   }
   [[nodiscard]] const std::string& name() const { return seat_.room; }
 
@@ -113,6 +123,9 @@ class SharedRoom {
   [[nodiscard]] bool is_local(std::uint32_t sensor_id) const;
   void forget_claims();
 
+  void show_people();
+  void tell_moved(const wire::pb::ViewerPoses& poses);
+
   void place_sensors();
   void pass_to_owner(const wire::pb::Control& said_here);
   void ask_for_bundles(HubId hub);
@@ -129,6 +142,9 @@ class SharedRoom {
   pb::RoomNews news_;        // as last told
   std::map<std::string, OwnClaim> claims_;
   std::map<HubId, OtherHub> others_;
+  mirror::PeopleToTell people_here_;
+  PeopleOfHubs people_there_;
+  wire::pb::PeopleHere shown_people_;  // of these, in the room here
   std::optional<HubId> owner_;
   std::vector<std::string> other_urls_;
 };

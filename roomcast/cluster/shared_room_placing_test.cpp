@@ -38,6 +38,7 @@ class Hub final : public SharedRoomOut {
     said_to_other.push_back(message);
     if (other != nullptr) other->room.take(message);
   }
+  void tell_moved(const std::string&, const pb::PeopleMoved&) override {}
   void welcome(std::size_t n, std::uint32_t id) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);

@@ -20,7 +20,11 @@ constexpr HubId kOwn{5}, kLower{3}, kHigher{8};
 struct Told final : SharedRoomOut {
   void tell_all(const pb::RoomNews& news) override { to_all.push_back(news); }
   void tell(HubId hub, const pb::ToHub& message) override { to_one.emplace_back(hub, message); }
+  void tell_moved(const std::string&, const pb::PeopleMoved& people) override {
+    moved.push_back(people);
+  }
   std::vector<pb::RoomNews> to_all;
+  std::vector<pb::PeopleMoved> moved;
   std::vector<std::pair<HubId, pb::ToHub>> to_one;
 };
 
@@ -198,6 +202,75 @@ TEST_F(SharedRoomTest, it_joins_again_when_it_was_sent_away) {
   room.stay();
   room.stay();
   EXPECT_EQ(here.joins.size(), 2u);
+}
+
+wpb::ViewerEntry person(std::uint32_t id, const std::string& name, std::uint32_t hubs_away = 0) {
+  wpb::ViewerEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_hubs_away(hubs_away);
+  return entry;
+}
+
+wpb::Control pose_of(std::uint32_t id) {
+  wpb::Control control;
+  wpb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
+  pose.set_viewer_id(id);
+  pose.mutable_head()->set_qw(1);
+  return control;
+}
+
+TEST_F(SharedRoomTest, who_watches_here_is_told_and_who_came_from_other_hubs_is_not) {
+  wpb::Control control;
+  *control.mutable_roster()->add_viewers() = person(7, "Ada");
+  *control.mutable_roster()->add_viewers() = person(9, "from there", 1);
+  room.said(here.joins.at(0).first, control);
+  ASSERT_EQ(told.to_all.back().people_size(), 1);
+  EXPECT_EQ(told.to_all.back().people(0).name(), "Ada");
+  EXPECT_EQ(room.viewer_count(), 1u);
+  room.said(here.joins.at(0).first, pose_of(7));
+  room.said(here.joins.at(0).first, pose_of(9));
+  ASSERT_EQ(told.moved.size(), 1u);
+  EXPECT_EQ(told.moved[0].poses().poses(0).viewer_id(), 7u);
+  room.tell_poses_again();
+  EXPECT_EQ(told.moved.size(), 2u);
+}
+
+TEST_F(SharedRoomTest, who_watches_at_other_hubs_is_shown_here_and_goes_with_the_hub) {
+  auto news = news_of(kLower, 1, {});
+  *news.add_people() = person(7, "Ada");
+  room.news(news);
+  news = news_of(kHigher, 1, {});
+  *news.add_people() = person(7, "Bob");
+  room.news(news);
+  ASSERT_EQ(here.said.size(), 2u);
+  const auto& both = here.said[1].second.people_here();
+  ASSERT_EQ(both.people_size(), 2);
+  EXPECT_NE(both.people(0).id(), both.people(1).id()) << "both hubs call theirs 7";
+  pb::PeopleMoved moved;
+  moved.set_hub(kHigher.value);
+  *moved.mutable_poses() = pose_of(7).viewer_poses();
+  room.people_moved(moved);
+  EXPECT_EQ(here.said.back().second.viewer_poses().poses(0).viewer_id(), both.people(1).id());
+  room.hub_is_gone(kLower);
+  ASSERT_EQ(here.said.back().second.people_here().people_size(), 1);
+  EXPECT_EQ(here.said.back().second.people_here().people(0).id(), both.people(1).id());
+}
+
+TEST_F(SharedRoomTest, nobody_moves_people_of_another_hub_or_with_poses_that_make_no_sense) {
+  auto news = news_of(kLower, 1, {});
+  *news.add_people() = person(7, "Ada");
+  room.news(news);
+  const auto said = here.said.size();
+  pb::PeopleMoved moved;
+  moved.set_hub(kHigher.value);
+  *moved.mutable_poses() = pose_of(7).viewer_poses();
+  room.people_moved(moved);
+  EXPECT_EQ(here.said.back().second.viewer_poses().poses_size(), 0);
+  moved.set_hub(kLower.value);
+  moved.mutable_poses()->mutable_poses(0)->mutable_head()->set_qw(7);
+  room.people_moved(moved);
+  EXPECT_LE(here.said.size(), said + 1);
 }
 
 }  // namespace

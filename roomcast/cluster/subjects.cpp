@@ -99,6 +99,10 @@ std::string all_frames_subject(std::string_view room) {
   return std::string(kRoomPrefix) + word_of(room) + ".frames.*";
 }
 
+std::string poses_subject(std::string_view room) {
+  return std::string(kRoomPrefix) + word_of(room) + ".poses";
+}
+
 std::optional<ReadSubject> read_subject(std::string_view subject) {
   if (subject == kHeartbeatSubject) return ReadSubject{Subject::kHeartbeat};
   if (subject == kRevokedSubject) return ReadSubject{Subject::kRevoked};
@@ -108,6 +112,7 @@ std::optional<ReadSubject> read_subject(std::string_view subject) {
   auto room = room_of(parts[0]);
   if (!room) return std::nullopt;
   if (parts.size() == 2 && parts[1] == "news") return ReadSubject{Subject::kNews, *room};
+  if (parts.size() == 2 && parts[1] == "poses") return ReadSubject{Subject::kPoses, *room};
   ReadSubject frames{Subject::kFrames, *room};
   if (parts.size() != 3 || parts[1] != "frames" || !read_hex(parts[2], frames.hub.value)) {
     return std::nullopt;

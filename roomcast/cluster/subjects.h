@@ -22,10 +22,13 @@ inline constexpr char kRevokedSubject[] = "roomcast.revoked";
 /// Of what sends to any hub.
 [[nodiscard]] std::string all_frames_subject(std::string_view room);
 
-enum class Subject { kHeartbeat, kRevoked, kInbox, kNews, kFrames };
+/// Where people are who watch the room at any hub.
+[[nodiscard]] std::string poses_subject(std::string_view room);
+
+enum class Subject { kHeartbeat, kRevoked, kInbox, kNews, kPoses, kFrames };
 struct ReadSubject {
   Subject subject;
-  std::string room = {};  // of kNews and kFrames
+  std::string room = {};  // of kNews, kPoses and kFrames
   HubId hub = {};         // of kFrames
 };
 /// Nothing: not one of ours.

@@ -25,6 +25,8 @@ TEST(Subjects, a_room_of_any_name_is_one_word_and_is_read_back) {
 TEST(Subjects, news_inbox_and_heartbeats_are_told_apart) {
   EXPECT_EQ(read_subject(news_subject("lab"))->room, "lab");
   EXPECT_EQ(read_subject(news_subject("lab"))->subject, Subject::kNews);
+  EXPECT_EQ(read_subject(poses_subject("lab"))->room, "lab");
+  EXPECT_EQ(read_subject(poses_subject("lab"))->subject, Subject::kPoses);
   EXPECT_EQ(read_subject(inbox_subject(kHub))->subject, Subject::kInbox);
   EXPECT_EQ(read_subject(kHeartbeatSubject)->subject, Subject::kHeartbeat);
   EXPECT_EQ(read_subject(kRevokedSubject)->subject, Subject::kRevoked);

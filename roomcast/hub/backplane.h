@@ -16,23 +16,10 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/claims.h"
+#include "roomcast/hub/backplane_connection.h"
 #include "roomcast/hub/session.h"
 
 namespace roomcast::hub {
-
-// A backplane's connections are not those of any shard: their ids have the highest bit.
-inline constexpr std::uint64_t kBackplaneBit = std::uint64_t{1} << 63;
-
-/// `owner` below 2^31 is for the backplane's own use.
-[[nodiscard]] inline ConnectionId backplane_connection(std::uint32_t owner, std::uint32_t number) {
-  return ConnectionId{kBackplaneBit | std::uint64_t{owner} << 32 | number};
-}
-[[nodiscard]] inline bool is_of_backplane(ConnectionId connection) {
-  return (connection.value & kBackplaneBit) != 0;
-}
-[[nodiscard]] inline std::uint32_t backplane_owner(ConnectionId connection) {
-  return static_cast<std::uint32_t>((connection.value & ~kBackplaneBit) >> 32);
-}
 
 /// One of several hubs.
 struct HubStatus {

@@ -66,6 +66,13 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (viewer == viewers_.end()) break;
       poses_.set(viewer->second.id, message.viewer_pose(), now);
       return out;
+    case pb::Control::kPeopleHere:
+      if (!tells_of_people(from)) break;
+      return take_people(from, message.people_here(), now);
+    case pb::Control::kViewerPoses:
+      if (!tells_of_people(from)) break;
+      take_poses(from, message.viewer_poses(), now);
+      return out;
     case pb::Control::kViewerStats:
       if (viewer == viewers_.end()) break;
       viewer->second.told = message.viewer_stats();
@@ -149,9 +156,11 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     poses_.forget(viewer->second.id);
     viewers_.erase(viewer);
+    forget_people(people_elsewhere_.forget(from));
     announce_in_time(now, out);
   } else {
     std::erase(aligners_, from);
+    if (forget_people(people_elsewhere_.forget(from))) announce_in_time(now, out);
     if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
       ask_for_sightings({}, out);
   }
@@ -165,7 +174,7 @@ RoomActions Room::tick(RoomTime now) {
     if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
   }
   if (auto poses = poses_.take(now)) {
-    out.push_back(SendControl{viewer_connections(), *std::move(poses)});
+    out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
   if (roster_is_news_ && now >= next_roster_) announce(now, out);
   return out;
@@ -197,11 +206,13 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   }
 }
 
-/// For what concerns the pictures: nobody may get a sensor's frames before its calibration.
+/// For what concerns the pictures: nobody may get a sensor's frames before its calibration. Poses
+/// may have been told of people whom nobody knew yet.
 void Room::announce(RoomTime now, RoomActions& out) {
-  roster_is_news_ = false;
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
+  if (roster_is_news_) poses_.tell_all_again();
+  roster_is_news_ = false;
   out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 
@@ -260,7 +271,9 @@ pb::Roster Room::roster() const {
     entry.set_id(viewer.id.value);
     entry.set_name(viewer.name);
     entry.set_color_rgb(viewer.color_rgb);
+    entry.set_serves_on(viewer.serves_on);
   }
+  people_elsewhere_.write_to(roster);
   return roster;
 }
 

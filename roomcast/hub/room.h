@@ -16,7 +16,9 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/access/entry.h"
+#include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/frame_set_builder.h"
+#include "roomcast/hub/people_elsewhere.h"
 #include "roomcast/hub/pose_relay.h"
 #include "roomcast/hub/room_action.h"
 #include "roomcast/hub/room_settings.h"
@@ -31,6 +33,10 @@ namespace roomcast::hub {
 
 class Room {
  public:
+  /// How often a viewer that is a hub may say who is there; it has reason to when its roster
+  /// changes.
+  static constexpr double kPeopleToldPerSecond = 20;
+
   /// `recalls_poses`: of sensors that were here before; only where an aligner verifies them.
   Room(RoomSettings settings, std::string hub_version, bool recalls_poses = true);
 
@@ -82,8 +88,10 @@ class Room {
     std::uint32_t color_rgb = 0;
     bool may_nudge = false;
     bool records = false;
+    bool serves_on = false;  // it is a hub
     std::string token_id;
     wire::pb::ViewerStats told = {};  // by itself
+    RateLimit people{kPeopleToldPerSecond, 4 * kPeopleToldPerSecond};
   };
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
@@ -98,6 +106,10 @@ class Room {
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   [[nodiscard]] bool may_nudge(ConnectionId from) const;
+  [[nodiscard]] bool tells_of_people(ConnectionId from) const;
+  RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
+  void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
+  bool forget_people(const PeopleElsewhere::Change& change);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
@@ -108,6 +120,7 @@ class Room {
   [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
   [[nodiscard]] std::vector<ConnectionId> readers_of_roster() const;
+  [[nodiscard]] std::vector<ConnectionId> readers_of_poses() const;
   [[nodiscard]] wire::pb::Roster roster() const;
   [[nodiscard]] Matrix4 next_start_pose() const;
   [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
@@ -121,6 +134,7 @@ class Room {
   std::vector<ConnectionId> aligners_;
   wire::pb::SightingRequest wanted_sightings_;
   wire::pb::Control other_hubs_;  // where else this room is; empty: nowhere
+  PeopleElsewhere people_elsewhere_;
   PoseRelay poses_;
   FrameSetBuilder sets_;
   RoomStats set_stats_;  // what changes with sets

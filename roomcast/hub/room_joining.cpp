@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/hub/backplane_connection.h"
 #include "roomcast/hub/room.h"
 #include "roomcast/wire/limits.h"
 
@@ -118,6 +119,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
                     .may_nudge = entry.may_place,
                     .records = join.viewer().records(),
+                    .serves_on = join.viewer().serves_on(),
                     .token_id = entry.token_id};
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, Role::kViewer});
@@ -134,6 +136,7 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
     return;
   }
   aligners_.push_back(from);
+  if (is_of_backplane(from)) poses_.tell_all_again();
   out.push_back(AcceptConnection{from, Role::kAligner});
   out.push_back(SendControl{{from}, welcome_message(entry)});
   out.push_back(SendControl{{from}, roster_message()});

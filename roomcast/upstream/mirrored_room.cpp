@@ -24,6 +24,21 @@ MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEv
 
 // ---- from the other hub
 
+std::vector<pb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
+  viewer_id_ = viewer_id;
+  std::vector<pb::Control> first(2);
+  *first[0].mutable_people_here() = people_here_.people();
+  *first[1].mutable_viewer_poses() = people_here_.newest_poses();
+  return first;
+}
+
+void MirroredRoom::poses(const pb::ViewerPoses& poses) {
+  if (!aligner_is_welcome_) return;
+  pb::Control control;
+  *control.mutable_viewer_poses() = poses;
+  here_.on_control(*aligner_, control);
+}
+
 void MirroredRoom::roster(const pb::Roster& roster) {
   if (!aligner_) join_as_aligner();
   std::vector<mirror::SensorThere> online;
@@ -32,6 +47,17 @@ void MirroredRoom::roster(const pb::Roster& roster) {
   }
   sensors_.follow(online);
   place_sensors();
+  people_there_ = mirror::people_there(roster, viewer_id_);
+  show_people();
+}
+
+void MirroredRoom::show_people() {
+  const bool is_shown = people_there_.SerializeAsString() == shown_people_.SerializeAsString();
+  if (!aligner_is_welcome_ || is_shown) return;
+  shown_people_ = people_there_;
+  pb::Control control;
+  *control.mutable_people_here() = people_there_;
+  here_.on_control(*aligner_, control);
 }
 
 void MirroredRoom::join_as_aligner() {
@@ -45,6 +71,8 @@ void MirroredRoom::join_as_aligner() {
 
 void MirroredRoom::other_hub_is_gone() {
   sensors_.other_hub_is_gone();
+  people_there_.Clear();
+  shown_people_.Clear();
   if (!aligner_) return;
   const ConnectionId aligner = *std::exchange(aligner_, std::nullopt);
   aligner_is_welcome_ = false;
@@ -54,14 +82,27 @@ void MirroredRoom::other_hub_is_gone() {
 // ---- from the room here
 
 std::optional<pb::Control> MirroredRoom::said(ConnectionId to, const pb::Control& message) {
-  if (to == aligner_) {
-    aligner_is_welcome_ |= message.has_welcome();
-    if (message.has_welcome()) place_sensors();
-    return std::nullopt;
-  }
+  if (to == aligner_) return said_to_aligner(message);
   auto request = sensors_.said(to, message);
   if (message.has_welcome()) place_sensors();
   return request;
+}
+
+std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& message) {
+  pb::Control told;
+  if (message.has_welcome()) {
+    aligner_is_welcome_ = true;
+    shown_people_.Clear();
+    place_sensors();
+    show_people();
+  } else if (message.has_roster() && people_here_.take(message.roster())) {
+    *told.mutable_people_here() = people_here_.people();
+    return told;
+  } else if (message.has_viewer_poses()) {
+    *told.mutable_viewer_poses() = people_here_.take(message.viewer_poses());
+    if (told.viewer_poses().poses_size() > 0) return told;
+  }
+  return std::nullopt;
 }
 
 void MirroredRoom::place_sensors() {

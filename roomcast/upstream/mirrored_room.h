@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // MirroredRoom: brings the sensors of another hub's room into a room of this hub, poses included:
-// what alignment found there comes as an aligner's word, so that people here read the same. Pure
-// but for whom it tells. Threading: the rooms' thread.
+// what alignment found there comes as an aligner's word, so that people here read the same. It
+// brings the people, too, who see each other here and there. Pure but for whom it tells.
+// Threading: the rooms' thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "roomcast/mirror/mirrored_sensors.h"
+#include "roomcast/mirror/people_to_tell.h"
 
 namespace roomcast::upstream {
 
@@ -20,6 +24,9 @@ class MirroredRoom {
                NewConnection new_connection);
 
   // From the other hub. Its messages have passed wire::decode_control.
+  /// We are this viewer there. What it should be told first.
+  std::vector<wire::pb::Control> welcomed(std::uint32_t viewer_id);
+  void poses(const wire::pb::ViewerPoses& poses);
   void roster(const wire::pb::Roster& roster);
   void clock_is(const ClockEstimate& estimate) { sensors_.clock_is(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
@@ -36,6 +43,8 @@ class MirroredRoom {
  private:
   void join_as_aligner();
   void place_sensors();
+  void show_people();
+  std::optional<wire::pb::Control> said_to_aligner(const wire::pb::Control& message);
 
   const std::string room_, token_;
   hub::BackplaneEvents& here_;
@@ -43,6 +52,9 @@ class MirroredRoom {
   mirror::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;
   bool aligner_is_welcome_ = false;
+  std::uint32_t viewer_id_ = 0;                       // ours there
+  wire::pb::PeopleHere people_there_, shown_people_;  // and as told here
+  mirror::PeopleToTell people_here_;
 };
 
 }  // namespace roomcast::upstream

@@ -88,5 +88,64 @@ TEST_F(MirroredRoomTest, a_sensor_that_was_sent_away_here_is_back_with_the_next_
   EXPECT_TRUE(here.left.empty()) << "the room knows already";
 }
 
+pb::ViewerEntry person(std::uint32_t id, const std::string& name, std::uint32_t hubs_away = 0,
+                       std::uint32_t through = 0) {
+  pb::ViewerEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_hubs_away(hubs_away);
+  entry.set_through(through);
+  return entry;
+}
+
+pb::Control pose_of(std::uint32_t id) {
+  pb::Control control;
+  control.mutable_viewer_poses()->add_poses()->set_viewer_id(id);
+  return control;
+}
+
+TEST_F(MirroredRoomTest, people_there_are_shown_here_but_for_us_and_those_behind_us) {
+  EXPECT_EQ(mirrored.welcomed(4).size(), 2u);
+  pb::Roster roster;
+  *roster.add_viewers() = person(3, "Ada");
+  *roster.add_viewers() = person(4, "hub");
+  *roster.add_viewers() = person(5, "behind us", 1, 4);
+  *roster.add_viewers() = person(6, "behind another", 1, 8);
+  mirrored.roster(roster);
+  EXPECT_TRUE(here.said.empty()) << "nobody is welcome yet";
+  welcome(0);
+  ASSERT_EQ(here.said.size(), 1u);
+  EXPECT_EQ(here.said[0].first, here.joins[0].first);
+  const auto& people = here.said[0].second.people_here();
+  ASSERT_EQ(people.people_size(), 2);
+  EXPECT_EQ(people.people(0).name(), "Ada");
+  EXPECT_EQ(people.people(1).name(), "behind another");
+  mirrored.roster(roster);
+  EXPECT_EQ(here.said.size(), 1u) << "nothing new";
+  mirrored.poses(pose_of(3).viewer_poses());
+  EXPECT_TRUE(here.said.back().second.has_viewer_poses());
+}
+
+TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_there) {
+  mirrored.roster({});
+  welcome(0);
+  pb::Control control;
+  *control.mutable_roster()->add_viewers() = person(1, "Bob");
+  *control.mutable_roster()->add_viewers() = person(2, "from there", 1);
+  *control.mutable_roster()->add_viewers() = person(3, "behind a hub here", 1, 9);
+  const auto aligner = here.joins[0].first;
+  const auto told = mirrored.said(aligner, control);
+  ASSERT_TRUE(told);
+  ASSERT_EQ(told->people_here().people_size(), 2);
+  EXPECT_EQ(told->people_here().people(0).name(), "Bob");
+  EXPECT_EQ(told->people_here().people(1).name(), "behind a hub here");
+  EXPECT_FALSE(mirrored.said(aligner, control)) << "nothing new";
+  EXPECT_TRUE(mirrored.said(aligner, pose_of(1)));
+  EXPECT_FALSE(mirrored.said(aligner, pose_of(2)));
+  const auto first = mirrored.welcomed(4);  // the connection was new
+  EXPECT_EQ(first[0].people_here().people_size(), 2);
+  EXPECT_EQ(first[1].viewer_poses().poses_size(), 1);
+}
+
 }  // namespace
 }  // namespace roomcast::upstream

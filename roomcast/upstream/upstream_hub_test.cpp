@@ -29,12 +29,15 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
 
 class UpstreamHubTest : public mirror::ClientsOfHubs {
  protected:
+  /// Who watches at the same hub.
   static std::vector<std::string> viewers_in(const hub::RawClient& client) {
     std::vector<std::string> names;
     for (const auto& message : client.heard) {
       if (!message.has_roster()) continue;
       names.clear();
-      for (const auto& viewer : message.roster().viewers()) names.push_back(viewer.name());
+      for (const auto& viewer : message.roster().viewers()) {
+        if (viewer.hubs_away() == 0) names.push_back(viewer.name());
+      }
     }
     return names;
   }

@@ -14,7 +14,7 @@ pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
   join.set_room(room);
   join.set_name("hub");
   show(options.credential, join);
-  join.mutable_viewer();
+  join.mutable_viewer()->set_serves_on(true);
   return join;
 }
 
@@ -34,11 +34,14 @@ void UpstreamRoom::join() {
 }
 
 void UpstreamRoom::said(ConnectionId to, const pb::Control& message) {
-  if (const auto answer = mirror_.said(to, message)) link_->send(*answer);
+  const auto answer = mirror_.said(to, message);
+  if (answer && is_welcome_) link_->send(*answer);
 }
 
-void UpstreamRoom::on_welcome(const pb::Welcome&) {
+void UpstreamRoom::on_welcome(const pb::Welcome& welcome) {
   is_down_ = false;
+  is_welcome_ = true;
+  for (const pb::Control& first : mirror_.welcomed(welcome.viewer_id())) link_->send(first);
 }
 
 void UpstreamRoom::on_control(const pb::Control& message) {
@@ -55,6 +58,7 @@ void UpstreamRoom::on_clock(const ClockEstimate& estimate) {
 }
 
 void UpstreamRoom::on_down(const Error& reason, bool final) {
+  is_welcome_ = false;
   mirror_.other_hub_is_gone();
   if (final) {
     timer_.expires_after(kAskAgainAfter);

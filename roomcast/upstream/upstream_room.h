@@ -55,6 +55,7 @@ class UpstreamRoom final : private HubLinkEvents {
   MirroredRoom mirror_;
   boost::asio::io_context& io_;
   std::optional<HubLink> link_;
+  bool is_welcome_ = false;
   bool is_down_ = false;  // since the last welcome
   boost::asio::steady_timer timer_;
 };

@@ -8,7 +8,7 @@ const version = 1;
 const preambleBytes = 4;
 const headerBytes = 48;
 const messageTypes = { frame: 1, control: 2 };
-const controls = { join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, viewerPoses: 8, error: 10, otherHubs: 17 };
+const controls = { placements: 12, join: 1, welcome: 2, roster: 3, keyRequest: 4, clockPing: 5, clockPong: 6, viewerPose: 7, viewerPoses: 8, error: 10, otherHubs: 17 };
 const flagKey = 1;
 const flagLast = 2;
 
@@ -71,12 +71,13 @@ function control(number, write) {
   return message;
 }
 
-/** As a viewer, or as `sensor` {fps, worldFromDepth}. */
-export function writeJoin({ name, sensor, token }) {
+/** As a viewer, as `sensor` {fps, worldFromDepth}, or as who says where sensors stand. */
+export function writeJoin({ name, sensor, aligner, token, sentOn }) {
   return control(controls.join, (join) => {
     join.tag(2, WireType.LengthDelimited).string(name);
     if (token) join.tag(6, WireType.LengthDelimited).string(token);
-    join.tag(sensor ? 3 : 4, WireType.LengthDelimited).fork();
+    if (sentOn) join.tag(8, WireType.Varint).bool(true);
+    join.tag(sensor ? 3 : aligner ? 5 : 4, WireType.LengthDelimited).fork();
     if (sensor) writeSensorRole(join, sensor);
     join.join();
   });
@@ -105,6 +106,25 @@ function writeMatrix(writer, number, matrix) {
   writer.tag(number, WireType.LengthDelimited).fork();
   matrix.forEach((value) => writer.double(value));
   writer.join();
+}
+
+/** This sensor was found to stand here. */
+export function writePlacement({ sensor, worldFromDepth }) {
+  return control(controls.placements, (placements) => {
+    const placement = placements.tag(1, WireType.LengthDelimited).fork();
+    placement.tag(1, WireType.Varint).uint32(sensor);
+    writeMatrix(placement, 2, worldFromDepth);
+    placement.tag(5, WireType.Varint).uint32(1).join();
+  });
+}
+
+/** A viewer's head is at [x, y, z] and looks along -z. */
+export function writeViewerPose(place_m) {
+  return control(controls.viewerPose, (pose) => {
+    const head = pose.tag(2, WireType.LengthDelimited).fork();
+    place_m.forEach((metres, i) => head.tag(1 + i, WireType.Bit32).float(metres));
+    head.tag(7, WireType.Bit32).float(1).join();
+  });
 }
 
 export function writeClockPing(clientNs) {
@@ -142,12 +162,23 @@ function readWelcome(bytes) {
 }
 
 function readRoster(bytes) {
-  const roster = { sensors: [], viewers: 0 };
+  const roster = { sensors: [], people: [], viewers: 0 }; // viewers: at this hub
   readFields(bytes, (number, reader) => {
     if (number === 3) roster.sensors.push(readSensorEntry(reader.bytes()));
-    if (number === 4) roster.viewers += reader.bytes().length > 0 ? 1 : 0;
+    if (number === 4) roster.people.push(readViewerEntry(reader.bytes()));
   });
+  roster.viewers = roster.people.filter(({ hubsAway }) => hubsAway === 0).length;
   return roster;
+}
+
+function readViewerEntry(bytes) {
+  const entry = { id: 0, name: '', hubsAway: 0 };
+  readFields(bytes, (number, reader) => {
+    if (number === 1) entry.id = reader.uint32();
+    if (number === 2) entry.name = reader.string();
+    if (number === 4) entry.hubsAway = reader.uint32();
+  });
+  return entry;
 }
 
 function readSensorEntry(bytes) {
@@ -182,21 +213,24 @@ function readPong(bytes) {
   return pong;
 }
 
-/** Where each viewer's head is: [x, y, z]. */
+/** Where each viewer's head is: [x, y, z], and in the same order who they are. */
 function readPoses(bytes) {
-  const heads = [];
+  const heads = [], ids = [];
   readFields(bytes, (number, reader) => {
-    if (number === 1) heads.push(readHead(reader.bytes()));
+    if (number === 1) readHead(reader.bytes(), heads, ids);
   });
-  return { heads };
+  return { heads, ids };
 }
 
-function readHead(bytes) {
+function readHead(bytes, heads, ids) {
   const place_m = [0, 0, 0];
+  let id = 0;
   readFields(bytes, (number, reader) => {
+    if (number === 1) id = reader.uint32();
     if (number === 2) readPlace(reader.bytes(), place_m);
   });
-  return place_m;
+  heads.push(place_m);
+  ids.push(id);
 }
 
 function readPlace(bytes, place_m) {

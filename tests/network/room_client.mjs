@@ -13,6 +13,7 @@ export class RoomClient {
   rosters = [];
   errors = [];
   heads = []; // of other viewers that moved last
+  places = new Map(); // where each viewer's head was last, by id
   otherHubs = []; // where else the room is
   welcome = null;
   #changed = [];
@@ -26,10 +27,10 @@ export class RoomClient {
     return client;
   }
 
-  /** A viewer, or a sensor if `sensor` is given, that has been welcomed. */
-  static async join(t, url, { name = 'test', sensor, token, options } = {}) {
+  /** A viewer, a sensor if `sensor` is given, or who says where sensors stand; it has been welcomed. */
+  static async join(t, url, { name = 'test', sensor, aligner, token, options } = {}) {
     const client = await RoomClient.open(t, url, options);
-    client.send(writeJoin({ name, sensor, token }));
+    client.send(writeJoin({ name, sensor, aligner, token }));
     await client.until('the welcome', () => client.welcome);
     return client;
   }
@@ -55,6 +56,16 @@ export class RoomClient {
   /** The newest roster's entry. */
   sensor(name) {
     return this.rosters.at(-1)?.sensors.find((sensor) => sensor.name === name);
+  }
+
+  /** The newest roster's entry of somebody who watches, here or at another hub. */
+  person(name) {
+    return this.rosters.at(-1)?.people.find((person) => person.name === name);
+  }
+
+  /** Where that one's head was last. */
+  placeOf(name) {
+    return this.places.get(this.person(name)?.id);
   }
 
   /** Sequence numbers of a sensor's frames, in the order they came. */
@@ -101,10 +112,15 @@ export class RoomClient {
     else if (control.case === 'welcome') this.welcome = control;
     else if (control.case === 'roster') this.rosters.push(control);
     else if (control.case === 'clockPong') this.pong = control;
-    else if (control.case === 'viewerPoses') this.heads = control.heads;
+    else if (control.case === 'viewerPoses') this.#takePoses(control);
     else if (control.case === 'otherHubs') this.otherHubs = control.urls;
     else if (control.case === 'error') this.errors.push(control);
     this.#tellWaiters();
+  }
+
+  #takePoses({ heads, ids }) {
+    this.heads = heads;
+    ids.forEach((id, i) => this.places.set(id, heads[i]));
   }
 
   #takeFrame(frame) {
@@ -128,8 +144,8 @@ export class RoomClient {
 export class SendingSensor {
   sent = 0;
 
-  static async start(t, url, { name, fps, rate = fps, payloadBytes = 2000, token, options }) {
-    const client = await RoomClient.join(t, url, { name, sensor: { fps }, token, options });
+  static async start(t, url, { name, fps, worldFromDepth, rate = fps, payloadBytes = 2000, token, options }) {
+    const client = await RoomClient.join(t, url, { name, sensor: { fps, worldFromDepth }, token, options });
     return new SendingSensor(t, client, { rate, payloadBytes, roomMinusHostNs: await client.askTime() });
   }
 

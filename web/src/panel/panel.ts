@@ -120,7 +120,8 @@ export class Panel {
   rebuild(): void {
     this.sensors.rebuild();
     const self = this.state.welcome?.viewerId;
-    const people = (this.state.roster?.viewers ?? []).map((viewer) => {
+    const viewers = (this.state.roster?.viewers ?? []).filter(({ servesOn }) => !servesOn); // no hubs
+    const people = viewers.map((viewer) => {
       const color = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
       const name = viewer.name || texts.person(viewer.id);
       const swatch = element('span', { class: 'swatch round', 'aria-hidden': 'true' });

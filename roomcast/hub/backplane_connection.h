@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connections of a backplane are those of no shard: their ids have the highest bit.
+#pragma once
+
+#include <cstdint>
+
+#include "roomcast/core/ids.h"
+
+namespace roomcast::hub {
+
+inline constexpr std::uint64_t kBackplaneBit = std::uint64_t{1} << 63;
+
+/// `owner` below 2^31 is for the backplane's own use.
+[[nodiscard]] inline ConnectionId backplane_connection(std::uint32_t owner, std::uint32_t number) {
+  return ConnectionId{kBackplaneBit | std::uint64_t{owner} << 32 | number};
+}
+[[nodiscard]] inline bool is_of_backplane(ConnectionId connection) {
+  return (connection.value & kBackplaneBit) != 0;
+}
+[[nodiscard]] inline std::uint32_t backplane_owner(ConnectionId connection) {
+  return static_cast<std::uint32_t>((connection.value & ~kBackplaneBit) >> 32);
+}
+
+}  // namespace roomcast::hub
