@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/hub/control_message.h"
+#include "roomcast/hub/revoked_message.h"
+
 namespace roomcast::hub {
 
 namespace {
@@ -149,13 +152,23 @@ void RoomHall::admit(const Arrival& arrival, const pb::Join& join, const Entry& 
   guest.room = &room;
   guest.token_id = entry.token_id;
   guest.expires_at = entry.expires_at;
+  guest.serves_on = join.viewer().serves_on();
   if (backplane_ != nullptr && join.has_sensor() && !is_of_backplane(arrival.from)) {
     backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
   }
   room.carry_out(room.room().join(arrival.from, join, entry, room.now()));
+  if (join.viewer().serves_on()) greet_hub(arrival.from);
   if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
     options_.on_in_use(entry.room);
   }
+}
+
+/// It learns which tokens hold no more before it was here.
+void RoomHall::greet_hub(ConnectionId hub) {
+  desk_.ask([](HubBook& book) { return book.revoked(); },
+            [this, hub](const Result<std::vector<Claims>>& revoked) {
+              if (revoked && room_of(hub) != nullptr) tell_hub_behind(hub, *revoked);
+            });
 }
 
 // ---- what they say
@@ -213,20 +226,34 @@ bool RoomHall::send_away(ConnectionId guest, const std::string& sentence) {
 }
 
 void RoomHall::tell_revoked() {
-  if (backplane_ == nullptr) return;
   desk_.ask([](HubBook& book) { return book.revoked(); },
             [this](const Result<std::vector<Claims>>& revoked) {
-              if (revoked && !revoked->empty()) backplane_->revoked(*revoked);
+              if (!revoked || revoked->empty()) return;
+              if (backplane_ != nullptr) backplane_->revoked(*revoked);
+              tell_hubs_behind(*revoked);
             });
+}
+
+void RoomHall::tell_hubs_behind(const std::vector<Claims>& revoked) {
+  for (const auto& [connection, guest] : guests_) {
+    if (guest.room != nullptr && guest.serves_on) tell_hub_behind(connection, revoked);
+  }
+}
+
+void RoomHall::tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked) {
+  for (const pb::Control& message : revoked_messages(revoked, room_of(hub)->room().name())) {
+    shards_[Shard::of(hub, shards_.size())]->send_control({hub}, sealed_control(message));
+  }
 }
 
 void RoomHall::take_revoked(std::vector<Claims> tokens) {
   std::vector<std::string> ids;
   for (const Claims& token : tokens) ids.push_back(token.id);
   desk_.ask([tokens = std::move(tokens)](HubBook& book) { return book.take_revoked(tokens); },
-            [this, ids = std::move(ids)](const Status& kept) {
-              if (!kept) log(LogLevel::kWarning, kept.error().message);
+            [this, ids = std::move(ids)](const Result<std::vector<Claims>>& news) {
+              if (!news) log(LogLevel::kWarning, news.error().message);
               send_away_holders(ids);
+              if (news) tell_hubs_behind(*news);
             });
 }
 

@@ -70,7 +70,8 @@ class RoomHall final : public BackplaneEvents {
   bool send_away(ConnectionId guest, const std::string& sentence);
   /// Whoever came with one of these tokens.
   void send_away_holders(const std::vector<std::string>& token_ids);
-  /// Other hubs learn which tokens hold no more, if there are any.
+  /// Other hubs learn which tokens hold no more, if there are any: those beside this one, and those
+  /// that serve its rooms on.
   void tell_revoked();
   /// They hold no more, say other hubs.
   void take_revoked(std::vector<Claims> tokens);
@@ -96,6 +97,7 @@ class RoomHall final : public BackplaneEvents {
     HostedRoom* room = nullptr;
     std::string token_id;
     UnixSeconds expires_at = 0;  // 0: never
+    bool serves_on = false;      // it is a hub
   };
   struct Sent {
     std::uint64_t bytes = 0, dropped_sets = 0;
@@ -109,6 +111,10 @@ class RoomHall final : public BackplaneEvents {
   [[nodiscard]] HostedRoom* room_of(ConnectionId from) const;
   [[nodiscard]] std::string only_listed_room() const;
   [[nodiscard]] RoomStats stats_of(const HostedRoom& room) const;
+
+  void greet_hub(ConnectionId hub);
+  void tell_hubs_behind(const std::vector<Claims>& revoked);
+  void tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked);
 
   void look_around_later();
   void look_around();

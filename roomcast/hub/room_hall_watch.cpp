@@ -45,6 +45,7 @@ void RoomHall::look_around() {
         for (const Claims& token : revoked) ids.push_back(token.id);
         send_away_holders(ids);
         if (backplane_ != nullptr) backplane_->revoked(revoked);
+        tell_hubs_behind(revoked);
       });
 }
 

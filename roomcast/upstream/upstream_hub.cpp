@@ -28,10 +28,10 @@ void UpstreamHub::pull(const std::string& name) {
     return hub::backplane_connection(number, ++*count);
   };
   MirroredRoom mirror(name, seat_.token, seat_.rooms, std::move(new_connection));
-  rooms_[number] =
-      std::unique_ptr<Pulled>(new Pulled{.name = name,
-                                         .room{seat_.io, options_, name, std::move(mirror)},
-                                         .end = boost::asio::steady_timer(seat_.io)});
+  rooms_[number] = std::unique_ptr<Pulled>(
+      new Pulled{.name = name,
+                 .room{seat_.io, options_, name, std::move(mirror), seat_.revoke},
+                 .end = boost::asio::steady_timer(seat_.io)});
 }
 
 void UpstreamHub::end_later(Number number, Pulled& pulled) {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "roomcast/hub/revoked_message.h"
+
 namespace roomcast::upstream {
 
 namespace pb = wire::pb;
@@ -21,8 +23,13 @@ pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
 }  // namespace
 
 UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options,
-                           const std::string& room, MirroredRoom mirror)
-    : options_(options), room_(room), mirror_(std::move(mirror)), io_(io), timer_(io) {
+                           const std::string& room, MirroredRoom mirror, Revoke revoke)
+    : options_(options),
+      room_(room),
+      mirror_(std::move(mirror)),
+      revoke_(std::move(revoke)),
+      io_(io),
+      timer_(io) {
   join();
 }
 
@@ -47,6 +54,10 @@ void UpstreamRoom::on_welcome(const pb::Welcome& welcome) {
 void UpstreamRoom::on_control(const pb::Control& message) {
   if (message.has_roster()) mirror_.roster(message.roster());
   if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
+  if (message.has_revoked_tokens()) {
+    auto revoked = hub::revoked_claims(message.revoked_tokens(), room_);
+    if (!revoked.empty()) revoke_(std::move(revoked));
+  }
 }
 
 void UpstreamRoom::on_frame(net::MessageBuffer message) {

@@ -3,6 +3,7 @@
 // hung: a viewer there, its sensors here. Threading: lives on one io_context, the rooms'.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ class UpstreamRoom final : private HubLinkEvents {
   /// After it was refused: perhaps the room is opened there, or the token is renewed.
   static constexpr std::chrono::seconds kAskAgainAfter{4};
 
+  /// Tokens for this room that hold no more, says the other hub.
+  using Revoke = std::function<void(std::vector<hub::Claims>)>;
+
   UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options, const std::string& room,
-               MirroredRoom mirror);
+               MirroredRoom mirror, Revoke revoke);
   ~UpstreamRoom() override { timer_.cancel(); }
 
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
@@ -53,6 +57,7 @@ class UpstreamRoom final : private HubLinkEvents {
   const UpstreamOptions& options_;
   const std::string room_;
   MirroredRoom mirror_;
+  const Revoke revoke_;
   boost::asio::io_context& io_;
   std::optional<HubLink> link_;
   bool is_welcome_ = false;

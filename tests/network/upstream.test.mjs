@@ -4,7 +4,7 @@
 // ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
-import { writeFileSync } from 'node:fs';
+import { copyFileSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
@@ -138,6 +138,37 @@ test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async
   await viewer.moreSets(10);
   await run('token', '--data', theirs, '--revoke', id);
   await viewer.until('the room has ended here', () => viewer.sensor('s0')?.online === false);
+});
+
+test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', async (t) => {
+  const [theirs, ours, last] = [scratchFolder(t), scratchFolder(t), scratchFolder(t)];
+  const [hubs, guests, others] = [
+    await makeToken(theirs, '--room', 'room', '--role', 'viewer'),
+    await makeToken(theirs, '--room', 'room', '--role', 'viewer', '--name', 'Ada'),
+    await makeToken(theirs, '--room', 'room', '--role', 'viewer'),
+  ];
+  for (const folder of [ours, last]) { // one secret: a token is good at all of them
+    copyFileSync(`${theirs}/hub.secret`, `${folder}/hub.secret`);
+    writeFileSync(`${folder}/token`, hubs.token);
+  }
+  const origin = await startHub(t, '--access', 'token', '--data', theirs);
+  const behind = (hub, folder) =>
+    startHub(t, '--access', 'token', '--data', folder, '--upstream', hub.url, '--upstream-token-file', `${folder}/token`);
+  const middle = await behind(origin, ours);
+  const edge = await behind(middle, last);
+  const stays = await RoomClient.join(t, edge.url, { token: others.token });
+  const guest = await RoomClient.join(t, edge.url, { token: guests.token });
+  await run('token', '--data', theirs, '--revoke', guests.id);
+  assert.match((await guest.closed).reason, /revoked/);
+  await assert.rejects(RoomClient.join(t, edge.url, { token: guests.token }), /revoked/);
+  assert.equal(stays.end, undefined, 'who has another token stays');
+
+  const late = await makeToken(theirs, '--room', 'room', '--role', 'viewer');
+  stays.socket.terminate();
+  await delay(4500); // nobody watches: nothing is heard from there
+  await run('token', '--data', theirs, '--revoke', late.id);
+  const unknown = await RoomClient.join(t, edge.url, { token: late.token });
+  assert.match((await unknown.closed).reason, /revoked/, 'as soon as the room is fetched again');
 });
 
 test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 40_000 * costRounds }, async (t) => {

@@ -104,12 +104,17 @@ bool HubBook::changed_elsewhere() {
   return std::exchange(foreign_changes_, changes) != changes;
 }
 
-Status HubBook::take_revoked(const std::vector<Claims>& tokens) {
+Result<std::vector<Claims>> HubBook::take_revoked(const std::vector<Claims>& tokens) {
+  std::vector<Claims> news;
   for (const Claims& token : tokens) {
     if (token.expires_at <= now_() || token.expires_at > now_() + kMaxTtl) continue;
-    if (auto status = tokens_.add_revoked(token, now_()); !status) return status;
+    const auto is_known = tokens_.is_revoked(token.id);
+    if (!is_known) return is_known.error();
+    if (*is_known) continue;
+    if (auto status = tokens_.add_revoked(token, now_()); !status) return status.error();
+    news.push_back(token);
   }
-  return {};
+  return news;
 }
 
 }  // namespace roomcast::hub

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/claims.h"
@@ -65,8 +66,9 @@ class HubBook {
   [[nodiscard]] Status revoke(std::string_view id) { return tokens_.revoke(id, now_()); }
   /// All that have not expired.
   [[nodiscard]] Result<std::vector<Claims>> revoked() const { return tokens_.revoked(now_()); }
-  /// Tokens that other hubs with the same secret have made, or this one, hold no more.
-  [[nodiscard]] Status take_revoked(const std::vector<Claims>& tokens);
+  /// Tokens that other hubs with the same secret have made, or this one, hold no more. Those that
+  /// were not known as such.
+  [[nodiscard]] Result<std::vector<Claims>> take_revoked(const std::vector<Claims>& tokens);
   /// Has another program, `roomcast token`, changed what is kept since this was last asked?
   [[nodiscard]] bool changed_elsewhere();
 

@@ -51,6 +51,16 @@ TEST_F(HubBookTest, a_token_holds_across_a_restart_and_so_does_its_revocation) {
   EXPECT_EQ(book->revoked()->size(), 1U);
 }
 
+TEST_F(HubBookTest, what_another_hub_has_revoked_is_news_once) {
+  const auto book = open();
+  const auto made = *book->issue(kViewer, 60);
+  const Claims elsewhere{.id = "t9", .grant = kViewer, .issued_at = now, .expires_at = now + 60};
+  const Claims expired{.id = "t8", .grant = kViewer, .issued_at = now - 9, .expires_at = now};
+  EXPECT_EQ(book->take_revoked({made.claims, elsewhere, expired})->size(), 2U);
+  EXPECT_EQ(book->take_revoked({made.claims, elsewhere})->size(), 0U);
+  EXPECT_EQ(fault(book->check(made.token)), pb::ERROR_TOKEN_REVOKED);
+}
+
 TEST_F(HubBookTest, another_hubs_token_is_refused) {
   EXPECT_EQ(fault(open()->check(open()->issue(kViewer, 60)->token)), pb::ERROR_TOKEN_INVALID);
 }
