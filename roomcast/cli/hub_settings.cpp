@@ -62,6 +62,11 @@ Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& list
   return true;
 }
 
+std::size_t threads_of(const hub::HubConfig& config) {
+  if (config.threads > 0) return static_cast<std::size_t>(config.threads);
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
 Result<std::optional<upstream::UpstreamOptions>> upstream_of(const hub::HubConfig& config) {
   if (config.upstream_hubs.empty()) return std::optional<upstream::UpstreamOptions>();
   upstream::UpstreamOptions options;
@@ -91,6 +96,8 @@ Result<std::optional<cluster::ClusterOptions>> cluster_of(const hub::HubConfig& 
     if (auto url = net::parse_hub_url(config.public_url); !url) return url.error();
   }
   options.public_url = config.public_url;
+  options.cores = static_cast<float>(threads_of(config));
+  options.busy_share = static_cast<float>(config.busy_percent) / 100;
   return std::optional(std::move(options));
 }
 
@@ -109,8 +116,7 @@ Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const Liste
   options.limits = limits_of(config);
   options.metrics_for_anyone =
       config.metrics == "anyone" || (config.metrics == "auto" && listen.loopback && all_listed);
-  options.threads = config.threads > 0 ? static_cast<std::size_t>(config.threads)
-                                       : std::max(1U, std::thread::hardware_concurrency());
+  options.threads = threads_of(config);
   return options;
 }
 

@@ -25,7 +25,7 @@ constexpr std::chrono::seconds kSettled{5};
 bool is_final(pb::ErrorCode code, bool had_been_welcomed) {
   if (code == pb::ERROR_REPLACED) return true;
   return !had_been_welcomed && code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
-         code != pb::ERROR_SHUTTING_DOWN;
+         code != pb::ERROR_SHUTTING_DOWN && code != pb::ERROR_BUSY;
 }
 
 }  // namespace
@@ -167,7 +167,10 @@ void HubLink::on_ended(const net::CloseReason& reason) {
                                         : "the connection to the hub ended: " + reason.sentence;
   const Error error{ErrorCode::kClosed, sentence};
   if (is_over()) return give_up(error);
-  retry_after(hubs_.failed(), error);
+  const nanoseconds pause = hubs_.failed();
+  const bool is_sent_on = refusal_ && refusal_code_ == pb::ERROR_BUSY && !welcomed_at_;
+  if (is_sent_on && pause == nanoseconds(0)) return connect_after(pause);  // nothing went down
+  retry_after(pause, error);
 }
 
 /// Another hub may know us better than this one.
@@ -182,11 +185,15 @@ void HubLink::give_up(const Error& reason) {
 }
 
 void HubLink::retry_after(nanoseconds pause, const Error& reason) {
+  connect_after(pause);
+  events_.on_down(reason, false);  // last: it may call stop()
+}
+
+void HubLink::connect_after(nanoseconds pause) {
   retry_timer_.expires_after(pause);
   retry_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && !stopped_) connect();
   });
-  events_.on_down(reason, false);  // last: it may call stop()
 }
 
 void HubLink::ping_later() {
@@ -220,6 +227,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
       welcomed_at_ = clock_.now();
       hubs_.welcomed();
       keep_token(control->welcome());
+      join_.clear_sent_on();
       events_.on_welcome(control->welcome());
       return ping();
     case pb::Control::kClockPong:
@@ -227,6 +235,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     case pb::Control::kError:
       refusal_ = Error{ErrorCode::kClosed, control->error().sentence()};
       refusal_code_ = control->error().code();
+      if (refusal_code_ == pb::ERROR_BUSY) join_.set_sent_on(true);
       return;
     case pb::Control::kOtherHubs:
       return hubs_.learn(

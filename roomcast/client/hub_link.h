@@ -89,6 +89,7 @@ class HubLink {
   void on_nobody(const Error& reason);
   void on_ended(const net::CloseReason& reason);
   void retry_after(nanoseconds pause, const Error& reason);
+  void connect_after(nanoseconds pause);
   void cancel_attempts();
   void ping_later();
   void ping();

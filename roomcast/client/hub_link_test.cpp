@@ -205,6 +205,26 @@ TEST_F(HubLinkTest, goes_on_at_the_next_hub_at_once_when_one_is_gone) {
   EXPECT_EQ(heard_of_either.down.size(), 1u);
 }
 
+TEST_F(HubLinkTest, goes_on_where_a_busy_hub_sends_it_and_says_that_it_was_sent) {
+  FakeHub next(io);
+  hub->lets_joins_wait = true;
+  link.start();
+  run_until([&] { return hub->heard.size() == 1; });
+  EXPECT_FALSE(hub->heard.at(0).join().sent_on());
+  wire::pb::Control others;
+  others.mutable_other_hubs()->add_urls(next.url());
+  hub->say(others);
+  hub->refuse(wire::pb::ERROR_BUSY, "this hub is busy");
+  run_until([&] { return heard.welcomes.size() == 1; });
+  EXPECT_TRUE(heard.down.empty());
+  ASSERT_FALSE(next.heard.empty());
+  EXPECT_TRUE(next.heard.at(0).join().sent_on());
+  next.hang_up();
+  hub->lets_joins_wait = false;
+  run_until([&] { return heard.welcomes.size() == 2; });
+  EXPECT_FALSE(hub->heard.back().join().sent_on()) << "it comes anew";
+}
+
 TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
   FakeHub next(io);
   welcomed();

@@ -179,6 +179,7 @@ pb::Heartbeat ClusterHub::heartbeat() const {
   own.set_public_url(options_.public_url);
   own.set_aligns(options_.on_owned != nullptr);
   own.set_load(load_.cores());
+  own.set_cores(options_.cores);
   for (const auto& [number, room] : rooms_) {
     if (room->shared->revision() == 0 && !room->is_subscribed) continue;
     pb::RoomHere& here = *own.add_rooms();

@@ -31,6 +31,10 @@ struct ClusterOptions {
   std::string public_url;  // how others reach this hub; empty: nobody is sent here
   /// This hub could work out where sensors stand: it begins for a room when told so, and ends.
   std::function<void(const std::string& room, bool owns)> on_owned = {};
+  float cores = 1;  // that this hub can use
+  /// Of these, from 0 to 1: a hub that uses more sends who comes to watch on to one that is much
+  /// less busy. 0: never.
+  float busy_share = 0.75F;
   /// How long a room's frames still come that nobody watches any more.
   std::chrono::milliseconds kept_unwatched{3000};
   LogSink log = {};
@@ -60,6 +64,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void let_go(ConnectionId connection) override;
   void revoked(const std::vector<hub::Claims>& tokens) override;
   [[nodiscard]] std::vector<hub::HubStatus> hubs() const override;
+  [[nodiscard]] std::vector<std::string> less_busy_hubs(const std::string& room) const override;
 
  private:
   /// Part of the ids of a room's connections. Never used twice.

@@ -74,6 +74,12 @@ void ClusterHub::take_revoked(const pb::Revoked& revoked) {
 
 // ---- who is there
 
+std::vector<std::string> ClusterHub::less_busy_hubs(const std::string& room) const {
+  const pb::Heartbeat own = heartbeat();
+  const bool is_busy = options_.busy_share > 0 && busy_share(own) > options_.busy_share;
+  return is_busy ? directory_.less_busy_with(room, own) : std::vector<std::string>();
+}
+
 std::vector<hub::HubStatus> ClusterHub::hubs() const {
   std::vector<hub::HubStatus> all;
   const auto add = [&all](const pb::Heartbeat& heartbeat) {

@@ -17,7 +17,17 @@ std::uint64_t ns_of(HostTime time) {
   return static_cast<std::uint64_t>(time.time_since_epoch().count());
 }
 
+bool is_public(const OtherHub& hub) {
+  const std::string& url = hub.newest.public_url();
+  return !url.empty() && url.size() <= wire::kMaxUrlBytes;
+}
+
 }  // namespace
+
+std::optional<float> busy_share(const pb::Heartbeat& hub) {
+  if (!(hub.load() >= 0 && hub.cores() > 0)) return std::nullopt;  // not for NaN, either
+  return hub.load() / hub.cores();
+}
 
 bool HubDirectory::take(const pb::Heartbeat& heartbeat, HostTime now) {
   const HubId id{heartbeat.hub()};
@@ -73,6 +83,25 @@ std::vector<std::string> HubDirectory::urls_with(const std::string& room) const 
   return urls_of([&room](const OtherHub& hub) { return hub.rooms.contains(room); });
 }
 
+std::vector<std::string> HubDirectory::less_busy_with(const std::string& room,
+                                                      const pb::Heartbeat& own) const {
+  const auto here = busy_share(own);
+  std::vector<std::pair<float, std::string>> less;
+  for (const auto& [id, hub] : others_) {
+    const auto there = busy_share(hub.newest);
+    if (!here || !there || *there > *here / 2 || !is_public(hub) || !hub.rooms.contains(room)) {
+      continue;
+    }
+    less.emplace_back(*there, hub.newest.public_url());
+  }
+  std::ranges::sort(less);
+  std::vector<std::string> urls;
+  for (auto& [share, url] : less) {
+    if (urls.size() < wire::kMaxOtherHubs) urls.push_back(std::move(url));
+  }
+  return urls;
+}
+
 std::vector<std::string> HubDirectory::urls() const {
   return urls_of([](const OtherHub&) { return true; });
 }
@@ -81,9 +110,7 @@ std::vector<std::string> HubDirectory::urls_of(
     const std::function<bool(const OtherHub&)>& is_meant) const {
   std::vector<std::string> urls;
   for (const auto& [id, hub] : others_) {
-    const std::string& url = hub.newest.public_url();
-    const bool is_short = !url.empty() && url.size() <= wire::kMaxUrlBytes;
-    if (is_short && is_meant(hub)) urls.push_back(url);
+    if (is_public(hub) && is_meant(hub)) urls.push_back(hub.newest.public_url());
   }
   std::ranges::sort(urls);
   if (urls.size() > wire::kMaxOtherHubs) urls.resize(wire::kMaxOtherHubs);

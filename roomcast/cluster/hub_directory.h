@@ -50,6 +50,10 @@ class HubDirectory {
   [[nodiscard]] const OtherHub* find(HubId hub) const;
   /// Where else this room is: public addresses, sorted, at most wire::kMaxOtherHubs.
   [[nodiscard]] std::vector<std::string> urls_with(const std::string& room) const;
+  /// Those of them that use at most half as much of their processor as this one does, the least
+  /// busy first.
+  [[nodiscard]] std::vector<std::string> less_busy_with(const std::string& room,
+                                                        const pb::Heartbeat& own) const;
   /// Public addresses of all, sorted, at most wire::kMaxOtherHubs.
   [[nodiscard]] std::vector<std::string> urls() const;
   /// Does any of them want frames of this room?
@@ -63,6 +67,9 @@ class HubDirectory {
   const HubId own_;
   std::map<HubId, OtherHub> others_;
 };
+
+/// How much of its processor a hub uses, from 0 to 1; nothing: it does not say.
+[[nodiscard]] std::optional<float> busy_share(const pb::Heartbeat& hub);
 
 /// Null: it says nothing of this room.
 [[nodiscard]] const pb::RoomHere* room_of(const pb::Heartbeat& heartbeat, std::string_view room);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cluster/hub_directory.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace roomcast::cluster {
@@ -114,6 +116,32 @@ TEST(HubDirectory, says_where_else_a_room_is) {
     directory.take(heartbeat, {});
   }
   EXPECT_EQ(directory.urls_with("lab"), (std::vector<std::string>{"wss://a", "wss://b"}));
+}
+
+TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
+  HubDirectory directory(kOwn);
+  const auto hear = [&](std::uint64_t id, const std::string& url, float load, float cores,
+                        const std::string& room = "lab") {
+    auto heartbeat = heartbeat_of(HubId{id});
+    heartbeat.set_public_url(url);
+    heartbeat.set_load(load);
+    heartbeat.set_cores(cores);
+    heartbeat.add_all_rooms(room);
+    directory.take(heartbeat, {});
+  };
+  hear(11, "wss://half", 0.8F, 2);
+  hear(12, "wss://idle", 0, 2);
+  hear(13, "wss://nearly-as-busy", 1, 2);
+  hear(14, "", 0, 2);
+  hear(15, "wss://says-nothing", 0, 0);
+  hear(16, "wss://nonsense", std::numeric_limits<float>::quiet_NaN(), 2);
+  hear(17, "wss://another-room", 0, 2, "kitchen");
+  auto own = heartbeat_of(kOwn);
+  own.set_load(3.2F);
+  own.set_cores(4);
+  EXPECT_EQ(directory.less_busy_with("lab", own),
+            (std::vector<std::string>{"wss://idle", "wss://half"}));
+  EXPECT_FALSE(busy_share(heartbeat_of(kOwn)).has_value());
 }
 
 /// All hubs say the same, whichever of them is asked.

@@ -50,6 +50,10 @@ class Backplane {
   virtual void revoked(const std::vector<Claims>& /*tokens*/) {}
   /// Those that are there now, this one first; empty: this one is alone.
   [[nodiscard]] virtual std::vector<HubStatus> hubs() const { return {}; }
+  /// Where somebody who comes to watch this room should rather go; empty: he may stay here.
+  [[nodiscard]] virtual std::vector<std::string> less_busy_hubs(const std::string& /*room*/) const {
+    return {};
+  }
   /// Somebody here sees this room now, or nobody any more.
   virtual void watch(const std::string& room, bool is_watched) = 0;
   /// What the room says to one of the backplane's connections.

@@ -123,6 +123,7 @@ void RoomHall::decide(const Arrival& arrival, const pb::Join& join, const Claims
       join, claims, [this](const std::string& name) { return find(name); }, only_listed_room());
   if (const Refusal* why = refusal(verdict)) return refuse(arrival, *why);
   Entry entry = std::get<Entry>(verdict);
+  if (send_on(arrival, join, entry.room)) return;
   entry.new_token = new_token;
   if (arrival.token_id_there) entry.token_id = *arrival.token_id_there;
   entry.other_hub = arrival.other_hub;
@@ -144,6 +145,22 @@ void RoomHall::refuse(const Arrival& arrival, const Refusal& why) {
   if (is_of_backplane(arrival.from)) return backplane_->let_go(arrival.from);
   shards_[Shard::of(arrival.from, shards_.size())]->disconnect(arrival.from, why.code,
                                                                why.sentence);
+}
+
+/// To a hub that is less busy, where there is one. Nobody is sent on twice.
+bool RoomHall::send_on(const Arrival& arrival, const pb::Join& join, const std::string& room) {
+  if (backplane_ == nullptr || !join.has_viewer() || join.sent_on()) return false;
+  const auto urls = backplane_->less_busy_hubs(room);
+  if (urls.empty()) return false;
+  log(LogLevel::kInfo, described(arrival, join) + " is sent on to " + urls.front());
+  guests_.erase(arrival.from);
+  pb::Control others;
+  others.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
+  Shard& shard = *shards_[Shard::of(arrival.from, shards_.size())];
+  shard.send_control({arrival.from}, sealed_control(others));
+  shard.disconnect(arrival.from, pb::ERROR_BUSY,
+                   "this hub is busy; the room is at " + urls.front() + ", too");
+  return true;
 }
 
 void RoomHall::admit(const Arrival& arrival, const pb::Join& join, const Entry& entry) {

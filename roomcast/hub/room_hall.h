@@ -107,6 +107,7 @@ class RoomHall final : public BackplaneEvents {
   void decide(const Arrival& arrival, const wire::pb::Join& join, const Claims* claims,
               const std::string& new_token);
   void refuse(const Arrival& arrival, const Refusal& why);
+  bool send_on(const Arrival& arrival, const wire::pb::Join& join, const std::string& room);
   void admit(const Arrival& arrival, const wire::pb::Join& join, const Entry& entry);
   [[nodiscard]] HostedRoom* room_of(ConnectionId from) const;
   [[nodiscard]] std::string only_listed_room() const;

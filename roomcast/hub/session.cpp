@@ -29,6 +29,7 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
       return net::close_code::kTooLarge;
     case pb::ERROR_ROOM_FULL:
     case pb::ERROR_TOO_SLOW:
+    case pb::ERROR_BUSY:
       return net::close_code::kTryAgainLater;
     case pb::ERROR_SHUTTING_DOWN:
       return net::close_code::kGoingAway;

@@ -122,6 +122,7 @@ export const connectionTexts = {
   hungUp: (sentence: string) => `The hub hung up: ${sentence || 'it gave no reason.'}`,
   tooSlow: 'This computer or its connection was too slow, and the hub hung up.',
   roomFull: 'The room is full.',
+  busy: 'This hub is busy.',
   noSuchRoom: 'The hub has no room of that name, or you have no link to it.',
   severalRooms: 'This hub has several rooms: choose one.',
   needsToken: 'This room asks for a token. Whoever runs it can make a link for you.',

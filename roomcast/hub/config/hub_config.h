@@ -40,6 +40,7 @@ struct HubConfig {
   std::int64_t ban_after = 10;
   std::int64_t ban_within_s = 60;
   std::int64_t ban_s = 300;
+  std::int64_t busy_percent = 75;
   std::vector<std::string> upstream_hubs;  // whose rooms this hub serves on
   std::string upstream_token_file;
   std::string public_url;                 // how others reach this hub

@@ -41,6 +41,8 @@ function explainError({ code, sentence }: NonNullable<Ending['error']>, room: st
       return texts.stopped;
     case ErrorCode.ERROR_TOO_SLOW:
       return texts.tooSlow;
+    case ErrorCode.ERROR_BUSY:
+      return texts.busy;
     case ErrorCode.ERROR_ROOM_FULL:
       return texts.roomFull;
     case ErrorCode.ERROR_NO_SUCH_ROOM:

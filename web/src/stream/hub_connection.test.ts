@@ -150,6 +150,20 @@ describe('a hub connection', () => {
     expect(FakeSocket.all.slice(3).map(({ url }) => url)).toEqual(['ws://hub:7600/ws', 'ws://c:7600/ws']);
   });
 
+  test('goes on where a busy hub sends it, and says that it was sent', () => {
+    start();
+    socket().open();
+    expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { sentOn: false } });
+    socket().say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    socket().say({ case: 'error', value: { code: ErrorCode.ERROR_BUSY, sentence: 'busy' } });
+    socket().end(1013, 'busy');
+    expect(sentence()).toBe('This hub is busy. Going on at another hub.');
+    vi.advanceTimersByTime(0);
+    expect(FakeSocket.all[1]!.url).toBe('ws://b:7600/ws');
+    FakeSocket.all[1]!.open();
+    expect(FakeSocket.all[1]!.sent[0]!.message).toMatchObject({ case: 'join', value: { sentOn: true } });
+  });
+
   test('that breaks is made again', () => {
     start();
     socket().open();

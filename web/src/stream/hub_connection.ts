@@ -3,7 +3,7 @@
 // next hub where the room is, too.
 // docs/spec/wire.md §1, §3 and §5. Local time is this program's performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
-import type { Control, Roster, ViewerPose, Welcome } from '../gen/control_pb';
+import { ErrorCode, type Control, type Roster, type ViewerPose, type Welcome } from '../gen/control_pb';
 import { connectionTexts } from '../texts';
 import { decodeControl, encodeControl, type ControlMessage } from '../wire/control';
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
@@ -44,6 +44,7 @@ export class HubConnection {
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
+  private sentOn = false; // by a hub that was too busy
   private readonly hubs: HubChoice;
 
   constructor(
@@ -85,7 +86,7 @@ export class HubConnection {
     const role = { case: 'viewer', value: {} } as const;
     // A code is good for one time: once it has brought a token, that one is shown.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
-    this.send({ case: 'join', value: { room: this.room, name, role, ...right } });
+    this.send({ case: 'join', value: { room: this.room, name, role, ...right, sentOn: this.sentOn } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 
@@ -126,11 +127,13 @@ export class HubConnection {
         return this.hubs.learn(message.value.urls);
       case 'error':
         this.ending.error = { code: message.value.code, sentence: message.value.sentence };
+        this.sentOn ||= message.value.code === ErrorCode.ERROR_BUSY;
     }
   }
 
   private welcomed(welcome: Welcome): void {
     this.failures = 0;
+    this.sentOn = false;
     this.hubs.welcomed();
     if (welcome.token) this.token = welcome.token;
     this.events.welcome(welcome);

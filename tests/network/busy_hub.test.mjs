@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hub that is busy sends who comes to watch on to one that is not, and nobody to and fro.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { setTimeout as delay } from 'node:timers/promises';
+
+import { Program, scratchFolder } from '../cli/program.mjs';
+import { ask, makeToken } from './admin.mjs';
+import { writeJoin } from './messages.mjs';
+import { natsIsMissing, startNode } from './nats.mjs';
+import { freePort } from './nginx.mjs';
+import { RoomClient, SendingSensor } from './room_client.mjs';
+
+const skip = natsIsMissing;
+const busyError = 19;
+
+/** A hub beside others that is busy above so much of a core. */
+async function startHub(t, node, busyPercent) {
+  const folder = scratchFolder(t);
+  const port = await freePort();
+  const url = `ws://127.0.0.1:${port}`;
+  const config = join(folder, 'roomcast.toml');
+  writeFileSync(config, `listen = "127.0.0.1:${port}"\ndata = "${folder}"\nthreads = 1\nalign = false\npublic_url = "${url}"\n` +
+    `[nats]\nservers = ["${node.url}"]\n[limits]\nbusy_percent = ${busyPercent}\n`);
+  const admin = await makeToken(folder, '--role', 'admin');
+  const program = new Program(['hub', '--config', config, '--verbose']);
+  t.after(() => program.stop('SIGKILL'));
+  await program.prints(/open http/);
+  return { program, url, loads: async () => (await ask(port, admin.token, 'GET', '/hubs')).body.hubs.map(({ load }) => load) };
+}
+
+/** Two hubs that know of each other; all sensors send to the first, which does several times as much as the other. */
+async function startPair(t, firstBusyPercent) {
+  const node = await startNode(t);
+  const [first, second] = [await startHub(t, node, firstBusyPercent), await startHub(t, node, 75)];
+  await Promise.all([0, 1, 2, 3, 4, 5].map((n) => SendingSensor.start(t, first.url, { name: `s${n}`, fps: 60, payloadBytes: 8000 })));
+  for (let tries = 0; ; ++tries) {
+    const [own, other] = await first.loads();
+    if (other !== undefined && own > 0.02 && own > 3 * other) break;
+    assert.ok(tries < 100, `${own} and ${other} cores`);
+    await delay(100);
+  }
+  return { first, second };
+}
+
+test('who_knocks_at_a_busy_hub_is_sent_on_to_one_that_is_not', { skip }, async (t) => {
+  const { first, second } = await startPair(t, 1);
+  const guest = await RoomClient.open(t, first.url);
+  guest.send(writeJoin({ name: 'guest' }));
+  await guest.closed;
+  assert.equal(guest.errors[0]?.code, busyError);
+  assert.deepEqual(guest.otherHubs, [second.url]);
+
+  const recorder = new Program(['record', `${scratchFolder(t)}/out.mcap`, '--hub', first.url, '--seconds', '20']);
+  t.after(() => recorder.stop('SIGKILL'));
+  const witness = await RoomClient.join(t, second.url);
+  await witness.until('the recorder, who was told of the busy hub only', () => witness.rosters.at(-1)?.viewers === 2);
+});
+
+test('who_was_sent_on_may_stay', { skip }, async (t) => {
+  const { first } = await startPair(t, 1);
+  const guest = await RoomClient.open(t, first.url);
+  guest.send(writeJoin({ name: 'guest', sentOn: true }));
+  await guest.until('the welcome', () => guest.welcome);
+});
+
+test('a_hub_that_is_not_busy_sends_nobody_away', { skip }, async (t) => {
+  const { first } = await startPair(t, 0);
+  await RoomClient.join(t, first.url);
+});
