@@ -209,10 +209,10 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
 /// For what concerns the pictures: nobody may get a sensor's frames before its calibration. Poses
 /// may have been told of people whom nobody knew yet.
 void Room::announce(RoomTime now, RoomActions& out) {
+  const bool people_are_news = std::exchange(roster_is_news_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
-  if (roster_is_news_) poses_.tell_all_again();
-  roster_is_news_ = false;
+  if (people_are_news) poses_.tell_all_again();
   out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 

@@ -47,6 +47,14 @@ TEST_F(RoomTest, people_behind_a_hub_are_seen_where_they_are_until_it_leaves) {
   (void)viewer;
 }
 
+TEST_F(RoomTest, when_nobody_is_left_nobody_has_to_be_told_of_it) {
+  const auto viewer = enter(viewer_join("Ada"));
+  (void)room.leave(viewer, at(1ms));
+  const auto next = room.next_tick();
+  if (next) (void)room.tick(*next);
+  EXPECT_FALSE(room.next_tick().has_value());
+}
+
 TEST_F(RoomTest, a_viewer_that_is_no_hub_tells_of_nobody) {
   for (const auto& message : {people({9}), pose_of(9, 3)}) {
     const auto viewer = enter(viewer_join("Ada"));
