@@ -9,11 +9,10 @@
 namespace roomcast::align {
 namespace {
 
-/// Whether the colour of this depth picture is one of the few that are kept.
-bool takes_color(std::size_t frame) {
-  const std::size_t before = frame * kBundleColorFrames / kBundleFrames;
-  const std::size_t after = (frame + 1) * kBundleColorFrames / kBundleFrames;
-  return frame == 0 || (after != before && after < kBundleColorFrames);
+/// Leaves every second one, beginning with the first.
+void thin_out(std::vector<ColorImage>& pictures) {
+  for (std::size_t i = 0; 2 * i < pictures.size(); ++i) std::swap(pictures[i], pictures[2 * i]);
+  pictures.resize((pictures.size() + 1) / 2);
 }
 
 }  // namespace
@@ -28,10 +27,18 @@ Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& co
     return Error{ErrorCode::kInvalidArgument,
                  "sensor " + name_ + " gave a picture of another size than its camera's"};
   }
-  if (!color.empty() && (colors_.empty() || takes_color(depth_mm_.size())))
-    colors_.push_back(color);
+  if (!color.empty()) add_color(color);
   depth_mm_.push_back(depth_mm);
   return depth_mm_.size() == kBundleFrames;
+}
+
+void BundleCapture::add_color(const ColorImage& color) {
+  const std::size_t place = seen_colors_++;
+  if (place % colors_apart_ == 0 && colors_.size() == kBundleColorFrames) {
+    thin_out(colors_);
+    colors_apart_ *= 2;
+  }
+  if (place % colors_apart_ == 0) colors_.push_back(color);
 }
 
 Result<CalibrationBundle> BundleCapture::finish() const {

@@ -13,7 +13,7 @@
 namespace roomcast::align {
 
 inline constexpr std::size_t kBundleFrames = 30;
-inline constexpr std::size_t kBundleColorFrames = 9;
+inline constexpr std::size_t kBundleColorFrames = 9;  // at most
 
 class BundleCapture {
  public:
@@ -27,10 +27,14 @@ class BundleCapture {
   [[nodiscard]] Result<CalibrationBundle> finish() const;
 
  private:
+  void add_color(const ColorImage& color);
+
   std::string name_;
   SensorCalibration calibration_;
   std::vector<DepthImage> depth_mm_;
   std::vector<ColorImage> colors_;
+  std::size_t seen_colors_ = 0;
+  std::size_t colors_apart_ = 1;  // of those seen every so many are kept
 };
 
 }  // namespace roomcast::align

@@ -88,6 +88,30 @@ TEST(BundleCapture, gives_the_steady_pictures_of_what_it_saw) {
   EXPECT_EQ(bundle->color, seen.color);
 }
 
+/// The colour of a bundle of so many frames, in some of which somebody stands in the way.
+template <class InTheWay>
+ColorImage color_of(std::size_t frames, InTheWay in_the_way) {
+  const CalibrationBundle seen = good_bundle();
+  BundleCapture capture("s1", seen.calibration);
+  for (std::size_t i = 0; i < frames; ++i) {
+    ColorImage color = seen.color;
+    if (in_the_way(i)) color.at(200, 150) = {200, 10, 10};
+    EXPECT_TRUE(capture.add(seen.depth_mm, color).ok());
+  }
+  return capture.finish()->color;
+}
+
+TEST(BundleCapture, whoever_is_in_few_of_few_frames_is_not_in_its_colour) {
+  EXPECT_EQ(color_of(3, [](std::size_t i) { return i == 0; }), good_bundle().color);
+  EXPECT_EQ(color_of(12, [](std::size_t i) { return i < 4; }), good_bundle().color);
+}
+
+TEST(BundleCapture, colour_is_of_all_the_time_that_it_watched) {
+  EXPECT_EQ(color_of(kBundleFrames, [](std::size_t i) { return i < 10; }), good_bundle().color);
+  EXPECT_EQ(color_of(kBundleFrames, [](std::size_t i) { return i >= 20; }), good_bundle().color);
+  EXPECT_NE(color_of(kBundleFrames, [](std::size_t i) { return i >= 10; }), good_bundle().color);
+}
+
 TEST(BundleCapture, has_nothing_to_give_before_the_first_frame) {
   EXPECT_EQ(BundleCapture("s1", made_up_calibration()).finish().error().code,
             ErrorCode::kUnavailable);
