@@ -3,7 +3,8 @@
 // shape and pattern, and what tells them apart may be no more than a poster. Over a whole view that
 // is one part in a hundred, too little for a mean; so places are counted where both see contrast
 // and it is not the same, even a little aside. On planes only: what people do between two frames
-// looks like contradiction everywhere else. Thread-safe (no state).
+// looks like contradiction everywhere else; and only where both colour cameras see the plane
+// itself, not the outline of what stands before it. Thread-safe (no state).
 #pragma once
 
 #include "roomcast/align/pair/pair_equations.h"

@@ -35,6 +35,21 @@ TEST(PlanePrints, another_poster_on_a_wall_is_counted) {
   EXPECT_NEAR(prints.judged, same.judged, 0.1 * same.judged);
 }
 
+/// With a post so near to one sensor that its two cameras see what lies behind it differently.
+MadeUpRoom with_a_post_before_the_second_corner() {
+  MadeUpRoom room;
+  room.boxes.push_back({Eigen::Vector3d(-1.3, 0, 0.85), Eigen::Vector3d(-1.1, 2.0, 1.05)});
+  return room;
+}
+
+TEST(PlanePrints, the_outline_of_what_stands_before_a_wall_is_no_print) {
+  const MadeUpRoom room = with_a_post_before_the_second_corner();
+  const PlanePrints prints = prints_of(made_up_view(room, "s0", first_corner().world_from_depth),
+                                       made_up_view(room, "s1", second_corner().world_from_depth));
+  EXPECT_GT(prints.judged, 0.1);
+  EXPECT_EQ(prints.contradicting, 0);
+}
+
 TEST(PlanePrints, what_is_a_little_aside_is_no_contradiction) {
   RigidTransform aside = true_pose(first_corner(), second_corner());
   aside.translation_m.x() += 0.01;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
 constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
-// Prints that differ, of those that can be judged. People who stand about leave a little of it.
-constexpr double kPrintConflict = 0.005, kNegligiblePrints = 0.0075;  // shares of a view
+// Prints that differ, of those that can be judged. True rooms leave a tenth of it at most.
+constexpr double kPrintConflict = 0.003, kNegligiblePrints = 0.005;  // shares of a view
 constexpr double kExactColors = 0.8, kLeastPrints = 0.04;
 constexpr std::ptrdiff_t kMajority = 3;
 

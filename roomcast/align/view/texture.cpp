@@ -8,7 +8,7 @@ namespace roomcast::align {
 namespace {
 
 constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
-constexpr int kBlurReach = 4;
+constexpr int kBlurReach = kTextureBlurReach;
 constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
 
 std::array<float, 2 * kBlurReach + 1> gaussian() {

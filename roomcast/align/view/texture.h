@@ -21,7 +21,8 @@ struct TexturedPoint {
   float grey = 0;
 };
 
-inline constexpr int kTextureStep = 2;  // rows and columns of the depth grid
+inline constexpr int kTextureStep = 2;       // rows and columns of the depth grid
+inline constexpr int kTextureBlurReach = 4;  // pixels to each side that a grey is mixed from
 
 struct Texture {
   int width = 0, height = 0;          // of the grid
