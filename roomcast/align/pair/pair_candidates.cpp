@@ -45,6 +45,10 @@ bool violates_space(const FreeSpaceCheck& space) {
   return space.conflict() > kMostConflict && space.violating > kNegligibleViolation;
 }
 
+double photo_score(const PhotoConsistency& photo) {
+  return kPhotoScore * photo.textured * (photo.correlation - kNeutralCorrelation);
+}
+
 double score_of(const PoseEvidence& evidence) {
   const FreeSpaceCheck& space = evidence.space;
   const PhotoConsistency& photo = evidence.photo;
@@ -53,8 +57,7 @@ double score_of(const PoseEvidence& evidence) {
       kViolationScore *
       std::max(0.0, space.violating - kForgivenConflict * (space.consistent + space.violating));
   score -= kSolidScore * static_cast<double>(evidence.solid.violating);
-  score += std::clamp(kPhotoScore * photo.textured * (photo.correlation - kNeutralCorrelation),
-                      -kMostPhotoScore, kMostPhotoScore);
+  score += std::clamp(photo_score(photo), -kMostPhotoScore, kMostPhotoScore);
   if (violates_space(space)) score = std::min(score, 0.0) + kRefuted;
   const bool looks_different =
       photo.textured > kLeastTextured && photo.correlation < kNeutralCorrelation;
@@ -71,6 +74,14 @@ bool is_strong(const PoseEvidence& evidence) {
          evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMostConflict &&
          evidence.photo.correlation > kStrongCorrelation &&
          evidence.photo.textured > kStrongTextured;
+}
+
+bool fits_better(const PoseEvidence& one, const PoseEvidence& other) {
+  if (one.score <= 0 || other.score <= 0) return one.score > other.score;
+  const auto beyond = [](const PoseEvidence& evidence) {
+    return std::max(0.0, photo_score(evidence.photo) - kMostPhotoScore);
+  };
+  return one.score + beyond(one) > other.score + beyond(other);
 }
 
 void PooledEvidence::add(const PoseEvidence& evidence) {
@@ -168,7 +179,7 @@ PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis, ColorPlac
     return before;
   const PoseEvidence after = examine(moved);
   if (after.matches.weight < kLeastSupportKept * before.matches.weight) return before;
-  return after.score > before.score ? after : before;
+  return fits_better(after, before) ? after : before;
 }
 
 }  // namespace roomcast::align

@@ -31,6 +31,11 @@ struct PoseEvidence {
 /// Enough for a pose to be believed if no other fits as well.
 [[nodiscard]] bool is_strong(const PoseEvidence& evidence);
 
+/// Of two versions of the same pose. No one kind of evidence may decide between poses, so each has
+/// a limit in the score; but of two that say nearly the same the one is better whose colours agree
+/// more.
+[[nodiscard]] bool fits_better(const PoseEvidence& one, const PoseEvidence& other);
+
 /// What several pairs say for poses that follow from one another, put together.
 struct PooledEvidence {
   double support = 0, score = 0, textured = 0, correlated = 0;

@@ -53,6 +53,25 @@ TEST(PairCandidates, are_never_strong_without_matches) {
   for (const PoseEvidence& evidence : by_shape.ranked()) EXPECT_FALSE(is_strong(evidence));
 }
 
+PoseEvidence evidence_of(double score, double correlation) {
+  PoseEvidence evidence;
+  evidence.score = score;
+  evidence.photo = {0.4, correlation};
+  return evidence;
+}
+
+TEST(PairCandidates, of_nearly_the_same_poses_the_one_with_the_colours_is_better) {
+  const PoseEvidence exact = evidence_of(68, 0.88), aside = evidence_of(69, 0.61);
+  EXPECT_TRUE(fits_better(exact, aside));
+  EXPECT_FALSE(fits_better(aside, exact));
+  EXPECT_FALSE(fits_better(exact, exact));
+}
+
+TEST(PairCandidates, colours_make_no_refuted_pose_better) {
+  EXPECT_FALSE(fits_better(evidence_of(-20, 0.9), evidence_of(10, 0.6)));
+  EXPECT_FALSE(fits_better(evidence_of(-20, 0.9), evidence_of(-10, 0.3)));
+}
+
 PoseEvidence weak_evidence() {
   PoseEvidence evidence;
   evidence.matches = {1.3, 12};
