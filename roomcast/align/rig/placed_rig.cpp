@@ -151,16 +151,28 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
   return nearest ? nearest->reason : "there is no other sensor to align it with";
 }
 
+/// All placed sensors at once, on all that any two of them share where they stand now.
+void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
+            RigAnswer& answer) {
+  answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
+                              holding_pairs(pairs, answer.placed, origin_from_sensor));
+}
+
+/// From where the sensors have come: other matches agree there than where they began.
+void refine_on(std::span<const RigPair> pairs, RigAnswer& answer) {
+  std::vector<RigidTransform> now;
+  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
+  refine(pairs, now, answer);
+}
+
 RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
   // 1. Which hypotheses fit together, and whose sensors have no rival place?
   RigAnswer answer;
   answer.selection = select_poses(sensors, pairs);
   answer.placed = placed_sensors(answer.selection);
 
-  // 2. All placed sensors at once, on all that any two of them share.
-  const auto& start = answer.selection.best.group_from_sensor;
-  answer.refined =
-      refine_rig(start, answer.selection.origin, holding_pairs(pairs, answer.placed, start));
+  // 2. More exactly, together.
+  refine(pairs, answer.selection.best.group_from_sensor, answer);
   return answer;
 }
 
@@ -171,7 +183,11 @@ RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigP
   RigCheck check;
   for (;;) {
     RigAnswer answer = answer_of(sensors, left);
-    const auto fooled = check.contradicted_sensor(left, answer);
+    auto fooled = check.contradicted_sensor(left, answer);
+    if (fooled) {
+      refine_on(left, answer);  // perhaps it is not exact yet
+      fooled = check.contradicted_sensor(left, answer);
+    }
     if (!fooled) return answer;
     std::erase_if(
         left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });
