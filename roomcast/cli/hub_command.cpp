@@ -8,6 +8,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -47,6 +48,15 @@ void allow_many_connections() {
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
   (void)::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/// Frames come and go thirty times a second. Left alone, glibc gives a little memory back to the
+/// kernel whenever a set has gone and takes it again for the next one: two system calls, and new
+/// pages.
+void keep_freed_memory() {
+  constexpr int kKeptBytes = 2 << 20;
+  (void)::mallopt(M_TRIM_THRESHOLD, kKeptBytes);
+  (void)::mallopt(M_MMAP_THRESHOLD, kKeptBytes);
 }
 
 LogSink log_of(const hub::HubConfig& config, bool verbose) {
@@ -180,6 +190,7 @@ Status run_hub(const HubFlags& flags) {
   }
   if (auto status = find_certificate(*plan); !status) return status;
   allow_many_connections();
+  keep_freed_memory();
   const LogSink log = log_of(plan->config, flags.verbose);
   HubAligners aligners(log);
   hub::HubOptions options = plan->options;

@@ -15,10 +15,13 @@ constexpr std::size_t kLengthBytes = 4;
 /// Of messages that belong together.
 constexpr std::size_t kMaxBegunBytes = 2 * wire::kMaxFrameBytes;
 
+void store_u32(std::uint32_t number, std::span<std::uint8_t, 4> out) {
+  for (std::size_t i = 0; i < 4; ++i) out[i] = static_cast<std::uint8_t>(number >> 8 * i);
+}
+
 void append_u32(std::uint32_t number, std::vector<std::uint8_t>& out) {
-  for (int shift = 0; shift < 32; shift += 8) {
-    out.push_back(static_cast<std::uint8_t>(number >> shift));
-  }
+  out.resize(out.size() + 4);
+  store_u32(number, std::span(out).last<4>());
 }
 
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes) {
@@ -29,6 +32,8 @@ std::uint32_t u32_at(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 void FramePacker::add(std::span<const std::uint8_t> frame) {
+  if (bytes_.empty()) bytes_.reserve(usual_bytes_);
+  bytes_.resize(std::max(bytes_.size(), kPartHeaderBytes));
   append_u32(static_cast<std::uint32_t>(frame.size()), bytes_);
   newest_at_ = bytes_.size();
   bytes_.insert(bytes_.end(), frame.begin(), frame.end());
@@ -40,26 +45,31 @@ void FramePacker::close_set() {
 }
 
 std::vector<FramePacker::Message> FramePacker::take() {
-  const std::size_t room_for = max_bytes_ - kPartHeaderBytes;
   std::vector<Message> messages;
-  for (std::size_t from = 0; from < bytes_.size(); from += room_for) {
-    const std::size_t size = std::min(room_for, bytes_.size() - from);
-    messages.push_back(
-        message_with(std::span(bytes_).subspan(from, size), from > 0, from + size < bytes_.size()));
-  }
-  bytes_.clear();
+  usual_bytes_ = bytes_.size();
   count_ = 0;
+  Message all = std::exchange(bytes_, {});
+  if (all.empty()) return messages;
+  if (all.size() <= max_bytes_) {  // as it is: a copy of a whole set costs more than all else here
+    write_head(all, false, false);
+    messages.push_back(std::move(all));
+    return messages;
+  }
+  const auto frames = std::span(all).subspan(kPartHeaderBytes);
+  const std::size_t room_for = max_bytes_ - kPartHeaderBytes;
+  for (std::size_t from = 0; from < frames.size(); from += room_for) {
+    const auto part = frames.subspan(from, std::min(room_for, frames.size() - from));
+    Message& message = messages.emplace_back(kPartHeaderBytes);
+    message.insert(message.end(), part.begin(), part.end());
+    write_head(message, from > 0, from + part.size() < frames.size());
+  }
   return messages;
 }
 
-FramePacker::Message FramePacker::message_with(std::span<const std::uint8_t> bytes, bool continues,
-                                               bool goes_on) {
-  Message message;
-  message.reserve(kPartHeaderBytes + bytes.size());
-  append_u32(next_number_++, message);
-  append_u32((continues ? kContinues : 0) | (goes_on ? kGoesOn : 0), message);
-  message.insert(message.end(), bytes.begin(), bytes.end());
-  return message;
+void FramePacker::write_head(Message& message, bool continues, bool goes_on) {
+  store_u32(next_number_++, std::span(message).first<4>());
+  store_u32((continues ? kContinues : 0) | (goes_on ? kGoesOn : 0),
+            std::span(message).subspan<4, 4>());
 }
 
 void FrameUnpacker::take(std::span<const std::uint8_t> message, const TakeFrame& take_frame) {

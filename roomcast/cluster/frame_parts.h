@@ -32,17 +32,17 @@ class FramePacker {
   /// The newest frame is the last one of its set: marks it as that.
   void close_set();
   [[nodiscard]] std::size_t frame_count() const { return count_; }
-  [[nodiscard]] std::size_t byte_count() const { return bytes_.size(); }
+  [[nodiscard]] std::size_t byte_count() const { return bytes_.size(); }  // about
   /// What was added, in the order in which it is to be sent.
   [[nodiscard]] std::vector<Message> take();
 
  private:
-  [[nodiscard]] Message message_with(std::span<const std::uint8_t> bytes, bool continues,
-                                     bool goes_on);
+  void write_head(Message& message, bool continues, bool goes_on);
 
   const std::size_t max_bytes_;
   std::uint32_t next_number_ = 0;
-  std::vector<std::uint8_t> bytes_;
+  Message bytes_;                // room for a message's head, then frames
+  std::size_t usual_bytes_ = 0;  // as long as the last one was
   std::size_t count_ = 0;
   std::size_t newest_at_ = 0;  // in bytes_
 };

@@ -84,7 +84,10 @@ bool FrameSetBuilder::add_frame(const wire::FrameHeader& header, net::MessageBuf
   sensor.last = Sensor::Delivery{*slot, is_late, frames_in_slot, header.capture_time, now};
   if (sensor.other_hub != 0) note_closing(sensor.other_hub, *slot, header.last);
   const auto [set, is_new] = open_.try_emplace(*slot);
-  if (is_new) set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
+  if (is_new) {
+    set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
+    set->second.frames.reserve(sensors_.size());
+  }
   set->second.frames.push_back({header, std::move(message)});
   if (open_.size() > kMaxOpenSets) close_oldest();
   return true;
@@ -124,6 +127,7 @@ void FrameSetBuilder::close_oldest() {
   auto set = std::make_shared<FrameSet>();
   set->id = SetId{next_set_id_++};
   auto& frames = node.mapped().frames;
+  set->frames.reserve(frames.size());
   for (Pending& pending : frames) {
     pending.header.set = set->id;
     pending.header.last = &pending == &frames.back();

@@ -154,26 +154,31 @@ std::optional<Violation> WebSocketReader::begin_frame() {
 /// True once the frame is whole.
 bool WebSocketReader::take_payload(std::span<const std::uint8_t>& bytes) {
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(missing_, bytes.size()));
-  mask_copy(destination(count), bytes.first(count), mask_, phase_);
+  const auto came = bytes.first(count);
+  if (is_control(opcode_)) {
+    mask_copy(std::span(control_).subspan(phase_, count), came, mask_, phase_);
+  } else {
+    append_to_message(came);
+  }
   bytes = bytes.subspan(count);
   phase_ += count;
   missing_ -= count;
   return missing_ == 0;
 }
 
-/// Where the next `size` bytes of payload go. A message's memory at most doubles, and never beyond
-/// what is announced, so an announcement alone costs nothing.
-std::span<std::uint8_t> WebSocketReader::destination(std::size_t size) {
-  if (is_control(opcode_)) return std::span(control_).subspan(phase_, size);
+/// A message's memory at most doubles, and never beyond what is announced, so an announcement alone
+/// costs nothing.
+void WebSocketReader::append_to_message(std::span<const std::uint8_t> came) {
   auto& storage = message_.appendable();
-  const std::size_t needed = storage.size() + size;
+  const std::size_t needed = storage.size() + came.size();
   if (needed > storage.capacity()) {
     const std::uint64_t announced = storage.size() + missing_;
     storage.reserve(static_cast<std::size_t>(
         std::min<std::uint64_t>(announced, std::max(needed, 2 * storage.capacity()))));
   }
-  storage.resize(needed);
-  return std::span(storage).last(size);
+  storage.insert(storage.end(), came.begin(), came.end());
+  const auto added = std::span(storage).last(came.size());
+  if (role_ == WebSocketRole::kServer) mask_copy(added, added, mask_, phase_);
 }
 
 std::optional<ReaderEvent> WebSocketReader::end_frame() {

@@ -68,7 +68,7 @@ class WebSocketReader {
   [[nodiscard]] std::uint64_t announced_length() const;
   [[nodiscard]] std::optional<Violation> begin_frame();
   bool take_payload(std::span<const std::uint8_t>& bytes);
-  [[nodiscard]] std::span<std::uint8_t> destination(std::size_t size);
+  void append_to_message(std::span<const std::uint8_t> came);
   [[nodiscard]] std::optional<ReaderEvent> end_frame();
   [[nodiscard]] ReaderEvent end_close(std::string_view payload);
   [[nodiscard]] ReaderEvent refuse(Violation violation);

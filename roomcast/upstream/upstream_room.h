@@ -27,8 +27,9 @@ struct UpstreamOptions {
 
 class UpstreamRoom final : private HubLinkEvents {
  public:
-  /// A hub that is there says something every few hundred milliseconds, if asked.
-  static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::milliseconds(200),
+  /// A hub that is there says something every few hundred milliseconds, if asked. Each look whether
+  /// it has to be asked wakes this one.
+  static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::milliseconds(300),
                                                    .give_up_after = std::chrono::milliseconds(600),
                                                    .close_within = std::chrono::milliseconds(500)};
   /// After it was refused: perhaps the room is opened there, or the token is renewed.
