@@ -23,6 +23,7 @@ constexpr int kCells = static_cast<int>(2 * kReach_m / kCell_m);
 constexpr float kCellArea_m2 = 0.002F;   // surface seen in a cell that counts
 constexpr float kPersonArea_m2 = 0.12F;  // surface seen of somebody, at least
 constexpr float kHeadLength_m = 0.20F;   // below the top
+constexpr float kCrown_m = 0.05F;        // below the top: where heads are most alike
 constexpr float kHeadRadius_m = 0.16F;   // about its middle
 constexpr float kTopShare = 0.01F;       // of the points that may lie above the top: flying pixels
 
@@ -75,7 +76,7 @@ std::optional<Eigen::Vector3f> head_of(const Body& body) {
   const float chin_m = top_m - kHeadLength_m, above_m = top_m + 0.03F;
   auto head = middle_of(body, top_m - 0.5F * kHeadLength_m, above_m, nullptr);
   for (int step = 0; head && step < 3; ++step) head = middle_of(body, chin_m, above_m, &*head);
-  return head;
+  return head ? middle_of(body, top_m - kCrown_m, above_m, &*head) : std::nullopt;
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ class HeadFinder {
   HeadFinder(HeadFinder&&) noexcept;
   HeadFinder& operator=(HeadFinder&&) noexcept;
 
-  /// `depth_mm` has the bundle's size. The middle of what is seen of each head: its surface, so on
-  /// the sensor's side of it. Largest person first.
+  /// `depth_mm` has the bundle's size. The middle of what is seen of each head's crown: its
+  /// surface, so on the sensor's side of it. Largest person first.
   [[nodiscard]] std::vector<Eigen::Vector3f> find(DepthView depth_mm);
 
  private:

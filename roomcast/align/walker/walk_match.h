@@ -23,7 +23,7 @@ namespace roomcast::align {
 /// A head as seen in a level frame (y up, the floor at y = 0).
 struct HeadSighting {
   double time_s = 0;
-  Eigen::Vector3d seen_m;         // middle of what is seen of it
+  Eigen::Vector3d seen_m;         // middle of what is seen of its crown
   Eigen::Vector2d away = {0, 0};  // along the floor (x, z), away from the sensor; unit
 };
 
