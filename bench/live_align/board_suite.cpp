@@ -34,7 +34,7 @@ std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSui
 }
 
 Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuiteOptions& options) {
-  const auto room = SimulatedRoom::build(scene, seed, true);
+  const auto room = SimulatedRoom::build(scene, seed, Visitor::kBoardBearer);
   if (!room) return room.error();
   auto sensors = sensors_apart(*room, seed, kApart_deg);
   if (!sensors) return sensors.error();

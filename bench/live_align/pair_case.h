@@ -42,7 +42,7 @@ void place(const SensorPair& sensors, const RigidTransform& a_from_b, double exp
            PairCase& result);
 
 /// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
-/// somebody walks.
+/// somebody walks; rooms in which nobody does (kInvalidArgument) are passed over.
 [[nodiscard]] Result<std::vector<PairCase>> run_rooms(
     int rooms, std::uint64_t first_seed,
     const std::function<Result<PairCase>(const char* scene, std::uint64_t seed)>& run_case,

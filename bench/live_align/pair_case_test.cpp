@@ -27,5 +27,27 @@ TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift) {
   EXPECT_NE(json.str().find("worst_error_mm"), std::string::npos);
 }
 
+TEST(RunRooms, passes_over_rooms_in_which_nobody_walks_and_stops_at_other_errors) {
+  const auto progress = [](std::string_view) {};
+  const auto odd_ones = [](const char*, std::uint64_t seed) -> Result<PairCase> {
+    if (seed % 2 == 0) return Error{ErrorCode::kInvalidArgument, "nobody walks"};
+    PairCase one;
+    one.seed = seed;
+    return one;
+  };
+  const auto cases = run_rooms(3, 4, odd_ones, progress);
+  ASSERT_TRUE(cases.ok());
+  ASSERT_EQ(cases->size(), 3U);
+  EXPECT_EQ(cases->back().seed, 9U);
+  const auto broken = [](const char*, std::uint64_t) -> Result<PairCase> {
+    return Error{ErrorCode::kUnavailable, "broken"};
+  };
+  EXPECT_FALSE(run_rooms(3, 4, broken, progress).ok());
+  const auto empty = [](const char*, std::uint64_t) -> Result<PairCase> {
+    return Error{ErrorCode::kInvalidArgument, "nobody walks"};
+  };
+  EXPECT_FALSE(run_rooms(3, 4, empty, progress).ok()) << "it does not look for ever";
+}
+
 }  // namespace
 }  // namespace roomcast::bench

@@ -47,7 +47,8 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const WalkerSuiteOptions& options,
 
 Result<PairCase> run_case(const char* scene, std::uint64_t seed,
                           const WalkerSuiteOptions& options) {
-  const auto room = SimulatedRoom::build(scene, seed);
+  const auto room =
+      SimulatedRoom::build(scene, seed, options.unaware ? Visitor::kNone : Visitor::kWalkabout);
   if (!room) return room.error();
   auto sensors = sensors_apart(*room, seed, 180);
   if (!sensors) return sensors.error();

@@ -17,6 +17,7 @@ struct WalkerSuiteOptions {
   std::uint64_t seed = 1;  // of the first room; each has the next
   double seconds = 20;     // of walking
   double fps = 8;          // at which heads are looked for
+  bool unaware = false;    // people do what they do in that room, instead of walking about
 };
 
 [[nodiscard]] Result<std::vector<PairCase>> run_walker_suite(

@@ -140,15 +140,14 @@ Status run(AlignBenchCommand command) {
     return print(bench::run_moved_suite(command.moved, show), command.json);
   if (command.suite_name == "board")
     return print(bench::run_board_suite(command.board, show), command.json);
-  if (command.suite_name == "walker")
+  command.walker.unaware = command.suite_name == "passers-by";
+  if (command.suite_name == "walker" || command.walker.unaware)
     return print(bench::run_walker_suite(command.walker, show), command.json);
   if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
-  return Error{
-      ErrorCode::kInvalidArgument,
-      "give recordings with known poses, or --suite fresh, corners, join, moved, walker or "
-      "board for simulated "
-      "rooms"};
+  return Error{ErrorCode::kInvalidArgument,
+               "give recordings with known poses, or --suite fresh, corners, join, moved, walker, "
+               "passers-by or board for simulated rooms"};
 }
 
 }  // namespace
@@ -160,13 +159,16 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command->add_option("recordings", values->folders,
                       "Rigs with poses, or TUM recordings with alignment_pairs.json");
   command
-      ->add_option("--suite", values->suite_name,
-                   "fresh: simulated rooms of every scene, half of the pairs without an answer; "
-                   "corners: how exactly four sensors in the corners of a room are placed; "
-                   "join: what it costs that a sensor joins four; moved: sensors that are pushed, "
-                   "or not, with people about; walker: opposite "
-                   "sensors placed by somebody who walks; board: by a printed board")
-      ->check(CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "board"}));
+      ->add_option(
+          "--suite", values->suite_name,
+          "fresh: simulated rooms of every scene, half of the pairs without an answer; "
+          "corners: how exactly four sensors in the corners of a room are placed; "
+          "join: what it costs that a sensor joins four; moved: sensors that are pushed, "
+          "or not, with people about; walker: opposite "
+          "sensors placed by somebody who walks about; passers-by: by people who do what they "
+          "do there; board: by a printed board")
+      ->check(
+          CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "passers-by", "board"}));
   command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -178,7 +180,8 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--scene", values->scenes, "fresh, moved: these only");
-  command->add_option("--rooms", values->rooms, "corners, join, walker, board: how many")
+  command
+      ->add_option("--rooms", values->rooms, "corners, join, walker, passers-by, board: how many")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", values->json, "For scripts");

@@ -5,16 +5,33 @@
 
 #include "roomcast/source/simulator/people/moving_things.h"
 #include "roomcast/source/simulator/scene/board_bearer.h"
+#include "roomcast/source/simulator/scene/walkabout.h"
 
 namespace roomcast {
+namespace {
+
+bool let_in(Visitor visitor, sim::Room& room) {
+  switch (visitor) {
+    case Visitor::kWalkabout:
+      return sim::add_walkabout(room);
+    case Visitor::kBoardBearer:
+      return sim::add_board_bearer(room);
+    case Visitor::kNone:
+      break;
+  }
+  return true;
+}
+
+}  // namespace
 
 Result<std::shared_ptr<const SimulatedRoom>> SimulatedRoom::build(std::string_view scene,
-                                                                  std::uint64_t seed, bool board) {
+                                                                  std::uint64_t seed,
+                                                                  Visitor visitor) {
   auto room = sim::build_room(scene, seed);
   if (!room) return std::move(room).error();
-  if (board && !sim::add_board_bearer(*room)) {
+  if (!let_in(visitor, *room)) {
     return Error{ErrorCode::kInvalidArgument,
-                 "in the scene \"" + room->name + "\" nobody walks about who could carry a board"};
+                 "in the scene \"" + room->name + "\" nobody walks whose ways a visitor could go"};
   }
   std::shared_ptr<SimulatedRoom> built(new SimulatedRoom(*std::move(room)));
   auto rays = sim::RayScene::build(built->room_.mesh);

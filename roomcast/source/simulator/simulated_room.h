@@ -13,12 +13,16 @@
 
 namespace roomcast {
 
+/// Who is in a room instead of its own people.
+enum class Visitor { kNone, kWalkabout, kBoardBearer };
+
 class SimulatedRoom {
  public:
   /// kNotFound for an unknown scene (the message lists them); kUnavailable when the ray tracer does
-  /// not start; kInvalidArgument for a `board` where nobody walks about to carry it.
+  /// not start; kInvalidArgument for a visitor where nobody walks about whose ways they could go.
   static Result<std::shared_ptr<const SimulatedRoom>> build(std::string_view scene,
-                                                            std::uint64_t seed, bool board = false);
+                                                            std::uint64_t seed,
+                                                            Visitor visitor = Visitor::kNone);
 
   [[nodiscard]] const sim::Room& room() const { return room_; }
   [[nodiscard]] const sim::RayScene& rays() const { return *rays_; }

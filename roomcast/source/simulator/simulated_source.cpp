@@ -113,7 +113,8 @@ Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& te
   }
   const auto spec = parse_simulated_spec(text);
   if (!spec) return spec.error();
-  auto room = SimulatedRoom::build(spec->scene, options.sim_seed, spec->board);
+  auto room = SimulatedRoom::build(spec->scene, options.sim_seed,
+                                   spec->board ? Visitor::kBoardBearer : Visitor::kNone);
   if (!room) return std::move(room).error();
   SimulatedSensor::Options sensing;
   sensing.index = sensor_index;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/scene/board_bearer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "roomcast/source/simulator/scene/walkabout.h"
 
 namespace roomcast::sim {
 namespace {
@@ -52,15 +53,6 @@ std::vector<Vector2f> places_of(const Person& person) {
   return places;
 }
 
-Stop standing_at(const Vector2f& at_m, float heading_rad) {
-  Stop stop;
-  stop.at_m = at_m;
-  stop.heading_rad = heading_rad;
-  stop.stay_s = kStill_s;
-  stop.target_m = {at_m.x() + std::sin(heading_rad), 1.4F, at_m.y() + std::cos(heading_rad)};
-  return stop;
-}
-
 Stop handling(const Stop& place, Deed deed) {
   Stop stop = place;
   stop.deed = deed;
@@ -72,15 +64,14 @@ Stop handling(const Stop& place, Deed deed) {
 }  // namespace
 
 bool add_board_bearer(Room& room) {
-  const auto walks = [](const Person& person) { return places_of(person).size() > 1; };
-  const auto walker = std::find_if(room.people.begin(), room.people.end(), walks);
-  if (walker == room.people.end()) return false;
+  const Person* const walker = whoever_walks(room);
+  if (walker == nullptr) return false;
   Person person = *walker;
   std::vector<Stop> stops;
   float heading_rad = 0;
   for (const Vector2f& at : places_of(person)) {
     for (int turn = 0; turn < kTurns; ++turn)
-      stops.push_back(standing_at(at, heading_rad += kTurned_rad));
+      stops.push_back(standing_at(at, heading_rad += kTurned_rad, kStill_s));
   }
   stops.insert(stops.begin(), handling(stops.front(), Deed::kTakeUp));
   stops.push_back(handling(stops.front(), Deed::kPutDown));
