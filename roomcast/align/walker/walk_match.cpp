@@ -25,9 +25,9 @@ constexpr double kLeastApart_m = 0.7;    // the two moments of a hypothesis
 constexpr double kSameDistance_m = 0.2;  // between them, seen by both
 constexpr double kAgree_m = 0.25;        // with a hypothesis: heads are seen from two sides
 // What is known before: half a head, with hair, is about 98 mm deep (the mean of its length and its
-// breadth), and its crown is much like a ball: the middle of what is seen lies 2/3 of that before
-// the centre.
-constexpr double kInside_m = 0.098 * 2 / 3, kInsideSigma_m = 0.012;
+// breadth). The middle of what is seen of a ball lies 2/3 of that before its centre, of an upright
+// cylinder pi / 4; a head's crown is something between.
+constexpr double kInside_m = 0.0705, kInsideSigma_m = 0.012;
 constexpr double kAcrossSigma_m = 0.02, kAlongSigma_m = 0.035;
 constexpr double kIndependent_s = 0.5;   // about a step: sightings closer in time err together
 constexpr double kShapeSigma_m = 0.012;  // heads are no balls
