@@ -1,60 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs to bring a room from hub to hub, against what it costs to bring it to one more viewer at the same hub.
+// What it costs to bring a room from hub to hub, against what it costs to bring it to a viewer at the same hub. Both are
+// differences of loads that are larger, so all are taken in turn, as often as ROOMCAST_COST_ROUNDS says, and the median of
+// the differences counts. Times are the scheduler's own (schedstat, nanoseconds), over all threads of a hub. Each viewer is
+// a process of its own: to wake one that sleeps is a part of what it costs to send it something.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { readFileSync, readdirSync } from 'node:fs';
 import { setTimeout as delay } from 'node:timers/promises';
-
-import { RoomClient } from './room_client.mjs';
-import { assertMissedNothing } from './rooms.mjs';
+import { fileURLToPath } from 'node:url';
 
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
 const costOver_s = costRounds > 1 ? 5 : 2;
 const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
+const more = 10; // viewers
 
-/** Processor time of a process so far. */
+/** Processor time of each thread of a process so far. */
 function taken_ms(child) {
   const threads = `/proc/${child.pid}/task`;
-  return readdirSync(threads).reduce(
-    (sum, thread) => sum + Number(readFileSync(`${threads}/${thread}/schedstat`, 'utf8').split(' ')[0]) / 1e6, 0);
+  return new Map(readdirSync(threads).map(
+    (thread) => [thread, Number(readFileSync(`${threads}/${thread}/schedstat`, 'utf8').split(' ')[0]) / 1e6]));
 }
 
-/** Processor time that each of these takes in a second, in milliseconds. */
+/** Processor time that each of these takes in a second, in milliseconds; threads that end meanwhile do not count. */
 async function loads_ms(children) {
   const before = children.map(taken_ms);
   await delay(1000 * costOver_s);
-  return children.map((child, i) => (taken_ms(child) - before[i]) / costOver_s);
+  return children.map((child, i) => sum([...taken_ms(child)].map(([thread, ms]) => ms - (before[i].get(thread) ?? 0))) / costOver_s);
 }
 
 const sum = (values) => values.reduce((all, value) => all + value, 0);
-const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const minus = (a, b) => a.map((value, i) => value - b[i]);
 
-/** What these processes take more, each, with a viewer at `hub`, who misses nothing. */
-async function extras_ms(t, hub, children, before) {
-  const viewer = await RoomClient.join(t, hub.url);
-  await viewer.moreSets(45);
-  const with_viewer = await loads_ms(children);
-  assertMissedNothing(viewer, [0, 1, 2, 3].map((n) => viewer.sensor(`s${n}`).id));
-  viewer.socket.terminate();
-  await viewer.closed;
-  return with_viewer.map((load, i) => load - before[i]);
+/** The middle one, and between which two a half of all lies. */
+function spread(values) {
+  const sorted = [...values].sort((a, b) => a - b);
+  const at = (share) => sorted[Math.floor(share * (sorted.length - 1) + 0.5)];
+  return { median: sorted[Math.floor(sorted.length / 2)], text: `${sorted[Math.floor(sorted.length / 2)].toFixed(2)} [${at(0.25).toFixed(2)}, ${at(0.75).toFixed(2)}]` };
+}
+
+/** A process that watches at `hub` until it is told to stop. */
+async function startViewer(t, hub) {
+  const child = spawn(process.execPath, [fileURLToPath(new URL('lone_viewer.mjs', import.meta.url)), hub.url], { stdio: ['pipe', 'pipe', 'inherit'] });
+  t.after(() => child.kill('SIGKILL'));
+  await once(child.stdout, 'data');
+  return {
+    /** Of the sets since it was last asked. */
+    shareSeen: async () => (child.stdin.write('?\n'), Number(await once(child.stdout, 'data'))),
+    stop: () => (child.stdin.end(), once(child, 'exit')),
+  };
+}
+
+/** Loads while these viewers get nearly all that there is; what they lost on a busy machine would cost nothing. */
+async function loadsWith_ms(viewers, children) {
+  const seen = () => Promise.all(viewers.map((viewer) => viewer.shareSeen()));
+  await delay(1000); // that starting them took is over
+  await seen();
+  const loads = await loads_ms(children);
+  const shares = await seen();
+  assert.ok(shares.every((share) => share > 0.9), `viewers were sent ${shares} of all sets`);
+  return loads;
+}
+
+/**
+ * One round, of loads per process: nobody watches; one at the origin; ten more there; nobody; one at the edge. The edge
+ * serves its viewer as the origin would, so that is no part of what it costs to get the room there.
+ */
+async function costRound(t, { origin, edge, children }) {
+  const start = (hub, count) => Promise.all(Array.from({ length: count }, () => startViewer(t, hub)));
+  const stop = (viewers) => Promise.all(viewers.map((viewer) => viewer.stop()));
+  const nobodyWatches_ms = async () => (await delay(fetchedUnwatched_ms), loads_ms(children));
+
+  const nobody = await nobodyWatches_ms();
+  const local = await start(origin, 1);
+  const one = await loadsWith_ms(local, children);
+  local.push(...await start(origin, more));
+  const eleven = await loadsWith_ms(local, children);
+  await stop(local);
+  const nobodyAgain = await nobodyWatches_ms();
+  const remote = await start(edge, 1);
+  const there = minus(await loadsWith_ms(remote, children), nobodyAgain);
+  await stop(remote);
+  return {
+    sensors: nobody[0],
+    first: sum(minus(one, nobody).slice(0, 2)),
+    another: sum(minus(eleven, one).slice(0, 2)) / more,
+    sends: there[0],
+    gets: there[1],
+    broker: sum(there.slice(2)),
+  };
 }
 
 /** Sensors s0 to s3 send to `origin`; `edge` gets their room from it, by way of `brokers` if there are any. */
 export async function tellCost(t, { origin, edge, brokers = [] }) {
   const children = [origin.program.child, edge.program.child, ...brokers.map(({ child }) => child)];
   const rounds = [];
-  for (let round = 0; round < costRounds; ++round) {
-    await delay(fetchedUnwatched_ms);
-    const alone = await loads_ms(children);
-    const local = await extras_ms(t, origin, children, alone);
-    await delay(fetchedUnwatched_ms);
-    const remote = await extras_ms(t, edge, children, await loads_ms(children));
-    rounds.push({ alone: sum(alone.slice(0, 2)), local: sum(local.slice(0, 2)), sends: remote[0], gets: remote[1], broker: sum(remote.slice(2)) });
-  }
-  const of = (what) => median(rounds.map((round) => round[what]));
-  const [alone, local, sends, gets, broker] = ['alone', 'local', 'sends', 'gets', 'broker'].map(of);
-  const hubToHub = median(rounds.map((r) => r.sends + r.gets - r.local)); // the edge serves its viewer as the origin would
+  for (let round = 0; round < costRounds; ++round) rounds.push(await costRound(t, { origin, edge, children }));
+  const of = (what) => spread(rounds.map(typeof what === 'string' ? (round) => round[what] : what));
+  const against = (name, what) => {
+    const local = of(what);
+    const hubToHub = of((round) => round.sends + round.gets - round[what]);
+    t.diagnostic(`${name} takes ${local.text}; hub to hub ${hubToHub.text}, ${(hubToHub.median / local.median).toFixed(1)} times as much`);
+  };
   t.diagnostic(
-    `milliseconds of processor a second: 4 sensors ${alone.toFixed(1)}, one local viewer ${local.toFixed(1)}, hub to hub ` +
-      `${hubToHub.toFixed(1)} (${(hubToHub / local).toFixed(1)} times as much; who sends ${sends.toFixed(1)}, who gets and shows ` +
-      `${gets.toFixed(1)})` + (brokers.length > 0 ? `, the broker ${broker.toFixed(1)}` : ''));
+    `milliseconds of processor a second, median of ${costRounds} [half of them]: 4 sensors ${of('sensors').text}; with somebody at the next ` +
+      `hub who sends takes ${of('sends').text} more, who gets and shows ${of('gets').text}` + (brokers.length > 0 ? `, NATS ${of('broker').text}` : ''));
+  against('one local viewer, where there was none,', 'first');
+  against(`one more of ${more} that come to another`, 'another');
 }
