@@ -14,10 +14,20 @@ constexpr double kNoiseContrast = 6;  // added below: faint texture correlates b
 
 }  // namespace
 
-std::optional<float> SeenPicture::grey_of(const Eigen::Vector3f& point_m) const {
+std::optional<Eigen::Vector2f> SeenPicture::pixel_of(const Eigen::Vector3f& point_m) const {
   const Eigen::Vector3f in_color = view_.picture.in_color_frame(point_m);
   if (!(in_color.z() > kNearestSurface_m)) return std::nullopt;
-  return texture_grey(view_.texture, view_.picture.pixel_of(in_color) - shift_px_);
+  return view_.picture.pixel_of(in_color) - shift_px_;
+}
+
+std::optional<float> SeenPicture::grey_of(const Eigen::Vector3f& point_m) const {
+  const auto pixel = pixel_of(point_m);
+  return pixel ? texture_grey(view_.texture, *pixel) : std::nullopt;
+}
+
+std::optional<float> SeenPicture::tint_of(const Eigen::Vector3f& point_m) const {
+  const auto pixel = pixel_of(point_m);
+  return pixel ? texture_tint(view_.texture, *pixel) : std::nullopt;
 }
 
 std::optional<float> SeenPicture::grey_of(const TexturedPoint& point) const {

@@ -41,10 +41,14 @@ class SeenPicture {
 
   [[nodiscard]] const SensorView& view() const { return view_; }
   [[nodiscard]] std::optional<float> grey_of(const Eigen::Vector3f& point_m) const;
+  [[nodiscard]] std::optional<float> tint_of(const Eigen::Vector3f& point_m) const;
   /// Of one of its own points.
   [[nodiscard]] std::optional<float> grey_of(const TexturedPoint& point) const;
 
  private:
+  /// Where in its picture a point is seen, if it is before the camera.
+  [[nodiscard]] std::optional<Eigen::Vector2f> pixel_of(const Eigen::Vector3f& point_m) const;
+
   const SensorView& view_;
   Eigen::Vector2f shift_px_;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "roomcast/align/pair/overlay.h"
 
@@ -16,6 +18,9 @@ constexpr double kLeastFilled = 0.9;     // of a window
 constexpr double kLeastContrast = 6;     // grey levels (standard deviation) in both views
 constexpr double kContradiction = 0.12;  // a correlation below it
 constexpr float kBefore_m = 0.05F;       // a plane: what is nearer than that
+constexpr double kAlike = 0.5;           // a correlation above it
+constexpr double kOtherSlope = 0.3;      // tint per grey by which hues differ, if besides...
+constexpr double kOtherRatio = 0.5;      // ...one is less than so much of the other: cameras vary
 constexpr int kMostAside = 1;            // grid points: refined poses are no further off
 
 /// Points on planes have a plane's very normal (flat_normals.h).
@@ -101,14 +106,61 @@ bool agrees_aside(const Overlay& common, const TexturedPoint& centre) {
   return false;
 }
 
+/// How a picture's tint follows its grey, window by window, on the grid of an overlay.
+class TintByGrey {
+ public:
+  /// `tint_of` a point of the view whose grid it is.
+  template <class TintOf>
+  TintByGrey(const Overlay& common, const std::vector<float>& grey,
+             std::span<const TexturedPoint> points, TintOf tint_of)
+      : windows_(overlaid(common, grey, points, tint_of)) {}
+
+  /// Tint per grey.
+  [[nodiscard]] double slope(const TexturedPoint& at) const {
+    const WindowContrast contrast(windows_.around(at.x, at.y, kReach));
+    return 2 * contrast.together / (contrast.mine * contrast.mine);
+  }
+
+ private:
+  template <class TintOf>
+  static Overlay overlaid(const Overlay& common, const std::vector<float>& grey,
+                          std::span<const TexturedPoint> points, TintOf tint_of) {
+    Overlay out = common;
+    out.mine = grey;
+    for (const TexturedPoint& point : points) {
+      const std::size_t i = common.place(point.x, point.y);
+      if (!common.known[i]) continue;
+      const std::optional<float> tint = tint_of(point);
+      out.known[i] = tint.has_value();
+      out.theirs[i] = tint.value_or(0);
+    }
+    return out;
+  }
+
+  WindowSums windows_;
+};
+
+bool are_other_hues(double slope, double other) {
+  const double smaller = std::min(std::abs(slope), std::abs(other));
+  const double larger = std::max(std::abs(slope), std::abs(other));
+  return std::abs(slope - other) > kOtherSlope &&
+         (slope * other < 0 || smaller < kOtherRatio * larger);
+}
+
 PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
                              const RigidTransform& other_from_view) {
   Overlay common = overlay(from, other, other_from_view);
   if (common.count == 0) return {};
   keep_planes_only(from.view(), other.view(), other_from_view, common);
   const WindowSums windows(common);
+  const auto& points = from.view().texture.points;
+  const TintByGrey mine(common, common.mine, points,
+                        [&](const TexturedPoint& point) { return from.tint_of(point.point_m); });
+  const TintByGrey theirs(common, common.theirs, points, [&](const TexturedPoint& point) {
+    return other.tint_of((other_from_view * point.point_m.cast<double>()).cast<float>());
+  });
   PlanePrints prints;
-  for (const TexturedPoint& point : from.view().texture.points) {
+  for (const TexturedPoint& point : points) {
     if (!common.known[common.place(point.x, point.y)]) continue;
     const OverlaySums sums = windows.around(point.x, point.y, kReach);
     if (!can_be_judged(sums)) continue;
@@ -118,9 +170,11 @@ PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
     ++prints.judged;
     prints.agreement += correlation;
     prints.contradicting += correlation < kContradiction && !agrees_aside(common, point);
+    if (correlation < kAlike) continue;
+    ++prints.alike;
+    prints.other_hue += are_other_hues(mine.slope(point), theirs.slope(point));
   }
-  const auto points = static_cast<double>(from.view().texture.points.size());
-  return {prints.judged / points, prints.contradicting / points, prints.agreement / points};
+  return prints.over(static_cast<double>(points.size()));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/align/pair/plane_prints.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/align/made_up_views.h"
@@ -48,6 +50,36 @@ TEST(PlanePrints, the_outline_of_what_stands_before_a_wall_is_no_print) {
                                        made_up_view(room, "s1", second_corner().world_from_depth));
   EXPECT_GT(prints.judged, 0.1);
   EXPECT_EQ(prints.contradicting, 0);
+}
+
+/// The same in grey, but redder the brighter it is.
+MadeUpView tinted(const MadeUpView& plain, double redness) {
+  CalibrationBundle bundle = made_up_bundle({}, "s", plain.world_from_depth);
+  for (int y = 0; y < bundle.color.height(); ++y) {
+    for (int x = 0; x < bundle.color.width(); ++x) {
+      Rgb8& color = bundle.color.at(x, y);
+      const double more = std::clamp(0.75 * redness * (color.g - 124.0), -60.0, 60.0);
+      const double red = color.g + more, rest = color.g - more / 3;  // r + 2 g + b stays
+      color = {static_cast<std::uint8_t>(std::clamp(red, 0.0, 255.0)),
+               static_cast<std::uint8_t>(std::clamp(rest, 0.0, 255.0)),
+               static_cast<std::uint8_t>(std::clamp(rest, 0.0, 255.0))};
+    }
+  }
+  return {plain.world_from_depth, std::make_shared<const SensorView>(*make_sensor_view(bundle))};
+}
+
+TEST(PlanePrints, of_another_hue_are_counted_though_their_greys_agree) {
+  const PlanePrints prints = prints_of(first_corner(), tinted(second_corner(), 0.7));
+  EXPECT_GT(prints.correlation(), 0.8);
+  EXPECT_LT(prints.conflict(), 0.002);
+  EXPECT_GT(prints.hue_conflict(), 0.8);
+}
+
+TEST(PlanePrints, cameras_that_see_a_hue_more_or_less_strongly_agree) {
+  EXPECT_EQ(prints_of(first_corner(), second_corner()).hue_conflict(), 0);
+  EXPECT_LT(prints_of(first_corner(), tinted(second_corner(), 0.15)).hue_conflict(), 0.02);
+  const PlanePrints both = prints_of(tinted(first_corner(), 0.7), tinted(second_corner(), 0.45));
+  EXPECT_LT(both.hue_conflict(), 0.05);
 }
 
 TEST(PlanePrints, what_is_a_little_aside_is_no_contradiction) {

@@ -13,6 +13,7 @@ constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
 constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
 // Prints that differ, of those that can be judged. True rooms leave a tenth of it at most.
 constexpr double kPrintConflict = 0.003, kNegligiblePrints = 0.005;  // shares of a view
+constexpr double kHueConflict = 0.3;  // of prints that are alike in grey
 constexpr double kExactColors = 0.8, kLeastPrints = 0.04;
 constexpr std::ptrdiff_t kMajority = 3;
 
@@ -39,6 +40,7 @@ struct SeenByOthers {
       worst = std::max(worst, solid_conflict / kRefinedSolidConflict);
     if (prints.contradicting > kNegligiblePrints)
       worst = std::max(worst, prints.conflict() / kPrintConflict);
+    if (prints.alike > kLeastPrints) worst = std::max(worst, prints.hue_conflict() / kHueConflict);
     return worst;
   }
 };

@@ -7,20 +7,27 @@
 namespace roomcast::align {
 namespace {
 
-/// Grey, `factor` times smaller: the mean of factor x factor pixels.
-Image<float> shrunk_grey(ColorView color, int factor) {
-  Image<float> grey(std::max(1, color.width / factor), std::max(1, color.height / factor));
-  const float scale = 1 / (4.F * static_cast<float>(factor * factor));
-  for (int y = 0; y < grey.height(); ++y) {
+/// What `of_pixel` says, `factor` times smaller: the mean of factor x factor pixels.
+template <class OfPixel>
+Image<float> shrunk(ColorView color, int factor, OfPixel of_pixel) {
+  Image<float> out(std::max(1, color.width / factor), std::max(1, color.height / factor));
+  const float scale = 1 / static_cast<float>(factor * factor);
+  for (int y = 0; y < out.height(); ++y) {
     for (int dy = 0; dy < factor && y * factor + dy < color.height; ++dy) {
       const Rgb8* const from = color.row(y * factor + dy);
-      float* const to = grey.view().row(y);
-      for (int x = 0; x < grey.width() * factor; ++x) {
-        to[x / factor] += scale * static_cast<float>(from[x].r + 2 * from[x].g + from[x].b);
-      }
+      float* const to = out.view().row(y);
+      for (int x = 0; x < out.width() * factor; ++x) to[x / factor] += scale * of_pixel(from[x]);
     }
   }
-  return grey;
+  return out;
+}
+
+float grey_of(Rgb8 pixel) {
+  return 0.25F * static_cast<float>(pixel.r + 2 * pixel.g + pixel.b);
+}
+
+float tint_of(Rgb8 pixel) {
+  return 127.75F + 0.5F * static_cast<float>(pixel.r - pixel.g);
 }
 
 float bilinear(const Image<float>& image, float u, float v) {
@@ -92,7 +99,8 @@ ColorPicture color_picture(ColorView color, const SensorCalibration& calibration
   ColorPicture picture;
   const auto f = [](double x) { return static_cast<float>(x); };
   picture.camera = {f(camera.fx), f(camera.fy), f(camera.cx), f(camera.cy)};
-  picture.grey = undistorted(shrunk_grey(color, factor), camera);
+  picture.grey = undistorted(shrunk(color, factor, grey_of), camera);
+  picture.tint = undistorted(shrunk(color, factor, tint_of), camera);
   picture.color_from_depth_rotation = calibration.color_from_depth.rotation.cast<float>();
   picture.color_from_depth_m = calibration.color_from_depth.translation_m.cast<float>();
   picture.z_m.resize(camera.width, camera.height);

@@ -22,6 +22,19 @@ TEST(ColorPicture, large_pictures_are_made_smaller_and_keep_their_geometry) {
   EXPECT_FLOAT_EQ(picture.camera.fx, 750);
   EXPECT_FLOAT_EQ(picture.camera.cx, 499.5F);
   EXPECT_EQ(picture.grey.at(500, 300), 9);
+  EXPECT_EQ(picture.tint.at(500, 300), 128);
+}
+
+TEST(ColorPicture, tint_tells_red_from_green) {
+  Seen seen;
+  const auto tint_of = [&](Rgb8 color) {
+    const auto& camera = seen.bundle.calibration.color;
+    return color_picture(ColorImage(camera.width, camera.height, color), seen.bundle.calibration,
+                         seen.surface)
+        .tint.at(camera.width / 2, camera.height / 2);
+  };
+  EXPECT_EQ(tint_of({140, 40, 60}), 178);
+  EXPECT_EQ(tint_of({20, 100, 60}), 88);
 }
 
 TEST(Texture, knows_the_grey_of_every_point_it_holds) {

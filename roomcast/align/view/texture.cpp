@@ -46,6 +46,17 @@ Image<float> blurred(const Image<std::uint8_t>& grey) {
   return out;
 }
 
+std::optional<float> soft_at(const Image<float>& soft, const Eigen::Vector2f& pixel) {
+  const float left = kBlurReach, top = kBlurReach;
+  const float right = static_cast<float>(soft.width() - 1 - kBlurReach);
+  const float bottom = static_cast<float>(soft.height() - 1 - kBlurReach);
+  if (!(pixel.x() >= left && pixel.y() >= top && pixel.x() <= right && pixel.y() <= bottom)) {
+    return std::nullopt;
+  }
+  return soft.at(static_cast<int>(std::lround(pixel.x())),
+                 static_cast<int>(std::lround(pixel.y())));
+}
+
 }  // namespace
 
 Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
@@ -53,6 +64,7 @@ Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
   texture.width = surface.z_m.width() / kTextureStep;
   texture.height = surface.z_m.height() / kTextureStep;
   texture.soft_grey = blurred(picture.grey);
+  texture.soft_tint = blurred(picture.tint);
   for (int y = 0; y < texture.height; ++y) {
     for (int x = 0; x < texture.width; ++x) {
       const Eigen::Vector3f& point = surface.at.at(kTextureStep * x, kTextureStep * y).point_m;
@@ -72,14 +84,11 @@ Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
 }
 
 std::optional<float> texture_grey(const Texture& texture, const Eigen::Vector2f& pixel) {
-  const float left = kBlurReach, top = kBlurReach;
-  const float right = static_cast<float>(texture.soft_grey.width() - 1 - kBlurReach);
-  const float bottom = static_cast<float>(texture.soft_grey.height() - 1 - kBlurReach);
-  if (!(pixel.x() >= left && pixel.y() >= top && pixel.x() <= right && pixel.y() <= bottom)) {
-    return std::nullopt;
-  }
-  return texture.soft_grey.at(static_cast<int>(std::lround(pixel.x())),
-                              static_cast<int>(std::lround(pixel.y())));
+  return soft_at(texture.soft_grey, pixel);
+}
+
+std::optional<float> texture_tint(const Texture& texture, const Eigen::Vector2f& pixel) {
+  return soft_at(texture.soft_tint, pixel);
 }
 
 }  // namespace roomcast::align

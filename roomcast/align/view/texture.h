@@ -28,12 +28,15 @@ struct Texture {
   int width = 0, height = 0;          // of the grid
   std::vector<TexturedPoint> points;  // row by row; only what both cameras see
   Image<float> soft_grey;             // the colour picture, blurred as the points' greys are
+  Image<float> soft_tint;             // and as blurred
 };
 
 [[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
 
-/// The blurred grey at a pixel of the colour picture; nothing outside it.
+/// The blurred grey, or tint, at a pixel of the colour picture; nothing outside it.
 [[nodiscard]] std::optional<float> texture_grey(const Texture& texture,
+                                                const Eigen::Vector2f& pixel);
+[[nodiscard]] std::optional<float> texture_tint(const Texture& texture,
                                                 const Eigen::Vector2f& pixel);
 
 }  // namespace roomcast::align
