@@ -154,6 +154,7 @@ PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
   keep_planes_only(from.view(), other.view(), other_from_view, common);
   const WindowSums windows(common);
   const auto& points = from.view().texture.points;
+  const bool both_have_hues = from.view().texture.has_hues && other.view().texture.has_hues;
   const TintByGrey mine(common, common.mine, points,
                         [&](const TexturedPoint& point) { return from.tint_of(point.point_m); });
   const TintByGrey theirs(common, common.theirs, points, [&](const TexturedPoint& point) {
@@ -170,7 +171,7 @@ PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
     ++prints.judged;
     prints.agreement += correlation;
     prints.contradicting += correlation < kContradiction && !agrees_aside(common, point);
-    if (correlation < kAlike) continue;
+    if (correlation < kAlike || !both_have_hues) continue;
     ++prints.alike;
     prints.other_hue += are_other_hues(mine.slope(point), theirs.slope(point));
   }

@@ -69,10 +69,29 @@ MadeUpView tinted(const MadeUpView& plain, double redness) {
 }
 
 TEST(PlanePrints, of_another_hue_are_counted_though_their_greys_agree) {
-  const PlanePrints prints = prints_of(first_corner(), tinted(second_corner(), 0.7));
+  const PlanePrints prints = prints_of(tinted(first_corner(), -0.5), tinted(second_corner(), 0.5));
   EXPECT_GT(prints.correlation(), 0.8);
   EXPECT_LT(prints.conflict(), 0.002);
   EXPECT_GT(prints.hue_conflict(), 0.8);
+}
+
+/// By a camera without colours.
+MadeUpView in_greys(const MadeUpView& plain) {
+  CalibrationBundle bundle = made_up_bundle({}, "s", plain.world_from_depth);
+  for (int y = 0; y < bundle.color.height(); ++y) {
+    for (int x = 0; x < bundle.color.width(); ++x) {
+      Rgb8& color = bundle.color.at(x, y);
+      const auto grey = static_cast<std::uint8_t>((color.r + 2 * color.g + color.b) / 4);
+      color = {grey, grey, grey};
+    }
+  }
+  return {plain.world_from_depth, std::make_shared<const SensorView>(*make_sensor_view(bundle))};
+}
+
+TEST(PlanePrints, a_camera_that_sees_only_greys_has_no_other_hues) {
+  const PlanePrints prints = prints_of(in_greys(first_corner()), tinted(second_corner(), 0.7));
+  EXPECT_GT(prints.correlation(), 0.8);
+  EXPECT_EQ(prints.hue_conflict(), 0);
 }
 
 TEST(PlanePrints, cameras_that_see_a_hue_more_or_less_strongly_agree) {

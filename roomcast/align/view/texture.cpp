@@ -9,7 +9,8 @@ namespace {
 
 constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
 constexpr int kBlurReach = kTextureBlurReach;
-constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
+constexpr float kNoTint = 128, kFaintTint = 4;  // levels of a colour picture's tint
+constexpr float kBlurSigma = 1.8F;              // pixels: about the footprint of a grid cell
 
 std::array<float, 2 * kBlurReach + 1> gaussian() {
   std::array<float, 2 * kBlurReach + 1> kernel{};
@@ -57,6 +58,16 @@ std::optional<float> soft_at(const Image<float>& soft, const Eigen::Vector2f& pi
                  static_cast<int>(std::lround(pixel.y())));
 }
 
+/// Anywhere: a grey room's camera has the hues of its lamps and of its own white balance.
+bool has_hues(const Image<float>& soft_tint) {
+  for (int y = kBlurReach; y < soft_tint.height() - kBlurReach; ++y) {
+    for (int x = kBlurReach; x < soft_tint.width() - kBlurReach; ++x) {
+      if (std::abs(soft_tint.at(x, y) - kNoTint) > kFaintTint) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
@@ -65,6 +76,7 @@ Texture make_texture(const DepthSurface& surface, const ColorPicture& picture) {
   texture.height = surface.z_m.height() / kTextureStep;
   texture.soft_grey = blurred(picture.grey);
   texture.soft_tint = blurred(picture.tint);
+  texture.has_hues = has_hues(texture.soft_tint);
   for (int y = 0; y < texture.height; ++y) {
     for (int x = 0; x < texture.width; ++x) {
       const Eigen::Vector3f& point = surface.at.at(kTextureStep * x, kTextureStep * y).point_m;

@@ -29,6 +29,7 @@ struct Texture {
   std::vector<TexturedPoint> points;  // row by row; only what both cameras see
   Image<float> soft_grey;             // the colour picture, blurred as the points' greys are
   Image<float> soft_tint;             // and as blurred
+  bool has_hues = false;              // a camera that sees only greys says nothing of hues
 };
 
 [[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
