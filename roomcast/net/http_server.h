@@ -75,7 +75,7 @@ struct HttpServerOptions {
   std::size_t max_header_bytes = 8 * 1024;  // of a request
   std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
   std::chrono::milliseconds response_within{60'000};  // a whole answer
-  std::chrono::milliseconds nonsense_waits{1'000};    // for its answer: who is held asks no more
+  std::chrono::milliseconds nonsense_waits{3'000};    // for its answer: who is held asks no more
   std::chrono::milliseconds goodbye_within{1'000};    // from our last word to the closed socket
   ConnectionTimings websocket_timings = {};
 };

@@ -98,9 +98,9 @@ const nonsense = {
 };
 
 test('hub_hangs_up_on_nonsense_and_serves_the_others', async (t) => {
-  const { hub } = await startRoom(t);
   for (const [name, talk] of Object.entries(nonsense)) {
-    await t.test(name, async () => {
+    await t.test(name, async (t) => {
+      const { hub } = await startRoom(t);
       const socket = await RawSocket.open(hub.port);
       t.after(() => socket.stream.destroy());
       await talk(socket);

@@ -62,7 +62,7 @@ export async function startHub(t, ...options) {
   const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
   const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options]);
   t.after(() => hub.stop('SIGKILL'));
-  const [, port] = await hub.prints(/127\.0\.0\.1:(\d+)/);
+  const [, port] = await hub.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
   return { program: hub, port: Number(port), url: `ws://127.0.0.1:${port}` };
 }
 

@@ -18,7 +18,7 @@ async function startSharing(t, node) {
   const admin = await makeToken(folder, '--role', 'admin');
   const program = new Program(['hub', '--listen', '127.0.0.1:0', '--nats', node.url, '--verbose', '--data', folder], { limitMs: 90_000 });
   t.after(() => program.stop('SIGKILL'));
-  const [, port] = await program.prints(/open http:\/\/127\.0\.0\.1:(\d+)/);
+  const [, port] = await program.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
   return { program, url: `ws://127.0.0.1:${port}`, admin: admin.token };
 }
 
