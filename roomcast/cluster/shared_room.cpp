@@ -61,7 +61,10 @@ void SharedRoom::leave() {
 void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
   if (to == aligner_) {
     is_welcome_ |= message.has_welcome();
-    if (message.has_welcome()) shown_people_.Clear(), show_people();
+    if (message.has_welcome()) {
+      people_shown_.forget();
+      show_people();
+    }
     if (message.has_roster()) return take_roster(message.roster());
     if (message.has_viewer_poses()) return tell_moved(people_here_.take(message.viewer_poses()));
     return pass_to_owner(message);
@@ -237,12 +240,10 @@ void SharedRoom::hub_is_gone(HubId hub) {
 // ---- people
 
 void SharedRoom::show_people() {
-  wpb::PeopleHere people = people_there_.all();
-  if (!is_welcome_ || people.SerializeAsString() == shown_people_.SerializeAsString()) return;
-  shown_people_ = people;
-  wpb::Control control;
-  *control.mutable_people_here() = std::move(people);
-  seat_.rooms.on_control(*aligner_, control);
+  if (!is_welcome_) return;
+  if (const auto news = people_shown_.news(people_there_.all())) {
+    seat_.rooms.on_control(*aligner_, *news);
+  }
 }
 
 void SharedRoom::people_moved(const pb::PeopleMoved& people) {

@@ -23,6 +23,7 @@
 #include "roomcast/cluster/people_of_hubs.h"
 #include "roomcast/hub/backplane.h"
 #include "roomcast/mirror/mirrored_sensors.h"
+#include "roomcast/mirror/people_shown.h"
 #include "roomcast/mirror/people_to_tell.h"
 
 namespace roomcast::cluster {
@@ -144,7 +145,7 @@ class SharedRoom {
   std::map<HubId, OtherHub> others_;
   mirror::PeopleToTell people_here_;
   PeopleOfHubs people_there_;
-  wire::pb::PeopleHere shown_people_;  // of these, in the room here
+  mirror::PeopleShown people_shown_;  // of these, in the room here
   std::optional<HubId> owner_;
   std::vector<std::string> other_urls_;
 };

@@ -11,6 +11,8 @@ namespace roomcast::cluster {
 namespace {
 
 namespace wpb = wire::pb;
+using mirror::person;
+using mirror::pose_of;
 using mirror::RoomHere;
 using mirror::sensor_there;
 using namespace std::chrono_literals;
@@ -202,22 +204,6 @@ TEST_F(SharedRoomTest, it_joins_again_when_it_was_sent_away) {
   room.stay();
   room.stay();
   EXPECT_EQ(here.joins.size(), 2u);
-}
-
-wpb::ViewerEntry person(std::uint32_t id, const std::string& name, std::uint32_t hubs_away = 0) {
-  wpb::ViewerEntry entry;
-  entry.set_id(id);
-  entry.set_name(name);
-  entry.set_hubs_away(hubs_away);
-  return entry;
-}
-
-wpb::Control pose_of(std::uint32_t id) {
-  wpb::Control control;
-  wpb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
-  pose.set_viewer_id(id);
-  pose.mutable_head()->set_qw(1);
-  return control;
 }
 
 TEST_F(SharedRoomTest, who_watches_here_is_told_and_who_came_from_other_hubs_is_not) {

@@ -67,6 +67,24 @@ inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
   return entry;
 }
 
+inline pb::ViewerEntry person(std::uint32_t id, const std::string& name,
+                              std::uint32_t hubs_away = 0, std::uint32_t through = 0) {
+  pb::ViewerEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_hubs_away(hubs_away);
+  entry.set_through(through);
+  return entry;
+}
+
+inline pb::Control pose_of(std::uint32_t person) {
+  pb::Control control;
+  pb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
+  pose.set_viewer_id(person);
+  pose.mutable_head()->set_qw(1);
+  return control;
+}
+
 /// Of sensor 7 there, captured at 10 s of that hub's clock.
 inline net::MessageBuffer frame_there() {
   const wire::FrameHeader header{

@@ -52,12 +52,8 @@ void MirroredRoom::roster(const pb::Roster& roster) {
 }
 
 void MirroredRoom::show_people() {
-  const bool is_shown = people_there_.SerializeAsString() == shown_people_.SerializeAsString();
-  if (!aligner_is_welcome_ || is_shown) return;
-  shown_people_ = people_there_;
-  pb::Control control;
-  *control.mutable_people_here() = people_there_;
-  here_.on_control(*aligner_, control);
+  if (!aligner_is_welcome_) return;
+  if (const auto news = people_shown_.news(people_there_)) here_.on_control(*aligner_, *news);
 }
 
 void MirroredRoom::join_as_aligner() {
@@ -72,7 +68,7 @@ void MirroredRoom::join_as_aligner() {
 void MirroredRoom::other_hub_is_gone() {
   sensors_.other_hub_is_gone();
   people_there_.Clear();
-  shown_people_.Clear();
+  people_shown_.forget();
   if (!aligner_) return;
   const ConnectionId aligner = *std::exchange(aligner_, std::nullopt);
   aligner_is_welcome_ = false;
@@ -92,7 +88,7 @@ std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& mess
   pb::Control told;
   if (message.has_welcome()) {
     aligner_is_welcome_ = true;
-    shown_people_.Clear();
+    people_shown_.forget();
     place_sensors();
     show_people();
   } else if (message.has_roster() && people_here_.take(message.roster())) {

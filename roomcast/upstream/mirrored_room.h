@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "roomcast/mirror/mirrored_sensors.h"
+#include "roomcast/mirror/people_shown.h"
 #include "roomcast/mirror/people_to_tell.h"
 
 namespace roomcast::upstream {
@@ -52,8 +53,9 @@ class MirroredRoom {
   mirror::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;
   bool aligner_is_welcome_ = false;
-  std::uint32_t viewer_id_ = 0;                       // ours there
-  wire::pb::PeopleHere people_there_, shown_people_;  // and as told here
+  std::uint32_t viewer_id_ = 0;  // ours there
+  wire::pb::PeopleHere people_there_;
+  mirror::PeopleShown people_shown_;  // of these, here
   mirror::PeopleToTell people_here_;
 };
 

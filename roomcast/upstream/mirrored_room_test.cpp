@@ -12,6 +12,8 @@ namespace {
 
 namespace pb = wire::pb;
 using namespace std::chrono_literals;
+using mirror::person;
+using mirror::pose_of;
 using mirror::RoomHere;
 using mirror::sensor_there;
 
@@ -86,22 +88,6 @@ TEST_F(MirroredRoomTest, a_sensor_that_was_sent_away_here_is_back_with_the_next_
   mirrored.roster(roster_of({sensor_there(7, "left")}));
   EXPECT_EQ(here.joins.size(), 3u);
   EXPECT_TRUE(here.left.empty()) << "the room knows already";
-}
-
-pb::ViewerEntry person(std::uint32_t id, const std::string& name, std::uint32_t hubs_away = 0,
-                       std::uint32_t through = 0) {
-  pb::ViewerEntry entry;
-  entry.set_id(id);
-  entry.set_name(name);
-  entry.set_hubs_away(hubs_away);
-  entry.set_through(through);
-  return entry;
-}
-
-pb::Control pose_of(std::uint32_t id) {
-  pb::Control control;
-  control.mutable_viewer_poses()->add_poses()->set_viewer_id(id);
-  return control;
 }
 
 TEST_F(MirroredRoomTest, people_there_are_shown_here_but_for_us_and_those_behind_us) {

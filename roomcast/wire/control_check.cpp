@@ -205,6 +205,13 @@ Status check_placements(const pb::Placements& placements) {
   return {};
 }
 
+Status check_viewer_names(const google::protobuf::RepeatedPtrField<pb::ViewerEntry>& viewers) {
+  for (const auto& viewer : viewers) {
+    if (auto s = check_name(viewer.name(), "viewer"); !s) return s;
+  }
+  return {};
+}
+
 Status check_roster(const pb::Roster& roster) {
   if (roster.sensors_size() > int{kMaxSensors} || roster.viewers_size() > int{kMaxViewers}) {
     return Error{ErrorCode::kTooLarge, "a roster lists more sensors or viewers than a room holds"};
@@ -218,10 +225,7 @@ Status check_roster(const pb::Roster& roster) {
     if (auto s = check_note(sensor.placement_note()); !s) return s;
     if (auto s = check_expected_error(sensor.expected_error_mm()); !s) return s;
   }
-  for (const auto& viewer : roster.viewers()) {
-    if (auto s = check_name(viewer.name(), "viewer"); !s) return s;
-  }
-  return {};
+  return check_viewer_names(roster.viewers());
 }
 
 Status check_welcome(const pb::Welcome& welcome) {
@@ -262,10 +266,7 @@ Status check_people_here(const pb::PeopleHere& message) {
   if (message.people_size() > kMaxPeopleHere) {
     return Error{ErrorCode::kTooLarge, "more people than one hub may tell another of"};
   }
-  for (const auto& person : message.people()) {
-    if (auto s = check_name(person.name(), "viewer"); !s) return s;
-  }
-  return {};
+  return check_viewer_names(message.people());
 }
 
 Status check_revoked_tokens(const pb::RevokedTokens& message) {
