@@ -115,7 +115,7 @@ class TintByGrey {
              std::span<const TexturedPoint> points, TintOf tint_of)
       : windows_(overlaid(common, grey, points, tint_of)) {}
 
-  /// Tint per grey.
+  /// Red minus green, per grey; a tint is half of it.
   [[nodiscard]] double slope(const TexturedPoint& at) const {
     const WindowContrast contrast(windows_.around(at.x, at.y, kReach));
     return 2 * contrast.together / (contrast.mine * contrast.mine);
@@ -154,12 +154,14 @@ PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
   keep_planes_only(from.view(), other.view(), other_from_view, common);
   const WindowSums windows(common);
   const auto& points = from.view().texture.points;
-  const bool both_have_hues = from.view().texture.has_hues && other.view().texture.has_hues;
-  const TintByGrey mine(common, common.mine, points,
-                        [&](const TexturedPoint& point) { return from.tint_of(point.point_m); });
-  const TintByGrey theirs(common, common.theirs, points, [&](const TexturedPoint& point) {
-    return other.tint_of((other_from_view * point.point_m.cast<double>()).cast<float>());
-  });
+  std::optional<TintByGrey> mine, theirs;
+  if (from.view().texture.has_hues && other.view().texture.has_hues) {
+    mine.emplace(common, common.mine, points,
+                 [&](const TexturedPoint& point) { return from.tint_of(point.point_m); });
+    theirs.emplace(common, common.theirs, points, [&](const TexturedPoint& point) {
+      return other.tint_of((other_from_view * point.point_m.cast<double>()).cast<float>());
+    });
+  }
   PlanePrints prints;
   for (const TexturedPoint& point : points) {
     if (!common.known[common.place(point.x, point.y)]) continue;
@@ -171,9 +173,9 @@ PlanePrints prints_seen_from(const SeenPicture& from, const SeenPicture& other,
     ++prints.judged;
     prints.agreement += correlation;
     prints.contradicting += correlation < kContradiction && !agrees_aside(common, point);
-    if (correlation < kAlike || !both_have_hues) continue;
+    if (correlation < kAlike || !mine) continue;
     ++prints.alike;
-    prints.other_hue += are_other_hues(mine.slope(point), theirs.slope(point));
+    prints.other_hue += are_other_hues(mine->slope(point), theirs->slope(point));
   }
   return prints.over(static_cast<double>(points.size()));
 }

@@ -27,7 +27,8 @@ float grey_of(Rgb8 pixel) {
 }
 
 float tint_of(Rgb8 pixel) {
-  return 127.75F + 0.5F * static_cast<float>(pixel.r - pixel.g);
+  constexpr float kEvenly = 0.25F;  // halves are rounded up: as many of either sign
+  return kNoTint - kEvenly + 0.5F * static_cast<float>(pixel.r - pixel.g);
 }
 
 float bilinear(const Image<float>& image, float u, float v) {

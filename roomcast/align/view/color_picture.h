@@ -18,10 +18,12 @@ struct Pinhole {
   float fx = 1, fy = 1, cx = 0, cy = 0;
 };
 
+inline constexpr float kNoTint = 128;  // of what is grey
+
 struct ColorPicture {
   Pinhole camera;
   Image<std::uint8_t> grey;
-  Image<std::uint8_t> tint;  // (red - green) / 2 + 128: what grey does not tell of a colour
+  Image<std::uint8_t> tint;  // (red - green) / 2 + kNoTint: what grey does not tell of a colour
   Image<float> z_m;  // along the colour camera's axis; 0 where the depth camera sees nothing
   Eigen::Matrix3f color_from_depth_rotation;
   Eigen::Vector3f color_from_depth_m;

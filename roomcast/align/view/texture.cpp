@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
 constexpr int kBlurReach = kTextureBlurReach;
-constexpr float kNoTint = 128, kFaintTint = 4;  // levels of a colour picture's tint
-constexpr float kBlurSigma = 1.8F;              // pixels: about the footprint of a grid cell
+constexpr float kFaintTint = 4;     // levels
+constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
 
 std::array<float, 2 * kBlurReach + 1> gaussian() {
   std::array<float, 2 * kBlurReach + 1> kernel{};
