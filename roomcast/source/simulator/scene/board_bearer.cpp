@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/simulator/scene/board_bearer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -38,13 +39,10 @@ Burden board(Room& room) {
 
 /// Where somebody stops without touching anything, each place once.
 std::vector<Vector2f> places_of(const Person& person) {
-  constexpr float kSamePlace_m = 0.4F;
   std::vector<Vector2f> places;
   const auto add = [&](const Vector2f& at) {
-    for (const Vector2f& known : places) {
-      if ((known - at).norm() < kSamePlace_m) return;
-    }
-    places.push_back(at);
+    const auto is_here = [&](const Vector2f& known) { return is_same_place(known, at); };
+    if (std::ranges::none_of(places, is_here)) places.push_back(at);
   };
   for (const Stop& stop : person.stops) {
     for (const Vector2f& via : stop.via_m) add(via);

@@ -14,10 +14,6 @@ constexpr float kSamePlace_m = 0.4F;
 constexpr float kPause_s = 0.6F;     // at every turn
 constexpr float kTurned_rad = 1.9F;  // from one to the next
 
-bool is_same_place(const Vector2f& a_m, const Vector2f& b_m) {
-  return (a_m - b_m).norm() < kSamePlace_m;
-}
-
 bool goes_somewhere(const Person& person) {
   return std::ranges::any_of(person.stops, [&](const Stop& stop) {
     return !is_same_place(stop.at_m, person.stops.front().at_m);
@@ -25,6 +21,10 @@ bool goes_somewhere(const Person& person) {
 }
 
 }  // namespace
+
+bool is_same_place(const Vector2f& a_m, const Vector2f& b_m) {
+  return (a_m - b_m).norm() < kSamePlace_m;
+}
 
 const Person* whoever_walks(const Room& room) {
   const auto walker = std::ranges::find_if(room.people, goes_somewhere);

@@ -11,6 +11,9 @@ namespace roomcast::sim {
 /// The first of a room's people who goes from place to place; null when nobody does.
 [[nodiscard]] const Person* whoever_walks(const Room& room);
 
+/// Nearer than that nobody has walked.
+[[nodiscard]] bool is_same_place(const Eigen::Vector2f& a_m, const Eigen::Vector2f& b_m);
+
 /// Standing there, and looking ahead.
 [[nodiscard]] Stop standing_at(const Eigen::Vector2f& at_m, float heading_rad, float stay_s);
 
