@@ -44,6 +44,11 @@ export class Program {
     }
   }
 
+  /** The port of the page that it asks to open; other addresses, of NATS servers say, may be printed before. */
+  async port() {
+    return Number((await this.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//))[1]);
+  }
+
   async stop(signal = 'SIGTERM') {
     this.child.kill(signal);
     return this.ended;
@@ -62,8 +67,8 @@ export async function startHub(t, ...options) {
   const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
   const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options]);
   t.after(() => hub.stop('SIGKILL'));
-  const [, port] = await hub.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return { program: hub, port: Number(port), url: `ws://127.0.0.1:${port}` };
+  const port = await hub.port();
+  return { program: hub, port, url: `ws://127.0.0.1:${port}` };
 }
 
 /** A folder that goes when the test `t` ends. */

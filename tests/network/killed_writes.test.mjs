@@ -16,8 +16,7 @@ const unansweredFor_ms = 1000;
 async function startHub(t, data) {
   const hub = new Program(['hub', '--listen', '127.0.0.1:0', '--no-align', '--data', data]);
   t.after(() => hub.stop('SIGKILL'));
-  const [, port] = await hub.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return { hub, port: Number(port) };
+  return { hub, port: await hub.port() };
 }
 
 /** One admin who makes tokens, revokes every second one, and opens and changes rooms, as fast as the hub answers. */

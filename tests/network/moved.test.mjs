@@ -21,8 +21,7 @@ async function startHub(t) {
   const data = join(scratchFolder(t), 'data');
   const hub = new Program(['hub', '--listen', '127.0.0.1:0', '--data', data], { limitMs });
   t.after(() => hub.stop('SIGKILL'));
-  const [, port] = await hub.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return `ws://127.0.0.1:${port}`;
+  return `ws://127.0.0.1:${await hub.port()}`;
 }
 
 function startSensor(t, url, n) {

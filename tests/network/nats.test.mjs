@@ -27,8 +27,7 @@ async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', ...align, '--verbose', '--data', scratchFolder(t), ...options];
   const program = new Program(args, { limitMs: timeout });
   t.after(() => program.stop('SIGKILL'));
-  const [, port] = await program.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return { program, url: `ws://127.0.0.1:${port}` };
+  return { program, url: `ws://127.0.0.1:${await program.port()}` };
 }
 
 /** A hub beside each server, its own one first. */

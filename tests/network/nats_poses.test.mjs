@@ -18,8 +18,7 @@ async function startSharing(t, node) {
   const admin = await makeToken(folder, '--role', 'admin');
   const program = new Program(['hub', '--listen', '127.0.0.1:0', '--nats', node.url, '--verbose', '--data', folder], { limitMs: 90_000 });
   t.after(() => program.stop('SIGKILL'));
-  const [, port] = await program.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return { program, url: `ws://127.0.0.1:${port}`, admin: admin.token };
+  return { program, url: `ws://127.0.0.1:${await program.port()}`, admin: admin.token };
 }
 
 const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps: 10, worldFromDepth: [] });

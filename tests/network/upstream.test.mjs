@@ -23,8 +23,7 @@ async function startHub(t, ...options) {
   const args = ['hub', '--listen', '127.0.0.1:0', '--threads', '1', '--no-align', ...data, ...options];
   const program = new Program(args, { limitMs: 60_000 + 40_000 * costRounds });
   t.after(() => program.stop('SIGKILL'));
-  const [, port] = await program.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//);
-  return { program, url: `ws://127.0.0.1:${port}` };
+  return { program, url: `ws://127.0.0.1:${await program.port()}` };
 }
 
 /** Serves on what these hubs have. */
