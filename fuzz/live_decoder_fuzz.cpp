@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/live/live_depth_decoder.h"
+#include "roomcast/core/little_endian.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ void decode(codec::LiveDepthDecoder& decoder, std::span<const std::uint8_t> byte
   std::vector<std::uint8_t> section(bytes.begin(), bytes.end());
   codec::LiveDepthDecoder trial = decoder;
   if (section.size() >= 6 && !trial.decode(section, out.view()).ok()) {
-    codec::write_u32(&section[codec::kLiveHashOffset], trial.state().hash);
+    write_u32(&section[codec::kLiveHashOffset], trial.state().hash);
   }
   (void)decoder.decode(section, out.view());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/core/little_endian.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
@@ -15,26 +16,13 @@ constexpr std::size_t kLengthBytes = 4;
 /// Of messages that belong together.
 constexpr std::size_t kMaxBegunBytes = 2 * wire::kMaxFrameBytes;
 
-void store_u32(std::uint32_t number, std::span<std::uint8_t, 4> out) {
-  for (std::size_t i = 0; i < 4; ++i) out[i] = static_cast<std::uint8_t>(number >> 8 * i);
-}
-
-void append_u32(std::uint32_t number, std::vector<std::uint8_t>& out) {
-  out.resize(out.size() + 4);
-  store_u32(number, std::span(out).last<4>());
-}
-
-std::uint32_t u32_at(std::span<const std::uint8_t> bytes) {
-  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
 }  // namespace
 
 void FramePacker::add(std::span<const std::uint8_t> frame) {
   if (bytes_.empty()) bytes_.reserve(usual_bytes_);
   bytes_.resize(std::max(bytes_.size(), kPartHeaderBytes));
-  append_u32(static_cast<std::uint32_t>(frame.size()), bytes_);
+  bytes_.resize(bytes_.size() + kLengthBytes);
+  write_u32(&bytes_[bytes_.size() - kLengthBytes], static_cast<std::uint32_t>(frame.size()));
   newest_at_ = bytes_.size();
   bytes_.insert(bytes_.end(), frame.begin(), frame.end());
   ++count_;
@@ -67,14 +55,13 @@ std::vector<FramePacker::Message> FramePacker::take() {
 }
 
 void FramePacker::write_head(Message& message, bool continues, bool goes_on) {
-  store_u32(next_number_++, std::span(message).first<4>());
-  store_u32((continues ? kContinues : 0) | (goes_on ? kGoesOn : 0),
-            std::span(message).subspan<4, 4>());
+  write_u32(&message[0], next_number_++);
+  write_u32(&message[4], (continues ? kContinues : 0) | (goes_on ? kGoesOn : 0));
 }
 
 void FrameUnpacker::take(std::span<const std::uint8_t> message, const TakeFrame& take_frame) {
   if (message.size() < kPartHeaderBytes) return;
-  const std::uint32_t number = u32_at(message), flags = u32_at(message.subspan(4));
+  const std::uint32_t number = read_u32(&message[0]), flags = read_u32(&message[4]);
   const auto bytes = message.subspan(kPartHeaderBytes);
   const bool continues = (flags & kContinues) != 0, goes_on = (flags & kGoesOn) != 0;
   const bool follows = continues && number == next_number_ && !begun_.empty();
@@ -91,7 +78,7 @@ void FrameUnpacker::take(std::span<const std::uint8_t> message, const TakeFrame&
 
 void FrameUnpacker::unpack(std::span<const std::uint8_t> bytes, const TakeFrame& take_frame) const {
   while (bytes.size() >= kLengthBytes) {
-    const std::size_t length = u32_at(bytes);
+    const std::size_t length = read_u32(bytes.data());
     bytes = bytes.subspan(kLengthBytes);
     if (length > bytes.size()) return;
     take_frame(net::MessageBuffer(bytes.first(length)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/payload_sections.h"
 
-#include "roomcast/codec/little_endian.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {

@@ -5,10 +5,10 @@
 #include <vpx/vpx_decoder.h>
 
 #include "roomcast/codec/i420_image.h"
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/payload_sections.h"
 #include "roomcast/codec/vp9_header.h"
 #include "roomcast/codec/vpx_context.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/core/little_endian.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::wire {
@@ -15,35 +16,22 @@ constexpr std::size_t kHeaderLengthAt = 4, kFlagsAt = 6, kSensorAt = 8, kLayerAt
                       kBaseSeqAt = 36, kPayloadLengthAt = 40, kReservedAt = 44;
 constexpr std::uint16_t kFlagKey = 1, kFlagLast = 2;
 
-template <class T>
-T load(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < sizeof(T); ++i) value |= std::uint64_t{bytes[at + i]} << (8 * i);
-  return static_cast<T>(value);
-}
-
-template <class T>
-void store(std::span<std::uint8_t> bytes, std::size_t at, T value) {
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bytes[at + i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
-  }
-}
-
 FrameHeader load_header(std::span<const std::uint8_t> message) {
-  const auto flags = load<std::uint16_t>(message, kFlagsAt);
+  const auto flags = read_u16(&message[kFlagsAt]);
   FrameHeader header;
   header.key = (flags & kFlagKey) != 0;
   header.last = (flags & kFlagLast) != 0;
-  header.sensor = SensorId{load<std::uint16_t>(message, kSensorAt)};
+  header.sensor = SensorId{read_u16(&message[kSensorAt])};
   header.layer = message[kLayerAt];
   header.codec = message[kCodecAt];
-  header.seq = load<std::uint32_t>(message, kSeqAt);
-  header.set = SetId{load<std::uint64_t>(message, kSetAt)};
-  header.capture_time = RoomTime(nanoseconds(load<std::int64_t>(message, kCaptureAt)));
-  header.clock_error_us = load<std::uint32_t>(message, kClockErrorAt);
-  header.base_seq = load<std::uint32_t>(message, kBaseSeqAt);
-  header.payload_length = load<std::uint32_t>(message, kPayloadLengthAt);
-  header.header_length = load<std::uint16_t>(message, kHeaderLengthAt);
+  header.seq = read_u32(&message[kSeqAt]);
+  header.set = SetId{read_u64(&message[kSetAt])};
+  header.capture_time =
+      RoomTime(nanoseconds(static_cast<std::int64_t>(read_u64(&message[kCaptureAt]))));
+  header.clock_error_us = read_u32(&message[kClockErrorAt]);
+  header.base_seq = read_u32(&message[kBaseSeqAt]);
+  header.payload_length = read_u32(&message[kPayloadLengthAt]);
+  header.header_length = read_u16(&message[kHeaderLengthAt]);
   return header;
 }
 
@@ -66,7 +54,7 @@ Status check_header(const FrameHeader& header, std::size_t message_bytes) {
 }  // namespace
 
 Result<MessageType> message_type(std::span<const std::uint8_t> message) {
-  if (message.size() < kPreambleBytes || load<std::uint16_t>(message, 0) != kMagic) {
+  if (message.size() < kPreambleBytes || read_u16(&message[0]) != kMagic) {
     return Error{ErrorCode::kMalformed, "this is not a roomcast message"};
   }
   if (message[2] != kVersion) {
@@ -98,41 +86,40 @@ Result<FrameHeader> parse_frame(std::span<const std::uint8_t> message) {
 }
 
 void write_preamble(MessageType type, std::span<std::uint8_t, kPreambleBytes> out) {
-  store(out, 0, kMagic);
+  write_u16(&out[0], kMagic);
   out[2] = kVersion;
   out[3] = static_cast<std::uint8_t>(type);
 }
 
 void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
   write_preamble(MessageType::kFrame, out.first<kPreambleBytes>());
-  store(out, kHeaderLengthAt, static_cast<std::uint16_t>(kFrameHeaderBytes));
-  store(out, kFlagsAt,
-        static_cast<std::uint16_t>((header.key ? kFlagKey : 0) | (header.last ? kFlagLast : 0)));
-  store(out, kSensorAt, header.sensor.value);
+  write_u16(&out[kHeaderLengthAt], static_cast<std::uint16_t>(kFrameHeaderBytes));
+  write_u16(&out[kFlagsAt], static_cast<std::uint16_t>((header.key ? kFlagKey : 0) |
+                                                       (header.last ? kFlagLast : 0)));
   out[kLayerAt] = header.layer;
   out[kCodecAt] = header.codec;
-  store(out, kSeqAt, header.seq);
-  store(out, kSetAt, header.set.value);
-  store(out, kCaptureAt, header.capture_time.time_since_epoch().count());
-  store(out, kClockErrorAt, header.clock_error_us);
-  store(out, kBaseSeqAt, header.base_seq);
-  store(out, kPayloadLengthAt, header.payload_length);
-  store(out, kReservedAt, std::uint32_t{0});
+  write_u32(&out[kSeqAt], header.seq);
+  write_u64(&out[kSetAt], header.set.value);
+  write_u32(&out[kBaseSeqAt], header.base_seq);
+  write_u32(&out[kPayloadLengthAt], header.payload_length);
+  write_u32(&out[kReservedAt], 0);
+  stamp_source(out, header);
 }
 
 void stamp_frame_set(std::span<std::uint8_t> message, SetId set, bool last) {
   ROOMCAST_ASSERT(message.size() >= kFrameHeaderBytes);
-  const auto flags = load<std::uint16_t>(message, kFlagsAt);
-  store(message, kFlagsAt,
-        static_cast<std::uint16_t>(last ? flags | kFlagLast : flags & ~kFlagLast));
-  store(message, kSetAt, set.value);
+  const auto flags = read_u16(&message[kFlagsAt]);
+  write_u16(&message[kFlagsAt],
+            static_cast<std::uint16_t>(last ? flags | kFlagLast : flags & ~kFlagLast));
+  write_u64(&message[kSetAt], set.value);
 }
 
 void stamp_source(std::span<std::uint8_t> message, const FrameHeader& header) {
   ROOMCAST_ASSERT(message.size() >= kFrameHeaderBytes);
-  store(message, kSensorAt, header.sensor.value);
-  store(message, kCaptureAt, header.capture_time.time_since_epoch().count());
-  store(message, kClockErrorAt, header.clock_error_us);
+  write_u16(&message[kSensorAt], header.sensor.value);
+  write_u64(&message[kCaptureAt],
+            static_cast<std::uint64_t>(header.capture_time.time_since_epoch().count()));
+  write_u32(&message[kClockErrorAt], header.clock_error_us);
 }
 
 }  // namespace roomcast::wire

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/live/surface_coder.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {

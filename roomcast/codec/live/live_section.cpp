@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "roomcast/codec/little_endian.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {

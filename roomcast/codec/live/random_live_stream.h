@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/live/live_section.h"
 #include "roomcast/codec/live/picture_pass.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/lossless/depth_tokens.h"
 #include "roomcast/codec/lossless/residual.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {

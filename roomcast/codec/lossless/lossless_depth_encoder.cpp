@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/lossless/depth_tokens.h"
 #include "roomcast/codec/lossless/predictor_fitting.h"
 #include "roomcast/codec/lossless/residual.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {
@@ -66,7 +66,7 @@ class WordWriter {
  private:
   void put_word() {
     next_ -= 2;
-    write_u16(next_, state_ & 0xFFFF);
+    write_u16(next_, static_cast<std::uint16_t>(state_));
     state_ >>= 16;
   }
   std::uint32_t state_ = kStateLow;

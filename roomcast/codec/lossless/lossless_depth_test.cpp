@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/little_endian.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/synthetic_depth.h"
+#include "roomcast/core/little_endian.h"
 
 namespace roomcast::codec {
 namespace {
