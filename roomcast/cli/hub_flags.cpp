@@ -56,7 +56,7 @@ void add_other_hub_flags(CLI::App& command, HubFlags& flags) {
                      "Serve on what the hub at this address has in the rooms of the same names; "
                      "of several the one that answers first");
   command.add_option("--upstream-token-file", flags.upstream_token_file,
-                     "File with a viewer's token of those hubs");
+                     "File with a token of those hubs, for role hub");
   command.add_option(
       "--public-url", flags.public_url,
       "How sensors, viewers and pages reach this hub: other hubs name it to theirs, to go "

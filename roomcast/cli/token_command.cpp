@@ -61,7 +61,7 @@ Status list_tokens(const hub::HubBook& book, bool as_json) {
 
 Result<hub::TokenRequest> request_of(const TokenCommand& command) {
   const auto role = hub::token_role(command.role);
-  if (!role) return wrong_usage("--role is sensor, viewer or admin");
+  if (!role) return wrong_usage("--role is sensor, viewer, hub or admin");
   const auto ttl = parse_time_span(command.ttl);
   if (!ttl) return ttl.error();
   std::string room = command.room;
@@ -117,7 +117,8 @@ void add_token_command(CLI::App& app, Command& chosen) {
   auto values = std::make_shared<TokenCommand>();
   CLI::App* command = app.add_subcommand(
       "token", "Let people, sensors and admins into the rooms of the hub on this machine");
-  command->add_option("--role", values->role, "sensor, viewer or admin");
+  command->add_option("--role", values->role,
+                      "sensor, viewer, admin, or hub: one that serves the room on");
   command->add_option("--room", values->room, "The room (without one an admin's is for all)");
   command->add_option("--name", values->name,
                       "Whom it is for; a sensor's is good for the sensor of this name only");

@@ -10,6 +10,11 @@ import { setTimeout as delay } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
+/**
+ * Frames of a quiet room, of one with people exercising, and of lossless depth (docs/benchmarks.md says how many bytes these
+ * have): what is spent on a message, and what on a byte. Several rounds tell of each.
+ */
+export const costFrames_bytes = costRounds > 1 ? [1000, 8000, 40_000] : [8000];
 const costOver_s = costRounds > 1 ? 5 : 2;
 const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
 const more = 10; // viewers

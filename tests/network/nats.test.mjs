@@ -8,7 +8,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, scratchFolder } from '../cli/program.mjs';
 import { makeCertificate } from './certificate.mjs';
-import { costRounds, tellCost } from './hub_cost.mjs';
+import { costFrames_bytes, costRounds, tellCost } from './hub_cost.mjs';
 import { natsIsMissing, startCluster } from './nats.mjs';
 import { freePort } from './nginx.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
@@ -48,7 +48,7 @@ async function startPlain(t) {
   return { nodes, hubs: await startHubs(t, nodes) };
 }
 
-const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps, payloadBytes });
+const startSensor = (t, hub, name, options) => SendingSensor.start(t, hub.url, { name, fps, payloadBytes, ...options });
 
 async function watch(t, hub, names = sensors) {
   const viewer = await RoomClient.join(t, hub.url);
@@ -215,10 +215,12 @@ test('when_the_hub_that_places_sensors_is_killed_another_takes_over_within_a_sec
   assert.ok(Math.max(...takeovers_ms) <= 1000, `${Math.max(...takeovers_ms)} ms`);
 });
 
-test('what_it_costs_to_share_a_room', { skip, timeout }, async (t) => {
-  const brokers = await startCluster(t, 1);
-  const origin = await startHub(t, '--nats', brokers[0].url);
-  const edge = await startHub(t, '--nats', brokers[0].url);
-  await Promise.all(sensors.map((name) => startSensor(t, origin, name)));
-  await tellCost(t, { origin, edge, brokers });
-});
+for (const payloadBytes of costFrames_bytes) {
+  test(`what_it_costs_to_share_a_room_with_frames_of_${payloadBytes}_bytes`, { skip, timeout }, async (t) => {
+    const brokers = await startCluster(t, 1);
+    const origin = await startHub(t, '--nats', brokers[0].url);
+    const edge = await startHub(t, '--nats', brokers[0].url);
+    await Promise.all(sensors.map((name) => startSensor(t, origin, name, { payloadBytes })));
+    await tellCost(t, { origin, edge, brokers });
+  });
+}

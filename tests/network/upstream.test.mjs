@@ -11,7 +11,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, run, scratchFolder } from '../cli/program.mjs';
 import { makeToken } from './admin.mjs';
-import { costRounds, tellCost } from './hub_cost.mjs';
+import { costFrames_bytes, costRounds, tellCost } from './hub_cost.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
 import { assertMissedNothing, longestPause_ms } from './rooms.mjs';
 
@@ -31,8 +31,8 @@ function startEdge(t, ...hubs) {
   return startHub(t, ...hubs.flatMap(({ url }) => ['--upstream', url]));
 }
 
-async function startSensors(t, hub, count) {
-  const options = { fps, payloadBytes: 8000 };
+async function startSensors(t, hub, count, payloadBytes = 8000) {
+  const options = { fps, payloadBytes };
   return Promise.all(
     Array.from({ length: count }, (_, n) => SendingSensor.start(t, hub.url, { name: `s${n}`, ...options })));
 }
@@ -127,7 +127,7 @@ async function startSlowWay(t, { url }, delay_ms) {
 
 test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async (t) => {
   const [theirs, ours] = [scratchFolder(t), scratchFolder(t)];
-  const { token, id } = await makeToken(theirs, '--room', 'room', '--role', 'viewer');
+  const { token, id } = await makeToken(theirs, '--room', 'room', '--role', 'hub');
   const { token: sensorToken } = await makeToken(theirs, '--room', 'room', '--role', 'sensor');
   writeFileSync(`${ours}/token`, token);
   const origin = await startHub(t, '--access', 'token', '--data', theirs);
@@ -139,10 +139,19 @@ test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async
   await viewer.until('the room has ended here', () => viewer.sensor('s0')?.online === false);
 });
 
+test('a_viewers_token_does_not_let_a_hub_serve_on', async (t) => {
+  const [theirs, ours] = [scratchFolder(t), scratchFolder(t)];
+  writeFileSync(`${ours}/token`, (await makeToken(theirs, '--room', 'room', '--role', 'viewer')).token);
+  const origin = await startHub(t, '--access', 'token', '--data', theirs);
+  const edge = await startHub(t, '--upstream', origin.url, '--upstream-token-file', `${ours}/token`);
+  await RoomClient.join(t, edge.url);
+  await edge.program.prints(/this token is for role viewer; to serve on this room takes one for role hub/);
+});
+
 test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', async (t) => {
   const [theirs, ours, last] = [scratchFolder(t), scratchFolder(t), scratchFolder(t)];
   const [hubs, guests, others] = [
-    await makeToken(theirs, '--room', 'room', '--role', 'viewer'),
+    await makeToken(theirs, '--room', 'room', '--role', 'hub'),
     await makeToken(theirs, '--room', 'room', '--role', 'viewer', '--name', 'Ada'),
     await makeToken(theirs, '--room', 'room', '--role', 'viewer'),
   ];
@@ -170,8 +179,10 @@ test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', 
   assert.match((await unknown.closed).reason, /revoked/, 'as soon as the room is fetched again');
 });
 
-test('what_it_costs_to_serve_a_room_on', { timeout: 60_000 + 40_000 * costRounds }, async (t) => {
-  const origin = await startHub(t);
-  await startSensors(t, origin, 4);
-  await tellCost(t, { origin, edge: await startEdge(t, origin) });
-});
+for (const payloadBytes of costFrames_bytes) {
+  test(`what_it_costs_to_serve_a_room_on_with_frames_of_${payloadBytes}_bytes`, { timeout: 60_000 + 40_000 * costRounds }, async (t) => {
+    const origin = await startHub(t);
+    await startSensors(t, origin, 4, payloadBytes);
+    await tellCost(t, { origin, edge: await startEdge(t, origin) });
+  });
+}

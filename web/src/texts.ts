@@ -63,7 +63,7 @@ export const consoleTexts = {
     intro:
       'A link lets somebody in, as what you choose and for as long as you choose. A link for one time stops working once it was used.',
     role: 'For',
-    roles: { viewer: 'a viewer', sensor: 'a sensor', admin: 'an admin of this room' },
+    roles: { viewer: 'a viewer', sensor: 'a sensor', hub: 'a hub that serves this room on', admin: 'an admin of this room' },
     name: 'Whom or what it is for',
     span: 'Good for',
     spans: { 3600: 'an hour', 28800: 'eight hours', 604800: 'a week', 31536000: 'a year' },

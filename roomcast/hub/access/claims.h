@@ -12,7 +12,8 @@
 
 namespace roomcast::hub {
 
-enum class TokenRole { kSensor, kViewer, kAdmin };
+/// kHub: of a hub that serves the room on, and says who watches there.
+enum class TokenRole { kSensor, kViewer, kHub, kAdmin };
 
 [[nodiscard]] constexpr std::string_view name_of(TokenRole role) {
   switch (role) {
@@ -20,13 +21,16 @@ enum class TokenRole { kSensor, kViewer, kAdmin };
       return "sensor";
     case TokenRole::kViewer:
       return "viewer";
+    case TokenRole::kHub:
+      return "hub";
     case TokenRole::kAdmin:
       break;
   }
   return "admin";
 }
 [[nodiscard]] constexpr std::optional<TokenRole> token_role(std::string_view name) {
-  for (const TokenRole role : {TokenRole::kSensor, TokenRole::kViewer, TokenRole::kAdmin}) {
+  for (const TokenRole role :
+       {TokenRole::kSensor, TokenRole::kViewer, TokenRole::kHub, TokenRole::kAdmin}) {
     if (name == name_of(role)) return role;
   }
   return std::nullopt;

@@ -48,6 +48,7 @@ Wish wish_of(const pb::Join& join, const RoomSettings& room) {
     case pb::Join::kSensor:
       return {room.send, TokenRole::kSensor, "send"};
     case pb::Join::kViewer:
+      if (join.viewer().serves_on()) return {room.view, TokenRole::kHub, "serve on"};
       return {room.view, TokenRole::kViewer, "view"};
     default:
       return {Who::kAdmin, TokenRole::kAdmin, "place sensors in"};

@@ -91,6 +91,18 @@ TEST_F(EntryTest, a_token_for_another_role_is_refused) {
   EXPECT_EQ(fault(aligner("lab"), claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
 }
 
+TEST_F(EntryTest, to_serve_a_room_on_takes_a_hubs_token_where_looking_takes_a_viewers) {
+  pb::Join hub = viewer("lab");
+  hub.mutable_viewer()->set_serves_on(true);
+  EXPECT_EQ(fault(hub), pb::ERROR_UNAUTHENTICATED);
+  EXPECT_EQ(fault(hub, claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
+  EXPECT_EQ(fault(hub, claims("lab", TokenRole::kHub)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(hub, claims("lab", TokenRole::kAdmin)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kHub)), pb::ERROR_WRONG_ROLE);
+  hub.set_room("open");
+  EXPECT_EQ(fault(hub), pb::ERROR_UNSPECIFIED) << "as anyone may look there";
+}
+
 TEST_F(EntryTest, an_admin_may_do_everything_in_its_room) {
   const Claims admin = claims("lab", TokenRole::kAdmin);
   EXPECT_EQ(fault(aligner("lab"), admin), pb::ERROR_UNSPECIFIED);

@@ -36,7 +36,7 @@ Result<TokenRequest> read_token_request(const Json& json) {
       request.grant.room = value.get<std::string>();
     } else if (key == "role" && value.is_string()) {
       const auto role = token_role(value.get<std::string>());
-      if (!role) return wrong("a token's role is sensor, viewer or admin");
+      if (!role) return wrong("a token's role is sensor, viewer, hub or admin");
       request.grant.role = *role;
     } else if (key == "name" && value.is_string()) {
       request.grant.name = value.get<std::string>();

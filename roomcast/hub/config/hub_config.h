@@ -42,9 +42,9 @@ struct HubConfig {
   std::int64_t ban_s = 300;
   std::int64_t busy_percent = 75;
   std::vector<std::string> upstream_hubs;  // whose rooms this hub serves on
-  std::string upstream_token_file;
-  std::string public_url;                 // how others reach this hub
-  std::vector<std::string> nats_servers;  // over which it shares its rooms with other hubs
+  std::string upstream_token_file;         // for role hub
+  std::string public_url;                  // how others reach this hub
+  std::vector<std::string> nats_servers;   // over which it shares its rooms with other hubs
   std::string nats_credentials, nats_ca, nats_cert, nats_key;  // files
   std::vector<std::string> rooms;  // each as the JSON of RoomSettings, without what it leaves open
 };

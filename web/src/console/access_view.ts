@@ -72,7 +72,8 @@ export class AccessView {
     const shown: (Node | undefined)[] = [];
     const link = fragment && `${location.origin}${location.pathname}${fragment}`;
     const command = `roomcast sensor --source sim --hub ${this.hubAddress} --room ${this.room()} --token ${token}`;
-    if (link && role !== 'sensor') shown.push(qrCode(link, texts.qr), this.copyable(texts.link, link));
+    const isForPage = role === 'viewer' || role === 'admin';
+    if (link && isForPage) shown.push(qrCode(link, texts.qr), this.copyable(texts.link, link));
     else if (fragment) shown.push(this.copyable(texts.link, fragment));
     if (token) shown.push(this.copyable(texts.token, token));
     if (token && role === 'sensor') shown.push(this.copyable(texts.command, command));

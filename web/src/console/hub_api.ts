@@ -3,7 +3,7 @@
 // A refusal is a HubRefusal with the hub's own sentence.
 
 export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
-export type Role = 'sensor' | 'viewer' | 'admin';
+export type Role = 'sensor' | 'viewer' | 'hub' | 'admin';
 
 export interface RoomSettings {
   name?: string;
