@@ -25,12 +25,13 @@ StopOnSignal::StopOnSignal(std::function<void()> on_hangup) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   waiter_ =
       std::jthread([this, signals, on_hangup = std::move(on_hangup)](const std::stop_token& done) {
-        const timespec look_up{.tv_sec = 0, .tv_nsec = 100'000'000};
-        while (!done.stop_requested()) {
-          const int signal = sigtimedwait(&signals, nullptr, &look_up);
+        const std::stop_callback wake_up(done, [thread = pthread_self()] {
+          pthread_kill(thread, SIGTERM);  // to this one only
+        });
+        for (int signal = 0; sigwait(&signals, &signal) == 0 && !done.stop_requested();) {
           if (signal == SIGHUP && on_hangup) {
             on_hangup();
-          } else if (signal > 0) {
+          } else {
             stop_.request_stop();
           }
         }

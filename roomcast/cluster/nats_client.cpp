@@ -15,11 +15,14 @@ namespace {
 
 namespace asio = boost::asio;
 
-constexpr std::chrono::milliseconds kTryAgainAfter{500}, kLookEvery{100};
-constexpr std::chrono::milliseconds kGivenUpAfter = kPingInterval * (kMaxPingsOut + 1);
+constexpr std::chrono::milliseconds kTryAgainAfter{500};
+/// A server that says nothing for so long is asked to, again and again; then it hangs. Where there
+/// is another hub its heartbeats come more often, and none has to be asked.
+constexpr std::chrono::milliseconds kAskedAfter{200}, kAskedEvery{50}, kGivenUpAfter{400};
 constexpr std::size_t kUsualMessageBytes = 1u << 20;
-/// libnats wakes a thread of its own for messages that are given back, so that is done in bulk.
-constexpr std::size_t kKeptMessages = 32;
+/// libnats wakes a thread of its own for messages that are given back, so that is done in bulk; but
+/// not of so much memory that the next ones come into pages that are new again.
+constexpr std::size_t kKeptMessages = 32, kKeptMessageBytes = 1u << 20;
 
 std::span<const std::uint8_t> bytes_of(const natsMsg* message) {
   return {reinterpret_cast<const std::uint8_t*>(natsMsg_GetData(message)),
@@ -53,7 +56,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     begin(*made);
     return {};
   }
-  void start() { watch_later(); }
+  void start() { look_later(); }
   void stop() {
     is_stopped_ = true;
     again_.cancel();
@@ -116,9 +119,12 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   void take(std::vector<NatsMessagePtr> messages) {
     for (NatsMessagePtr& message : messages) {
       handlers_.on_message(natsMsg_GetSubject(message.get()), bytes_of(message.get()));
+      handled_bytes_ += bytes_of(message.get()).size();
       handled_.push_back(std::move(message));
     }
-    if (handled_.size() >= kKeptMessages) handled_.clear();
+    if (handled_.size() < kKeptMessages && handled_bytes_ < kKeptMessageBytes) return;
+    handled_.clear();
+    handled_bytes_ = 0;
   }
 
   void gone() {
@@ -146,21 +152,27 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     connect_again_later(kTryAgainAfter);
   }
 
-  /// A server that says nothing, though it is asked to, hangs. Who looks too late may have been
-  /// kept from reading what it said.
-  void watch_later() {
-    const HostTime due = clock_.now() + kLookEvery;
-    watch_.expires_after(kLookEvery);
+  void look_later() {
+    const HostTime now = clock_.now();
+    const HostTime silent_since = session_ ? session_->last_heard() : now;
+    const HostTime due = std::max<HostTime>(silent_since + kAskedAfter, now + kAskedEvery);
+    watch_.expires_after(due - now);
     watch_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
       const auto self = weak.lock();
       if (!self || error) return;
-      const HostTime now = self->clock_.now();
-      const bool is_on_time = now - due < kLookEvery;
-      if (self->session_ && is_on_time && now - self->session_->last_heard() > kGivenUpAfter) {
-        self->session_->abort();
-      }
-      self->watch_later();
+      self->look(due);
+      self->look_later();
     });
+  }
+
+  /// Who looks too late may have been kept from reading what a server said.
+  void look(HostTime due) {
+    if (!session_) return;
+    const HostTime now = clock_.now();
+    const nanoseconds silent = now - session_->last_heard();
+    const bool is_on_time = now - due < kAskedEvery;
+    if (silent > kGivenUpAfter && is_on_time) return session_->abort();
+    if (silent >= kAskedAfter) session_->ask();
   }
 
   const NatsOptions options_;
@@ -173,6 +185,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;
   std::vector<NatsMessagePtr> handled_;
+  std::size_t handled_bytes_ = 0;
   std::string was_told_;
   bool is_stopped_ = false;
   asio::steady_timer again_, watch_;

@@ -114,6 +114,17 @@ TEST_F(NatsClientTest, when_a_server_is_gone_the_next_one_is_taken) {
   say_until_heard(*speaker, "a");
 }
 
+TEST_F(NatsClientTest, a_server_that_hangs_is_given_up_and_one_that_has_nothing_to_say_is_not) {
+  const NatsServer first, second;
+  const auto quiet = *open({.servers = {second.url(), first.url()}});
+  const auto client = *open({.servers = {first.url(), second.url()}});
+  run_until([&] { return connected == 2; });
+  first.hang();
+  run_until([&] { return connected == 3; });
+  io.run_for(600ms);
+  EXPECT_EQ(connected, 3) << "longer than the one that hung took to be given up";
+}
+
 TEST_F(NatsClientTest, it_knows_how_long_a_message_may_be) {
   const NatsServer server("max_payload: 100KB\n");
   const auto client = *open({.servers = {server.url()}});

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <utility>
 
 namespace roomcast::cluster {
@@ -84,8 +83,7 @@ Result<NatsOptionsPtr> libnats_options(const NatsOptions& options) {
   set(natsOptions_SetName(made, "roomcast hub"));
   set(natsOptions_SetTimeout(made, kConnectWithin.count()));
   set(natsOptions_SetAllowReconnect(made, false));  // NatsClient does
-  set(natsOptions_SetPingInterval(made, kPingInterval.count()));
-  set(natsOptions_SetMaxPingsOut(made, std::numeric_limits<int>::max()));  // and it looks, too
+  set(natsOptions_SetPingInterval(made, 0));        // and asks whether a server is there
   set(natsOptions_SetIOBufSize(made, kIoBytes));
   set(natsOptions_SetSendAsap(made, true));  // NatsSession writes
   set(natsOptions_SetNoEcho(made, true));

@@ -14,9 +14,6 @@
 
 namespace roomcast::cluster {
 
-/// A node that says nothing for so long is given up for another. libnats' own default is minutes.
-inline constexpr std::chrono::milliseconds kPingInterval{120};
-inline constexpr int kMaxPingsOut = 2;
 inline constexpr std::chrono::milliseconds kConnectWithin{500};
 /// One frame set of a room goes out in one write.
 inline constexpr int kIoBytes = 256 << 10;

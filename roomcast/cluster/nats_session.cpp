@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <boost/asio/post.hpp>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -38,16 +37,6 @@ natsStatus NatsSession::attach(void** user_data, void* session, natsConnection*,
   return NATS_OK;
 }
 
-/// libnats has a ping to write, from a thread of its own. What we publish we write ourselves.
-natsStatus NatsSession::write_wanted(void* session, bool add) {
-  auto& self = *static_cast<NatsSession*>(session);
-  if (!add || self.is_writing_) return NATS_OK;
-  asio::post(self.io_, [weak = self.weak_from_this()] {
-    if (const auto alive = weak.lock()) alive->write();
-  });
-  return NATS_OK;
-}
-
 void NatsSession::start(Handlers handlers) {
   handlers_ = std::move(handlers);
   read_later();
@@ -64,7 +53,6 @@ void NatsSession::stop() {
 
 /// libnats would wait for a server to take what is still to be written.
 void NatsSession::close_now() {
-  is_writing_ = true;
   natsConnection_ProcessWriteEvent(connection_.get());
   if (natsConnection_Buffered(connection_.get()) > 0) abort();
   while (natsConnection_Buffered(connection_.get()) > 0 &&
@@ -95,6 +83,7 @@ void NatsSession::read_later() {
 void NatsSession::read() {
   natsConnection_ProcessReadEvent(connection_.get());
   last_heard_ = clock_.now();
+  if (natsConnection_Buffered(connection_.get()) > 0) write();  // an answer: the server asked, too
   auto messages = take_messages();
   if (!messages.empty() && !is_over_) handlers_.on_messages(std::move(messages));
   if (connection_ && !end_if_closed()) read_later();
@@ -124,18 +113,14 @@ bool NatsSession::end_if_closed() {
 
 void NatsSession::subscribe(const std::string& subject) {
   natsSubscription* made = nullptr;
-  is_writing_ = true;
   if (natsConnection_SubscribeSync(&made, connection_.get(), subject.c_str()) == NATS_OK) {
     subscriptions_.emplace_back(subject, SubscriptionPtr(made, &natsSubscription_Destroy));
   }
-  is_writing_ = false;
   write();
 }
 
 void NatsSession::unsubscribe(const std::string& subject) {
-  is_writing_ = true;
   std::erase_if(subscriptions_, [&](const auto& entry) { return entry.first == subject; });
-  is_writing_ = false;
   write();
 }
 
@@ -143,12 +128,18 @@ bool NatsSession::publish(const std::string& subject, std::span<const std::uint8
                           std::size_t max_waiting_bytes) {
   const int waiting = natsConnection_Buffered(connection_.get());
   if (waiting > 0 && static_cast<std::size_t>(waiting) > max_waiting_bytes) return false;
-  is_writing_ = true;
   natsConnection_Publish(connection_.get(), subject.c_str(), message.data(),
                          static_cast<int>(message.size()));
-  is_writing_ = false;
   write();
   return true;
+}
+
+/// libnats has no question that does not wait for its answer: it waits in vain, as short as it can,
+/// for it is this thread that reads.
+void NatsSession::ask() {
+  if (!connection_) return;
+  natsConnection_FlushTimeout(connection_.get(), 1);
+  write();
 }
 
 void NatsSession::write() {

@@ -50,8 +50,10 @@ class NatsServerLink {
   /// As it was named, without user and password.
   [[nodiscard]] virtual std::string server() const = 0;
 
-  /// When the server last said something; it is asked to every kPingInterval.
+  /// When the server last said something.
   [[nodiscard]] virtual HostTime last_heard() const = 0;
+  /// It should say something.
+  virtual void ask() = 0;
   /// It is gone soon: on_gone.
   virtual void abort() = 0;
 };
@@ -74,6 +76,7 @@ class NatsSession final : public NatsServerLink, public std::enable_shared_from_
   [[nodiscard]] std::string server() const override;
   /// Any thread.
   [[nodiscard]] HostTime last_heard() const override { return last_heard_; }
+  void ask() override;
   void abort() override;
   /// Of its socket; whoever asks closes it.
   [[nodiscard]] int duplicate_socket();
@@ -82,11 +85,11 @@ class NatsSession final : public NatsServerLink, public std::enable_shared_from_
   using ConnectionPtr = std::unique_ptr<natsConnection, decltype(&natsConnection_Destroy)>;
   using SubscriptionPtr = std::unique_ptr<natsSubscription, decltype(&natsSubscription_Destroy)>;
 
-  explicit NatsSession(boost::asio::io_context& io) : io_(io), socket_(io) {}
+  explicit NatsSession(boost::asio::io_context& io) : socket_(io) {}
 
   static natsStatus attach(void** user_data, void* session, natsConnection*, natsSock fd);
-  static natsStatus read_wanted(void*, bool) { return NATS_OK; }  // always
-  static natsStatus write_wanted(void* session, bool add);
+  static natsStatus read_wanted(void*, bool) { return NATS_OK; }   // always
+  static natsStatus write_wanted(void*, bool) { return NATS_OK; }  // after each call to libnats
   static natsStatus detach(void*) { return NATS_OK; }
 
   void close_now();
@@ -96,14 +99,12 @@ class NatsSession final : public NatsServerLink, public std::enable_shared_from_
   [[nodiscard]] std::vector<NatsMessagePtr> take_messages();
   bool end_if_closed();
 
-  boost::asio::io_context& io_;
   boost::asio::posix::stream_descriptor socket_;  // a duplicate: libnats closes its own
   ConnectionPtr connection_{nullptr, &natsConnection_Destroy};
   std::vector<std::pair<std::string, SubscriptionPtr>> subscriptions_;  // oldest first
   Handlers handlers_;
   SteadyClock clock_;
   std::atomic<HostTime> last_heard_{};
-  std::atomic<bool> is_writing_ = false;  // libnats need not ask for it
   bool waits_to_write_ = false;
   bool is_over_ = false;  // it was told
 };

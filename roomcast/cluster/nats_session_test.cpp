@@ -62,11 +62,22 @@ TEST_F(NatsSessionTest, a_message_of_any_length_comes_whole) {
   run_until([&] { return heard.back().second == 1 << 20; });
 }
 
-TEST_F(NatsSessionTest, a_server_that_is_asked_now_and_then_says_something) {
+TEST_F(NatsSessionTest, a_server_that_is_asked_says_something) {
   const NatsServer server;
   const auto session = connect(server);
+  io.run_for(20ms);
   const HostTime before = session->last_heard();
+  session->ask();
   run_until([&] { return session->last_heard() > before; });
+}
+
+TEST_F(NatsSessionTest, a_server_that_asks_is_answered) {
+  const NatsServer server("ping_interval: \"100ms\"\nping_max: 1\n");
+  const auto session = connect(server);
+  for (int times = 0; times < 4; ++times) {
+    run_until([&, before = session->last_heard()] { return session->last_heard() > before; });
+  }
+  EXPECT_EQ(gone, 0) << "a server hangs up on who does not answer";
 }
 
 TEST_F(NatsSessionTest, who_is_told_that_it_is_gone_is_told_once) {

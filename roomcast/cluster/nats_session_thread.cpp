@@ -87,6 +87,10 @@ bool NatsSessionThread::publish(const std::string& subject, std::span<const std:
   return true;
 }
 
+void NatsSessionThread::ask() {
+  asio::post(own_, [this] { session_->ask(); });
+}
+
 /// Whatever waits for the socket waits no more.
 void NatsSessionThread::abort() {
   ::shutdown(socket_, SHUT_RDWR);

@@ -39,6 +39,7 @@ class NatsSessionThread final : public NatsServerLink,
   [[nodiscard]] std::size_t max_message_bytes() const override { return max_message_bytes_; }
   [[nodiscard]] std::string server() const override { return server_; }
   [[nodiscard]] HostTime last_heard() const override { return session_->last_heard(); }
+  void ask() override;
   void abort() override;
 
  private:
