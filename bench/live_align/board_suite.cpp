@@ -11,8 +11,10 @@
 namespace roomcast::bench {
 namespace {
 
-/// From further apart a flat board cannot be seen by both.
-constexpr double kApart_deg = 90;
+/// A tag is found up to some 60 degrees aslant: from much further apart a flat board is hardly ever
+/// seen by both.
+constexpr double kApart_deg = 60;
+constexpr int kSensors = 6;
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
 
 std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
@@ -36,7 +38,7 @@ std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSui
 Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuiteOptions& options) {
   const auto room = SimulatedRoom::build(scene, seed, Visitor::kBoardBearer);
   if (!room) return room.error();
-  auto sensors = sensors_apart(*room, seed, kApart_deg);
+  auto sensors = sensors_apart(*room, seed, kApart_deg, kSensors);
   if (!sensors) return sensors.error();
   PairCase result = case_of(scene, seed, *sensors);
   double a_ms = 0, b_ms = 0;
@@ -45,7 +47,7 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuit
   result.look_ms = (a_ms + b_ms) / 2;
   const auto match = align::match_boards(seen_by_a, seen_by_b);
   if (match) {
-    place(*sensors, match->a_from_b, match->expected_error_mm, result);
+    place(*sensors, {match->a_from_b, match->expected_error_mm}, result);
   } else {
     result.reason = match.error().message;
   }

@@ -15,7 +15,7 @@ namespace roomcast::bench {
 struct BoardSuiteOptions {
   int rooms = 8;
   std::uint64_t seed = 1;  // of the first room; each has the next
-  double seconds = 60;     // of carrying it about
+  double seconds = 120;    // of carrying it about
   double fps = 4;          // at which tags are looked for
 };
 

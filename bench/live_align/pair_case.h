@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two simulated sensors that are placed by what passes through their views and by nothing else, and
-// how well that went: what the suites of walkers and boards have in common. Single-threaded.
+// Two simulated sensors that are placed by what passes through their views, and perhaps settle on
+// what both see of the room, and how well that went: what the suites of walkers and boards have in
+// common. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,8 @@
 #include <vector>
 
 #include "bench/live_align/filmed_sensor.h"
+#include "roomcast/align/guess/settled_place.h"
+#include "roomcast/align/sensor_view.h"
 
 namespace roomcast::bench {
 
@@ -24,22 +27,34 @@ struct PairCase {
   std::string reason;   // why not
   double error_mm = 0;  // at the middle of the room, 1 m high
   double turn_error_deg = 0;
+  double found_error_mm = 0;  // before it settled on what both sensors see
   double expected_error_mm = 0;
   double look_ms = 0;  // CPU of looking at one picture
 };
 
 using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
 
-/// Of the sensors around the room the two whose views are most nearly so far apart.
+/// Of so many sensors around the room the two whose views are most nearly so far apart.
 [[nodiscard]] Result<SensorPair> sensors_apart(const std::shared_ptr<const SimulatedRoom>& room,
-                                               std::uint64_t seed, double apart_deg);
+                                               std::uint64_t seed, double apart_deg, int count = 4);
 
 [[nodiscard]] PairCase case_of(const std::string& scene, std::uint64_t seed,
                                const SensorPair& sensors);
 
+/// What a sensor sees of the room itself.
+struct StillView {
+  align::CalibrationBundle bundle;
+  align::SensorView view;
+};
+using StillViews = std::pair<StillView, StillView>;
+
+[[nodiscard]] Result<StillViews> still_views(SensorPair& sensors);
+
 /// The second sensor was placed; the poses are of their depth frames.
-void place(const SensorPair& sensors, const RigidTransform& a_from_b, double expected_error_mm,
-           PairCase& result);
+void place(const SensorPair& sensors, const align::FoundPlace& a_from_b, PairCase& result);
+/// ... and settles where it can.
+void place_settled(const SensorPair& sensors, const StillViews& views,
+                   const align::FoundPlace& a_from_b, PairCase& result);
 
 /// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
 /// somebody walks; rooms in which nobody does (kInvalidArgument) are passed over.

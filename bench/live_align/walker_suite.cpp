@@ -11,7 +11,6 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kBundleFrames = 7;
 constexpr nanoseconds kWalkBegins = std::chrono::seconds(6);
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
 
@@ -21,13 +20,11 @@ struct Walk {
   double look_ms = 0;
 };
 
-Result<Walk> watch_walk(FilmedSensor& sensor, const WalkerSuiteOptions& options,
-                        nanoseconds phase) {
-  const auto bundle = sensor.bundle(kBundleFrames);
-  if (!bundle) return bundle.error();
-  const auto floor = align::floor_of(*bundle);
+Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
+                        const WalkerSuiteOptions& options, nanoseconds phase) {
+  const auto& floor = still.view.floor;
   if (!floor) return Error{ErrorCode::kUnavailable, "no floor is seen"};
-  align::HeadFinder heads(*bundle, *floor);
+  align::HeadFinder heads(still.bundle, *floor);
   Walk walk{align::level_from_depth(*floor), {}, 0};
   const int frames = static_cast<int>(options.seconds * options.fps);
   for (int i = 0; i < frames; ++i) {
@@ -53,8 +50,13 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
   auto sensors = sensors_apart(*room, seed, 180);
   if (!sensors) return sensors.error();
   PairCase result = case_of(scene, seed, *sensors);
-  const auto seen_by_a = watch_walk(sensors->first, options, {});
-  const auto seen_by_b = watch_walk(sensors->second, options, kPhase);
+  const auto still = still_views(*sensors);
+  if (!still) {
+    result.reason = still.error().message;
+    return result;
+  }
+  const auto seen_by_a = watch_walk(sensors->first, still->first, options, {});
+  const auto seen_by_b = watch_walk(sensors->second, still->second, options, kPhase);
   if (!seen_by_a || !seen_by_b) {
     result.reason = (seen_by_a ? seen_by_b : seen_by_a).error().message;
     return result;
@@ -62,9 +64,9 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
   result.look_ms = (seen_by_a->look_ms + seen_by_b->look_ms) / 2;
   const auto match = align::match_walks(seen_by_a->sightings, seen_by_b->sightings);
   if (match) {
-    place(*sensors,
-          seen_by_a->level_from_depth.inverse() * match->a_from_b * seen_by_b->level_from_depth,
-          match->expected_error_mm, result);
+    const RigidTransform a_from_b =
+        seen_by_a->level_from_depth.inverse() * match->a_from_b * seen_by_b->level_from_depth;
+    place_settled(*sensors, *still, {a_from_b, match->expected_error_mm}, result);
   } else {
     result.reason = match.error().message;
   }

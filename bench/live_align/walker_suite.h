@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well two opposite sensors are placed by somebody who walks through both views, and by nothing
-// else: simulated rooms of every scene with people in it, against the truth. Single-threaded.
+// How well two opposite sensors are placed by somebody who walks through both views, and
+// then settle on what both see of the room: simulated rooms of every scene with people in it,
+// against the truth. Single-threaded.
 #pragma once
 
 #include <cstdint>

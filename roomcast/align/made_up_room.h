@@ -28,6 +28,7 @@ struct MadeUpRoom {
   double period_m = 0;      // above 0: the pattern repeats along x and z
   bool turned = false;      // the pattern of either half is that of the other, turned by half
   Eigen::AlignedBox3d repainted = {};  // the pattern is another one in here
+  double coarser = 1;                  // so many times is the pattern
 };
 
 /// A small Kinect-like sensor: depth 200 x 160, colour 400 x 300.
@@ -56,6 +57,7 @@ inline double pattern_grey(const MadeUpRoom& room, Eigen::Vector3d at) {
   if (room.turned && at.x() < 0) at = {-at.x(), at.y(), -at.z()};
   double grey = 20;
   std::uint32_t seed = 16 * room.looks + (room.repainted.contains(at) ? 8 : 0);
+  at /= room.coarser;
   for (const double size : {0.5, 0.23, 0.11, 0.06}) {
     const auto cell = [&](int axis) {
       return static_cast<int>(std::floor(at(axis) / size + 1e-4));
@@ -130,9 +132,31 @@ inline CalibrationBundle made_up_bundle(const MadeUpRoom& room, const std::strin
   return bundle;
 }
 
+/// As of a grey room that is lit from one side: its colours tell nothing about where it was seen
+/// from.
+inline CalibrationBundle without_pattern(CalibrationBundle bundle) {
+  for (int y = 0; y < bundle.color.height(); ++y) {
+    for (int x = 0; x < bundle.color.width(); ++x) {
+      const auto grey = static_cast<std::uint8_t>(60 + 120 * x / bundle.color.width());
+      bundle.color.at(x, y) = {grey, grey, grey};
+    }
+  }
+  return bundle;
+}
+
 /// In a corner, looking down at the middle of the room.
 inline RigidTransform corner_pose(double x, double z) {
   return world_from_optical_looking_at({x, 1.9, z}, {0.2 * x, 0.4, -0.2 * z});
+}
+
+/// A pose that is off from this one: shifted, and turned about the vertical.
+inline RigidTransform beside(const RigidTransform& pose, const Eigen::Vector3d& shift_m,
+                             double turn_rad) {
+  RigidTransform other = pose;
+  other.translation_m += shift_m;
+  other.rotation =
+      Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() * pose.rotation;
+  return other;
 }
 
 }  // namespace roomcast::align

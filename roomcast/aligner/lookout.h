@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lookout: what a sensor tells of that passes through its view while the aligner asks for it: heads
-// and printed tags, so that sensors which share no surface can be placed by somebody who walks
+// and printed tags, so that sensors which share too little can be placed by somebody who walks
 // about, or holds a board. Some looks a second, a message twice a second. Single-threaded.
 #pragma once
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,5 +24,9 @@ struct Placement {
 
 /// Poses by the sensor's name.
 using KnownPoses = std::map<std::string, RigidTransform>;
+
+/// Makes a place that was found by something else more exact by what the sensor shares with others,
+/// where that can be.
+using Settle = std::function<void(Placement& found, const KnownPoses& placed)>;
 
 }  // namespace roomcast::aligner

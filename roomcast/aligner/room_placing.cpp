@@ -5,7 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "roomcast/align/nudge/nudged_pose.h"
+#include "roomcast/align/guess/nudged_pose.h"
+#include "roomcast/align/guess/settled_place.h"
 
 namespace roomcast::aligner {
 
@@ -67,13 +68,8 @@ void RoomPlacing::place_by_hand(std::vector<Placement>& placements, const KnownP
     const auto guess = guesses_.find(placement.sensor);
     const auto view = views_.find(placement.sensor);
     if (guess != guesses_.end() && view != views_.end()) {
-      std::vector<align::PlacedView> others;
-      for (const auto& [name, pose] : known) {
-        const auto other = views_.find(name);
-        if (other != views_.end() && name != placement.sensor)
-          others.push_back({other->second.get(), pose});
-      }
-      const auto answer = align::refined_guess(*view->second, guess->second, others);
+      const auto answer =
+          align::refined_guess(*view->second, guess->second, views_beside(placement.sensor, known));
       if (!answer) {
         placement.note = "Not where it was put: " + answer.error().message;
       } else {
@@ -112,7 +108,29 @@ void RoomPlacing::place_the_lost(std::vector<Placement>& placements, const Known
     }
   };
   take(boards_.place(known, lost_));
-  take(walks_.place(known, lost_));
+  take(walks_.place(known, lost_,
+                    [this](Placement& found, const KnownPoses& placed) { settle(found, placed); }));
+}
+
+void RoomPlacing::settle(Placement& found, const KnownPoses& placed) const {
+  const auto view = views_.find(found.sensor);
+  if (view == views_.end()) return;
+  const auto settled =
+      align::settled_place(*view->second, {*found.world_from_depth, found.expected_error_mm},
+                           views_beside(found.sensor, placed));
+  if (!settled) return;
+  found.world_from_depth = settled->world_from_depth;
+  found.expected_error_mm = settled->expected_error_mm;
+}
+
+std::vector<align::PlacedView> RoomPlacing::views_beside(const std::string& sensor,
+                                                         const KnownPoses& placed) const {
+  std::vector<align::PlacedView> others;
+  for (const auto& [name, pose] : placed) {
+    const auto other = views_.find(name);
+    if (other != views_.end() && name != sensor) others.push_back({other->second.get(), pose});
+  }
+  return others;
 }
 
 }  // namespace roomcast::aligner

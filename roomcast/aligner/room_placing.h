@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoomPlacing: where the sensors of a running room stand, from all that has come so far: what they
-// see (bundles), and for those that share no surface, who walked through their views, a board that
+// see (bundles), and for those that share too little, who walked through their views, a board that
 // was held into them, and people's guesses. The world stays where it is (room_world.h).
 // Deterministic. Single-threaded.
 #pragma once
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/align/guess/guess_evidence.h"
 #include "roomcast/align/rig/rig_aligner.h"
 #include "roomcast/aligner/board_placing.h"
 #include "roomcast/aligner/placement.h"
@@ -47,6 +48,10 @@ class RoomPlacing {
  private:
   void place_by_hand(std::vector<Placement>& placements, const KnownPoses& known);
   void place_the_lost(std::vector<Placement>& placements, const KnownPoses& known);
+  void settle(Placement& found, const KnownPoses& placed) const;
+  /// What those see that are placed, but for this sensor.
+  [[nodiscard]] std::vector<align::PlacedView> views_beside(const std::string& sensor,
+                                                            const KnownPoses& placed) const;
 
   align::RigAligner aligner_;
   std::optional<align::AlignmentReport> report_;  // while nothing new was added

@@ -65,7 +65,8 @@ std::vector<align::HeadSighting> WalkPlacing::seen_in_world(const KnownPoses& pl
 }
 
 std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
-                                          const std::set<std::string>& lost) const {
+                                          const std::set<std::string>& lost,
+                                          const Settle& settle) const {
   KnownPoses known = placed;
   std::vector<Placement> placements;
   for (const std::string& sensor : lost) {
@@ -86,6 +87,7 @@ std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
     }
     placement.world_from_depth = match->a_from_b * watcher->level_from_depth;
     placement.expected_error_mm = match->expected_error_mm;
+    settle(placement, known);
     known[sensor] = *placement.world_from_depth;
   }
   // Alone it stands nowhere.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// WalkPlacing: places sensors that share nothing with the others by somebody who walked through
+// WalkPlacing: places sensors that share too little with the others by somebody who walked through
 // their views lately. What sensors tell of heads comes in; where a lost sensor stands comes out.
 // Pure. Single-threaded.
 #pragma once
@@ -32,9 +32,11 @@ class WalkPlacing {
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
   /// Those of the `lost` that can be placed beside the `placed`. Where nobody is placed yet, the
-  /// first of the lost makes the world. For the others the reason, once there is one.
+  /// first of the lost makes the world. Each settles before the next is looked at. For the others
+  /// the reason, once there is one.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
-                                             const std::set<std::string>& lost) const;
+                                             const std::set<std::string>& lost,
+                                             const Settle& settle) const;
 
  private:
   struct Head {

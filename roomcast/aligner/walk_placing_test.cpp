@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/aligner/walk_placing.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include "roomcast/aligner/made_up_walk.h"
 
 namespace roomcast::aligner {
 namespace {
 
-constexpr double kHeadRadius_m = 0.06;
-
-Eigen::Vector3d stroll(double time_s) {
-  const double angle = 0.5 * time_s + 0.8 * std::sin(0.45 * time_s);
-  return {1.1 * std::cos(angle), 1.7, 0.8 * std::sin(angle) + 0.2 * std::sin(2.2 * angle)};
-}
+constexpr double kInside_m = 0.06;
 
 struct Sensor {
   std::string name;
@@ -24,22 +19,14 @@ struct Sensor {
     return {up.cast<float>(), static_cast<float>(world_from_depth.translation_m.y()), {}};
   }
   [[nodiscard]] wire::pb::Sightings of_stroll() const {
-    wire::pb::Sightings seen;
-    for (int i = 0; i < 200; ++i) {
-      const Eigen::Vector3d head = world_from_depth.inverse() * stroll(0.1 * i);
-      const Eigen::Vector3d surface = head - kHeadRadius_m * head.normalized();
-      auto& sighting = *seen.add_heads();
-      sighting.set_room_ns(1'000'000'000'000ULL + 100'000'000ULL * static_cast<unsigned>(i));
-      sighting.set_x(static_cast<float>(surface.x()));
-      sighting.set_y(static_cast<float>(surface.y()));
-      sighting.set_z(static_cast<float>(surface.z()));
-    }
-    return seen;
+    return stroll_seen_from(world_from_depth, kInside_m);
   }
 };
 
 const Sensor kLeft{"left", world_from_optical_looking_at({-2.5, 2, 0.3}, {0, 1, 0})};
 const Sensor kRight{"right", world_from_optical_looking_at({2.5, 1.8, -0.2}, {0, 1, 0})};
+
+void as_found(Placement&, const KnownPoses&) {}
 
 WalkPlacing watched_by(std::initializer_list<const Sensor*> sensors) {
   WalkPlacing placing;
@@ -52,7 +39,7 @@ WalkPlacing watched_by(std::initializer_list<const Sensor*> sensors) {
 
 TEST(WalkPlacing, a_lost_sensor_is_placed_beside_one_that_is_not) {
   const auto placing = watched_by({&kLeft, &kRight});
-  const auto found = placing.place({{"left", kLeft.world_from_depth}}, {"right"});
+  const auto found = placing.place({{"left", kLeft.world_from_depth}}, {"right"}, as_found);
   ASSERT_EQ(found.size(), 1U);
   ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
   EXPECT_LT(
@@ -62,7 +49,7 @@ TEST(WalkPlacing, a_lost_sensor_is_placed_beside_one_that_is_not) {
 }
 
 TEST(WalkPlacing, where_nobody_is_placed_the_first_makes_the_world) {
-  const auto found = watched_by({&kLeft, &kRight}).place({}, {"left", "right"});
+  const auto found = watched_by({&kLeft, &kRight}).place({}, {"left", "right"}, as_found);
   ASSERT_EQ(found.size(), 2U);
   ASSERT_TRUE(found[0].world_from_depth && found[1].world_from_depth);
   const RigidTransform between = found[0].world_from_depth->inverse() * *found[1].world_from_depth;
@@ -70,22 +57,36 @@ TEST(WalkPlacing, where_nobody_is_placed_the_first_makes_the_world) {
   EXPECT_LT((between.translation_m - truth.translation_m).norm(), 0.05);
 }
 
+TEST(WalkPlacing, what_is_found_settles_beside_those_that_are_placed) {
+  const auto settle = [](Placement& found, const KnownPoses& placed) {
+    EXPECT_EQ(found.sensor, "right");
+    EXPECT_TRUE(placed.contains("left"));
+    found.world_from_depth = kRight.world_from_depth;
+    found.expected_error_mm = 3;
+  };
+  const auto found =
+      watched_by({&kLeft, &kRight}).place({{"left", kLeft.world_from_depth}}, {"right"}, settle);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].world_from_depth->translation_m, kRight.world_from_depth.translation_m);
+  EXPECT_EQ(found[0].expected_error_mm, 3);
+}
+
 TEST(WalkPlacing, one_that_is_alone_stands_nowhere) {
-  for (const auto& placement : watched_by({&kLeft}).place({}, {"left", "right"}))
+  for (const auto& placement : watched_by({&kLeft}).place({}, {"left", "right"}, as_found))
     EXPECT_FALSE(placement.world_from_depth);
 }
 
 TEST(WalkPlacing, what_was_seen_before_it_was_moved_does_not_count) {
   auto placing = watched_by({&kLeft, &kRight});
   placing.stand("right", kRight.floor());
-  EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}).empty());
+  EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}, as_found).empty());
 }
 
 TEST(WalkPlacing, a_sensor_that_sees_no_floor_takes_no_part) {
   auto placing = watched_by({&kLeft});
   placing.stand("right", std::nullopt);
   placing.see("right", kRight.of_stroll());
-  EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}).empty());
+  EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}, as_found).empty());
 }
 
 }  // namespace

@@ -46,7 +46,9 @@ void add_board_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->footer(
       "Example:\n  roomcast board board.pdf --paper a3\n"
-      "Hold it still for two seconds at six places that both sensors see, well apart.");
+      "Hold it still for two seconds at six places that both sensors see, well apart,\n"
+      "turned to the middle between them; and by its lower edge, since a hand before\n"
+      "the black square hides it.");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("board", write_board(*options)); };
   });

@@ -111,24 +111,17 @@ Places places_of(std::span<const Pose* const> poses) {
 }
 
 /// Each place counts once, however long the tag was held there.
-double expected_error_m(std::span<const Pose* const> poses, const RigidTransform& a_from_b,
-                        const Places& places) {
+double expected_error_ahead_m(std::span<const Pose* const> poses, const RigidTransform& a_from_b,
+                              const Places& places) {
   Matrix6 information = Matrix6::Zero();
   const double weight = static_cast<double>(places.count) / static_cast<double>(poses.size()) /
                         (2 * kCornerSigma_m * kCornerSigma_m);
   for (const Pose* pose : poses) {
-    Eigen::Matrix<double, 3, 6> by;
-    const Eigen::Vector3d at = a_from_b * middle(pose->b_m);
-    by << Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Identity();
-    for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(at);
+    const Eigen::Matrix<double, 3, 6> by = point_motion(a_from_b * middle(pose->b_m));
     information += weight * by.transpose() * by;
   }
   information += 1e-6 * Matrix6::Identity();
-  Eigen::Matrix<double, 3, 6> by;
-  const Eigen::Vector3d ahead = a_from_b * Eigen::Vector3d(0, 0, 2.5);
-  by << Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Identity();
-  for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(ahead);
-  return std::sqrt((by * information.inverse() * by.transpose()).trace());
+  return expected_error_m(information, a_from_b * Eigen::Vector3d(0, 0, 2.5));
 }
 
 Error refused(std::string sentence) {
@@ -166,7 +159,7 @@ Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const 
     return refused("hold the board still at four places or more, well apart");
   if (2 * best.size() < poses.size())
     return refused("the board's places do not fit together; is it flat, and is there only one?");
-  const BoardMatch match{a_from_b, 1000 * expected_error_m(best, a_from_b, places),
+  const BoardMatch match{a_from_b, 1000 * expected_error_ahead_m(best, a_from_b, places),
                          static_cast<int>(best.size())};
   if (match.expected_error_mm > kMostExpectedError_mm)
     return refused("the board's places were too close together; hold it nearer and further away");

@@ -12,14 +12,13 @@
 
 namespace roomcast::align {
 
-/// What the matches say, when their places are known to within `sigma_px`; those further off than
-/// 25 pixels say nothing.
 /// How much the places of matched features are believed.
 struct FeatureTrust {
   double sigma_px;   // of each, along either axis
   double share = 1;  // 1 where each errs for itself; less where they err together
 };
 
+/// What the matches say; those further off than 25 pixels say nothing.
 [[nodiscard]] PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                               const PairState& state,
                                               std::span<const PointMatch> matches,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/align/pair/pair_equations.h"
 
+#include <cmath>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace roomcast::align {
 namespace {
@@ -28,6 +31,18 @@ RigidTransform step_transform(const Vector6& xi) {
   }
   step.translation_m = xi.tail<3>();
   return step;
+}
+
+Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m) {
+  Eigen::Matrix<double, 3, 6> by;
+  for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(point_m);
+  by.rightCols<3>().setIdentity();
+  return by;
+}
+
+double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point_m) {
+  const Eigen::Matrix<double, 3, 6> by = point_motion(point_m);
+  return std::sqrt((by * information.inverse() * by.transpose()).trace());
 }
 
 Vector6 solve_motion(const PairEquations& equations) {

@@ -49,6 +49,12 @@ struct PairEquations {
 /// exp(xi) for the small steps of an iteration; the rotation is exactly one.
 [[nodiscard]] RigidTransform step_transform(const Vector6& xi);
 
+/// How a point moves with the motion.
+[[nodiscard]] Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m);
+
+/// Standard deviation of where the motion takes a point, when so much is known about the motion.
+[[nodiscard]] double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point_m);
+
 /// The motion that solves the equations with the calibrations left as they are; zero where they
 /// hold on to nothing.
 [[nodiscard]] Vector6 solve_motion(const PairEquations& equations);

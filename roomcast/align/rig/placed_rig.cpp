@@ -128,11 +128,7 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
 /// Both are 0 for the origin, by definition, and nothing is known of a sensor that no pair holds.
 void describe_error(const RefinedSensor& sensor, SensorReport& report) {
   if (sensor.covariance.isZero()) return;
-  const Eigen::Vector3d at = sensor.origin_from_sensor * kInView_m;
-  Eigen::Matrix<double, 3, 6> by_motion;
-  by_motion << 0, at.z(), -at.y(), 1, 0, 0,  //
-      -at.z(), 0, at.x(), 0, 1, 0,           //
-      at.y(), -at.x(), 0, 0, 0, 1;
+  const auto by_motion = point_motion(sensor.origin_from_sensor * kInView_m);
   const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
   const double at_view_m2 = (by_motion * sensor.covariance * by_motion.transpose()).trace() +
                             2 * pointing * kInView_m.squaredNorm();

@@ -14,13 +14,15 @@ using Eigen::Affine3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kStill_s = 2.6F;                 // at every turn
-constexpr int kTurns = 3;                        // at every place
-constexpr float kTurned_rad = 1.9F;              // from one to the next
+constexpr float kStill_s = 1.4F;                 // at every turn
+constexpr int kTurns = 10;                       // at every place
+constexpr float kTurned_rad = 0.63F;             // from one to the next
 constexpr float kArm_m = 0.45F, kRest_m = 0.9F;  // where the board rests at first: ahead, so high
+constexpr float kAboveHands_m = 0.17F;           // the panel's middle
 constexpr float kPictureSide_m = kBoardTagSide_m * 10 / 8;  // with a white cell around
 
-/// An A3 panel; whoever carries it sees its back.
+/// An A3 panel; whoever carries it sees its back, and holds it by its lower corners: whatever
+/// covers a tag's corner from one side hides it from there.
 Burden board(Room& room) {
   Burden burden;
   burden.half_size_m = {0.1485F, 0.21F, 0.008F};
@@ -29,10 +31,11 @@ Burden board(Room& room) {
   Surface tag = painted(Pattern::kTag, 0xf4f4f4, 0x101010, 0, kBoardTag, 0.5F);
   tag.size_m = Vector2f::Constant(kPictureSide_m);
   const SurfaceIndex printed = room.add(tag);
-  add_box(mesh, white, Affine3f::Identity(), -burden.half_size_m, burden.half_size_m);
+  const Affine3f raised(Eigen::Translation3f(0, kAboveHands_m, 0));
+  add_box(mesh, white, raised, -burden.half_size_m, burden.half_size_m);
   const float half = 0.5F * kPictureSide_m;
   const float front = -burden.half_size_m.z() - 0.001F;
-  add_quad(mesh, printed, Affine3f::Identity(), {half, -half, front}, {-kPictureSide_m, 0, 0},
+  add_quad(mesh, printed, raised, {half, -half, front}, {-kPictureSide_m, 0, 0},
            {0, kPictureSide_m, 0});
   return burden;
 }

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/align/nudge/nudged_pose.h"
+#include "roomcast/align/guess/nudged_pose.h"
 
 #include <array>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "roomcast/align/made_up_views.h"
 
 namespace roomcast::align {
 namespace {
-
-RigidTransform beside(const RigidTransform& pose, const Eigen::Vector3d& shift_m, double turn_rad) {
-  RigidTransform guess = pose;
-  guess.translation_m += shift_m;
-  guess.rotation =
-      Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() * guess.rotation;
-  return guess;
-}
 
 Result<NudgedPose> answer(const RigidTransform& guess) {
   const std::array others = {

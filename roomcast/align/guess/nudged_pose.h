@@ -9,16 +9,11 @@
 
 #include <span>
 
+#include "roomcast/align/guess/guess_evidence.h"
 #include "roomcast/align/sensor_view.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::align {
-
-/// Another sensor, whose pose is known.
-struct PlacedView {
-  const SensorView* view = nullptr;
-  RigidTransform world_from_depth;
-};
 
 struct NudgedPose {
   RigidTransform world_from_depth;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/align/nudge/nudged_pose.h"
+#include "roomcast/align/guess/nudged_pose.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include "roomcast/align/pair/pair_candidates.h"
 #include "roomcast/align/pair/pose_difference.h"
 #include "roomcast/align/pair/settling.h"
 #include "roomcast/align/pair/surface_residuals.h"
@@ -16,11 +14,7 @@
 namespace roomcast::align {
 namespace {
 
-constexpr std::size_t kTestedPoints = 1500;
-constexpr double kLeastOverlap = 0.05, kMostConflict = 0.08;
-constexpr double kLeastCorrelation = 0.35, kTextured = 0.004;
 constexpr double kFurthest_m = 0.6, kFurthest_rad = 0.35;  // of the answer from the guess
-constexpr double kPerhapsOverlap = 0.02;                   // at the guess: worth a look
 constexpr double kLeastLead = 4;                           // in score, before a rival
 constexpr double kSettledReach_m = 0.05;
 constexpr double kBeside_m = 0.15, kBeside_rad = 0.07;
@@ -38,28 +32,6 @@ std::vector<RigidTransform> starts_about(const RigidTransform& guess) {
     starts.insert(starts.end(), {turned, across, along});
   }
   return starts;
-}
-
-/// The placed sensor that shares most with the view if the guess is about right.
-std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransform& guess,
-                                       std::span<const PlacedView> others) {
-  std::optional<PlacedView> best;
-  double most = kPerhapsOverlap;
-  for (const PlacedView& other : others) {
-    const RigidTransform other_from_view = other.world_from_depth.inverse() * guess;
-    const auto space =
-        check_free_space(other.view->surface, view.surface, other_from_view, kTestedPoints);
-    const double seen = space.consistent + space.violating;  // a guess is off by decimetres
-    if (seen <= most) continue;
-    most = seen;
-    best = other;
-  }
-  return best;
-}
-
-PairCandidates candidates_of(const SensorView& a, const SensorView& b) {
-  return PairCandidates(
-      a, b, weighed_matches(a, own_look_alikes(a), b, own_look_alikes(b), compare_views(a, b)));
 }
 
 bool is_near(const RigidTransform& pose, const RigidTransform& guess) {
@@ -88,16 +60,13 @@ std::vector<PoseEvidence> settled_from(const PairCandidates& pair,
 }
 
 /// Standard deviation 2.5 m ahead of b, from the surfaces that both share.
-double expected_error_m(const SensorView& a, const SensorView& b, const RigidTransform& a_from_b) {
+double expected_error_ahead_m(const SensorView& a, const SensorView& b,
+                              const RigidTransform& a_from_b) {
   const auto partners = surface_partners(a.surface, b.surface, a_from_b, {kSettledReach_m, 6000});
   Matrix6 information = surface_equations(partners, a_from_b, surface_noise(partners))
                             .information.topLeftCorner<6, 6>();
   information += Matrix6::Identity();  // a metre and a radian: what nothing tells at all
-  Eigen::Matrix<double, 3, 6> by;
-  const Eigen::Vector3d ahead = a_from_b * Eigen::Vector3d(0, 0, 2.5);
-  for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(ahead);
-  by.rightCols<3>().setIdentity();
-  return std::sqrt((by * information.inverse() * by.transpose()).trace());
+  return expected_error_m(information, a_from_b * Eigen::Vector3d(0, 0, 2.5));
 }
 
 Error refused(std::string sentence) {
@@ -118,18 +87,20 @@ Result<NudgedPose> refined_guess(const SensorView& view, const RigidTransform& g
     starts.push_back(partner->world_from_depth.inverse() * start);
   const auto ends = settled_from(pair, starts);
   const PoseEvidence& best = ends.front();
-  if (best.space.conflict() > kMostConflict || best.space.consistent_least < kLeastOverlap) {
+  const Contradiction contradicts = contradiction(best);
+  if (contradicts == Contradiction::kShapes) {
     return refused("what it sees does not fit what " + partner->view->name +
                    " sees there; bring it within 20 cm and 5 degrees");
   }
-  if (best.photo.textured > kTextured && best.photo.correlation < kLeastCorrelation)
+  if (contradicts == Contradiction::kColors)
     return refused("the shapes fit there, but not the colours");
   if (ends.size() > 1 && best.score - ends[1].score < kLeastLead)
     return refused("two places near the guess fit equally well; bring it nearer to the right one");
   const RigidTransform world_from_depth = partner->world_from_depth * best.a_from_b;
   if (!is_near(world_from_depth, guess))
     return refused("what fits lies far from the guess; bring it nearer");
-  return NudgedPose{world_from_depth, 1000 * expected_error_m(*partner->view, view, best.a_from_b)};
+  return NudgedPose{world_from_depth,
+                    1000 * expected_error_ahead_m(*partner->view, view, best.a_from_b)};
 }
 
 }  // namespace roomcast::align
