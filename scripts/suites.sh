@@ -6,6 +6,7 @@ passed=0
 failed=0
 skipped=0
 skipped_tests=()
+readonly shown_failure_lines=100
 
 # Each reader turns a suite's own report into: passed failed skipped.
 read_junit() {
@@ -35,10 +36,21 @@ skipped_in_tap() {
   sed -n 's/^ *ok [0-9]* - \(.*\) # SKIP *\(.*\)$/\1: \2/p' "$1"
 }
 
+# The end of CTest's log lists what failed.
+failed_in_junit() { :; }
+
+# Each failed test with what it says of why, but for those that failed only since tests in them did.
+failed_in_tap() {
+  awk '
+    /^ *not ok / {block = ""; inside = 1}
+    inside {block = block $0 "\n"}
+    inside && /^ *\.\.\.$/ {inside = 0; if (block !~ /subtestsFailed/) printf "%s", block}' "$1"
+}
+
 # suite NAME KIND REPORT COMMAND...: KIND is junit or tap. An empty REPORT means that the suite prints it.
 # A suite that ends badly without a failed test of its own (it crashed, or never began) counts as one failure.
 suite() {
-  local name=$1 kind=$2 report=$3 counts=() lines=()
+  local name=$1 kind=$2 report=$3 counts=() lines=() why
   shift 3
   run_step "$name" "$@"
   report=${report:-$step_log}
@@ -51,7 +63,8 @@ suite() {
   if ((step_status != 0 && counts[1] == 0)); then counts[1]=1; fi
   say "${counts[0]} passed, ${counts[1]} failed, ${counts[2]} skipped"
   if ((counts[1] > 0)); then
-    show_end_of_log
+    why=$("failed_in_$kind" "$report" 2>/dev/null | head -n "$shown_failure_lines")
+    if [[ -n $why ]]; then sed 's/^/  | /' <<<"$why" >&2; else show_end_of_log; fi
     say "the whole log: ${step_log#"$root"/}"
   fi
   passed=$((passed + counts[0]))
