@@ -5,8 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { openSourcePage } from './source_pages.mjs';
-
-const slow = { timeout: 60_000 };
+import { slow } from './waiting.mjs';
 
 /** In the page: a room of sensors of 64x48 pixels that look along -z from the origin or beside it. */
 async function makeRoom() {

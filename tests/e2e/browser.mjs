@@ -8,6 +8,7 @@ import { join } from 'node:path';
 const { chromium } = createRequire(new URL('../../web/package.json', import.meta.url))('playwright-core');
 
 const executablePath = process.env.ROOMCAST_CHROMIUM ?? '/usr/bin/chromium';
+const patience_ms = 60_000;
 const args = [
   '--no-sandbox',
   '--disable-quic',
@@ -29,10 +30,10 @@ export async function startBrowser({ width = 640, height = 400, ignoreHTTPSError
     chromiumSandbox: false,
     viewport: { width, height },
     ignoreHTTPSErrors,
-    timeout: 60_000,
+    timeout: patience_ms,
     args,
   });
-  context.setDefaultTimeout(20_000);
+  context.setDefaultTimeout(patience_ms);
   const end = async () => {
     await context.close();
     rmSync(profile, { recursive: true, force: true, maxRetries: 5 });

@@ -6,6 +6,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
+import { slow } from './waiting.mjs';
 
 const { transformSync } = createRequire(new URL('../../web/node_modules/vite/package.json', import.meta.url))('esbuild');
 
@@ -15,7 +16,6 @@ const golden = new URL('tests/golden/', root);
 const entries = JSON.parse(readFileSync(new URL('frames.json', golden), 'utf8'));
 const withColor = entries.filter((entry) => entry.color_length > 0);
 const origin = 'https://codec.test'; // answered by the test itself; WebCodecs wants a secure page
-const slow = { timeout: 90_000 };
 
 const typeScript = (path) => transformSync(readFileSync(new URL(path, root), 'utf8'), { loader: 'ts' }).code;
 

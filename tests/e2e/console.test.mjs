@@ -10,11 +10,10 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { adminsToken, binary, requireBuilt, startHub, startSensor } from './programs.mjs';
-import { sensorsOf, until, untilAllShown } from './waiting.mjs';
+import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
 const axe = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 const axeSource = readFileSync(axe, 'utf8');
-const slow = { timeout: 90_000 };
 const view = 'panel=1&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1';
 
 /** What axe finds on the page that is more than a nicety. */
@@ -91,7 +90,6 @@ describe('the console', () => {
         'the pair',
         () => page.locator('.pairs').innerText(),
         (text) => /s0 and s1\s+\d+ mm over \d+ points/.test(text),
-        30_000,
       );
       const s0 = async () => (await sensorsOf(page)).find(({ name }) => name === 's0');
       const shift_m = ({ drawnAt, worldFromDepth: m }) => distance(drawnAt, [m[3], m[7], m[11]]);

@@ -6,10 +6,9 @@ import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, stateOf, until, untilAllShown } from './waiting.mjs';
+import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const iwer = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('iwer/build/iwer.min.js');
-const slow = { timeout: 90_000 };
 const eyesApart_m = 0.063; // iwer's default
 const floorView = 'panel=1&at=0.5,1.6,1.5&look=0.5,1.6,0';
 

@@ -12,9 +12,10 @@ import { stateOf, until, untilAllShown } from './waiting.mjs';
 
 const seconds = Number(process.env.ROOMCAST_SOAK_S ?? 20);
 const warmUpSets = 20;
+const warmUpWithin_ms = 240_000; // drawn in software, as finely as possible
 const readings = 10;
 const mostGrowth_mb = 40; // from the first third of the readings to the last
-const timeout = { timeout: (seconds + 90) * 1000 };
+const timeout = { timeout: 2 * (warmUpWithin_ms + 1000 * seconds) };
 
 function mean(values) {
   return values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -41,7 +42,7 @@ describe('a page that streams', () => {
       'some sets',
       () => stateOf(page),
       ({ shownSets }) => shownSets >= warmUpSets,
-      60_000,
+      warmUpWithin_ms,
     );
     const processes = (await processesOf(browser.context)).filter(({ type }) => type === 'renderer' || type === 'GPU');
     const used = [];
@@ -49,6 +50,7 @@ describe('a page that streams', () => {
       await page.requestGC();
       used.push(processes.reduce((sum, { pid }) => sum + residentMb(pid), 0));
       await delay((1000 * seconds) / readings);
+      await until('another set', () => stateOf(page), ({ shownSets }) => shownSets > warm.shownSets + i);
     }
     const third = Math.floor(readings / 3);
     const growth_mb = mean(used.slice(-third)) - mean(used.slice(0, third));
@@ -56,7 +58,6 @@ describe('a page that streams', () => {
     t.diagnostic(
       `${now.shownSets - warm.shownSets} sets; ${used.map(Math.round).join(', ')} MB; growth ${growth_mb.toFixed(1)} MB`,
     );
-    assert.ok(now.shownSets > warm.shownSets + seconds / 4, 'it streams');
     assert.deepEqual(now.kept, warm.kept, 'textures and geometries');
     assert.ok(growth_mb < mostGrowth_mb, `${growth_mb} MB`);
     assert.deepEqual(page.complaints, []);

@@ -9,13 +9,11 @@ import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { writeLoneSensor } from './lone_sensor.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
-import { sensorsOf, until, untilAllShown } from './waiting.mjs';
+import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
-const slow = { timeout: 120_000 };
 const off_m = 0.08; // by how much the person is beside the truth
 const exact_m = 0.04;
 const aligned = 2; // PLACEMENT_ALIGNED of control.proto
-const patience_ms = 60_000; // the aligner thinks for seconds, on a machine that has other things to do
 
 describe('a sensor without a place', () => {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-nudge-'));
@@ -32,7 +30,7 @@ describe('a sensor without a place', () => {
     page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
     sensors = [startSensor(hub, 1, { fps: 2, rig })];
     // Alone it has a world of its own, which ends when somebody comes whose place is given.
-    await until('placed alone', lone, (sensor) => sensor?.placement === aligned, patience_ms);
+    await until('placed alone', lone, (sensor) => sensor?.placement === aligned);
     sensors.push(startSensor(hub, 0, { fps: 2, rig }));
     await untilAllShown(page, 2);
   }, slow);
@@ -58,7 +56,7 @@ describe('a sensor without a place', () => {
   test('the console says that it has none, and what helps', slow, async () => {
     await button('Console').click();
     await page.getByRole('tab', { name: 'Alignment' }).click();
-    const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said), patience_ms);
+    const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said));
     assert.match(text, /What helps/);
   });
 
@@ -66,14 +64,14 @@ describe('a sensor without a place', () => {
     await page.locator('.places li', { hasText: 's1' }).getByRole('button', { name: 'Move by hand' }).click();
     await button('Tilt up (Y)').click();
     await button('Try (Enter)').click();
-    await until('the refusal', places, (said) => /Not where it was put/.test(said), patience_ms);
+    await until('the refusal', places, (said) => /Not where it was put/.test(said));
   });
 
   test('where somebody stands that is about right, it finds its place', slow, async () => {
     await button('Where I stand and look').click();
     assert.ok(distance((await lone()).drawnAt, [truth[3] + off_m, truth[7], truth[11]]) < 1e-3, 'shown there at once');
     await button('Try (Enter)').click();
-    await until('placed', places, (said) => /s1[\s\S]*placed, expected error/.test(said), patience_ms);
+    await until('placed', places, (said) => /s1[\s\S]*placed, expected error/.test(said));
     const left_m = fromTruth_m(await lone());
     assert.ok(left_m < exact_m, `${left_m} m from where it stands`);
     assert.deepEqual(page.complaints, []);

@@ -10,9 +10,9 @@ import { natsIsMissing, startNode } from '../network/nats.mjs';
 import { freePort } from '../network/nginx.mjs';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, run, startHub, startSensor } from './programs.mjs';
-import { stateOf, until, untilAllShown } from './waiting.mjs';
+import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
-const slow = { timeout: 90_000, skip: natsIsMissing };
+const slowWithNats = { ...slow, skip: natsIsMissing };
 
 /** Two hubs with one secret over one NATS server, each with an address for others. */
 async function startTwins(t) {
@@ -55,7 +55,7 @@ function answerToPageOf(origin, hub) {
 }
 
 describe('the page of a hub beside others', () => {
-  test('goes on at another hub when its own is gone, with its token, and stays where it is', slow, async (t) => {
+  test('goes on at another hub when its own is gone, with its token, and stays where it is', slowWithNats, async (t) => {
     requireBuilt();
     const { hubs: [own, other], tokens } = await startTwins(t);
     const sensor = startSensor(other, 0, { fps: 4, token: tokens.sensor });
@@ -78,7 +78,7 @@ describe('the page of a hub beside others', () => {
     if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: join(process.env.ROOMCAST_SHOTS, 'other_hub.png') });
   });
 
-  test('of a site that is none of theirs may not connect', slow, async (t) => {
+  test('of a site that is none of theirs may not connect', slowWithNats, async (t) => {
     const { hubs: [own, other] } = await startTwins(t);
     await until('they know each other', () => policyOf(other), (policy) => policy.includes(`ws://127.0.0.1:${own.port};`));
     const from = (origin) => answerToPageOf(origin, other);

@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, run, startHub, startSensor } from './programs.mjs';
-import { sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
+import { sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const sensors = 2;
 const size = [400, 300];
@@ -35,7 +35,7 @@ async function likeness(png) {
   return { same, psnr_dB: 10 * Math.log10((255 ** 2 * 3 * width * height) / squares) };
 }
 
-test('the page draws what roomcast view draws', { timeout: 180_000 }, async (t) => {
+test('the page draws what roomcast view draws', slow, async (t) => {
   requireBuilt();
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-picture-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
@@ -59,7 +59,6 @@ test('the page draws what roomcast view draws', { timeout: 180_000 }, async (t) 
     'enough frames',
     () => stateOf(page),
     ({ shownSets }) => shownSets > enoughFrames,
-    60_000,
   );
   const wanted = readFileSync(png).toString('base64');
   const blend = await page.evaluate(likeness, wanted);

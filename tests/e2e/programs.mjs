@@ -9,8 +9,8 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { env } from '../state_folder.mjs';
 
-const readyWithin_ms = 15_000;
-const endWithin_ms = 5_000;
+const readyWithin_ms = 60_000;
+const endWithin_ms = 20_000;
 const kept_lines = 200;
 
 const fromRoot = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));

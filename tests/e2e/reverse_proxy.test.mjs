@@ -10,9 +10,9 @@ import { makeCertificate } from '../network/certificate.mjs';
 import { nginxIsMissing, startNginx } from '../network/nginx.mjs';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { untilAllShown } from './waiting.mjs';
+import { slow, untilAllShown } from './waiting.mjs';
 
-test('page behind an HTTPS reverse proxy shows the room', { skip: nginxIsMissing, timeout: 90_000 }, async (t) => {
+test('page behind an HTTPS reverse proxy shows the room', { ...slow, skip: nginxIsMissing }, async (t) => {
   requireBuilt();
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-proxy-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));

@@ -8,14 +8,13 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { coverageOf, panelText, sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
+import { coverageOf, panelText, sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const sensorCount = 3;
 const fps = 4; // three sensors, hub, decoders and a software renderer share few cores
 const view = 'panel=0&at=0.2,1.7,2.6&look=0,0.9,-1';
 const leastPixels = 500; // that only one sensor sees
 const comparedFrames = 10;
-const slow = { timeout: 90_000 };
 
 const logs = mkdtempSync(join(tmpdir(), 'roomcast-logs-'));
 const logOf = (n) => join(logs, `s${n}.jsonl`);

@@ -5,9 +5,8 @@ import { get } from 'node:http';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { untilAllShown } from './waiting.mjs';
+import { slow, untilAllShown } from './waiting.mjs';
 
-const slow = { timeout: 60_000 };
 const mostBytes = 600_000;
 
 /** Of a file as a browser gets it. */

@@ -4,9 +4,8 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, sensorsOf, stateOf, until, untilAllShown } from './waiting.mjs';
+import { panelText, sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
-const slow = { timeout: 60_000 };
 // (module (func 0xff))
 const moduleWithUnknownInstruction = Buffer.from('0061736d01000000010401600000030201000a05010300ff0b', 'hex');
 let hub, sensor, browser;

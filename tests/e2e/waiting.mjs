@@ -4,9 +4,13 @@ import { setTimeout as delay } from 'node:timers/promises';
 import { whatProgramsSaid } from './programs.mjs';
 
 const poll_ms = 50;
+const patience_ms = 60_000; // drawn in software, beside other programs, a picture takes seconds
+
+/** How long a test may take. */
+export const slow = { timeout: 3 * patience_ms };
 
 /** Asks `ask` until `enough` is true of the answer, and returns it. */
-export async function until(what, ask, enough, within_ms = 20_000) {
+export async function until(what, ask, enough, within_ms = patience_ms) {
   const deadline = Date.now() + within_ms;
   for (;;) {
     const answer = await ask();
@@ -27,5 +31,5 @@ export const panelText = (page) => page.locator('#panel').innerText();
 /** Until `count` sensors are online and a frame of each has been drawn. */
 export function untilAllShown(page, count) {
   const shown = (sensors) => sensors.filter((sensor) => sensor.online && sensor.shownSeq !== null).length === count;
-  return until(`${count} sensors drawn`, () => sensorsOf(page), shown, 30_000);
+  return until(`${count} sensors drawn`, () => sensorsOf(page), shown);
 }
