@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stranger's walk: a hub for others with encryption and tokens, two sensors and a colleague in another network (a network
-// namespace), a token that is revoked, a restart, and all is still there. Needs root, for the namespace.
+// A stranger's walk, command by command as docs/guides/first-room.md has it: a hub for others with encryption and tokens, two
+// sensors and a colleague in another network (a network namespace), a token that is revoked, a restart, and all is still
+// there. Needs root, for the namespace.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
-import { join } from 'node:path';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 
-import { Program, run, scratchFolder } from '../cli/program.mjs';
-import { makeToken } from './admin.mjs';
+import { Program, scratchFolder } from '../cli/program.mjs';
+import { freePort } from './nginx.mjs';
 import { writeSmallRig } from './small_rig.mjs';
 
+const guide = resolve(dirname(fileURLToPath(import.meta.url)), '../../docs/guides/first-room.md');
 const hubAddress = '10.77.3.1';
 const colleagueAddress = '10.77.3.2';
 const suffix = String(process.pid % 10_000);
@@ -44,59 +47,96 @@ function otherNetwork(t) {
   return ['ip', 'netns', 'exec', names.namespace];
 }
 
-async function startHub(t, data, port = 0) {
-  const hub = new Program(['hub', '--listen', `${hubAddress}:${port}`, '--data', data, '--verbose'], { limitMs: 120_000 });
-  t.after(() => hub.stop('SIGKILL'));
-  const [, url, taken] = await hub.prints(/--hub (wss:\/\/[0-9.]+:(\d+)#sha256=[0-9a-f]{64})/);
-  return { hub, url, port: Number(taken) };
+/** The commands of the guide that are ours, one after the other; what they print begins with "roomcast hub: ", say. */
+function commandsOfGuide() {
+  const blocks = [...readFileSync(guide, 'utf8').matchAll(/^```\n([^]*?)^```$/gm)].map(([, block]) => block);
+  return blocks.flatMap((block) => block.split('\n')).filter((line) => /^roomcast \w+ /.test(line));
 }
 
-async function startSensor(t, through, url, token, rig, name) {
-  const args = ['sensor', '--source', `rig:${rig}#${name}`, '--hub', url, '--token', token, '--verbose'];
-  const sensor = new Program(args, { through, limitMs: 120_000 });
-  t.after(() => sensor.stop('SIGKILL'));
-  await sensor.prints(/joined/);
-  return sensor;
+/** Takes the guide's commands in their order and runs them in one folder, which is their home, too. */
+class Walk {
+  #commands = commandsOfGuide();
+
+  /** `instead` of what the guide has: [it, here]. */
+  constructor(t, folder, instead) {
+    Object.assign(this, { t, folder, instead });
+  }
+
+  /** The next command, which has to begin like this. */
+  start(beginning, through = []) {
+    let command = this.#commands.shift() ?? '';
+    assert.ok(command.startsWith(`roomcast ${beginning}`), `the guide has "${command}" where "${beginning}" is expected`);
+    for (const [theirs, ours] of this.instead) command = command.replace(theirs, ours);
+    const [line, file] = command.split(' > ');
+    const home = ['env', '-C', this.folder, '-u', 'XDG_STATE_HOME', `HOME=${this.folder}`];
+    const program = new Program(line.split(' ').slice(1), { through: [...through, ...home], limitMs: 120_000 });
+    this.t.after(() => program.stop('SIGKILL'));
+    return Object.assign(program, { file });
+  }
+
+  /** The same, to its end. */
+  async run(beginning, through) {
+    const program = this.start(beginning, through);
+    const code = await program.ended;
+    if (program.file) writeFileSync(join(this.folder, program.file), program.stdout);
+    return { code, stdout: program.stdout, stderr: program.stderr };
+  }
+
+  isOver() {
+    return this.#commands.length === 0;
+  }
 }
 
-async function look(through, folder, url, token) {
-  const png = join(folder, `${Math.random()}.png`);
-  const credential = token ? ['--token', token] : [];
-  const args = ['view', '--hub', url, '--headless', '--size', '64,48', '--png', png, ...credential];
-  const viewer = new Program(args, { through });
-  const code = await viewer.ended;
-  return { code, stderr: viewer.stderr, drew: existsSync(png) };
+async function startHub(walk) {
+  const hub = walk.start('hub --listen');
+  const [, fingerprint] = await hub.prints(/--hub wss:\/\/[0-9.]+:\d+#sha256=([0-9a-f]{64})/);
+  return { hub, fingerprint };
 }
 
 test('stranger_walks_from_nothing_to_a_shared_room', { skip: whyNot(), timeout: 120_000 }, async (t) => {
   const folder = scratchFolder(t);
-  const data = join(folder, 'data');
   const rig = writeSmallRig(folder);
   const through = otherNetwork(t);
-  const first = await startHub(t, data);
+  const port = String(await freePort());
+  const walk = new Walk(t, folder, [
+    ['0.0.0.0:7600', `${hubAddress}:${port}`],
+    ['192.0.2.10:7600', `${hubAddress}:${port}`],
+    ['--source sim --name left', `--source rig:${rig}#s0 --name left --verbose`],
+    ['--source sim --name right', `--source rig:${rig}#s1 --name right --verbose`],
+    ['roomcast view', 'roomcast view --headless --size 64,48'],
+  ]);
+  const { hub, fingerprint } = await startHub(walk);
+  walk.instead.push(['FINGERPRINT', fingerprint]);
 
-  const tokens = {};
-  for (const name of ['s0', 's1']) tokens[name] = await makeToken(data, '--room', 'room', '--role', 'sensor', '--name', name);
-  tokens.colleague = await makeToken(data, '--room', 'room', '--role', 'viewer', '--name', 'Ada');
-  await startSensor(t, through, first.url, tokens.s0.token, rig, 's0');
-  const second = await startSensor(t, through, first.url, tokens.s1.token, rig, 's1');
+  for (const name of ['left', 'right', 'Ada']) {
+    const made = await walk.run(`token --room room --role ${name === 'Ada' ? 'viewer' : 'sensor'} --name ${name}`);
+    assert.equal(made.code, 0, made.stderr);
+  }
+  const left = walk.start('sensor', through);
+  await left.prints(/joined/);
+  const right = walk.start('sensor', through);
+  await right.prints(/joined/);
 
-  assert.deepEqual(await look(through, folder, first.url, tokens.colleague.token), { code: 0, stderr: '', drew: true });
-  const stranger = await look(through, folder, first.url);
+  assert.deepEqual(await walk.run('view', through), { code: 0, stdout: '', stderr: '' });
+  assert.ok(existsSync(join(folder, 'room.png')));
+  const stranger = await walk.run('view', through);
   assert.equal(stranger.code, 1);
-  assert.match(stranger.stderr, /takes a token for role viewer/);
-  assert.equal(stranger.drew, false);
+  const [refusal] = readFileSync(guide, 'utf8').match(/^roomcast view: the hub says: .*$/m);
+  assert.equal(stranger.stderr.trimEnd(), refusal);
 
-  assert.equal((await run('token', '--data', data, '--revoke', tokens.s1.id)).code, 0);
-  assert.equal(await second.ended, 1);
-  assert.match(second.stderr, /revoked/);
+  const { stdout: list } = await walk.run('token --list');
+  walk.instead.push([/ ID$/, ` ${/^(\S+) +room +sensor +right /m.exec(list)[1]}`]);
+  assert.equal((await walk.run('token --revoke')).code, 0);
+  assert.equal(await right.ended, 1);
+  assert.match(right.stderr, /revoked/);
 
-  assert.equal(await first.hub.stop('SIGTERM'), 0);
-  const again = await startHub(t, data, first.port);
-  assert.equal(again.url, first.url, 'the same certificate');
-  assert.equal((await look(through, folder, again.url, tokens.colleague.token)).code, 0, 'sensor and token still hold');
-  const refused = new Program(
-    ['sensor', '--source', `rig:${rig}#s1`, '--hub', again.url, '--token', tokens.s1.token], { through });
-  assert.equal(await refused.ended, 1);
+  assert.equal(await hub.stop('SIGINT'), 0);
+  const again = await startHub(walk);
+  assert.equal(again.fingerprint, fingerprint, 'the same certificate');
+  assert.equal((await walk.run('view', through)).code, 0, 'sensor and token still hold');
+  assert.ok(existsSync(join(folder, 'again.png')));
+  const refused = await walk.run('sensor', through);
+  assert.equal(refused.code, 1);
   assert.match(refused.stderr, /revoked/);
+  assert.ok(walk.isOver(), 'the guide has more commands than were run');
 });
