@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it costs to bring a room from hub to hub, against what it costs to bring it to a viewer at the same hub. Both are
-// differences of loads that are larger, so all are taken in turn, as often as ROOMCAST_COST_ROUNDS says, and the median of
-// the differences counts. Times are the scheduler's own (schedstat, nanoseconds), over all threads of a hub. Each viewer is
+// differences of loads that are larger, and one room's differences are hardly more than what these loads move by
+// themselves; so there are ROOMCAST_COST_ROOMS rooms at once, alike, and a room's share is told. All loads are taken in turn, as
+// often as ROOMCAST_COST_ROUNDS says, and the median of the differences counts. Times are the scheduler's own (schedstat, nanoseconds), over all threads of a hub. Each viewer is
 // a process of its own: to wake one that sleeps is a part of what it costs to send it something.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { readFileSync, readdirSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { setTimeout as delay } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 
+import { SendingSensor } from './room_client.mjs';
+
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
+export const costRooms = Number(process.env.ROOMCAST_COST_ROOMS ?? (costRounds > 1 ? 8 : 1));
+/** What all rounds may take. */
+export const costTimeout_ms = costRounds * (40_000 + 6000 * costRooms);
 /**
  * Frames of a quiet room, of one with people exercising, and of lossless depth (docs/benchmarks.md says how many bytes these
  * have): what is spent on a message, and what on a byte. Several rounds tell of each.
@@ -17,7 +24,22 @@ export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
 export const costFrames_bytes = costRounds > 1 ? [1000, 8000, 40_000] : [8000];
 const costOver_s = costRounds > 1 ? 5 : 2;
 const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
-const more = 10; // viewers
+const more = costRooms > 1 ? 1 : 10; // viewers of a room
+const rooms = Array.from({ length: costRooms }, (_, n) => `r${n}`);
+
+/** Options of a hub that has these rooms. */
+export function costRoomsOption(folder) {
+  const file = join(folder, 'rooms.toml');
+  writeFileSync(file, rooms.map((room) => `[[room]]\nname = "${room}"\n`).join(''));
+  return ['--config', file];
+}
+
+/** Four sensors in each of them. */
+export function startCostSensors(t, hub, payloadBytes) {
+  const names = ['s0', 's1', 's2', 's3'];
+  return Promise.all(
+    rooms.flatMap((room) => names.map((name) => SendingSensor.start(t, hub.url, { room, name, fps: 30, payloadBytes }))));
+}
 
 /** Processor time of each thread of a process so far. */
 function taken_ms(child) {
@@ -43,9 +65,10 @@ function spread(values) {
   return { median: sorted[Math.floor(sorted.length / 2)], text: `${sorted[Math.floor(sorted.length / 2)].toFixed(2)} [${at(0.25).toFixed(2)}, ${at(0.75).toFixed(2)}]` };
 }
 
-/** A process that watches at `hub` until it is told to stop. */
-async function startViewer(t, hub) {
-  const child = spawn(process.execPath, [fileURLToPath(new URL('lone_viewer.mjs', import.meta.url)), hub.url], { stdio: ['pipe', 'pipe', 'inherit'] });
+/** A process that watches a room at `hub` until it is told to stop. */
+async function startViewer(t, hub, room) {
+  const program = fileURLToPath(new URL('lone_viewer.mjs', import.meta.url));
+  const child = spawn(process.execPath, [program, hub.url, room], { stdio: ['pipe', 'pipe', 'inherit'] });
   t.after(() => child.kill('SIGKILL'));
   await once(child.stdout, 'data');
   return {
@@ -68,35 +91,37 @@ async function loadsWith_ms(t, viewers, children) {
 }
 
 /**
- * One round, of loads per process: nobody watches; one at the origin; ten more there; nobody; one at the edge. The edge
+ * One round, of loads per process and room: nobody watches; one at the origin; more there; nobody; one at the edge. The edge
  * serves its viewer as the origin would, so that is no part of what it costs to get the room there.
  */
 async function costRound(t, { origin, edge, children }) {
-  const start = (hub, count) => Promise.all(Array.from({ length: count }, () => startViewer(t, hub)));
+  const start = (hub, count) => Promise.all(
+    rooms.flatMap((room) => Array.from({ length: count }, () => startViewer(t, hub, room))));
   const stop = (viewers) => Promise.all(viewers.map((viewer) => viewer.stop()));
   const nobodyWatches_ms = async () => (await delay(fetchedUnwatched_ms), loads_ms(children));
+  const ofRoom = (load_ms) => load_ms / costRooms;
 
   const nobody = await nobodyWatches_ms();
   const local = await start(origin, 1);
   const one = await loadsWith_ms(t, local, children);
   local.push(...await start(origin, more));
-  const eleven = await loadsWith_ms(t, local, children);
+  const all = await loadsWith_ms(t, local, children);
   await stop(local);
   const nobodyAgain = await nobodyWatches_ms();
   const remote = await start(edge, 1);
   const there = minus(await loadsWith_ms(t, remote, children), nobodyAgain);
   await stop(remote);
   return {
-    sensors: nobody[0],
-    first: sum(minus(one, nobody).slice(0, 2)),
-    another: sum(minus(eleven, one).slice(0, 2)) / more,
-    sends: there[0],
-    gets: there[1],
-    broker: sum(there.slice(2)),
+    sensors: ofRoom(nobody[0]),
+    first: ofRoom(sum(minus(one, nobody).slice(0, 2))),
+    another: ofRoom(sum(minus(all, one).slice(0, 2))) / more,
+    sends: ofRoom(there[0]),
+    gets: ofRoom(there[1]),
+    broker: ofRoom(sum(there.slice(2))),
   };
 }
 
-/** Sensors s0 to s3 send to `origin`; `edge` gets their room from it, by way of `brokers` if there are any. */
+/** Sensors send to rooms of `origin`; `edge` gets them from it, by way of `brokers` if there are any. */
 export async function tellCost(t, { origin, edge, brokers = [] }) {
   const children = [origin.program.child, edge.program.child, ...brokers.map(({ child }) => child)];
   const rounds = [];
@@ -108,8 +133,8 @@ export async function tellCost(t, { origin, edge, brokers = [] }) {
     t.diagnostic(`${name} takes ${local.text}; hub to hub ${hubToHub.text}, ${(hubToHub.median / local.median).toFixed(1)} times as much`);
   };
   t.diagnostic(
-    `milliseconds of processor a second, median of ${costRounds} [half of them]: 4 sensors ${of('sensors').text}; with somebody at the next ` +
+    `milliseconds of processor a second for each of ${costRooms} rooms, median of ${costRounds} [half of them]: 4 sensors ${of('sensors').text}; with somebody at the next ` +
       `hub who sends takes ${of('sends').text} more, who gets and shows ${of('gets').text}` + (brokers.length > 0 ? `, NATS ${of('broker').text}` : ''));
   against('one local viewer, where there was none,', 'first');
-  against(`one more of ${more} that come to another`, 'another');
+  against(more === 1 ? 'another one' : `one more of ${more} that come to another`, 'another');
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A viewer that is a process of its own, as people's are: `node lone_viewer.mjs ws://HOST:PORT`. It prints a line once it
-// sees the room, and then, for each line that it is given, the share of the sets since the line before that it was sent.
+// A viewer that is a process of its own, as people's are: `node lone_viewer.mjs ws://HOST:PORT ROOM`. It prints a line once
+// it sees the room, and then, for each line that it is given, the share of the sets since the line before that it was sent.
 import { createInterface } from 'node:readline';
 
 import { RoomClient } from './room_client.mjs';
 
-const viewer = await RoomClient.join({ after: () => {} }, process.argv[2]);
+const viewer = await RoomClient.join({ after: () => {} }, process.argv[2], { room: process.argv[3] });
 await viewer.moreSets(45);
 console.log('watches');
 for await (const _ of createInterface({ input: process.stdin })) {

@@ -72,8 +72,9 @@ function control(number, write) {
 }
 
 /** As a viewer, as `sensor` {fps, worldFromDepth}, or as who says where sensors stand. */
-export function writeJoin({ name, sensor, aligner, token, sentOn }) {
+export function writeJoin({ room, name, sensor, aligner, token, sentOn }) {
   return control(controls.join, (join) => {
+    if (room) join.tag(1, WireType.LengthDelimited).string(room);
     join.tag(2, WireType.LengthDelimited).string(name);
     if (token) join.tag(6, WireType.LengthDelimited).string(token);
     if (sentOn) join.tag(8, WireType.Varint).bool(true);

@@ -8,7 +8,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, scratchFolder } from '../cli/program.mjs';
 import { makeCertificate } from './certificate.mjs';
-import { costFrames_bytes, costRounds, tellCost } from './hub_cost.mjs';
+import { costFrames_bytes, costRoomsOption, costTimeout_ms, startCostSensors, tellCost } from './hub_cost.mjs';
 import { natsIsMissing, startCluster } from './nats.mjs';
 import { freePort } from './nginx.mjs';
 import { RoomClient, SendingSensor } from './room_client.mjs';
@@ -20,7 +20,7 @@ const fps = 30;
 const payloadBytes = 8000;
 const sensors = ['s0', 's1', 's2', 's3'];
 const skip = natsIsMissing;
-const timeout = 60_000 + 20_000 * rounds + 40_000 * costRounds;
+const timeout = 60_000 + 20_000 * rounds + costTimeout_ms;
 
 async function startHub(t, ...options) {
   const align = options[0]?.align ? (options.shift(), []) : ['--no-align'];
@@ -218,9 +218,10 @@ test('when_the_hub_that_places_sensors_is_killed_another_takes_over_within_a_sec
 for (const payloadBytes of costFrames_bytes) {
   test(`what_it_costs_to_share_a_room_with_frames_of_${payloadBytes}_bytes`, { skip, timeout }, async (t) => {
     const brokers = await startCluster(t, 1);
-    const origin = await startHub(t, '--nats', brokers[0].url);
-    const edge = await startHub(t, '--nats', brokers[0].url);
-    await Promise.all(sensors.map((name) => startSensor(t, origin, name, { payloadBytes })));
+    const options = ['--nats', brokers[0].url, ...costRoomsOption(scratchFolder(t))];
+    const origin = await startHub(t, ...options);
+    const edge = await startHub(t, ...options);
+    await startCostSensors(t, origin, payloadBytes);
     await tellCost(t, { origin, edge, brokers });
   });
 }

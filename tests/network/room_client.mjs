@@ -28,9 +28,9 @@ export class RoomClient {
   }
 
   /** A viewer, a sensor if `sensor` is given, or who says where sensors stand; it has been welcomed. */
-  static async join(t, url, { name = 'test', sensor, aligner, token, options } = {}) {
+  static async join(t, url, { room, name = 'test', sensor, aligner, token, options } = {}) {
     const client = await RoomClient.open(t, url, options);
-    client.send(writeJoin({ name, sensor, aligner, token }));
+    client.send(writeJoin({ room, name, sensor, aligner, token }));
     await client.until('the welcome', () => client.welcome);
     return client;
   }
@@ -144,8 +144,8 @@ export class RoomClient {
 export class SendingSensor {
   sent = 0;
 
-  static async start(t, url, { name, fps, worldFromDepth, rate = fps, payloadBytes = 2000, token, options }) {
-    const client = await RoomClient.join(t, url, { name, sensor: { fps, worldFromDepth }, token, options });
+  static async start(t, url, { room, name, fps, worldFromDepth, rate = fps, payloadBytes = 2000, token, options }) {
+    const client = await RoomClient.join(t, url, { room, name, sensor: { fps, worldFromDepth }, token, options });
     return new SendingSensor(t, client, { rate, payloadBytes, roomMinusHostNs: await client.askTime() });
   }
 
