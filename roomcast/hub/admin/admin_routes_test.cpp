@@ -3,7 +3,9 @@
 
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 
 std::optional<MatchedRoute> find(std::string_view method, std::string_view path) {
   const auto found = match_admin_route(method, path);
@@ -20,11 +23,45 @@ std::optional<MatchedRoute> find(std::string_view method, std::string_view path)
   return match == nullptr ? std::nullopt : std::optional(*match);
 }
 
+std::ifstream specification() {
+  return std::ifstream(std::string(ROOMCAST_SOURCE_DIR) + "/docs/spec/admin.openapi.yaml");
+}
+
+/// "#/components/schemas/Error" ...: what stands two deep below `components:`, indented by four
+/// spaces.
+std::set<std::string> specified_components() {
+  std::ifstream file = specification();
+  std::set<std::string> components;
+  std::string top, kind;
+  for (std::string line; std::getline(file, line);) {
+    const auto indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos || line[indent] == '#') continue;
+    const std::string name = line.substr(indent, line.find(':') - indent);
+    if (indent == 0) top = name;
+    if (indent == 2) kind = name;
+    if (indent == 4 && top == "components") components.insert("#/components/" + kind + "/" + name);
+  }
+  return components;
+}
+
+/// What its `$ref: "..."` name.
+std::set<std::string> specified_references() {
+  std::ifstream file = specification();
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string before = "$ref: \"";
+  std::set<std::string> references;
+  for (auto at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    at += before.size();
+    references.insert(text.substr(at, text.find('"', at) - at));
+  }
+  return references;
+}
+
 /// "GET /rooms" ... as the specification lists them: a path is indented by two spaces, a method by
 /// four.
 std::set<std::string> specified_routes() {
   const std::set<std::string> methods = {"get", "post", "put", "patch", "delete"};
-  std::ifstream file(std::string(ROOMCAST_SOURCE_DIR) + "/docs/spec/admin.openapi.yaml");
+  std::ifstream file = specification();
   std::set<std::string> routes;
   std::string path;
   for (std::string line; std::getline(file, line);) {
@@ -44,6 +81,11 @@ TEST(AdminRoutes, are_those_of_the_specification) {
     routes.insert(std::string(route.method) + " " + std::string(route.path));
   }
   EXPECT_EQ(routes, specified_routes());
+}
+
+TEST(AdminRoutes, specification_names_nothing_that_it_does_not_define) {
+  EXPECT_FALSE(specified_references().empty());
+  EXPECT_THAT(specified_components(), IsSupersetOf(specified_references()));
 }
 
 TEST(AdminRoutes, are_found_with_their_parameters) {
