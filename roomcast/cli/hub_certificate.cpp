@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/hub_certificate.h"
 
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <boost/asio/ip/host_name.hpp>
+
+#include "roomcast/cli/data_folder.h"
 
 namespace roomcast::cli {
 
@@ -20,16 +21,21 @@ Error wrong_usage(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-Result<net::Certificate> keep_self_signed(const fs::path& folder,
-                                          const std::string& listen_address) {
+/// Nothing: there is none yet, and none is to be made.
+Result<std::optional<net::Certificate>> find_self_signed(const fs::path& folder,
+                                                         const HubCertificateOptions& options) {
   const fs::path file = folder / kSelfSignedName;
   std::error_code error;
-  if (fs::exists(file, error)) return net::Certificate::load(file, file);
-  fs::create_directories(folder, error);
-  auto made = net::Certificate::make_self_signed(own_hosts(listen_address));
-  if (!made) return made;
-  if (auto status = made->save(file); !status) return status.error();
-  return made;
+  const bool is_there = fs::exists(file, error);
+  if (!is_there && options.only_look) return std::optional<net::Certificate>();
+  if (!is_there) fs::create_directories(folder, error);
+  auto certificate = is_there
+                         ? net::Certificate::load(file, file)
+                         : net::Certificate::make_self_signed(own_hosts(options.listen_address));
+  if (!certificate) return certificate.error();
+  if (is_there) return std::optional(*std::move(certificate));
+  if (auto status = certificate->save(file); !status) return status.error();
+  return std::optional(*std::move(certificate));
 }
 
 }  // namespace
@@ -47,36 +53,21 @@ std::vector<std::string> own_hosts(const std::string& listen_address) {
   return hosts;
 }
 
-std::optional<fs::path> default_data_folder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/') {
-    return fs::path(state) / "roomcast";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-    return fs::path(home) / ".local" / "state" / "roomcast";
-  }
-  return std::nullopt;
-}
-
 Result<std::optional<net::Certificate>> find_hub_certificate(const HubCertificateOptions& options) {
   const bool from_files = !options.certificate_file.empty() || !options.key_file.empty();
   if (from_files && options.self_signed) {
     return wrong_usage("use either --tls-self-signed or --tls-cert and --tls-key");
   }
   if (!from_files && !options.self_signed) return std::optional<net::Certificate>();
-  auto certificate = [&]() -> Result<net::Certificate> {
-    if (from_files) {
-      if (options.certificate_file.empty() || options.key_file.empty()) {
-        return wrong_usage("--tls-cert and --tls-key go together");
-      }
-      return net::Certificate::load(options.certificate_file, options.key_file);
-    }
-    const auto folder = options.data_folder.empty() ? default_data_folder()
-                                                    : std::optional<fs::path>(options.data_folder);
-    if (!folder)
-      return wrong_usage(
-          "there is no home folder to keep the certificate in; name one with --data");
-    return keep_self_signed(*folder, options.listen_address);
-  }();
+  if (options.self_signed) {
+    const auto folder = data_folder(options.data_folder);
+    if (folder) return find_self_signed(*folder, options);
+    return wrong_usage("there is no home folder to keep the certificate in; name one with --data");
+  }
+  if (options.certificate_file.empty() || options.key_file.empty()) {
+    return wrong_usage("--tls-cert and --tls-key go together");
+  }
+  auto certificate = net::Certificate::load(options.certificate_file, options.key_file);
   if (!certificate) return certificate.error();
   return std::optional(*std::move(certificate));
 }

@@ -3,7 +3,6 @@
 // or none.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,15 +17,14 @@ struct HubCertificateOptions {
   bool self_signed = false;
   std::string data_folder;     // where a self-signed one is kept; empty: default_data_folder()
   std::string listen_address;  // one more address that a self-signed one is for
+  bool only_look = false;      // make none, write nothing
 };
-
-/// $XDG_STATE_HOME/roomcast, else ~/.local/state/roomcast, else nothing.
-[[nodiscard]] std::optional<std::filesystem::path> default_data_folder();
 
 /// Names and addresses under which a hub on this machine may be called.
 [[nodiscard]] std::vector<std::string> own_hosts(const std::string& listen_address);
 
-/// Nothing when TLS is not asked for. A self-signed certificate stays the same from start to start,
+/// Nothing when TLS is not asked for, or there is no self-signed one yet and none is to be made. A
+/// self-signed certificate stays the same from start to start,
 /// so that whoever pinned its fingerprint finds the hub again. kInvalidArgument: options that
 /// contradict each other; errors of Certificate.
 [[nodiscard]] Result<std::optional<net::Certificate>> find_hub_certificate(

@@ -49,6 +49,17 @@ TEST_F(HubCertificate, self_signed_that_was_damaged_is_an_error_not_another_cert
   EXPECT_EQ(certificate.error().code, ErrorCode::kMalformed);
 }
 
+TEST_F(HubCertificate, self_signed_is_not_made_by_who_only_looks) {
+  auto options = self_signed();
+  options.only_look = true;
+  const auto none = find_hub_certificate(options);
+  ASSERT_TRUE(none.ok()) << none.error().message;
+  EXPECT_FALSE(none->has_value());
+  EXPECT_FALSE(fs::exists(folder_));
+  ASSERT_TRUE(find_hub_certificate(self_signed()).ok());
+  EXPECT_TRUE(find_hub_certificate(options)->has_value());
+}
+
 TEST_F(HubCertificate, options_that_contradict_each_other_are_wrong_usage) {
   auto both = self_signed();
   both.certificate_file = "a.pem";

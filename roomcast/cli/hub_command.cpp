@@ -2,7 +2,6 @@
 // roomcast hub: joins sensors and viewers in rooms, on one port.
 #include <atomic>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "roomcast/cli/certificate_watch.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/data_folder.h"
 #include "roomcast/cli/hub_aligners.h"
 #include "roomcast/cli/hub_certificate.h"
 #include "roomcast/cli/hub_flags.h"
@@ -23,24 +23,13 @@
 #include "roomcast/cli/listen_address.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
+#include "roomcast/hub/access/hub_secret.h"
 #include "roomcast/hub/hub_server.h"
+#include "roomcast/net/static_site.h"
 #include "roomcast/upstream/upstream_hub.h"
 
 namespace roomcast::cli {
 namespace {
-
-/// Made where it is missing; nothing where there is no home to have it in. kUnavailable: it cannot
-/// be made.
-Result<std::optional<std::filesystem::path>> make_data_folder(const std::string& named) {
-  const auto folder =
-      named.empty() ? default_data_folder() : std::optional<std::filesystem::path>(named);
-  if (!folder) return folder;
-  std::error_code error;
-  std::filesystem::create_directories(*folder, error);
-  if (!error) return folder;
-  return Error{ErrorCode::kUnavailable, "cannot make the folder " + folder->string() + ": " +
-                                            error.message() + "; name another with --data"};
-}
 
 /// Every connection is an open file; what a shell allows is often 1024.
 void allow_many_connections() {
@@ -96,12 +85,13 @@ Result<HubPlan> plan_hub(const HubFlags& flags) {
   return plan;
 }
 
-Status find_certificate(HubPlan& plan) {
+Status find_certificate(HubPlan& plan, bool only_look) {
   auto found = find_hub_certificate({.certificate_file = plan.config.tls_cert,
                                      .key_file = plan.config.tls_key,
                                      .self_signed = plan.config.tls_self_signed,
                                      .data_folder = plan.config.data,
-                                     .listen_address = plan.listen.address});
+                                     .listen_address = plan.listen.address,
+                                     .only_look = only_look});
   if (!found) return found.error();
   plan.certificate = *std::move(found);
   if (!plan.certificate) return {};
@@ -109,6 +99,22 @@ Status find_certificate(HubPlan& plan) {
   if (!tls) return tls.error();
   plan.options.tls = *std::move(tls);
   return {};
+}
+
+/// What a start would find wrong, as far as it can be told without writing anything.
+Status check_plan(HubPlan& plan) {
+  if (auto status = find_certificate(plan, true); !status) return status;
+  if (const auto folder = data_folder(plan.config.data)) {
+    if (auto status = check_folder(*folder); !status) return status;
+    if (auto status = hub::check_hub_secret(hub::secret_file_in(*folder)); !status) return status;
+  }
+  if (!plan.config.recordings.empty()) {
+    if (auto status = check_folder(plan.config.recordings); !status) return status;
+  }
+  const auto web = find_web_directory(plan.config.web);
+  if (!web) return {};
+  const auto site = net::StaticSite::load(*web);
+  return site ? Status() : site.error();
 }
 
 void print_where(const HubPlan& plan, std::uint16_t port) {
@@ -183,12 +189,13 @@ Status run_hub(const HubFlags& flags) {
   auto plan = plan_hub(flags);
   if (!plan) return plan.error();
   if (flags.check) {
+    if (auto status = check_plan(*plan); !status) return status;
     fmt::print("roomcast hub: this configuration can be used; rooms:");
     for (const auto& room : plan->options.rooms) fmt::print(" {}", room.name);
     fmt::print("\n");
     return {};
   }
-  if (auto status = find_certificate(*plan); !status) return status;
+  if (auto status = find_certificate(*plan, false); !status) return status;
   allow_many_connections();
   keep_freed_memory();
   const LogSink log = log_of(plan->config, flags.verbose);

@@ -9,6 +9,7 @@
 
 #include "roomcast/cli/hub_certificate.h"
 #include "roomcast/cli/token_option.h"
+#include "roomcast/net/peer_name.h"
 
 namespace roomcast::cli {
 
@@ -22,7 +23,10 @@ hub::HubLimits limits_of(const hub::HubConfig& config) {
   limits.bans.faults = static_cast<std::size_t>(config.ban_after);
   limits.bans.within = std::chrono::seconds(config.ban_within_s);
   limits.bans.ban = std::chrono::seconds(config.ban_s);
-  limits.proxies = config.proxies;
+  limits.proxies.clear();
+  for (const std::string& proxy : config.proxies) {
+    limits.proxies.push_back(net::parse_peer_name(proxy).value_or(proxy));
+  }
   return limits;
 }
 
@@ -92,9 +96,6 @@ Result<std::optional<cluster::ClusterOptions>> cluster_of(const hub::HubConfig& 
                   .cert_file = config.nats_cert,
                   .key_file = config.nats_key};
   if (auto status = cluster::check(options.nats); !status) return status.error();
-  if (!config.public_url.empty()) {
-    if (auto url = net::parse_hub_url(config.public_url); !url) return url.error();
-  }
   options.public_url = config.public_url;
   options.cores = static_cast<float>(threads_of(config));
   options.busy_share = static_cast<float>(config.busy_percent) / 100;

@@ -30,7 +30,7 @@ namespace roomcast::cli {
     const hub::HubConfig& config);
 
 /// With whom it shares its rooms; nothing where no NATS server is named. Errors of
-/// cluster::check(); kInvalidArgument: the public address is none.
+/// cluster::check().
 [[nodiscard]] Result<std::optional<cluster::ClusterOptions>> cluster_of(
     const hub::HubConfig& config);
 

@@ -53,6 +53,13 @@ TEST(HubSettings, a_name_that_is_not_the_hubs_is_refused_unless_a_certificate_pr
   EXPECT_TRUE(hub_options_of(config, kHere, true)->names.allows_host("evil.example"));
 }
 
+TEST(HubSettings, a_proxy_is_who_connections_from_it_are_counted_as) {
+  hub::HubConfig config;
+  config.proxies = {"10.0.0.1", "2001:db8::5"};
+  EXPECT_EQ(hub_options_of(config, kHere, false)->limits.proxies,
+            (std::vector<std::string>{"10.0.0.1", "2001:db8::/64"}));
+}
+
 TEST(HubSettings, a_file_with_a_mistake_is_named) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "roomcast.toml";

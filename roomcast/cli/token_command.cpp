@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/hub_certificate.h"
+#include "roomcast/cli/data_folder.h"
 #include "roomcast/cli/qr_code.h"
 #include "roomcast/cli/time_span.h"
 #include "roomcast/hub/access/hub_book.h"

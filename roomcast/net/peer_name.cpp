@@ -16,6 +16,16 @@ std::string peer_name(const ip::address& address) {
   return ip::address_v6(bytes).to_string() + "/64";
 }
 
+std::optional<std::string> parse_peer_name(std::string_view text) {
+  constexpr std::string_view kNetwork = "/64";
+  const bool is_network = text.ends_with(kNetwork);
+  if (is_network) text.remove_suffix(kNetwork.size());
+  boost::system::error_code not_numeric;
+  const auto address = ip::make_address(text, not_numeric);
+  if (not_numeric || (is_network && address.is_v4())) return std::nullopt;
+  return peer_name(address);
+}
+
 std::string peer_name(const ip::tcp::socket& socket) {
   boost::system::error_code gone;
   const auto endpoint = socket.remote_endpoint(gone);

@@ -25,6 +25,15 @@ TEST(PeerName, loopback_is_loopback) {
   EXPECT_EQ(name_of("127.0.0.1"), "127.0.0.1");
 }
 
+TEST(PeerName, is_read_from_an_address_or_from_itself) {
+  EXPECT_EQ(parse_peer_name("192.0.2.7"), "192.0.2.7");
+  EXPECT_EQ(parse_peer_name("2001:db8:1:2:3::4"), "2001:db8:1:2::/64");
+  EXPECT_EQ(parse_peer_name("2001:db8:1:2::/64"), "2001:db8:1:2::/64");
+  for (const char* text : {"", "proxy.example.org", "192.0.2.7:80", "192.0.2.0/24", "10.0.0.0/64"}) {
+    EXPECT_EQ(parse_peer_name(text), std::nullopt) << text;
+  }
+}
+
 TEST(PeerName, a_socket_that_has_gone_has_none) {
   boost::asio::io_context io;
   EXPECT_EQ(peer_name(boost::asio::ip::tcp::socket(io)), "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is let into a hub's rooms, with the programs that people use.
 import assert from 'node:assert/strict';
-import { statSync, writeFileSync } from 'node:fs';
+import { readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
@@ -93,6 +93,28 @@ for (const [name, [options, sentence]] of Object.entries(mistakes)) {
 
 test('token_that_is_not_there_cannot_be_revoked', async (t) => {
   assertFailed(await run('token', '--data', scratchFolder(t), '--revoke', 'nobodys'), 1, /no token "nobodys"/);
+});
+
+test('configuration_is_checked_with_the_files_that_it_names_and_nothing_is_made', async (t) => {
+  const folder = scratchFolder(t);
+  const file = join(folder, 'file');
+  writeFileSync(file, 'neither a folder nor a certificate');
+  const secret = join(folder, 'hub.secret');
+  const checked = (...options) => run('hub', '--check', ...(options.includes('--data') ? [] : ['--data', join(folder, 'new')]), ...options);
+  assertFailed(await checked('--tls-cert', '/no/such.pem', '--tls-key', '/no/such.key'), 1, /such\.pem/);
+  assertFailed(await checked('--tls-cert', file, '--tls-key', file), 1, /no certificate/);
+  assertFailed(await checked('--tls-cert', file), 2, /--tls-key/);
+  assertFailed(await checked('--tls-key', file), 2, /--tls-cert/);
+  assertFailed(await checked('--tls-self-signed', '--tls-cert', file, '--tls-key', file), 2, /either/);
+  assertFailed(await checked('--data', join(file, 'data')), 1, /file is no folder/);
+  assertFailed(await checked('--recordings', file), 1, /file is no folder/);
+  assertFailed(await checked('--web', join(folder, 'page')), 1, /page/);
+  assertFailed(await checked('--public-url', 'ftp://hub'), 2, /public_url/);
+  const made = await checked('--tls-self-signed');
+  assert.equal(made.code, 0, made.stderr);
+  assert.deepEqual(readdirSync(folder), ['file']);
+  writeFileSync(secret, 'password', { mode: 0o600 });
+  assertFailed(await checked('--data', folder), 1, /hub\.secret is not a hub's secret/);
 });
 
 test('configuration_is_checked', async (t) => {

@@ -29,7 +29,7 @@ Result<std::unique_ptr<HubBook>> HubBook::open(const std::optional<std::filesyst
   HubSecret secret = make_hub_secret();
   std::optional<std::filesystem::path> file;
   if (folder) {
-    const auto found = find_hub_secret(*folder / "hub.secret");
+    const auto found = find_hub_secret(secret_file_in(*folder));
     if (!found) return found.error();
     secret = *found;
     file = *folder / "hub.sqlite";

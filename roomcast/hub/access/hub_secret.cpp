@@ -75,6 +75,11 @@ Status write_secret(const std::filesystem::path& path, const HubSecret& secret) 
   return {};
 }
 
+bool is_there(const std::filesystem::path& file) {
+  std::error_code absent;
+  return std::filesystem::exists(std::filesystem::symlink_status(file, absent));
+}
+
 }  // namespace
 
 HubSecret make_hub_secret() {
@@ -83,9 +88,18 @@ HubSecret make_hub_secret() {
   return secret;
 }
 
+std::filesystem::path secret_file_in(const std::filesystem::path& folder) {
+  return folder / "hub.secret";
+}
+
+Status check_hub_secret(const std::filesystem::path& file) {
+  if (!is_there(file)) return {};
+  const auto secret = read_secret(file);
+  return secret ? Status() : secret.error();
+}
+
 Result<HubSecret> find_hub_secret(const std::filesystem::path& file) {
-  std::error_code absent;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(file, absent))) {
+  if (!is_there(file)) {
     if (auto status = write_secret(file, make_hub_secret()); !status) return status.error();
   }
   return read_secret(file);  // of two that start at once, the first one's

@@ -36,6 +36,16 @@ TEST(HubSecret, that_others_may_read_is_refused) {
   EXPECT_NE(found.error().message.find("chmod 600"), std::string::npos);
 }
 
+TEST(HubSecret, is_checked_without_being_made) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(check_hub_secret(folder / "secret").ok());
+  EXPECT_FALSE(fs::exists(folder / "secret"));
+  ASSERT_TRUE(find_hub_secret(folder / "secret").ok());
+  EXPECT_TRUE(check_hub_secret(folder / "secret").ok());
+  fs::permissions(folder / "secret", fs::perms::group_read, fs::perm_options::add);
+  EXPECT_EQ(check_hub_secret(folder / "secret").error().code, ErrorCode::kInvalidArgument);
+}
+
 TEST(HubSecret, a_file_of_something_else_is_refused) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "secret") << "password";

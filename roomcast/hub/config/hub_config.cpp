@@ -14,6 +14,9 @@
 #define TOML_HEADER_ONLY 1  // the library of Debian throws
 #include <toml++/toml.h>
 
+#include "roomcast/net/hub_url.h"
+#include "roomcast/net/peer_name.h"
+
 namespace roomcast::hub {
 
 namespace {
@@ -191,6 +194,38 @@ Status read_table(const toml::table& table, const std::string& prefix, HubConfig
   return {};
 }
 
+/// As a browser says it: scheme and host, and nothing behind them.
+bool is_origin(std::string_view text) {
+  const auto scheme = text.find("://");
+  if (scheme != 4 && scheme != 5) return false;
+  if (!text.starts_with("http://") && !text.starts_with("https://")) return false;
+  const auto authority = text.substr(scheme + 3);
+  return authority.find_first_of("/#") == std::string_view::npos && net::parse_hub_url(text).ok();
+}
+
+bool is_host_name(std::string_view text) {
+  return text.find_first_of("/#:") == std::string_view::npos && net::parse_hub_url(text).ok();
+}
+
+Status check_names(const HubConfig& config) {
+  for (const std::string& origin : config.origins) {
+    if (is_origin(origin)) continue;
+    return wrong("access.origins: \"" + origin +
+                 "\" is no web site; write https://rooms.example.org, without a path");
+  }
+  for (const std::string& host : config.hosts) {
+    if (is_host_name(host)) continue;
+    return wrong("access.hosts: \"" + host + "\" is no name; write hub.example.org, without a port");
+  }
+  for (const std::string& proxy : config.proxies) {
+    if (net::parse_peer_name(proxy)) continue;
+    return wrong("access.proxies: \"" + proxy + "\" is no numeric address; a network is written 2001:db8::/64");
+  }
+  if (config.public_url.empty()) return {};
+  const auto url = net::parse_hub_url(config.public_url);
+  return url ? Status() : wrong("public_url: " + url.error().message);
+}
+
 }  // namespace
 
 std::string environment_name(std::string_view field) {
@@ -262,6 +297,7 @@ Status check(const HubConfig& config) {
   if (!config.nats_servers.empty() && !config.upstream_hubs.empty()) {
     return wrong("upstream.hubs and nats.servers exclude each other");
   }
+  if (auto status = check_names(config); !status) return status;
   if (config.threads < 0 || config.threads > 64) return wrong("threads is 0 to 64");
   for (const auto& [name, field] : fields()) {
     const auto* count = std::get_if<std::int64_t HubConfig::*>(&field);

@@ -70,12 +70,30 @@ TEST(HubConfig, each_mistake_is_one_sentence_with_its_line) {
       {"log = \"xml\"", "log is \"text\" or \"json\""},
       {"threads = 100", "threads is 0 to 64"},
       {"[limits]\nunjoined = 0", "limits.unjoined is 1 to 1000000"},
+      {"[access]\norigins = [\"rooms.example.org\"]",
+       "access.origins: \"rooms.example.org\" is no web site; write https://rooms.example.org, "
+       "without a path"},
+      {"[access]\nhosts = [\"hub:7600\"]",
+       "access.hosts: \"hub:7600\" is no name; write hub.example.org, without a port"},
+      {"[access]\nproxies = [\"nginx\"]",
+       "access.proxies: \"nginx\" is no numeric address; a network is written 2001:db8::/64"},
       {"room = 3", "rooms are written as [[room]] (line 1)"},
       {"[[room]]\ntitle = \"x\"", "a room needs a name (line 1)"},
       {"[[room]]\nname = \"a\"\nview = \"me\"", "this is no value for a room's \"view\" (line 1)"}};
   for (const auto& [text, sentence] : mistakes) EXPECT_EQ(fault_in(text), sentence) << text;
   EXPECT_NE(fault_in("listen = "), "");
   EXPECT_NE(fault_in("listen = ").find("line 1"), std::string::npos);
+}
+
+TEST(HubConfig, sites_names_and_addresses_are_read_as_they_are_usually_written) {
+  EXPECT_EQ(fault_in("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"), "");
+  EXPECT_NE(fault_in("[access]\norigins = [\"https://rooms.example.org/\"]"), "");
+  EXPECT_NE(fault_in("[access]\norigins = [\"ws://rooms.example.org\"]"), "");
+  EXPECT_EQ(fault_in("[access]\nhosts = [\"hub.example.org\", \"lab-hub\"]"), "");
+  EXPECT_NE(fault_in("[access]\nhosts = [\"https://hub\"]"), "");
+  EXPECT_EQ(fault_in("[access]\nproxies = [\"10.0.0.1\", \"2001:db8::5\"]"), "");
+  EXPECT_EQ(fault_in("public_url = \"wss://hub.example.org:7600\""), "");
+  EXPECT_NE(fault_in("public_url = \"ftp://hub\"").find("public_url: "), std::string::npos);
 }
 
 TEST(HubConfig, two_rooms_of_one_name_are_refused) {
