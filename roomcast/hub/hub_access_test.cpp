@@ -182,26 +182,6 @@ TEST_F(HubAccessTest, the_hubs_own_token_opens_everything) {
       welcomed(with(viewer_join(), "cellar", hub->own_token()))->heard[0].welcome().may_place());
 }
 
-class HubBanTest : public HubServerTest {
- protected:
-  HubBanTest() : HubServerTest({.limits = {.bans = {.faults = 3}, .proxies = {}}}) {}
-};
-
-TEST_F(HubBanTest, an_address_with_bad_tokens_is_no_longer_listened_to) {
-  pb::Control join = viewer_join();
-  join.mutable_join()->set_token("guessed");
-  for (int i = 0; i < 3; ++i) {
-    const auto guesser = connect(join);
-    run_until([&] { return guesser->closed.has_value(); });
-  }
-  bool answered = false;
-  net::connect(io, {.host = "127.0.0.1", .port = hub->port()}, {}, [&](const auto& connection) {
-    answered = true;
-    EXPECT_FALSE(connection.ok());
-  });
-  run_until([&] { return answered; });
-}
-
 class HubDoorTest : public HubServerTest {
  protected:
   HubDoorTest() : HubServerTest({.limits = {.max_unsettled_per_peer = 4, .proxies = {}}}) {}

@@ -86,16 +86,26 @@ net::HttpResponse HubPages::metrics() const {
 }
 
 void HubPages::metrics_for_admins(const net::HttpRequest& request, net::Respond respond) {
-  desk_.ask([token = net::bearer_token(request)](HubBook& book) { return book.check(token); },
-            [this, respond = std::move(respond)](const Verdict<Claims>& verdict) {
-              if (const Refusal* why = refusal(verdict)) return respond(error_answer(*why));
-              const Grant& grant = std::get<Claims>(verdict).grant;
-              if (grant.role == TokenRole::kAdmin && covers(grant, kAllRooms)) {
-                return respond(metrics());
-              }
-              respond(error_answer(
-                  Refusal{wire::pb::ERROR_WRONG_ROLE, "metrics take a token of the hub's admin"}));
-            });
+  const std::string token = net::bearer_token(request);
+  if (token.empty()) {
+    return respond(error_answer(Refusal{
+        wire::pb::ERROR_UNAUTHENTICATED,
+        "metrics take a token of the hub's admin, in the header Authorization: Bearer TOKEN"}));
+  }
+  desk_.ask(
+      [token](HubBook& book) { return book.check(token); },
+      [this, peer = request.peer, respond = std::move(respond)](const Verdict<Claims>& verdict) {
+        if (const Refusal* why = refusal(verdict)) {
+          hall_.refuse_request(peer, *why);
+          return respond(error_answer(*why));
+        }
+        const Grant& grant = std::get<Claims>(verdict).grant;
+        if (grant.role == TokenRole::kAdmin && covers(grant, kAllRooms)) {
+          return respond(metrics());
+        }
+        respond(error_answer(
+            Refusal{wire::pb::ERROR_WRONG_ROLE, "metrics take a token of the hub's admin"}));
+      });
 }
 
 }  // namespace roomcast::hub

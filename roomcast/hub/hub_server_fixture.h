@@ -135,6 +135,7 @@ class HubServerTest : public testing::Test {
   }
 
   void run_until(const std::function<bool()>& done) {
+    io.restart();  // it stops when nothing is left to do
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     while (!done() && io.run_one_until(give_up) > 0) {
     }

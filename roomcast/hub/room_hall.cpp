@@ -135,16 +135,23 @@ void RoomHall::refuse(const Arrival& arrival, const Refusal& why) {
   ++refused_joins_;
   guests_.erase(arrival.from);
   log(LogLevel::kInfo, arrival.address + " is refused: " + why.sentence);
-  const bool exempt =
-      std::ranges::find(options_.never_banned, arrival.peer) != options_.never_banned.end();
-  if (is_fault(why.code) && !exempt && bans_.fault(arrival.peer, clock_.now())) {
-    log(LogLevel::kWarning, arrival.peer +
-                                " shows bad tokens again and again; it is not listened "
-                                "to for a while");
-  }
+  hold_against(arrival.peer, why);
   if (is_of_backplane(arrival.from)) return backplane_->let_go(arrival.from);
   shards_[Shard::of(arrival.from, shards_.size())]->disconnect(arrival.from, why.code,
                                                                why.sentence);
+}
+
+void RoomHall::refuse_request(const std::string& peer, const Refusal& why) {
+  log(LogLevel::kInfo, "a request of " + peer + " is refused: " + why.sentence);
+  hold_against(peer, why);
+}
+
+void RoomHall::hold_against(const std::string& peer, const Refusal& why) {
+  const auto& exempt = options_.never_banned;
+  if (!is_fault(why.code) || std::ranges::find(exempt, peer) != exempt.end()) return;
+  if (!bans_.fault(peer, clock_.now())) return;
+  log(LogLevel::kWarning,
+      peer + " shows bad tokens again and again; it is not listened to for a while");
 }
 
 /// To a hub that is less busy, where there is one. Nobody is sent on twice.

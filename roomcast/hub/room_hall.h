@@ -80,6 +80,10 @@ class RoomHall final : public BackplaneEvents {
     return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
   }
 
+  /// A request of this address was refused because of its token. Bad ones count as those of who
+  /// wants to join.
+  void refuse_request(const std::string& peer, const Refusal& why);
+
   /// Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;
 
@@ -107,6 +111,7 @@ class RoomHall final : public BackplaneEvents {
   void decide(const Arrival& arrival, const wire::pb::Join& join, const Claims* claims,
               const std::string& new_token);
   void refuse(const Arrival& arrival, const Refusal& why);
+  void hold_against(const std::string& peer, const Refusal& why);
   bool send_on(const Arrival& arrival, const wire::pb::Join& join, const std::string& room);
   void admit(const Arrival& arrival, const wire::pb::Join& join, const Entry& entry);
   [[nodiscard]] HostedRoom* room_of(ConnectionId from) const;

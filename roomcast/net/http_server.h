@@ -63,8 +63,8 @@ struct HttpServerOptions {
   /// thread.
   std::function<bool(std::string_view origin)> knows_site = {};
 
-  /// Asked on the door's thread, with peer_name(): whoever may not connect is dropped without a
-  /// word.
+  /// Asked on the door's thread, with peer_name(), for each connection and each request: whoever
+  /// may not connect is dropped without a word.
   std::function<bool(const std::string& peer)> may_connect = {};
   /// Connections of one peer that are not settled (WebSocketConnection::settle); more are dropped.
   std::size_t max_unsettled_per_peer = 64;

@@ -144,6 +144,7 @@ void HttpSession::read_request() {
 void HttpSession::on_header(ErrorCode error) {
   if (!stream_.is_open()) return;  // ended while this was under way
   if (error) return answer_fault(error);
+  if (options_->may_connect && !options_->may_connect(origins_.peer)) return abort();
   answer_request();
 }
 

@@ -29,7 +29,8 @@ TEST(PeerName, is_read_from_an_address_or_from_itself) {
   EXPECT_EQ(parse_peer_name("192.0.2.7"), "192.0.2.7");
   EXPECT_EQ(parse_peer_name("2001:db8:1:2:3::4"), "2001:db8:1:2::/64");
   EXPECT_EQ(parse_peer_name("2001:db8:1:2::/64"), "2001:db8:1:2::/64");
-  for (const char* text : {"", "proxy.example.org", "192.0.2.7:80", "192.0.2.0/24", "10.0.0.0/64"}) {
+  for (const char* text :
+       {"", "proxy.example.org", "192.0.2.7:80", "192.0.2.0/24", "10.0.0.0/64"}) {
     EXPECT_EQ(parse_peer_name(text), std::nullopt) << text;
   }
 }

@@ -58,18 +58,23 @@ void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
   if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
   Call call{std::get<MatchedRoute>(found), std::nullopt, request.body, std::move(respond)};
-  if (request.authorization.empty()) {
+  const std::string token = net::bearer_token(request);
+  if (token.empty()) {
     if (!call.match.route.needs_token) return carry_out(call);
     return call.respond(error_answer(
         Refusal{pb::ERROR_UNAUTHENTICATED,
                 "this takes an admin's token, in the header Authorization: Bearer TOKEN"}));
   }
-  desk_.ask([token = net::bearer_token(request)](HubBook& book) { return book.check(token); },
-            [this, call = std::move(call)](const Verdict<Claims>& verdict) mutable {
-              if (const Refusal* why = refusal(verdict)) return call.respond(error_answer(*why));
-              call.caller = std::get<Claims>(verdict);
-              carry_out(call);
-            });
+  desk_.ask(
+      [token](HubBook& book) { return book.check(token); },
+      [this, peer = request.peer, call = std::move(call)](const Verdict<Claims>& verdict) mutable {
+        if (const Refusal* why = refusal(verdict)) {
+          hall_.refuse_request(peer, *why);
+          return call.respond(error_answer(*why));
+        }
+        call.caller = std::get<Claims>(verdict);
+        carry_out(call);
+      });
 }
 
 void AdminApi::carry_out(const Call& call) {

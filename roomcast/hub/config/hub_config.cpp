@@ -215,11 +215,13 @@ Status check_names(const HubConfig& config) {
   }
   for (const std::string& host : config.hosts) {
     if (is_host_name(host)) continue;
-    return wrong("access.hosts: \"" + host + "\" is no name; write hub.example.org, without a port");
+    return wrong("access.hosts: \"" + host +
+                 "\" is no name; write hub.example.org, without a port");
   }
   for (const std::string& proxy : config.proxies) {
     if (net::parse_peer_name(proxy)) continue;
-    return wrong("access.proxies: \"" + proxy + "\" is no numeric address; a network is written 2001:db8::/64");
+    return wrong("access.proxies: \"" + proxy +
+                 "\" is no numeric address; a network is written 2001:db8::/64");
   }
   if (config.public_url.empty()) return {};
   const auto url = net::parse_hub_url(config.public_url);

@@ -86,7 +86,8 @@ TEST(HubConfig, each_mistake_is_one_sentence_with_its_line) {
 }
 
 TEST(HubConfig, sites_names_and_addresses_are_read_as_they_are_usually_written) {
-  EXPECT_EQ(fault_in("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"), "");
+  EXPECT_EQ(fault_in("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"),
+            "");
   EXPECT_NE(fault_in("[access]\norigins = [\"https://rooms.example.org/\"]"), "");
   EXPECT_NE(fault_in("[access]\norigins = [\"ws://rooms.example.org\"]"), "");
   EXPECT_EQ(fault_in("[access]\nhosts = [\"hub.example.org\", \"lab-hub\"]"), "");
