@@ -18,7 +18,8 @@ class HubEngine final : public Engine {
   Result<RunningEngine> start(const FanoutRoom& room) const override {
     hub::HubOptions options;
     options.port = 0;
-    constexpr double kAnything = 1e12;  // how fast it can be is what is measured
+    // How fast it can be is what is measured.
+    constexpr wire::SendingLimits kAnything{1e12, 1e12, 1e12, 1e12};
     options.limits.session = {kAnything, kAnything, kAnything, kAnything};
     std::optional<net::Fingerprint> fingerprint;
     if (tls_) {

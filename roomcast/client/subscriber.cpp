@@ -2,6 +2,7 @@
 #include "roomcast/client/subscriber.h"
 
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/room/room_state.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast {
 namespace {
@@ -91,6 +93,7 @@ class Subscriber::Link final : public HubLinkEvents {
   // The network thread's own.
   SteadyClock clock_;
   RoomState state_{clock_};
+  std::map<SensorId, HostTime> asked_for_key_;  // the hub forwards no more often either
   NetworkThread network_;
   HubLink link_;
 };
@@ -115,6 +118,10 @@ void Subscriber::Link::on_frame(net::MessageBuffer message) {
 void Subscriber::Link::ask_for_key(std::span<const std::uint8_t> frame) {
   const auto header = wire::parse_frame(frame);
   if (!header) return;
+  const HostTime now = clock_.now();
+  const auto asked = asked_for_key_.find(header->sensor);
+  if (asked != asked_for_key_.end() && now - asked->second < wire::kKeyRequestInterval) return;
+  asked_for_key_[header->sensor] = now;
   wire::pb::Control control;
   control.mutable_key_request()->set_sensor_id(header->sensor.value);
   link_.send(control);

@@ -29,7 +29,8 @@ struct RestartSensor {
   SensorId sensor;
 };
 
-enum class Role { kSensor, kViewer, kAligner };
+/// kHub: a viewer that serves the room on.
+enum class Role { kSensor, kViewer, kHub, kAligner };
 
 /// This connection was accepted. Frames may come from sensors, and go to viewers.
 struct AcceptConnection {

@@ -40,19 +40,36 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
 
 }  // namespace
 
+const wire::SendingLimits& SessionLimits::of(Role role) const {
+  switch (role) {
+    case Role::kSensor:
+      return sensor;
+    case Role::kHub:
+      return hub;
+    case Role::kAligner:
+      return aligner;
+    case Role::kViewer:
+      break;
+  }
+  return viewer;
+}
+
 Session::Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
                  const Clock& clock, const SessionLimits& limits)
-    : id_(id),
-      connection_(connection),
-      hub_(hub),
-      clock_(clock),
-      messages_(limits.messages_per_s, limits.messages_at_once),
-      bytes_(limits.bytes_per_s, limits.bytes_at_once) {}
+    : id_(id), connection_(connection), hub_(hub), clock_(clock), limits_(limits) {
+  limit(limits_.viewer);
+}
+
+void Session::limit(const wire::SendingLimits& limits) {
+  messages_ = RateLimit(limits.messages_per_s, limits.messages_at_once);
+  bytes_ = RateLimit(limits.bytes_per_s, limits.bytes_at_once);
+}
 
 void Session::on_message(net::MessageBuffer message) {
   const HostTime now = clock_.now();
   if (!messages_.take(1, now) || !bytes_.take(static_cast<double>(message.size()), now)) {
-    return disconnect(pb::ERROR_TOO_FAST, "more comes from here than one connection may send");
+    return disconnect(pb::ERROR_TOO_FAST,
+                      "more comes from here than a connection of its kind may send");
   }
   const auto type = wire::message_type(message.payload());
   if (!type) return refuse(type.error());
@@ -108,6 +125,7 @@ void Session::on_closed(const net::CloseReason& reason) {
 
 void Session::accept(Role role) {
   is_accepted_ = true;
+  limit(limits_.of(role));
   connection_.settle();
   if (role == Role::kSensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
 }

@@ -46,10 +46,14 @@ class SessionEvents {
   virtual void on_left(ConnectionId from, const net::CloseReason& reason) = 0;
 };
 
-/// What one connection may send.
+/// What one connection may send, by what it is.
 struct SessionLimits {
-  double messages_per_s = wire::kMaxMessagesPerSecond, messages_at_once = wire::kMaxMessagesAtOnce;
-  double bytes_per_s = wire::kMaxBytesPerSecond, bytes_at_once = wire::kMaxBytesAtOnce;
+  wire::SendingLimits sensor = wire::kMaxFromSensor;
+  wire::SendingLimits viewer = wire::kMaxFromViewer;  // and who has not been taken in
+  wire::SendingLimits hub = wire::kMaxFromHub;
+  wire::SendingLimits aligner = wire::kMaxFromAligner;
+
+  [[nodiscard]] const wire::SendingLimits& of(Role role) const;
 };
 
 class Session final : public net::ConnectionHandler {
@@ -84,16 +88,18 @@ class Session final : public net::ConnectionHandler {
   void take_control(std::span<const std::uint8_t> message);
   void tell_time(const wire::pb::ClockPing& ping);
   void refuse(const Error& error);
+  void limit(const wire::SendingLimits& limits);
 
   const ConnectionId id_;
   net::WebSocketConnection& connection_;
   SessionEvents& hub_;
   const Clock& clock_;
   Outbox outbox_;
+  const SessionLimits limits_;
   bool has_joined_ = false;
   bool is_accepted_ = false;
   bool is_sensor_ = false;  // by its own word; the room knows
-  RateLimit messages_, bytes_;
+  RateLimit messages_{0, 0}, bytes_{0, 0};
 };
 
 }  // namespace roomcast::hub

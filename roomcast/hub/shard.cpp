@@ -54,7 +54,7 @@ void Shard::accept(ConnectionId connection, Role role, RoomId room) {
     if (session == nullptr) return;
     session->accept(role);
     --unjoined_;
-    if (role == Role::kViewer) viewers_[room].sessions.push_back(session);
+    if (role == Role::kViewer || role == Role::kHub) viewers_[room].sessions.push_back(session);
   });
 }
 

@@ -22,11 +22,15 @@ inline constexpr std::size_t kMaxViewers = 512;
 inline constexpr std::size_t kMaxAligners = 4;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
-// What one connection may send.
-inline constexpr double kMaxMessagesPerSecond = 1000;  // a sensor at 240 frames/s, a viewer's poses
-inline constexpr double kMaxMessagesAtOnce = 2000;     // after a network that stood still
-inline constexpr double kMaxBytesPerSecond = 64e6;
-inline constexpr double kMaxBytesAtOnce = 128e6;
+// What one connection may send, on average and at once: after a network that stood still.
+struct SendingLimits {
+  double messages_per_s, messages_at_once;
+  double bytes_per_s, bytes_at_once;
+};
+inline constexpr SendingLimits kMaxFromSensor{1000, 2000, 64e6, 128e6};  // frames, at most 240 Hz
+inline constexpr SendingLimits kMaxFromViewer{300, 1200, 256e3, 1e6};  // poses; who has not joined
+inline constexpr SendingLimits kMaxFromHub{300, 1200, 1e6, 4e6};       // people who watch there
+inline constexpr SendingLimits kMaxFromAligner{100, 400, 1e6, 4e6};    // placements
 
 // What they may say.
 inline constexpr std::size_t kMaxNameBytes = 64;

@@ -26,10 +26,6 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxAligners, 4u);
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 256u);
-  EXPECT_EQ(kMaxMessagesPerSecond, 1000);
-  EXPECT_EQ(kMaxMessagesAtOnce, 2000);
-  EXPECT_EQ(kMaxBytesPerSecond, 64e6);
-  EXPECT_EQ(kMaxBytesAtOnce, 128e6);
   EXPECT_EQ(kMaxSensors, 32u);
   EXPECT_EQ(kMaxViewers, 512u);
   EXPECT_EQ(kMaxQueuedControlMessages, 64u);
@@ -47,6 +43,21 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kPoseInterval, 50ms);
   EXPECT_EQ(kIntervalPerPose, 5ms);
   EXPECT_EQ(kRosterInterval, 100ms);
+}
+
+void expect_limits(const SendingLimits& limits, double messages_per_s, double messages_at_once,
+                   double bytes_per_s, double bytes_at_once) {
+  EXPECT_EQ(limits.messages_per_s, messages_per_s);
+  EXPECT_EQ(limits.messages_at_once, messages_at_once);
+  EXPECT_EQ(limits.bytes_per_s, bytes_per_s);
+  EXPECT_EQ(limits.bytes_at_once, bytes_at_once);
+}
+
+TEST(Limits, of_what_each_role_may_send_are_those_of_the_spec) {
+  expect_limits(kMaxFromSensor, 1000, 2000, 64e6, 128e6);
+  expect_limits(kMaxFromViewer, 300, 1200, 256e3, 1e6);
+  expect_limits(kMaxFromHub, 300, 1200, 1e6, 4e6);
+  expect_limits(kMaxFromAligner, 100, 400, 1e6, 4e6);
 }
 
 }  // namespace
