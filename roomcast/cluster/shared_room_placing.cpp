@@ -22,7 +22,8 @@ bool is_news(const wpb::SensorEntry& said, const wpb::SensorEntry& here) {
   if (said.placement() != wpb::PLACEMENT_ALIGNED) return other_note;
   if (here.moved() && same_pose(said, here)) return false;  // the other does not know yet
   return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(said, here) || other_note ||
-         said.expected_error_mm() != here.expected_error_mm();
+         said.expected_error_mm() != here.expected_error_mm() ||
+         said.unverified() != here.unverified();
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
   switch (message.message_case()) {
     case pb::Control::kCalibrationBundle:
       if (sensor == nullptr) break;
-      keep_bundle(*sensor, message.calibration_bundle(), out);
+      keep_bundle(*sensor, message.calibration_bundle(), now, out);
       return out;
     case pb::Control::kSensorMoved:
       if (sensor == nullptr) break;
@@ -209,6 +209,7 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
 /// For what concerns the pictures: nobody may get a sensor's frames before its calibration. Poses
 /// may have been told of people whom nobody knew yet.
 void Room::announce(RoomTime now, RoomActions& out) {
+  stand_aside();
   const bool people_are_news = std::exchange(roster_is_news_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;

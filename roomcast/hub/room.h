@@ -100,7 +100,8 @@ class Room {
                    RoomActions& out);
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
-  void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomActions& out);
+  void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomTime now,
+                   RoomActions& out);
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
   void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
@@ -116,6 +117,7 @@ class Room {
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
+  void stand_aside();
   bool announce_in_time(RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;

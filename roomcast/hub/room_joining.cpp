@@ -63,6 +63,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
                  now);
     return;
   }
+  const bool was_here = sensors_.find(join.name()) != nullptr;
   RoomSensor* sensor = known_or_new_sensor(join.name(), out);
   ROOMCAST_ASSERT(sensor != nullptr);  // there are ids for kMaxSensors
   if (!may_replace(*sensor, entry)) {
@@ -79,6 +80,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->bundle.reset();
+  if (was_here) sensor->place.doubt(sensor->bundles + 1);
   sensor->place.give(join.sensor());
   sets_.remove_sensor(sensor->id);
   sets_.add_sensor(sensor->id, join.sensor().fps(), entry.other_hub);

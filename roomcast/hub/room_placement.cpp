@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a Room does with what sensors and aligners say of where sensors stand.
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,7 +11,15 @@ namespace roomcast::hub {
 
 namespace pb = wire::pb;
 
-void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomActions& out) {
+/// A sensor that comes back with the very bundle that its place was found from was away from the
+/// hub only: it has watched its stand all the time.
+void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomTime now,
+                       RoomActions& out) {
+  sensor.bundle_hash = std::hash<std::string>{}(bundle.SerializeAsString());
+  if (sensor.place.unverified && sensor.bundle_hash == sensor.verified_by) {
+    sensor.place.unverified = false;
+    announce(now, out);
+  }
   pb::Control message;
   *message.mutable_calibration_bundle() = bundle;
   message.mutable_calibration_bundle()->set_sensor_id(sensor.id.value);
@@ -36,6 +46,7 @@ void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
 
 void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
   sensor.bundle.reset();
+  sensor.verified_by.reset();
   sensor.place.lose(sensor.bundles + 1);
   announce(now, out);
 }
@@ -45,10 +56,28 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
   for (const pb::SensorPlacement& found : placements.sensors()) {
     RoomSensor* sensor = sensors_.find(wire_id(found.sensor_id()));
     if (sensor == nullptr || !sensor->place.find(found)) continue;
+    if (!sensor->place.unverified && found.bundle_number() == sensor->bundles)
+      sensor->verified_by = sensor->bundle_hash;
     placed.push_back({sensor->name, sensor->id, sensor->place.found()});
   }
   if (!placed.empty()) out.push_back(KeepSensors{std::move(placed)});
   announce(now, out);
+}
+
+/// Those that nobody has placed stand in a row beside the others.
+void Room::stand_aside() {
+  const auto is_placed = [](const RoomSensor& sensor) {
+    return sensor.place.placement != pb::PLACEMENT_UNPLACED;
+  };
+  std::vector<Matrix4> placed;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (is_placed(sensor)) placed.push_back(sensor.place.world_from_depth);
+  }
+  std::size_t nth = 0;
+  for (RoomSensor& sensor : sensors_.all()) {
+    if (is_placed(sensor)) continue;
+    sensor.place.world_from_depth = SensorPlace::guessed(nth++, placed).world_from_depth;
+  }
 }
 
 }  // namespace roomcast::hub

@@ -55,6 +55,31 @@ TEST_F(RoomTest, what_the_aligner_finds_everyone_is_told) {
   EXPECT_EQ(roster.sensors(0).expected_error_mm(), 4);
 }
 
+TEST_F(RoomTest, who_is_not_placed_is_shown_beside_the_others_and_goes_along_with_them) {
+  enter(sensor_join("left", pose_at(1)));
+  enter(sensor_join("lost", std::nullopt));
+  enter(sensor_join("right", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  const double alone_m = newest_roster(actions).sensors(1).world_from_depth(3);
+  EXPECT_GT(alone_m, 5);
+  const auto roster = newest_roster(room.control(aligner, placement_of(2, 9), at(1s)));
+  EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_UNPLACED);
+  EXPECT_GT(roster.sensors(1).world_from_depth(3), 9 + 4);
+}
+
+TEST_F(RoomTest, what_was_withdrawn_is_shown_beside_the_others_again) {
+  enter(sensor_join("left", pose_at(1)));
+  enter(sensor_join("right", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(aligner, placement_of(1, 2), at(1s));
+  pb::Control withdrawn;
+  withdrawn.mutable_placements()->add_sensors()->set_sensor_id(1);
+  withdrawn.mutable_placements()->mutable_sensors(0)->set_withdrawn(true);
+  const auto roster = newest_roster(room.control(aligner, withdrawn, at(2s)));
+  EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_UNPLACED);
+  EXPECT_GT(roster.sensors(1).world_from_depth(3), 5);
+}
+
 TEST_F(RoomTest, a_sensor_that_cannot_be_placed_stays_where_it_was_and_says_why) {
   enter(sensor_join("left", std::nullopt));
   const auto aligner = enter(aligner_join());
@@ -227,6 +252,43 @@ TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_starte
   EXPECT_EQ(roster.sensors(0).placement(), pb::PLACEMENT_ALIGNED);
   EXPECT_EQ(roster.sensors(0).world_from_depth(3), 7);
   EXPECT_EQ(roster.sensors(1).placement(), pb::PLACEMENT_UNPLACED);
+}
+
+TEST_F(RoomTest, a_pose_from_before_a_restart_is_used_at_once_and_said_to_be_unverified) {
+  room.remember({{"left", SensorId{0}, KnownPose{pose_at(7), 4}}});
+  const auto aligner = enter(aligner_join());
+  const auto sensor = enter(sensor_join("left", std::nullopt));
+  EXPECT_EQ(newest_roster(actions).sensors(0).world_from_depth(3), 7);
+  EXPECT_TRUE(newest_roster(actions).sensors(0).unverified());
+  (void)room.control(sensor, bundle_message(), at(1s));
+  const auto roster = newest_roster(room.control(aligner, placement_from_bundle(1, 7), at(2s)));
+  EXPECT_FALSE(roster.sensors(0).unverified());
+}
+
+TEST_F(RoomTest, a_sensor_that_was_away_may_have_been_moved) {
+  auto sensor = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(sensor, bundle_message(), at(1s));
+  (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
+  (void)room.leave(sensor, at(3s));
+  sensor = enter(sensor_join("left", std::nullopt), 4s);
+  EXPECT_TRUE(newest_roster(actions).sensors(0).unverified());
+  auto other = bundle_message();
+  other.mutable_calibration_bundle()->set_depth("of something else");
+  EXPECT_THAT(messages(room.control(sensor, other, at(5s)), pb::Control::kRoster), IsEmpty());
+  const auto roster = newest_roster(room.control(aligner, placement_from_bundle(2, 7), at(6s)));
+  EXPECT_FALSE(roster.sensors(0).unverified());
+}
+
+TEST_F(RoomTest, a_sensor_that_only_lost_its_connection_stands_where_it_did) {
+  auto sensor = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  (void)room.control(sensor, bundle_message(), at(1s));
+  (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
+  (void)room.leave(sensor, at(3s));
+  sensor = enter(sensor_join("left", std::nullopt), 4s);
+  const auto roster = newest_roster(room.control(sensor, bundle_message(), at(5s)));
+  EXPECT_FALSE(roster.sensors(0).unverified()) << "it has watched its stand all the time";
 }
 
 TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {

@@ -20,7 +20,7 @@ const KnownSensor* SensorList::remembered(const std::string& name) const {
 RoomSensor* SensorList::add(const std::string& name) {
   const auto id = free_id(name);
   if (!id) return nullptr;
-  RoomSensor sensor{.id = *id, .name = name, .place = SensorPlace::guessed(*id)};
+  RoomSensor sensor{.id = *id, .name = name, .place = SensorPlace::guessed(id->value)};
   return &sensors_.emplace(*id, std::move(sensor)).first->second;
 }
 

@@ -32,6 +32,8 @@ struct RoomSensor {
   SensorPlace place = {};
   std::optional<wire::pb::Control> bundle = {};  // the newest since it joined
   std::uint32_t bundles = 0;                     // that it has sent, ever
+  std::size_t bundle_hash = 0;                   // of the newest
+  std::optional<std::size_t> verified_by = {};   // hash of the bundle that its place was found from
   std::string token_id = {};                     // that it came with
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // what changes with its frames

@@ -2,10 +2,13 @@
 // SensorPlace: where a sensor stands and who says so. What somebody gave holds; what alignment
 // found gives way to what it finds later; before either there is a guess, so that there is
 // something to see. Once the sensor was moved none of it holds, until a pose is found from what it
-// sees since. Plain data and its rules. docs/spec/wire.md §3, "Where sensors stand".
+// sees since. Whoever was away may have been moved unseen: what was found is unverified then. Plain
+// data and its rules. docs/spec/wire.md §3, "Where sensors stand".
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "roomcast/core/ids.h"
@@ -21,10 +24,12 @@ struct SensorPlace {
   float expected_error_mm = 0;          // 0: unknown
   std::string note;                     // why alignment could not place it
   bool moved = false;                   // since this pose was known
+  bool unverified = false;              // the sensor was away since, and nothing has confirmed it
   std::uint32_t valid_from_bundle = 0;  // what was found from earlier bundles came too late
 
-  /// Standing beside the others.
-  [[nodiscard]] static SensorPlace guessed(SensorId id);
+  /// Shown beside the room: the `nth` of those that nobody has placed, well outside of where the
+  /// placed ones stand.
+  [[nodiscard]] static SensorPlace guessed(std::size_t nth, std::span<const Matrix4> placed = {});
 
   /// What the sensor itself says; nothing changes when it says nothing.
   void give(const wire::pb::SensorRole& role);
@@ -34,13 +39,15 @@ struct SensorPlace {
   void lose(std::uint32_t next_bundle);
   /// What was found before the hub was started.
   void recall(const KnownPose& pose);
+  /// The sensor was away; its next bundle will have this number.
+  void doubt(std::uint32_t next_bundle);
   /// The pose that alignment found, if one holds.
   [[nodiscard]] std::optional<KnownPose> found() const;
 
   void write_to(wire::pb::SensorEntry& entry) const;
 
  private:
-  void withdraw(SensorId id);
+  void withdraw();
 };
 
 }  // namespace roomcast::hub

@@ -49,6 +49,7 @@ pb::SensorPlacement placement_of(const pb::SensorEntry& entry, SensorId here) {
   if (entry.placement() != pb::PLACEMENT_ALIGNED) return placement;
   *placement.mutable_world_from_depth() = entry.world_from_depth();
   placement.set_expected_error_mm(entry.expected_error_mm());
+  placement.set_unverified(entry.unverified());
   return placement;
 }
 

@@ -33,8 +33,9 @@ struct RoomSensor {
   SensorId id{};
   std::string name;
   bool online = false;
-  bool placed = false;  // false: world_from_depth is a guess, so that there is something to see
-  bool moved = false;   // since world_from_depth was known
+  bool placed = false;      // false: world_from_depth is a guess, so that there is something to see
+  bool moved = false;       // since world_from_depth was known
+  bool unverified = false;  // away since world_from_depth was found; nothing has confirmed it
   float expected_error_mm = 0;  // of a placement that was found from what sensors see; 0: not one
   std::string placement_note;   // why it could not be placed, for a person; else empty
   double fps = 0;

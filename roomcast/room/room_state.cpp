@@ -77,6 +77,7 @@ Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
   known->online = entry.online();
   known->placed = entry.placement() != wire::pb::PLACEMENT_UNPLACED;
   known->moved = entry.moved();
+  known->unverified = entry.unverified();
   known->expected_error_mm =
       entry.placement() == wire::pb::PLACEMENT_ALIGNED ? entry.expected_error_mm() : 0;
   known->placement_note = entry.placement_note();

@@ -44,6 +44,7 @@ export const consoleTexts = {
   given: 'where it was said to be',
   unplaced: 'not placed',
   moved: 'was moved',
+  unverified: 'where it stood before it was away, not verified',
   advice:
     'What helps: let it see more of what another sensor sees, with furniture rather than bare walls; let somebody walk ' +
     'through both views; hold a printed board in front of both; or put it about right by hand.',
@@ -186,6 +187,8 @@ export const placementTexts = {
   movedTitle: 'It was moved and is being aligned again.',
   unplaced: 'not placed',
   unplacedTitle: 'being aligned',
+  unverified: 'not verified',
+  unverifiedTitle: 'Shown where it stood before it was away; nothing has confirmed yet that it still does.',
   aligned: 'aligned',
   error: (error_mm: number) => `± ${error_mm} mm`,
   alignedTitle: 'Aligned by what it sees. Expected error 2.5 m in front of it.',
@@ -211,6 +214,8 @@ export const problemTexts = {
   sensor: (name: string, problem: string) => `Sensor ${name}: ${problem}`,
   moved: (name: string, why: string) =>
     `Sensor ${name} was moved: it is shown where it was until it is aligned again.${why}`,
+  unverified: (name: string, why: string) =>
+    `Sensor ${name} is shown where it stood before it was away; nothing has confirmed yet that it still does.${why}`,
   unplaced: (name: string, why: string) =>
     `Nobody knows yet where sensor ${name} stands: ${why} is shown at a place that was made up.`,
 };

@@ -119,6 +119,7 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"placement", name_of(sensor.place.placement)},
                {"placement_note", sensor.place.note},
                {"moved", sensor.place.moved},
+               {"unverified", sensor.place.unverified},
                {"expected_error_mm", sensor.place.expected_error_mm},
                {"world_from_depth", sensor.place.world_from_depth}};
   if (sensor.clock_error_s) json["clock_error_ms"] = *sensor.clock_error_s * 1000;

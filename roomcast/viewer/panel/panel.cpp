@@ -99,6 +99,8 @@ void draw_placement(const RoomSensor& sensor) {
     ImGui::TextColored(kYellow, "moved");
   } else if (!sensor.placed) {
     ImGui::TextColored(kYellow, "not placed");
+  } else if (sensor.unverified) {
+    ImGui::TextColored(kYellow, "not verified");
   } else if (sensor.expected_error_mm > 0) {
     ImGui::TextColored(kGreen, "+- %.0f mm", std::max(1.F, std::round(sensor.expected_error_mm)));
   } else {

@@ -41,6 +41,11 @@ std::optional<RoomProblem> problem_of(const RoomSensor& sensor, HostTime now) {
   if (sensor.moved)
     return RoomProblem{Severity::kNotice, sensor.name,
                        name + " was moved: it is shown where it was until it is aligned again."};
+  if (sensor.placed && sensor.unverified)
+    return RoomProblem{Severity::kNotice, sensor.name,
+                       name +
+                           " is shown where it stood before it was away; nothing has confirmed "
+                           "yet that it still does."};
   if (sensor.placed) return std::nullopt;
   const std::string why =
       sensor.placement_note.empty() ? "." : ": " + with_full_stop(sensor.placement_note);

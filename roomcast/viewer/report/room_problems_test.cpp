@@ -73,6 +73,16 @@ TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
       "shown at a place that was made up.");
 }
 
+TEST(RoomProblems, a_sensor_that_nothing_has_confirmed_where_it_is_shown) {
+  RoomSnapshot room = good_room();
+  room.sensors[0].unverified = true;
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].sentence,
+            "Sensor left is shown where it stood before it was away; nothing has confirmed yet "
+            "that it still does.");
+}
+
 TEST(RoomProblems, a_slow_sensor_is_not_a_silent_one) {
   RoomSnapshot room = good_room();
   room.sensors[1].fps = 0.5;

@@ -4,6 +4,7 @@
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';
+import { isDoubtful } from '../panel/placement_tag';
 import { consoleTexts as texts } from '../texts';
 import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
@@ -13,11 +14,8 @@ function placeOf(entry: SensorEntry): string {
   if (entry.moved) return texts.moved;
   if (entry.placement === Placement.UNPLACED) return texts.unplaced;
   if (entry.placement === Placement.GIVEN) return texts.given;
+  if (entry.unverified) return texts.unverified;
   return texts.placed(entry.expectedErrorMm);
-}
-
-function needsHelp(entry: SensorEntry): boolean {
-  return entry.moved || entry.placement === Placement.UNPLACED;
 }
 
 export class AlignmentView {
@@ -87,9 +85,9 @@ export class AlignmentView {
       });
       line.append(button);
     }
-    const said = needsHelp(entry) ? [entry.placementNote, texts.advice] : [entry.placementNote];
+    const said = isDoubtful(entry) ? [entry.placementNote, texts.advice] : [entry.placementNote];
     const notes = said.filter((text) => text !== '').map((text) => element('p', { class: 'note' }, text));
-    const item = element('li', { class: needsHelp(entry) ? 'doubtful' : '' }, line, ...notes);
+    const item = element('li', { class: isDoubtful(entry) ? 'doubtful' : '' }, line, ...notes);
     if (moving) item.append(this.nudge.root);
     return item;
   }

@@ -2,7 +2,7 @@
 // The room from above: each sensor with the wedge that it looks into, and a line between those that see the same
 // surfaces.
 import type { SensorEntry } from '../gen/control_pb';
-import { Placement } from '../gen/control_pb';
+import { isDoubtful } from '../panel/placement_tag';
 import { consoleTexts as texts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
 import { svg } from '../panel/svg';
@@ -53,9 +53,8 @@ function label(text: string, x: number, y: number, className: string): SVGElemen
 }
 
 function dot({ entry, x, y, heading }: Spot): SVGElement[] {
-  const doubtful = entry.moved || entry.placement === Placement.UNPLACED;
   const ring = { cx: x, cy: y, r: 0.13, fill: sensorColor(entry.id), 'stroke-width': 0.05 };
-  const circle = svg('circle', { ...ring, class: doubtful ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
+  const circle = svg('circle', { ...ring, class: isDoubtful(entry) ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
   const behind = [x - 0.34 * Math.cos(heading), y - 0.34 * Math.sin(heading) + 0.08] as const;
   return [circle, label(entry.name, ...behind, 'name')];
 }

@@ -4,6 +4,11 @@ import { Placement, type SensorEntry } from '../gen/control_pb';
 import { placementTexts as texts } from '../texts';
 import { element } from './element';
 
+/** Whether it may stand elsewhere than where it is shown. */
+export function isDoubtful(entry: SensorEntry): boolean {
+  return entry.moved || entry.unverified || entry.placement === Placement.UNPLACED;
+}
+
 /** Nothing for poses that were given. */
 export function placementTag(entry: SensorEntry): HTMLElement | undefined {
   if (entry.moved) {
@@ -14,6 +19,9 @@ export function placementTag(entry: SensorEntry): HTMLElement | undefined {
     return element('span', { class: 'tag', title: entry.placementNote || texts.unplacedTitle }, texts.unplaced);
   }
   if (entry.placement !== Placement.ALIGNED) return undefined;
+  if (entry.unverified) {
+    return element('span', { class: 'tag', title: entry.placementNote || texts.unverifiedTitle }, texts.unverified);
+  }
   const error_mm = Math.max(1, Math.round(entry.expectedErrorMm));
   const title = entry.placementNote || texts.alignedTitle;
   return element(

@@ -79,6 +79,11 @@ describe('what is wrong', () => {
     expect(sentences(known({}, [told]))[0]).toMatch(/again\. Turn it towards s1\.$/);
   });
 
+  test('is a sensor that was away and that nothing has confirmed where it is shown', () => {
+    const remembered = { ...s0, placement: Placement.ALIGNED, unverified: true, placementNote: 'nothing is shared' };
+    expect(sentences(known({}, [remembered]))[0]).toMatch(/^Sensor s0 is shown where it stood.*does\. Nothing is shared\.$/);
+  });
+
   test('is a decoder that gave up, or colour that cannot be decoded', () => {
     expect(sentences(known({}, [s0], [{ ...traffic, problem: 'it gave up.' }]))).toEqual(['Sensor s0: it gave up.']);
     const facts = known({});

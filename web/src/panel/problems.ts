@@ -65,14 +65,19 @@ function sensorProblems(
       found.push(error(texts.silent(sensor.name, Math.round(silence_ms / 1000))));
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
     if (sensor.moved) {
-      const why = sensor.placementNote ? ` ${sensor.placementNote.replace(/\.?$/, '.')}` : '';
-      found.push(notice(texts.moved(sensor.name, why)));
+      found.push(notice(texts.moved(sensor.name, inAddition(sensor.placementNote))));
     } else if (sensor.placement === Placement.UNPLACED) {
       const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
       found.push(notice(texts.unplaced(sensor.name, why)));
+    } else if (sensor.unverified) {
+      found.push(notice(texts.unverified(sensor.name, inAddition(sensor.placementNote))));
     }
     return found;
   });
+}
+
+function inAddition(note: string): string {
+  return note ? ` ${note.replace(/^./, (first) => first.toUpperCase()).replace(/\.?$/, '.')}` : '';
 }
 
 function silenceOf(counts: SensorTraffic | undefined, room_ms: number | undefined): number {
