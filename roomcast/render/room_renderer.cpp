@@ -55,6 +55,12 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
 }
 static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
 
+void RoomRenderer::set_apart(SensorId id, bool apart) {
+  const auto known = sensors_.find(id);
+  if (known == sensors_.end() || std::exchange(known->second.is_apart, apart) == apart) return;
+  for (auto& [other, sensor] : sensors_) sensor.memory_is_fresh = false;
+}
+
 Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen) {
   const auto sensor = sensors_.find(id);
   if (sensor == sensors_.end()) {
@@ -102,6 +108,7 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
   } else {
     parts_.adaptive.draw(layers_, eyes, target);
   }
+  draw_apart(eyes);
   return {};
 }
 
@@ -110,27 +117,33 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
 void RoomRenderer::gather_layers(RenderMode mode) {
   layers_.clear();
   for (const auto& [id, sensor] : sensors_) {
+    if (sensor.is_apart) continue;
     layers_.push_back(
         {id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays(), false});
   }
   if (mode != RenderMode::kBlend) return;
   for (const auto& [id, sensor] : sensors_) {
+    if (sensor.is_apart) continue;
     layers_.push_back(
         {id, sensor.world_from_depth, &sensor.memory.background(), &sensor.surface.rays(), true});
   }
 }
 
 void RoomRenderer::refresh_memories() {
-  const auto is_fresh = [](const auto& sensor) { return sensor.second.memory_is_fresh; };
+  const auto is_fresh = [](const auto& sensor) {
+    return sensor.second.memory_is_fresh || sensor.second.is_apart;
+  };
   if (std::ranges::all_of(sensors_, is_fresh)) return;
   std::map<SensorId, RigidTransform> poses;
-  for (const auto& [id, sensor] : sensors_) poses.emplace(id, sensor.world_from_depth);
+  for (const auto& [id, sensor] : sensors_) {
+    if (!sensor.is_apart) poses.emplace(id, sensor.world_from_depth);
+  }
   colors_.update(poses);
   for (auto& [id, sensor] : sensors_) {
-    if (std::exchange(sensor.memory_is_fresh, true)) continue;
+    if (sensor.is_apart || std::exchange(sensor.memory_is_fresh, true)) continue;
     std::vector<OtherSensor> others;
     for (const auto& [other_id, other] : sensors_) {
-      if (other_id == id) continue;
+      if (other_id == id || other.is_apart) continue;
       others.push_back(
           {&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth});
     }
@@ -142,16 +155,28 @@ void RoomRenderer::draw_sensors(const Eyes& eyes, RenderMode mode) {
   const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  for (auto& [id, sensor] : sensors_) draw_sensor(id, sensor, eyes, mode);
+}
+
+/// Beside what is mixed, which has left its depth.
+void RoomRenderer::draw_apart(const Eyes& eyes) {
+  const EyeBorders borders(eyes);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
   for (auto& [id, sensor] : sensors_) {
-    const SurfaceView view = surface_view(id, sensor.world_from_depth, eyes);
-    if (mode == RenderMode::kPoints) {
-      parts_.points.draw(sensor.surface, view, PointSize::kOnePixel);
-    } else if (mode == RenderMode::kSplats) {
-      parts_.points.draw(sensor.surface, view, PointSize::kAsSurface);
-    } else {
-      parts_.mesher.update(sensor.surface, look_.mesh, sensor.mesh);
-      parts_.meshes.draw(sensor.surface, sensor.mesh, view);
-    }
+    if (sensor.is_apart) draw_sensor(id, sensor, eyes, RenderMode::kMesh);
+  }
+}
+
+void RoomRenderer::draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, RenderMode mode) {
+  const SurfaceView view = surface_view(id, sensor.world_from_depth, eyes);
+  if (mode == RenderMode::kPoints) {
+    parts_.points.draw(sensor.surface, view, PointSize::kOnePixel);
+  } else if (mode == RenderMode::kSplats) {
+    parts_.points.draw(sensor.surface, view, PointSize::kAsSurface);
+  } else {
+    parts_.mesher.update(sensor.surface, look_.mesh, sensor.mesh);
+    parts_.meshes.draw(sensor.surface, sensor.mesh, view);
   }
 }
 

@@ -50,6 +50,11 @@ class RoomRenderer {
   Status set_sensor(SensorId id, const CameraIntrinsics& depth,
                     const RigidTransform& world_from_depth);
 
+  /// Whether it only stands beside the room, because nobody knows where it is: it is drawn by
+  /// itself, as a mesh where others are mixed, and what it sees tells nothing about what others
+  /// remember. Nothing happens when there is no such sensor.
+  void set_apart(SensorId id, bool apart);
+
   /// The sensor's newest pictures. kNotFound without a set_sensor before it; else as
   /// SensorSurface::upload.
   Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen);
@@ -72,6 +77,7 @@ class RoomRenderer {
     SurfaceMesh mesh;
     SensorMemory memory;
     bool memory_is_fresh = false;
+    bool is_apart = false;
   };
   struct Parts {
     PointRenderer points;
@@ -85,6 +91,8 @@ class RoomRenderer {
 
   explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}
   void draw_sensors(const Eyes& eyes, RenderMode mode);
+  void draw_apart(const Eyes& eyes);
+  void draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, RenderMode mode);
   void gather_layers(RenderMode mode);
   void refresh_memories();
 

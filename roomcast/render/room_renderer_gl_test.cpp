@@ -124,6 +124,17 @@ TEST_P(EveryMode, every_pixel_knows_which_sensor_drew_it) {
   EXPECT_EQ(picture.sensors.at(5, 5), kDrawnByNoSensor);
 }
 
+TEST_P(EveryMode, a_sensor_that_stands_apart_is_drawn_and_never_mixed_with_others) {
+  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kSecond, kLens, kPose, wall(kLens, 2010, kGreen));  // within what is mixed
+  room_->set_apart(kSecond, true);
+  EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
+  add(kSecond, kLens, kPose, wall(kLens, 1900, kGreen));
+  EXPECT_EQ(draw_wide().color.at(64, 48), kGreen) << "it is there, by itself";
+  room_->remove(kFirst);
+  EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
+}
+
 TEST_P(EveryMode, a_moved_sensor_keeps_its_picture) {
   add(kFirst, kLens, RigidTransform{}, wall(kLens, 2000, kRed));
   ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());

@@ -23,7 +23,7 @@ import { alongView, standingLike } from './view/nudge';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
-import { fallbackView, startView } from './view/start_view';
+import { fallbackView, placedOrAll, startView } from './view/start_view';
 import { viewFromBody, viewFromMatrix, type ViewState } from './view/view_state';
 import { Headset } from './xr/headset';
 import { headsetOffer, type HeadsetMode } from './xr/offer';
@@ -279,7 +279,7 @@ class Page {
     if (this.options.view) return this.options.view;
     const pose = this.state.welcome?.startPose ?? [];
     if (this.hubKnewSensors && pose.length === 16) return viewFromMatrix(pose, startDistance_m);
-    return startView(this.state.roster?.sensors ?? []);
+    return startView(placedOrAll(this.state.roster?.sensors ?? []));
   }
 
   private goToStart(): void {

@@ -2,7 +2,7 @@
 // A sensor of the room as it is drawn: its pictures, the surface that shows them alone, what it remembers and its
 // layers among the mixed ones, and the mark where it stands.
 import * as THREE from 'three';
-import type { SensorEntry } from '../gen/control_pb';
+import { Placement, type SensorEntry } from '../gen/control_pb';
 import { BlendLayer } from './blend/blend_layer';
 import { SensorMemory } from './blend/sensor_memory';
 import { sensorMark } from './room_marks';
@@ -49,7 +49,13 @@ export class PlacedSensor {
     return !before.equals(this.worldFromDepth);
   }
 
-  updateVisible(mixed: boolean): void {
+  /** Nobody knows where it stands: it is shown beside the room, and takes no part in what others show. */
+  get isApart(): boolean {
+    return this.entry.placement === Placement.UNPLACED;
+  }
+
+  updateVisible(mixing: boolean): void {
+    const mixed = mixing && !this.isApart;
     const drawn = this.wanted && this.chosen && this.pictures.hasPicture;
     this.surface.root.visible = drawn && !mixed;
     this.layers.forEach((layer) => layer.setVisible(drawn && mixed));

@@ -98,8 +98,10 @@ export class RoomScene {
     const listed = new Map(roster.sensors.map((entry) => [entry.id, entry]));
     for (const [id, placed] of this.placed) {
       const entry = listed.get(id);
-      if (entry && sameSensor(entry, placed.entry)) placed.follow(entry, this.connected);
-      else this.remove(id, placed);
+      if (entry && sameSensor(entry, placed.entry)) {
+        placed.follow(entry, this.connected);
+        this.applyMode(placed);
+      } else this.remove(id, placed);
     }
     for (const entry of roster.sensors) {
       if (!this.placed.has(entry.id)) this.add(entry);
@@ -114,7 +116,7 @@ export class RoomScene {
       const lens = placed?.pictures.lens;
       if (!placed || lens?.width !== frame.width || lens.height !== frame.height) continue;
       placed.pictures.show(frame, this.renderer);
-      if (placed.memory && this.isMixing) this.keeper!.remember(placed.memory);
+      if (placed.memory && this.isMixing && !placed.isApart) this.keeper!.remember(placed.memory);
       placed.isStale = true;
       this.applyMode(placed);
     }
@@ -139,7 +141,8 @@ export class RoomScene {
 
   /** Into the renderer's target, `width` x `height` device pixels. */
   render(camera: THREE.PerspectiveCamera, width: number, height: number): void {
-    const filled = this.isMixing && [...this.placed.values()].some(({ pictures }) => pictures.hasPicture);
+    const filled =
+      this.isMixing && [...this.placed.values()].some(({ pictures, isApart }) => pictures.hasPicture && !isApart);
     this.grid.visible = !this.passthrough && !filled;
     if (this.isMixing) {
       this.refreshMemories();
@@ -151,7 +154,7 @@ export class RoomScene {
   private refreshMemories(): void {
     for (const placed of this.placed.values()) {
       const { memory, layers } = placed;
-      if (!memory || !placed.isStale || memory.pictures === 0) continue;
+      if (!memory || placed.isApart || !placed.isStale || memory.pictures === 0) continue;
       placed.isStale = false;
       if (memory.pictures % carveEvery === 0) this.carve(placed);
       this.keeper!.refresh(memory);
@@ -160,7 +163,9 @@ export class RoomScene {
   }
 
   private carve(placed: PlacedSensor): void {
-    const others = [...this.placed.values()].filter((other) => other !== placed && other.pictures.hasPicture);
+    const others = [...this.placed.values()].filter(
+      (other) => other !== placed && other.pictures.hasPicture && !other.isApart,
+    );
     const views = others.map(({ pictures, worldFromDepth }) => ({
       pictures,
       otherFromDepth: worldFromDepth.clone().invert().multiply(placed.worldFromDepth),

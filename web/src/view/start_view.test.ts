@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { startView } from './start_view';
+import { Placement } from '../gen/control_pb';
+import { placedOrAll, startView } from './start_view';
 import { direction } from './view_state';
 
 /** A sensor at `position` that looks level at `target`. */
@@ -29,6 +30,13 @@ describe('the start view', () => {
     const view = startView([sensor([-2, 1.5, 2], [0, 1, 0]), sensor([2, 1.5, 2], [0, 1, 0])])!;
     expect(view.position.z).toBeGreaterThan(1);
     expect(direction(view).z).toBeLessThan(-0.8);
+  });
+
+  test('leaves out those that nobody has placed, unless there are no others', () => {
+    const placed = { placement: Placement.ALIGNED };
+    const unplaced = { placement: Placement.UNPLACED };
+    expect(placedOrAll([unplaced, placed])).toEqual([placed]);
+    expect(placedOrAll([unplaced])).toEqual([unplaced]);
   });
 
   test('of sensors all around stands at a distance and looks at the middle', () => {

@@ -2,7 +2,7 @@
 // Where to stand first: so that the room is well seen. The hub's start pose where it gives one, else worked out from the
 // sensors: at the height of a standing person's eyes, on the sensors' side of what they look at.
 import { Vector3 } from 'three';
-import type { SensorEntry } from '../gen/control_pb';
+import { Placement, type SensorEntry } from '../gen/control_pb';
 import { lookFrom, type ViewState } from './view_state';
 
 const eyeHeight_m = 1.6;
@@ -24,6 +24,12 @@ function gazeOf({ worldFromDepth: m }: Posed): Vector3 {
 
 function mean(points: Vector3[]): Vector3 {
   return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
+}
+
+/** Those that nobody could place yet are shown beside the room. */
+export function placedOrAll<T extends Pick<SensorEntry, 'placement'>>(sensors: readonly T[]): readonly T[] {
+  const placed = sensors.filter(({ placement }) => placement !== Placement.UNPLACED);
+  return placed.length > 0 ? placed : sensors;
 }
 
 /** Undefined without sensors. */

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+import { create } from '@bufbuild/protobuf';
+import { expect, test } from 'vitest';
+import { Placement, SensorEntrySchema } from '../gen/control_pb';
+import { PlacedSensor } from './placed_sensor';
+
+function sensor(placement: Placement): PlacedSensor {
+  const depth = { width: 4, height: 3, fx: 4, fy: 4, cx: 1.5, cy: 1 };
+  const entry = create(SensorEntrySchema, { calibration: { depth }, placement });
+  const placed = new PlacedSensor(entry, true);
+  placed.pictures.hasPicture = true;
+  return placed;
+}
+
+test('a sensor that nobody has placed is drawn by itself while the others are mixed', () => {
+  const lost = sensor(Placement.UNPLACED);
+  lost.updateVisible(true);
+  expect(lost.surface.root.visible).toBe(true);
+  expect(lost.layers.map((layer) => layer.nearest.visible || layer.mixed.visible)).toEqual([false, false]);
+
+  const found = sensor(Placement.ALIGNED);
+  found.updateVisible(true);
+  expect(found.surface.root.visible).toBe(false);
+  expect(found.layers.some((layer) => layer.nearest.visible)).toBe(true);
+});
