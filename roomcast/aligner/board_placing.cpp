@@ -2,6 +2,9 @@
 #include "roomcast/aligner/board_placing.h"
 
 #include <optional>
+#include <utility>
+
+#include "roomcast/aligner/seeded_world.h"
 
 namespace roomcast::aligner {
 namespace {
@@ -58,14 +61,31 @@ Placement BoardPlacing::place_one(const std::string& sensor, const Sightings& se
   return placement;
 }
 
-std::vector<Placement> BoardPlacing::place(const KnownPoses& placed,
-                                           const std::set<std::string>& lost) const {
-  std::vector<Placement> placements;
-  for (const std::string& sensor : lost) {
-    const auto seen = seen_.find(sensor);
-    if (seen != seen_.end()) placements.push_back(place_one(sensor, seen->second, placed));
+std::vector<Placement> BoardPlacing::place_beside(KnownPoses placed,
+                                                  const std::set<std::string>& lost) const {
+  std::map<std::string, Placement> answers;
+  for (bool is_more_known = true; is_more_known;) {
+    is_more_known = false;
+    for (const std::string& sensor : lost) {
+      const auto seen = seen_.find(sensor);
+      if (seen == seen_.end() || answers[sensor].world_from_depth) continue;
+      answers[sensor] = place_one(sensor, seen->second, placed);
+      if (!answers[sensor].world_from_depth) continue;
+      placed[sensor] = *answers[sensor].world_from_depth;
+      is_more_known = true;
+    }
   }
+  std::vector<Placement> placements;
+  for (auto& [sensor, answer] : answers) placements.push_back(std::move(answer));
   return placements;
+}
+
+std::vector<Placement> BoardPlacing::place(const KnownPoses& placed,
+                                           const std::set<std::string>& lost,
+                                           const Seeds& seeds) const {
+  return place_or_seed(placed, lost, seeds, [this](const auto& known, const auto& others) {
+    return place_beside(known, others);
+  });
 }
 
 }  // namespace roomcast::aligner

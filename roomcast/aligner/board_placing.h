@@ -25,12 +25,16 @@ class BoardPlacing {
   void forget(const std::string& sensor) { seen_.erase(sensor); }
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
-  /// Those of the `lost` that can be placed beside one of the `placed`; for the others that have
-  /// seen a board the reason why not.
+  /// Those of the `lost` that can be placed beside one of the `placed`, or beside one that was so
+  /// placed before; for the others that have seen a board the reason why not. Where nobody is
+  /// placed, the first of the seeds beside whom another can be makes the world.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
-                                             const std::set<std::string>& lost) const;
+                                             const std::set<std::string>& lost,
+                                             const Seeds& seeds) const;
 
  private:
+  [[nodiscard]] std::vector<Placement> place_beside(KnownPoses placed,
+                                                    const std::set<std::string>& lost) const;
   using Sightings = std::deque<align::TagSighting>;  // in the order of time
   [[nodiscard]] Placement place_one(const std::string& sensor, const Sightings& seen,
                                     const KnownPoses& placed) const;

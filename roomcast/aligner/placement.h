@@ -7,7 +7,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "roomcast/geometry/rigid_transform.h"
 
@@ -24,6 +27,18 @@ struct Placement {
 
 /// Poses by the sensor's name.
 using KnownPoses = std::map<std::string, RigidTransform>;
+
+/// Where the room shows its sensors.
+struct KnownRoom {
+  KnownPoses given;            // they hold whatever is found
+  KnownPoses found;            // by what sensors see
+  KnownPoses remembered;       // found once; who was away since may have been moved
+  KnownPoses made_up;          // of those that nobody could place yet
+  std::set<std::string> away;  // of all of them those that are not here now
+};
+
+/// Where the first of these would stand, in this order, if the world were made for it.
+using Seeds = std::vector<std::pair<std::string, RigidTransform>>;
 
 /// Makes a place that was found by something else more exact by what the sensor shares with others,
 /// where that can be.

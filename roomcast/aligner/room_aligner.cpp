@@ -29,6 +29,13 @@ pb::Join join_message(const RoomAlignerOptions& options) {
   return join;
 }
 
+/// Those that are known as well as this one.
+KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
+  if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.made_up;
+  if (entry.placement() == pb::PLACEMENT_GIVEN) return entry.online() ? known.given : known.found;
+  return entry.unverified() ? known.remembered : known.found;
+}
+
 }  // namespace
 
 class RoomAligner::Link final : public HubLinkEvents {
@@ -66,7 +73,7 @@ class RoomAligner::Link final : public HubLinkEvents {
   };
 
   void take_roster(const pb::Roster& roster) {
-    KnownPoses given, found_before;
+    KnownRoom known;
     bool somebody_is_lost = false;
     const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
@@ -81,12 +88,10 @@ class RoomAligner::Link final : public HubLinkEvents {
         if (then != before.end() && !then->second.moved) thinker_.forget(entry.name());
         continue;
       }
-      if (entry.placement() == pb::PLACEMENT_GIVEN) {
-        (entry.online() ? given : found_before)[entry.name()] = *pose;
-      }
-      if (entry.placement() == pb::PLACEMENT_ALIGNED) found_before[entry.name()] = *pose;
+      poses_like(entry, known)[entry.name()] = *pose;
+      if (!entry.online()) known.away.insert(entry.name());
     }
-    thinker_.set_known(std::move(given), std::move(found_before), somebody_is_lost);
+    thinker_.set_known(std::move(known), somebody_is_lost);
   }
 
   void take_bundle(const pb::CalibrationBundle& message) {

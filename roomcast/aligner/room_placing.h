@@ -5,18 +5,21 @@
 // Deterministic. Single-threaded.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "roomcast/align/guess/guess_evidence.h"
 #include "roomcast/align/rig/rig_aligner.h"
 #include "roomcast/aligner/board_placing.h"
 #include "roomcast/aligner/placement.h"
+#include "roomcast/aligner/recollections.h"
 #include "roomcast/aligner/room_world.h"
 #include "roomcast/aligner/walk_placing.h"
 #include "roomcast/geometry/rigid_transform.h"
@@ -37,17 +40,42 @@ class RoomPlacing {
   /// A person's guess, answered by the next solve().
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
 
-  /// All sensors that have been added. `given`: poses that hold whatever is found; `found_before`:
-  /// where the room shows the others now.
-  [[nodiscard]] std::vector<Placement> solve(const KnownPoses& given,
-                                             const KnownPoses& found_before);
+  /// All sensors that have been added. Remembered poses are compared with what is seen there now:
+  /// those that hold are found again, those that are contradicted are withdrawn. Where nothing
+  /// tells, the sensor is lost, and stays where it was meanwhile.
+  [[nodiscard]] std::vector<Placement> solve(KnownRoom known);
 
   /// After the last solve(): some sensors can be placed by what passes through their views only.
-  [[nodiscard]] bool wants_sightings() const { return !lost_.empty(); }
+  [[nodiscard]] bool wants_sightings() const { return !lost_.empty() && views_.size() > 1; }
 
  private:
-  void place_by_hand(std::vector<Placement>& placements, const KnownPoses& known);
-  void place_the_lost(std::vector<Placement>& placements, const KnownPoses& known);
+  /// While it solves.
+  struct Room {
+    KnownRoom told;                     // remembered: those that nothing has confirmed
+    std::vector<Placement> placements;  // the answer
+    KnownPoses known;                   // who holds, and may be a base for others
+
+    [[nodiscard]] Placement* placement_of(const std::string& sensor);
+    void place(const Placement& found);
+    /// The known poses; none where all who have one have left.
+    [[nodiscard]] KnownPoses base() const;
+  };
+
+  /// What two sensors said of where they were thought to stand.
+  struct Testimony {
+    const align::PairCandidates* pair = nullptr;
+    std::array<std::array<double, 16>, 2> poses{};
+    align::RecalledPose told;
+  };
+
+  void recall(Room& room, std::map<std::string, Placement>& recalled);
+  [[nodiscard]] align::RecalledPose witness(const NamedPose& a, const NamedPose& b);
+  void place_by_sight(Room& room, LoneMemory lone);
+  void place_by_hand(Room& room);
+  void hold_by_hand(const Placement& found, Room& room);
+  void guess_beside_unplaced(const std::string& sensor, const RigidTransform& guess, Room& room);
+  void place_the_lost(Room& room);
+  [[nodiscard]] Seeds seeds(const Room& room) const;
   void settle(Placement& found, const KnownPoses& placed) const;
   /// What those see that are placed, but for this sensor.
   [[nodiscard]] std::vector<align::PlacedView> views_beside(const std::string& sensor,
@@ -58,6 +86,7 @@ class RoomPlacing {
   std::map<std::string, std::shared_ptr<const align::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
   std::set<std::string> lost_;
+  std::map<std::pair<std::string, std::string>, Testimony> testimonies_;
   RoomWorld world_;
   WalkPlacing walks_;
   BoardPlacing boards_;

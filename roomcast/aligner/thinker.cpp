@@ -60,10 +60,9 @@ void Thinker::nudge(const std::string& sensor, const RigidTransform& world_from_
   change_news([&](News& news) { news.nudges[sensor] = world_from_depth; });
 }
 
-void Thinker::set_known(KnownPoses given, KnownPoses found_before, bool somebody_is_lost) {
+void Thinker::set_known(KnownRoom known, bool somebody_is_lost) {
   change_news([&](News& news) {
-    news.given = std::move(given);
-    news.found_before = std::move(found_before);
+    news.known = std::move(known);
     news.somebody_is_lost = somebody_is_lost;
   });
 }
@@ -73,7 +72,7 @@ void Thinker::run(const std::stop_token& stop) {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
   while (auto news = wait_for_news(stop)) {
     take(*news);
-    Thought thought{placing_.solve(news->given, news->found_before), placing_.wants_sightings()};
+    Thought thought{placing_.solve(news->known), placing_.wants_sightings()};
     for (auto& placement : thought.placements)
       placement.bundle_number = bundle_numbers_[placement.sensor];
     if (!stop.stop_requested()) tell_(std::move(thought));

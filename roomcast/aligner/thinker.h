@@ -38,7 +38,7 @@ class Thinker {
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
   /// As the roster says. `somebody_is_lost`: a sensor that is here does not know where it stands.
-  void set_known(KnownPoses given, KnownPoses found_before, bool somebody_is_lost);
+  void set_known(KnownRoom known, bool somebody_is_lost);
 
  private:
   struct Bundle {
@@ -51,7 +51,7 @@ class Thinker {
     std::map<std::string, Bundle> bundles;
     std::map<std::string, wire::pb::Sightings> sightings;
     KnownPoses nudges;
-    KnownPoses given, found_before;
+    KnownRoom known;
     bool somebody_is_lost = false;
 
     [[nodiscard]] bool is_urgent() const {

@@ -34,7 +34,7 @@ class ThinkerTest : public testing::Test {
 };
 
 TEST_F(ThinkerTest, bundles_that_come_together_are_one_thought_with_their_numbers) {
-  thinker.set_known({}, {}, true);
+  thinker.set_known({}, true);
   add("left", kLeft, 4);
   add("right", kRight, 7);
   const auto thought = thoughts.pop({});
@@ -49,7 +49,9 @@ TEST_F(ThinkerTest, bundles_that_come_together_are_one_thought_with_their_number
 TEST_F(ThinkerTest, a_guess_is_answered_though_nobody_is_lost) {
   add("left", kLeft, 1);
   add("right", kRight, 1);
-  thinker.set_known({{"left", kLeft}}, {}, false);
+  KnownRoom known;
+  known.given = {{"left", kLeft}};
+  thinker.set_known(known, false);
   RigidTransform guess = kRight;
   guess.translation_m.x() += 0.1;
   thinker.nudge("right", guess);

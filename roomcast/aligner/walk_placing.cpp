@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "roomcast/align/walker/head_finder.h"
+#include "roomcast/aligner/seeded_world.h"
 
 namespace roomcast::aligner {
 namespace {
@@ -64,21 +65,15 @@ std::vector<align::HeadSighting> WalkPlacing::seen_in_world(const KnownPoses& pl
   return all;
 }
 
-std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
-                                          const std::set<std::string>& lost,
-                                          const Settle& settle) const {
-  KnownPoses known = placed;
+std::vector<Placement> WalkPlacing::place_beside(KnownPoses known,
+                                                 const std::set<std::string>& lost,
+                                                 const Settle& settle) const {
   std::vector<Placement> placements;
   for (const std::string& sensor : lost) {
     const Watcher* watcher = watcher_of(sensor);
     if (watcher == nullptr) continue;
     Placement& placement = placements.emplace_back();
     placement.sensor = sensor;
-    if (known.empty()) {  // the world is as it sees it
-      known[sensor] = watcher->level_from_depth;
-      placement.world_from_depth = watcher->level_from_depth;
-      continue;
-    }
     const auto match =
         align::match_walks(seen_in_world(known), sightings_of(*watcher, watcher->level_from_depth));
     if (!match) {
@@ -90,11 +85,15 @@ std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
     settle(placement, known);
     known[sensor] = *placement.world_from_depth;
   }
-  // Alone it stands nowhere.
-  if (placed.empty() && known.size() == 1) {
-    for (Placement& placement : placements) placement.world_from_depth.reset();
-  }
   return placements;
+}
+
+std::vector<Placement> WalkPlacing::place(const KnownPoses& placed,
+                                          const std::set<std::string>& lost, const Seeds& seeds,
+                                          const Settle& settle) const {
+  return place_or_seed(placed, lost, seeds, [&](const auto& known, const auto& others) {
+    return place_beside(known, others, settle);
+  });
 }
 
 }  // namespace roomcast::aligner

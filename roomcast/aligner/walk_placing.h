@@ -32,10 +32,10 @@ class WalkPlacing {
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
   /// Those of the `lost` that can be placed beside the `placed`. Where nobody is placed yet, the
-  /// first of the lost makes the world. Each settles before the next is looked at. For the others
-  /// the reason, once there is one.
+  /// first of the seeds beside whom another can be makes the world. Each settles before the next is
+  /// looked at. For the others the reason, once there is one.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
-                                             const std::set<std::string>& lost,
+                                             const std::set<std::string>& lost, const Seeds& seeds,
                                              const Settle& settle) const;
 
  private:
@@ -48,6 +48,9 @@ class WalkPlacing {
     std::deque<Head> heads;  // in the order of time
   };
 
+  [[nodiscard]] std::vector<Placement> place_beside(KnownPoses known,
+                                                    const std::set<std::string>& lost,
+                                                    const Settle& settle) const;
   [[nodiscard]] std::vector<align::HeadSighting> seen_in_world(const KnownPoses& placed) const;
   [[nodiscard]] static std::vector<align::HeadSighting> sightings_of(const Watcher& watcher,
                                                                      const RigidTransform& pose);

@@ -33,13 +33,16 @@ PairCandidates candidates_of(const SensorView& a, const SensorView& b) {
 }
 
 Contradiction contradiction(const PoseEvidence& evidence) {
-  if (evidence.space.conflict() > kMostConflict ||
-      evidence.space.consistent_least < kLeastOverlap) {
+  if (is_too_much(evidence.space) || evidence.space.consistent_least < kLeastOverlap) {
     return Contradiction::kShapes;
   }
   if (evidence.photo.textured > kTextured && evidence.photo.correlation < kLeastCorrelation)
     return Contradiction::kColors;
   return Contradiction::kNone;
+}
+
+bool is_too_much(const FreeSpaceCheck& space) {
+  return space.conflict() > kMostConflict;
 }
 
 }  // namespace roomcast::align

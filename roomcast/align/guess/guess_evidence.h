@@ -30,4 +30,7 @@ struct PlacedView {
 enum class Contradiction { kNone, kShapes, kColors };
 [[nodiscard]] Contradiction contradiction(const PoseEvidence& evidence);
 
+/// Whether one looks through what the other sees, by more than edges that are a little off.
+[[nodiscard]] bool is_too_much(const FreeSpaceCheck& space);
+
 }  // namespace roomcast::align

@@ -75,32 +75,36 @@ Error refused(std::string sentence) {
 
 }  // namespace
 
-Result<NudgedPose> refined_guess(const SensorView& view, const RigidTransform& guess,
-                                 std::span<const PlacedView> others) {
-  const auto partner = best_partner(view, guess, others);
-  if (!partner)
-    return refused(
-        "there it would see nothing that a placed sensor sees; nothing tells whether it is right");
-  const PairCandidates pair = candidates_of(*partner->view, view);
+Result<NudgedPose> refined_guess(const PairCandidates& pair, const RigidTransform& world_from_a,
+                                 const RigidTransform& guess) {
   std::vector<RigidTransform> starts;
   for (const RigidTransform& start : starts_about(guess))
-    starts.push_back(partner->world_from_depth.inverse() * start);
+    starts.push_back(world_from_a.inverse() * start);
   const auto ends = settled_from(pair, starts);
   const PoseEvidence& best = ends.front();
   const Contradiction contradicts = contradiction(best);
   if (contradicts == Contradiction::kShapes) {
-    return refused("what it sees does not fit what " + partner->view->name +
+    return refused("what it sees does not fit what " + pair.a().name +
                    " sees there; bring it within 20 cm and 5 degrees");
   }
   if (contradicts == Contradiction::kColors)
     return refused("the shapes fit there, but not the colours");
   if (ends.size() > 1 && best.score - ends[1].score < kLeastLead)
     return refused("two places near the guess fit equally well; bring it nearer to the right one");
-  const RigidTransform world_from_depth = partner->world_from_depth * best.a_from_b;
+  const RigidTransform world_from_depth = world_from_a * best.a_from_b;
   if (!is_near(world_from_depth, guess))
     return refused("what fits lies far from the guess; bring it nearer");
   return NudgedPose{world_from_depth,
-                    1000 * expected_error_ahead_m(*partner->view, view, best.a_from_b)};
+                    1000 * expected_error_ahead_m(pair.a(), pair.b(), best.a_from_b)};
+}
+
+Result<NudgedPose> refined_guess(const SensorView& view, const RigidTransform& guess,
+                                 std::span<const PlacedView> others) {
+  const auto partner = best_partner(view, guess, others);
+  if (!partner)
+    return refused(
+        "there it would see nothing that a placed sensor sees; nothing tells whether it is right");
+  return refined_guess(candidates_of(*partner->view, view), partner->world_from_depth, guess);
 }
 
 }  // namespace roomcast::align

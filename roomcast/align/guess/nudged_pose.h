@@ -25,4 +25,10 @@ struct NudgedPose {
                                                const RigidTransform& guessed_world_from_depth,
                                                std::span<const PlacedView> others);
 
+/// Of two sensors alone, `a` where it is known to stand: beside the guess is along the floor, and
+/// turned about the vertical. The error is of what both see.
+[[nodiscard]] Result<NudgedPose> refined_guess(const PairCandidates& pair,
+                                               const RigidTransform& world_from_a,
+                                               const RigidTransform& guessed_world_from_b);
+
 }  // namespace roomcast::align

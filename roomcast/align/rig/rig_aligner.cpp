@@ -46,6 +46,12 @@ AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   return place_rig(views, pairs());
 }
 
+const PairCandidates* RigAligner::pair(const std::string& one, const std::string& other) const {
+  auto found = pairs_.find({one, other});
+  if (found == pairs_.end()) found = pairs_.find({other, one});
+  return found == pairs_.end() ? nullptr : found->second.candidates.get();
+}
+
 void RigAligner::compare_new_pairs(const AlignProgress& progress) {
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
     const SensorView &a = *views_[i], &b = *views_[j];

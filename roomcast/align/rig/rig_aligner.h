@@ -32,6 +32,10 @@ class RigAligner {
   /// Compares what has not been compared yet, and places all sensors. `progress` may be empty.
   [[nodiscard]] AlignmentReport solve(const AlignProgress& progress = {});
 
+  /// What two sensors say of each other, since the last solve(), whichever of them is `a` there.
+  /// Null where that is not known.
+  [[nodiscard]] const PairCandidates* pair(const std::string& one, const std::string& other) const;
+
  private:
   using Names = std::pair<std::string, std::string>;
   struct Pair {
