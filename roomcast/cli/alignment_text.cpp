@@ -12,6 +12,10 @@ nlohmann::json json_of(const std::optional<RigidTransform>& transform) {
   return row_major_from_transform(*transform);
 }
 
+nlohmann::json number_if(bool known, double number) {
+  return known ? nlohmann::json(number) : nlohmann::json(nullptr);
+}
+
 nlohmann::json json_of(const align::SensorReport& sensor) {
   return {{"id", sensor.id},
           {"placed", sensor.placed},
@@ -20,6 +24,9 @@ nlohmann::json json_of(const align::SensorReport& sensor) {
           {"expected_error_deg", sensor.expected_error_deg},
           {"color_shift_px",
            {sensor.correction.color_shift_px.x(), sensor.correction.color_shift_px.y()}},
+          {"overlap", sensor.overlap},
+          {"inliers", sensor.inliers},
+          {"residual_mm", number_if(sensor.overlap > 0, sensor.residual_mm)},
           {"reason", sensor.reason}};
 }
 
@@ -30,7 +37,8 @@ nlohmann::json json_of(const align::PairReport& pair) {
           {"b_from_a", json_of(pair.b_from_a)},
           {"overlap", pair.overlap},
           {"inliers", pair.inliers},
-          {"residual_mm", pair.residual_mm},
+          {"residual_mm", number_if(pair.b_from_a.has_value(), pair.residual_mm)},
+          {"expected_error_mm", number_if(pair.expected_error_mm > 0, pair.expected_error_mm)},
           {"conflict", pair.conflict},
           {"correlation", pair.correlation},
           {"margin", pair.margin},
@@ -44,6 +52,15 @@ std::string place_text(const align::SensorReport& sensor) {
                      at.z(), sensor.expected_error_mm, sensor.expected_error_deg);
 }
 
+/// What only those have that are placed.
+std::string millimetres(bool known, double number_mm) {
+  return known ? fmt::format("{:.1f} mm", number_mm) : "";
+}
+
+std::string shared_text(double overlap, int inliers, const std::string& residual) {
+  return fmt::format("{:>5.0f} % {:>7} {:>9}", 100 * overlap, inliers, residual);
+}
+
 }  // namespace
 
 std::string alignment_json(const align::AlignmentReport& report) {
@@ -54,18 +71,27 @@ std::string alignment_json(const align::AlignmentReport& report) {
 }
 
 std::string alignment_table(const align::AlignmentReport& report) {
+  constexpr auto kShared = "overlap inliers  residual";
   std::string text;
-  if (!report.sensors.empty()) text += fmt::format("{:<10} {:<44} {}\n", "sensor", "place", "why");
+  if (!report.sensors.empty())
+    text += fmt::format("{:<10} {:<44} {}  {}\n", "sensor", "place", kShared, "why");
   for (const auto& sensor : report.sensors) {
-    text += fmt::format("{:<10} {:<44} {}\n", sensor.id, place_text(sensor), sensor.reason);
+    const bool known = sensor.overlap > 0;
+    const auto residual = millimetres(known, sensor.residual_mm);
+    text += fmt::format("{:<10} {:<44} {:>25}  {}\n", sensor.id, place_text(sensor),
+                        known ? shared_text(sensor.overlap, sensor.inliers, residual) : "",
+                        sensor.reason);
   }
   if (report.pairs.empty()) return text;
-  text += fmt::format("{}{:<10} {:<10} {:<8} {:>7} {:>7} {:>9}  {}\n", text.empty() ? "" : "\n",
-                      "a", "b", "", "overlap", "inliers", "residual", "why");
+  text += fmt::format("{}{:<10} {:<10} {:<8} {} {:>9}  {}\n", text.empty() ? "" : "\n", "a", "b",
+                      "", kShared, "expected", "why");
   for (const auto& pair : report.pairs) {
-    text += fmt::format("{:<10} {:<10} {:<8} {:>5.0f} % {:>7} {:>6.1f} mm  {}\n", pair.a, pair.b,
-                        pair.accepted ? "accepted" : "refused", 100 * pair.overlap, pair.inliers,
-                        pair.residual_mm, pair.reason);
+    const bool known = pair.b_from_a.has_value();
+    const auto residual = millimetres(known, pair.residual_mm);
+    text += fmt::format(
+        "{:<10} {:<10} {:<8} {} {:>9}  {}\n", pair.a, pair.b,
+        pair.accepted ? "accepted" : "refused", shared_text(pair.overlap, pair.inliers, residual),
+        millimetres(pair.expected_error_mm > 0, pair.expected_error_mm), pair.reason);
   }
   return text;
 }

@@ -9,9 +9,10 @@
 namespace roomcast::cli {
 
 /// {"sensors": [{"id", "placed", "world_from_depth", "expected_error_mm", "expected_error_deg",
-/// "reason"}],
-///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm", "conflict",
-///  "correlation", "margin", "reason"}]}; transforms row-major or null.
+/// "color_shift_px", "overlap", "inliers", "residual_mm", "reason"}],
+///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm",
+///  "expected_error_mm", "conflict", "correlation", "margin", "reason"}]}; transforms row-major;
+/// null where there is no pose to say it of.
 [[nodiscard]] std::string alignment_json(const align::AlignmentReport& report);
 
 [[nodiscard]] std::string alignment_table(const align::AlignmentReport& report);

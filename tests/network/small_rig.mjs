@@ -63,17 +63,21 @@ function writeSensor(folder, n, frames) {
   writeFileSync(join(folder, 'depth.txt'), `# timestamp path\n${lines.join('')}`);
 }
 
-/** 16-bit greyscale, no filter: PNG specification, sections 5 and 11. */
 function depthPng(depthAt_mm) {
-  const header = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0, 0, 0]);
-  header.writeUInt32BE(width, 0);
-  header.writeUInt32BE(height, 4);
   const rows = Buffer.alloc(height * (1 + 2 * width));
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) rows.writeUInt16BE(depthAt_mm(x, y), y * (1 + 2 * width) + 1 + 2 * x);
   }
+  return pngOf(16, 0, deflateSync(rows));
+}
+
+/** A picture of this size, rows without filter, `colorType` 0 grey and 2 RGB: PNG specification, sections 5 and 11. */
+export function pngOf(bits, colorType, data) {
+  const header = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, bits, colorType, 0, 0, 0]);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
   const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-  return Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', deflateSync(rows)), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', data), chunk('IEND', Buffer.alloc(0))]);
 }
 
 function chunk(type, data) {

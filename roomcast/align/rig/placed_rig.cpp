@@ -125,13 +125,22 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
   return report;
 }
 
+/// Of what is 2.5 m ahead of `of`, by what is not known of where `sensor` stands.
+double variance_at_view_m2(const RefinedSensor& sensor, const RefinedSensor& of) {
+  const auto by_motion = point_motion(of.origin_from_sensor * kInView_m);
+  return (by_motion * sensor.covariance * by_motion.transpose()).trace();
+}
+
+/// Of both their directions, at the distance of what is in view.
+double variance_of_pointing_m2() {
+  return 2 * kPointingSigma_rad * kPointingSigma_rad * kInView_m.squaredNorm();
+}
+
 /// Both are 0 for the origin, by definition, and nothing is known of a sensor that no pair holds.
 void describe_error(const RefinedSensor& sensor, SensorReport& report) {
   if (sensor.covariance.isZero()) return;
-  const auto by_motion = point_motion(sensor.origin_from_sensor * kInView_m);
   const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
-  const double at_view_m2 = (by_motion * sensor.covariance * by_motion.transpose()).trace() +
-                            2 * pointing * kInView_m.squaredNorm();
+  const double at_view_m2 = variance_at_view_m2(sensor, sensor) + variance_of_pointing_m2();
   const double turn_rad2 = sensor.covariance.topLeftCorner<3, 3>().trace() + 3 * pointing;
   report.expected_error_mm = 1000 * std::sqrt(std::max(0.0, at_view_m2));
   report.expected_error_deg = std::sqrt(std::max(0.0, turn_rad2)) * 180 / std::numbers::pi;
@@ -203,7 +212,26 @@ PairReport report_of(const RigPair& pair, const RigAnswer& answer) {
   if (!answer.placed[pair.first] || !answer.placed[pair.second])
     return report_refused(pair, answer);
   const RigidTransform selected = answer.selection.best.relative(pair.first, pair.second);
-  return report_placed(pair, pair.candidates->examine(selected), answer.relative(pair));
+  PairReport report =
+      report_placed(pair, pair.candidates->examine(selected), answer.relative(pair));
+  const RefinedSensor &a = answer.refined[pair.first], &b = answer.refined[pair.second];
+  report.expected_error_mm =
+      1000 * std::sqrt(std::max(0.0, variance_at_view_m2(a, b)) +
+                       std::max(0.0, variance_at_view_m2(b, b)) + variance_of_pointing_m2());
+  return report;
+}
+
+/// What its pairs say of it.
+void describe_pairs(const std::vector<PairReport>& pairs, SensorReport& report) {
+  double sum = 0, shared = 0;
+  for (const PairReport& pair : pairs) {
+    if (!pair.b_from_a || (pair.a != report.id && pair.b != report.id)) continue;
+    report.overlap = std::max(report.overlap, pair.overlap);
+    report.inliers += pair.inliers;
+    sum += pair.overlap * pair.residual_mm;
+    shared += pair.overlap;
+  }
+  if (shared > 0) report.residual_mm = sum / shared;
 }
 
 SensorReport report_of(std::size_t index, const std::string& name, const RigAnswer& answer,
@@ -218,6 +246,7 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
   const RefinedSensor& refined = answer.refined[index];
   report.world_from_depth = world.world_from_origin * refined.origin_from_sensor;
   describe_error(refined, report);
+  describe_pairs(pairs, report);
   report.correction = refined.correction;
   report.reason = index == answer.selection.origin ? "stands at the origin" : "placed";
   return report;

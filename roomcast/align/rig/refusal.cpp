@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kLittleOverlap = 0.08;
 constexpr std::size_t kFewFeatures = 50;
+constexpr auto kWithoutSharing =
+    "in the running room walk through both views or hold a printed board into them";
 
 std::string names(const PairCandidates& pair) {
   return fmt::format("{} and {}", pair.a().name, pair.b().name);
@@ -34,8 +36,8 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
   if (pair.ranked().empty() || pair.ranked()[0].score < kLeastMargin) {
     return fmt::format(
         "nothing that {} both see could be found; turn them towards each other's view until at "
-        "least a tenth is common",
-        names(pair));
+        "least a tenth is common, or {}",
+        names(pair), kWithoutSharing);
   }
   const PoseEvidence& best = pair.ranked()[0];
   if (pair.margin() < kLeastMargin) {
@@ -46,8 +48,9 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
   }
   if (is_strong(best)) return {};
   if (best.space.consistent < kLittleOverlap) {
-    return fmt::format("{} share only about {:.0f} % of their views; turn them towards each other",
-                       names(pair), 100 * best.space.consistent);
+    return fmt::format(
+        "{} share only about {:.0f} % of their views; turn them towards each other, or {}",
+        names(pair), 100 * best.space.consistent, kWithoutSharing);
   }
   return fmt::format(
       "too few places agree between {} ({} found); turn them towards each other, or put something "

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/alignment_text.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::cli {
+namespace {
+
+/// Two that are placed, and one that nothing connects with them.
+align::AlignmentReport report() {
+  align::AlignmentReport report;
+  for (const char* id : {"s0", "s1"}) {
+    align::SensorReport& sensor = report.sensors.emplace_back();
+    sensor.id = id;
+    sensor.placed = true;
+    sensor.world_from_depth = RigidTransform();
+    sensor.overlap = 0.4;
+    sensor.inliers = 31;
+    sensor.residual_mm = 3.25;
+    sensor.reason = "placed";
+  }
+  align::SensorReport& apart = report.sensors.emplace_back();
+  apart.id = "s2";
+  apart.reason = "nothing is shared";
+
+  align::PairReport& accepted = report.pairs.emplace_back();
+  accepted.a = "s0";
+  accepted.b = "s1";
+  accepted.accepted = true;
+  accepted.b_from_a = RigidTransform();
+  accepted.residual_mm = 3.25;
+  accepted.expected_error_mm = 4.5;
+  accepted.reason = "31 places agree";
+  align::PairReport& refused = report.pairs.emplace_back();
+  refused.a = "s0";
+  refused.b = "s2";
+  refused.reason = "nothing is shared";
+  return report;
+}
+
+TEST(AlignmentText, scripts_get_all_that_is_known_and_null_for_what_is_not) {
+  const auto json = nlohmann::json::parse(alignment_json(report()));
+  const auto& sensor = json["sensors"][0];
+  for (const char* key :
+       {"id", "placed", "world_from_depth", "expected_error_mm", "expected_error_deg",
+        "color_shift_px", "overlap", "inliers", "residual_mm", "reason"}) {
+    EXPECT_TRUE(sensor.contains(key)) << key;
+  }
+  EXPECT_EQ(sensor["residual_mm"], 3.25);
+  EXPECT_EQ(sensor["inliers"], 31);
+  EXPECT_TRUE(json["sensors"][2]["residual_mm"].is_null());
+  EXPECT_TRUE(json["sensors"][2]["world_from_depth"].is_null());
+
+  const auto& pair = json["pairs"][0];
+  for (const char* key : {"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm",
+                          "expected_error_mm", "conflict", "correlation", "margin", "reason"}) {
+    EXPECT_TRUE(pair.contains(key)) << key;
+  }
+  EXPECT_EQ(pair["expected_error_mm"], 4.5);
+  EXPECT_TRUE(json["pairs"][1]["residual_mm"].is_null());
+  EXPECT_TRUE(json["pairs"][1]["expected_error_mm"].is_null());
+}
+
+TEST(AlignmentText, people_read_no_figures_of_what_was_refused) {
+  const std::string table = alignment_table(report());
+  EXPECT_NE(table.find("3.2 mm"), std::string::npos) << table;
+  EXPECT_NE(table.find("4.5 mm"), std::string::npos) << table;
+  EXPECT_EQ(table.find("0.0 mm"), std::string::npos) << table;
+  EXPECT_NE(table.find("nothing is shared"), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace roomcast::cli
