@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast demo finds out by itself where its sensors stand: the simulator, which knows, is only asked to compare.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Program } from '../cli/program.mjs';
+import { RoomClient } from './room_client.mjs';
+
+const [given, aligned] = [1, 2]; // PLACEMENT_...
+const sensorCount = 2;
+const limitMs = 200_000;
+const exact_m = 0.03;
+
+/** The roster of a demo once all its sensors are placed so. */
+async function placedDemo(t, placement, ...options) {
+  const args = ['demo', '--port', '0', '--sensors', String(sensorCount), '--fps', '5', ...options];
+  const demo = new Program(args, { limitMs });
+  t.after(() => demo.stop('SIGKILL'));
+  const viewer = await RoomClient.join(t, `ws://127.0.0.1:${await demo.port()}`, { name: 'witness' });
+  const sensors = () => viewer.rosters.at(-1)?.sensors ?? [];
+  const areAll = () => sensors().length === sensorCount && sensors().every((entry) => entry.placement === placement);
+  await viewer.until('all placed', areAll, limitMs);
+  const placements = new Set(viewer.rosters.flatMap((roster) => roster.sensors.map((entry) => entry.placement)));
+  await demo.stop('SIGKILL');
+  return { sensors: sensors(), placements };
+}
+
+/** Where the first sensor sees the second. */
+function secondFromFirst([first, second]) {
+  const [a, b] = [first.worldFromDepth, second.worldFromDepth];
+  const apart = [3, 7, 11].map((i) => b[i] - a[i]);
+  return [0, 1, 2].map((column) => [0, 1, 2].reduce((sum, row) => sum + a[4 * row + column] * apart[row], 0));
+}
+
+test('a_demo_places_its_sensors_by_what_they_see', { timeout: 2 * limitMs }, async (t) => {
+  const found = await placedDemo(t, aligned);
+  assert.ok(!found.placements.has(given), 'nobody told them');
+  const truth = await placedDemo(t, given, '--true-poses');
+  const [is, should] = [found.sensors, truth.sensors].map(secondFromFirst);
+  const off_m = Math.hypot(...is.map((metres, i) => metres - should[i]));
+  t.diagnostic(`${(1000 * off_m).toFixed(1)} mm off`);
+  assert.ok(off_m < exact_m, `${off_m} m`);
+});
