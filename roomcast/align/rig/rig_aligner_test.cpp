@@ -68,6 +68,17 @@ TEST(RigAligner, reports_every_pair) {
   EXPECT_LT(report.pairs[0].residual_mm, 5);
   EXPECT_GT(report.pairs[0].overlap, 0.1);
   EXPECT_GT(report.pairs[0].inliers, 12);
+  EXPECT_GT(report.pairs[0].expected_error_mm, 1);
+  EXPECT_LT(report.pairs[0].expected_error_mm, 30);
+}
+
+TEST(RigAligner, reports_what_each_sensor_shares) {
+  for (const SensorReport& sensor : corners_report().sensors) {
+    EXPECT_GT(sensor.overlap, 0.1) << sensor.id;
+    EXPECT_GT(sensor.inliers, 12) << sensor.id;
+    EXPECT_GT(sensor.residual_mm, 0) << sensor.id;
+    EXPECT_LT(sensor.residual_mm, 5) << sensor.id;
+  }
 }
 
 TEST(RigAligner, gives_the_same_bits_every_time) {
