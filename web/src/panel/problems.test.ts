@@ -81,7 +81,7 @@ describe('what is wrong', () => {
 
   test('is a sensor that was away and that nothing has confirmed where it is shown', () => {
     const remembered = { ...s0, placement: Placement.ALIGNED, unverified: true, placementNote: 'nothing is shared' };
-    expect(sentences(known({}, [remembered]))[0]).toMatch(/^Sensor s0 is shown where it stood.*does\. Nothing is shared\.$/);
+    expect(sentences(known({}, [remembered]))[0]).toMatch(/^Sensor s0 is shown where .*does\. Nothing is shared\.$/);
   });
 
   test('is a decoder that gave up, or colour that cannot be decoded', () => {
