@@ -22,7 +22,7 @@ bool is_the_same(const google::protobuf::RepeatedField<double>& found, const Mat
 /// In a row along x, looking into the world's -z like somebody who faces the room.
 SensorPlace SensorPlace::guessed(std::size_t nth, std::span<const Matrix4> placed) {
   constexpr double kSpacing_m = 3, kHeight_m = 1.2;
-  constexpr double kBeside_m = 6;  // what a sensor shows reaches that far to its side at most
+  constexpr double kBeside_m = 8;  // what a sensor shows reaches that far to its side at most
   constexpr std::size_t kX = 3, kZ = 11;
   double x = kSpacing_m * static_cast<double>(nth), z = 0;
   if (!placed.empty()) {
