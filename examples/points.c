@@ -25,6 +25,11 @@ int main(int argc, char** argv) {
     fprintf(stderr, "%s\n", error);
     return 1;
   }
+  if (!roomcast_may_export(viewer, error, sizeof(error))) {
+    fprintf(stderr, "%s\n", error);
+    roomcast_disconnect(viewer);
+    return 1;
+  }
   int done = 0;
   for (int tries = 0; tries < 20 && !done; ++tries) {
     roomcast_frames* frames = roomcast_wait_frames(viewer, 1000);

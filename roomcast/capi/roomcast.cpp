@@ -131,6 +131,15 @@ Result<PersonPose> person_pose(const roomcast_pose& given) {
                     .pointer = {}};
 }
 
+int may(roomcast_viewer* viewer, Status (*check)(const ViewerRights&), char* error,
+        std::size_t size) {
+  return guarded(0, error, size, [&] {
+    const Status allowed = check(viewer->subscriber->snapshot()->rights);
+    if (!allowed) say(allowed.error().message, error, size);
+    return allowed ? 1 : 0;
+  });
+}
+
 using WallClock = std::chrono::steady_clock;
 
 std::shared_ptr<const RoomSnapshot> wait_newer(roomcast_viewer& viewer,
@@ -194,6 +203,14 @@ int roomcast_is_connected(roomcast_viewer* viewer, char* error, size_t error_siz
     if (!room->connected) say(room->problem, error, error_size);
     return room->connected ? 1 : 0;
   });
+}
+
+int roomcast_may_record(roomcast_viewer* viewer, char* error, size_t error_size) {
+  return may(viewer, check_may_record, error, error_size);
+}
+
+int roomcast_may_export(roomcast_viewer* viewer, char* error, size_t error_size) {
+  return may(viewer, check_may_export, error, error_size);
 }
 
 roomcast_frames* roomcast_wait_frames(roomcast_viewer* viewer, int timeout_ms) {

@@ -85,6 +85,11 @@ ROOMCAST_API void roomcast_disconnect(roomcast_viewer* viewer);
 /* 1: connected; 0: not now (it is trying again) or no more, and why. */
 ROOMCAST_API int roomcast_is_connected(roomcast_viewer* viewer, char* error, size_t error_size);
 
+/* What the room's owner lets this viewer keep: pictures of it (recordings, videos, stills), and files that other programs
+ * read (point clouds, meshes). 1: it may; 0: it may not, and why. The library cannot stop a program that does not ask. */
+ROOMCAST_API int roomcast_may_record(roomcast_viewer* viewer, char* error, size_t error_size);
+ROOMCAST_API int roomcast_may_export(roomcast_viewer* viewer, char* error, size_t error_size);
+
 /* The newest pictures of all sensors. Waits up to `timeout_ms` for some that are newer than those of the last call;
  * NULL when none came. */
 ROOMCAST_API roomcast_frames* roomcast_wait_frames(roomcast_viewer* viewer, int timeout_ms);
@@ -102,7 +107,8 @@ ROOMCAST_API size_t roomcast_get_points(const roomcast_frames* frames, roomcast_
 ROOMCAST_API int roomcast_send_pose(roomcast_viewer* viewer, const roomcast_pose* pose, char* error,
                                     size_t error_size);
 
-/* Keeps a room in an MCAP file from now on, docs/spec/recording.md; an existing file is not overwritten. */
+/* Keeps a room in an MCAP file from now on, docs/spec/recording.md; an existing file is not overwritten. NULL where the
+ * room's owner does not let viewers record. */
 ROOMCAST_API roomcast_recorder* roomcast_record(const roomcast_options* options, const char* path,
                                                 char* error, size_t error_size);
 /* 1: it goes on; 0: it had to stop, and why (a full disk). */

@@ -101,6 +101,11 @@ void report(const ExportOptions& options, const ExportTotals& totals) {
   fmt::print("\n");
 }
 
+Error not_to_be_exported() {
+  return {ErrorCode::kUnavailable,
+          "the owner of this room did not let whoever recorded it export it"};
+}
+
 Status run_export(ExportOptions options) {
   StopOnSignal stop;
   if (!options.crop.empty()) {
@@ -110,6 +115,7 @@ Status run_export(ExportOptions options) {
   }
   auto reader = open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
+  if (!(*reader)->may_be_exported()) return not_to_be_exported();
   auto writer = make_writer(options, **reader);
   if (!writer) return writer.error();
   Status status = copy_sets(options, **reader, **writer, stop.token());

@@ -126,6 +126,7 @@ Status view_without_window(const ViewOptions& options) {
   StopOnSignal stop;
   auto viewer = Subscriber::open(options.subscriber);
   if (!viewer) return viewer.error();
+  if (auto may = check_may_record((*viewer)->snapshot()->rights); !may) return may;
   auto room = wait_for_pictures(**viewer, stop.token());
   if (room && options.seconds > 0) {
     watch(**viewer, options.seconds, stop.token());

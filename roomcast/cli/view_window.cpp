@@ -36,6 +36,11 @@ Status check_size(const ViewOptions& options) {
   return camera.check();
 }
 
+/// Where one is wanted.
+Status may_keep_last_picture(const ViewOptions& options, const Subscriber& hub) {
+  return options.last_picture.empty() ? Status() : check_may_record(hub.snapshot()->rights);
+}
+
 }  // namespace
 
 Status view_in_window(const ViewOptions& options) {
@@ -45,6 +50,7 @@ Status view_in_window(const ViewOptions& options) {
   StopOnSignal stop;
   auto hub = Subscriber::open(options.subscriber);
   if (!hub) return hub.error();
+  if (auto may = may_keep_last_picture(options, **hub); !may) return may;
   auto viewer = DesktopViewer::open(**hub, desktop_options(options, *(*hub)->snapshot()));
   if (!viewer) return viewer.error();
   const auto begin = std::chrono::steady_clock::now();
@@ -56,6 +62,7 @@ Status view_in_window(const ViewOptions& options) {
   while (!is_over() && (*viewer)->step()) {
   }
   if (options.last_picture.empty()) return {};
+  if (auto may = may_keep_last_picture(options, **hub); !may) return may;  // it may be another hub
   return write_color_png(options.last_picture, (*viewer)->window_picture());
 }
 

@@ -56,6 +56,7 @@ class FakeHub {
   std::function<void()> on_join = [] {};  // after the welcome
   std::optional<wire::pb::ErrorCode> refuse_joins_with;
   bool lets_joins_wait = false;
+  bool lets_record = true, lets_export = true;
   std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
 
  private:
@@ -112,6 +113,8 @@ class FakeHub {
     wire::pb::Control control;
     control.mutable_welcome()->set_room("lab");
     control.mutable_welcome()->set_sensor_id(5);
+    control.mutable_welcome()->set_may_record(lets_record);
+    control.mutable_welcome()->set_may_export(lets_export);
     say(control);
     on_join();
   }

@@ -50,6 +50,8 @@ class FrameSetReader {
   [[nodiscard]] virtual const std::vector<SetSensor>& sensors() const = 0;
   /// For people who wait.
   [[nodiscard]] virtual nanoseconds length() const = 0;
+  /// False: the room's owner did not let who recorded it.
+  [[nodiscard]] virtual bool may_be_exported() const { return true; }
   /// False at the end. An error of a damaged place; the next call goes on behind it where that can
   /// be.
   [[nodiscard]] virtual Result<bool> next(FrameSet& set) = 0;

@@ -33,6 +33,19 @@ TEST(FrameSetReader, gives_the_sets_of_a_recording) {
   EXPECT_FALSE(*(*reader)->next(set));
 }
 
+TEST(FrameSetReader, says_whether_a_recording_may_be_exported) {
+  const TemporaryFolder folder;
+  MadeUpRoom().record(folder / "a.mcap", 12);
+  EXPECT_TRUE((*open_frame_sets(folder / "a.mcap"))->may_be_exported());
+  auto writer = recording::RoomRecordingWriter::create(folder / "b.mcap", "lab");
+  MadeUpRoom room;
+  ASSERT_TRUE(writer->forbid_export().ok());
+  ASSERT_TRUE(writer->add_roster(room.roster(), MadeUpRoom::came(0)).ok());
+  ASSERT_TRUE(writer->add_frame(room.frame(0, 0), MadeUpRoom::came(0)).ok());
+  ASSERT_TRUE(writer->finish().ok());
+  EXPECT_FALSE((*open_frame_sets(folder / "b.mcap"))->may_be_exported());
+}
+
 TEST(FrameSetReader, begins_where_it_is_told_to) {
   const TemporaryFolder folder;
   MadeUpRoom().record(folder / "a.mcap", 40);

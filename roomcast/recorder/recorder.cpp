@@ -15,6 +15,7 @@
 #include "roomcast/recorder/bundle_link.h"
 #include "roomcast/recorder/unix_clock.h"
 #include "roomcast/recording/room_recording_writer.h"
+#include "roomcast/room/viewer_rights.h"
 
 namespace roomcast {
 namespace {
@@ -87,6 +88,9 @@ class Recorder::Link final : public HubLinkEvents {
   }
 
   void on_welcome(const pb::Welcome& welcome) override {
+    const ViewerRights rights{.may_record = welcome.may_record(),
+                              .may_export = welcome.may_export()};
+    if (auto may = check_may_record(rights); !may) return fail(may.error());
     clock_is_known_ = false;
     held_.clear();
     {
@@ -94,6 +98,7 @@ class Recorder::Link final : public HubLinkEvents {
       down_.reset();
     }
     if (!writer_) make_file(welcome.room());
+    if (writer_ && !rights.may_export) check(writer_->forbid_export());
   }
   void on_control(const pb::Control& message) override {
     if (message.has_roster() || message.has_viewer_poses()) take(Held(message));

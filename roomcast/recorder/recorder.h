@@ -35,7 +35,8 @@ struct RecorderStats {
 
 class Recorder {
  public:
-  /// Joins, then makes the file. kInvalidArgument: not a hub's address. kUnavailable, kNotFound,
+  /// Joins, then makes the file, which says so where the room may not be exported.
+  /// kInvalidArgument: not a hub's address. kUnavailable, kNotFound,
   /// kUnsupported, kClosed: why there is no connection, why the hub refuses, or why the file cannot
   /// be made.
   static Result<std::unique_ptr<Recorder>> open(RecorderOptions options);

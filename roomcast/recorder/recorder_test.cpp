@@ -87,6 +87,7 @@ TEST_F(RecorderTest, keeps_the_same_bytes) {
     EXPECT_TRUE(std::ranges::equal(message.message.data, said[count++]));
   }
   EXPECT_EQ(count, said.size());
+  EXPECT_TRUE(file->may_be_exported());
 }
 
 TEST_F(RecorderTest, what_comes_without_more_is_on_disk_within_a_second) {
@@ -170,6 +171,47 @@ TEST_F(RecorderTest, a_full_disk_ends_the_recording_with_a_sentence_and_the_file
   const auto file = RoomRecording::open(path);
   ASSERT_TRUE(file.ok());
   EXPECT_EQ(file->sensors()[0].frame_count, 1u);
+}
+
+TEST_F(RecorderTest, a_room_that_does_not_let_viewers_record_is_not_kept) {
+  on_hub([](FakeHub& h) { h.lets_record = false; });
+  const auto status = open();
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().message, "this room does not let viewers record");
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(RecorderTest, a_recording_ends_where_the_hub_lets_it_record_no_more) {
+  ASSERT_TRUE(open().ok());
+  on_hub([](FakeHub& h) {
+    h.lets_record = false;
+    h.hang_up();
+  });
+  ASSERT_TRUE(within_5_s([&] { return recorder->failure().has_value(); }));
+  EXPECT_EQ(recorder->failure()->message, "this room does not let viewers record");
+}
+
+TEST_F(RecorderTest, the_file_says_where_the_room_is_not_to_be_exported_also_later_on) {
+  ASSERT_TRUE(open().ok());
+  say_roster();
+  say_frame(0, 0);
+  on_hub([](FakeHub& h) {
+    h.lets_export = false;
+    h.hang_up();
+  });
+  EXPECT_TRUE(within_5_s([&] {
+    int joins = 0;
+    on_hub([&](FakeHub& h) { joins = h.joins; });
+    return joins == 2;
+  }));
+  say_roster();
+  say_frame(0, 5);
+  EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 2; }));
+  ASSERT_TRUE(recorder->finish().ok());
+  const auto file = RoomRecording::open(path);
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_FALSE(file->may_be_exported());
+  EXPECT_EQ(file->room(), "lab");
 }
 
 }  // namespace

@@ -10,6 +10,9 @@ namespace roomcast::recording {
 inline constexpr std::string_view kMetadataName = "roomcast";
 inline constexpr std::string_view kFormatVersion = "1";
 
+inline constexpr std::string_view kExportKey = "export";  // of that metadata
+inline constexpr std::string_view kForbidden = "no";
+
 inline constexpr std::string_view kRosterTopic = "/room/roster";
 inline constexpr std::string_view kPosesTopic = "/room/viewer_poses";
 inline constexpr std::string_view kClockTopic = "/room/clock";

@@ -59,6 +59,8 @@ Status RoomRecording::read_about() {
                  "the recording is of a later version; a newer roomcast reads it"};
   }
   if (const auto room = about->find("room"); room != about->end()) room_ = room->second;
+  const auto exporting = about->find(std::string(kExportKey));
+  may_be_exported_ = exporting == about->end() || exporting->second != kForbidden;
   return {};
 }
 

@@ -60,6 +60,8 @@ class RoomRecording {
   [[nodiscard]] const std::vector<RecordedRoster>& rosters() const { return rosters_; }
   /// That of a moment; before all, the first. At least one is there.
   [[nodiscard]] const wire::pb::Roster& roster_at(nanoseconds time) const;
+  /// False: who recorded it was not let export the room.
+  [[nodiscard]] bool may_be_exported() const { return may_be_exported_; }
   /// Why its end is missing, in a sentence; nothing when it is whole.
   [[nodiscard]] const std::optional<std::string>& damage() const { return file_.damage(); }
 
@@ -82,6 +84,7 @@ class RoomRecording {
 
   mcap::Reader file_;
   std::string room_;
+  bool may_be_exported_ = true;
   nanoseconds origin_{};
   std::vector<RecordedSensor> sensors_;
   std::vector<RecordedRoster> rosters_;

@@ -35,7 +35,9 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 }  // namespace
 
-RoomRecordingWriter::RoomRecordingWriter(mcap::Writer writer) : writer_(std::move(writer)) {
+RoomRecordingWriter::RoomRecordingWriter(mcap::Writer writer, std::string room)
+    : writer_(std::move(writer)),
+      about_{{"version", std::string(kFormatVersion)}, {"room", std::move(room)}} {
   schemas_.frame = writer_.add_schema("roomcast.Frame", "", {});
   schemas_.roster = add_schema(writer_, *wire::pb::Roster::descriptor());
   schemas_.poses = add_schema(writer_, *wire::pb::ViewerPoses::descriptor());
@@ -47,9 +49,16 @@ Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::p
                                                         const std::string& room) {
   auto writer = mcap::Writer::create(path);
   if (!writer) return writer.error();
-  const mcap::StringMap about = {{"version", std::string(kFormatVersion)}, {"room", room}};
-  if (auto status = writer->add_metadata(kMetadataName, about); !status) return status.error();
-  return RoomRecordingWriter(std::move(*writer));
+  RoomRecordingWriter recording(std::move(*writer), room);
+  if (auto status = recording.writer_.add_metadata(kMetadataName, recording.about_); !status)
+    return status.error();
+  return recording;
+}
+
+/// Of several such records the last one holds.
+Status RoomRecordingWriter::forbid_export() {
+  const auto [known, is_new] = about_.insert_or_assign(std::string(kExportKey), kForbidden);
+  return is_new ? writer_.add_metadata(kMetadataName, about_) : Status();
 }
 
 RoomRecordingWriter::Stream& RoomRecordingWriter::stream(std::string_view topic,

@@ -34,6 +34,9 @@ class RoomRecordingWriter {
   static Result<RoomRecordingWriter> create(const std::filesystem::path& path,
                                             const std::string& room);
 
+  /// The file says that it is not to be exported; also later on, of all that is in it.
+  [[nodiscard]] Status forbid_export();
+
   // Each fails with kUnavailable when the disk does: see mcap::Writer::add_message.
   [[nodiscard]] Status add_clock(const RoomClock& clock, nanoseconds log_time);
   [[nodiscard]] Status add_roster(const wire::pb::Roster& roster, nanoseconds log_time);
@@ -60,7 +63,7 @@ class RoomRecordingWriter {
     mcap::SchemaId frame, roster, poses, bundle, clock;
   };
 
-  explicit RoomRecordingWriter(mcap::Writer writer);
+  RoomRecordingWriter(mcap::Writer writer, std::string room);
   Stream& stream(std::string_view topic, mcap::SchemaId schema, std::string_view encoding,
                  mcap::StringMap metadata = {});
   Status add(Stream& stream, std::span<const std::uint8_t> data, nanoseconds log_time,
@@ -68,6 +71,7 @@ class RoomRecordingWriter {
   Status add(Stream& stream, const google::protobuf::MessageLite& message, nanoseconds log_time);
 
   mcap::Writer writer_;
+  mcap::StringMap about_;
   Schemas schemas_;
   RoomClock clock_;
   std::map<std::string, Stream> streams_;  // by topic

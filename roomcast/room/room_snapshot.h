@@ -16,6 +16,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/room/clock_estimate.h"
 #include "roomcast/room/person_pose.h"
+#include "roomcast/room/viewer_rights.h"
 
 namespace roomcast {
 
@@ -60,6 +61,7 @@ struct RoomSnapshot {
   bool connected = false;
   std::string problem;  // why not, for a person
   std::string room;
+  ViewerRights rights;  // as of the last time that the hub let us in
   std::optional<RigidTransform>
       start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
   std::vector<RoomSensor> sensors;  // by id

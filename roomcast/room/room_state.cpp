@@ -13,6 +13,7 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.connected = true;
   room_.problem.clear();
   room_.room = welcome.room();
+  room_.rights = {.may_record = welcome.may_record(), .may_export = welcome.may_export()};
   room_.self = ViewerId{welcome.viewer_id()};
   room_.clock.reset();
   if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;

@@ -107,6 +107,20 @@ wire::pb::ViewerPoses poses_of(unsigned viewer, float x) {
   return poses;
 }
 
+TEST(RoomState, knows_what_the_hub_lets_it_keep_as_of_the_last_welcome) {
+  const SteadyClock clock;
+  RoomState room(clock);
+  EXPECT_FALSE(room.snapshot()->rights.may_record);
+  wire::pb::Welcome welcome;
+  welcome.set_may_record(true);
+  room.welcome(welcome);
+  EXPECT_TRUE(check_may_record(room.snapshot()->rights).ok());
+  EXPECT_EQ(check_may_export(room.snapshot()->rights).error().message,
+            "this room does not let viewers export");
+  room.welcome({});
+  EXPECT_FALSE(check_may_record(room.snapshot()->rights).ok());
+}
+
 TEST_F(RoomStateTest, people_are_those_of_the_roster_at_their_newest_poses) {
   state.poses(poses_of(7, 1));  // nobody knows who that is
   ASSERT_TRUE(state.roster(roster_with({7, 8})).ok());

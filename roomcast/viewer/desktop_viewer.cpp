@@ -80,7 +80,7 @@ bool DesktopViewer::step() {
   } else if (must_draw()) {
     draw_room(begin);
   }
-  if (keeper_.is_recording() && !keeper_.record(*shown_picture(), now())) say(keeper_.stop_video());
+  if (keeper_.is_recording()) record_on();
   if (had_input_ || picture_is_old_ || now() - last_shown_ >= kPanelInterval) {
     show(now());
   } else {
@@ -323,14 +323,32 @@ std::vector<Toast> DesktopViewer::toasts() const {
   return toasts_.current(now());
 }
 
+/// Else it says why not.
+bool DesktopViewer::may_keep_pictures() {
+  const Status may = check_may_record(hub_.snapshot()->rights);
+  if (!may) say({Toast::Kind::kNotice, may.error().message});
+  return may.ok();
+}
+
 void DesktopViewer::save_screenshot() {
+  if (!may_keep_pictures()) return;
   if (const OffscreenTarget* picture = shown_picture()) say(keeper_.save(*picture, room_->room));
 }
 
 void DesktopViewer::start_or_stop_video() {
   if (keeper_.is_recording()) return say(keeper_.stop_video());
+  if (!may_keep_pictures()) return;
   if (const OffscreenTarget* picture = shown_picture())
     say(keeper_.start_video(*picture, room_->room));
+}
+
+/// Until it has to stop: when the picture has another size, or when the hub, which let us in again,
+/// does not let us record any more.
+void DesktopViewer::record_on() {
+  const bool goes_on = room_->rights.may_record && keeper_.record(*shown_picture(), now());
+  if (goes_on) return;
+  say(keeper_.stop_video());
+  if (!room_->rights.may_record) static_cast<void>(may_keep_pictures());
 }
 
 void DesktopViewer::say(const Toast& toast) {

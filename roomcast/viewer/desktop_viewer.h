@@ -77,8 +77,10 @@ class DesktopViewer {
   [[nodiscard]] PanelFacts facts(HostTime now) const;
   [[nodiscard]] ViewCamera camera() const;
   [[nodiscard]] PersonPose own_pose() const;
+  [[nodiscard]] bool may_keep_pictures();
   void save_screenshot();
   void start_or_stop_video();
+  void record_on();
   void say(const Toast& toast);
   void look_for_headset(HostTime now);
   [[nodiscard]] bool is_in_headset() const { return headset_ && headset_->is_running(); }

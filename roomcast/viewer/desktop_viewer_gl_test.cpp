@@ -55,6 +55,18 @@ class DesktopViewerTest : public testing::Test {
     network.run([&] { action(*hub); });
   }
 
+  /// The hub hangs up, and says this to those who come back.
+  void join_a_hub_that_lets_record(bool lets) {
+    on_hub([lets](FakeHub& h) {
+      h.lets_record = lets;
+      h.hang_up();
+    });
+    EXPECT_TRUE(steps_until([&] {
+      const auto room = subscriber->snapshot();
+      return room->connected && room->rights.may_record == lets;
+    }));
+  }
+
   /// Rounds until `wanted` is true.
   template <class Wanted>
   bool steps_until(Wanted wanted) {
@@ -169,6 +181,30 @@ TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
   ::setenv("PATH", path.c_str(), 1);
   ASSERT_FALSE(written.empty());
   EXPECT_EQ(written[0], "frame-000001.png");
+}
+
+TEST_F(DesktopViewerTest, keeps_no_picture_where_the_room_does_not_let_viewers_record) {
+  join_a_hub_that_lets_record(false);
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  press(SDLK_p);
+  EXPECT_TRUE(steps_until([&] { return says("this room does not let viewers record"); }));
+  press(SDLK_v);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_FALSE(says("Recording"));
+  EXPECT_TRUE(written.empty());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_F(DesktopViewerTest, a_video_ends_when_the_room_lets_viewers_record_no_more) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  press(SDLK_v);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
+  join_a_hub_that_lets_record(false);
+  EXPECT_TRUE(steps_until([&] { return says("this room does not let viewers record"); }));
+  EXPECT_TRUE(says("Saved as"));
+  ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resumes) {

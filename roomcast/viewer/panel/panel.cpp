@@ -212,9 +212,14 @@ std::optional<ViewerCommand> draw_buttons(const PanelFacts& facts) {
       {"help (H)", ViewerCommand::kHelp}};
   std::optional<ViewerCommand> pressed;
   for (const auto& [label, command] : buttons) {
+    const bool keeps = command == ViewerCommand::kScreenshot || command == ViewerCommand::kVideo;
     if (command != ViewerCommand::kStart) ImGui::SameLine();
+    ImGui::BeginDisabled(keeps && !facts.room.rights.may_record);
     if (ImGui::Button(label)) pressed = command;
+    ImGui::EndDisabled();
   }
+  if (const Status may = check_may_record(facts.room.rights); facts.room.connected && !may)
+    ImGui::TextColored(kQuiet, "%s", may.error().message.c_str());
   if (!facts.video.empty()) ImGui::TextColored(kRed, "recording %s", facts.video.c_str());
   return pressed;
 }

@@ -11,6 +11,7 @@ namespace roomcast {
 namespace {
 
 constexpr PictureSize kSize = {900, 700};
+constexpr int kButtons = 70;  // rows of the window above which they stand
 constexpr Rgb8 kRoom = {90, 110, 120};
 
 class PanelTest : public testing::Test {
@@ -43,6 +44,13 @@ class PanelTest : public testing::Test {
     return window->read();
   }
 
+  static int bright_pixels(const ColorImage& picture, int rows) {
+    int bright = 0;
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < picture.width(); ++x) bright += picture.at(x, y).g > 200 ? 1 : 0;
+    }
+    return bright;
+  }
   static int changed_pixels(const ColorImage& picture, int x0, int x1) {
     int changed = 0;
     for (int y = 0; y < picture.height(); ++y) {
@@ -79,6 +87,13 @@ TEST_F(PanelTest, grows_with_each_sensor) {
   sensor.online = sensor.placed = true;
   report.follow(room, HostTime(std::chrono::hours(1)));
   EXPECT_GT(changed_pixels(draw(), 0, 420), before + 2000);
+}
+
+TEST_F(PanelTest, shows_as_not_available_what_the_room_does_not_let_viewers_keep) {
+  const ColorImage without = draw();
+  room.rights.may_record = true;
+  const ColorImage with = draw();
+  EXPECT_GT(bright_pixels(with, kButtons), bright_pixels(without, kButtons));
 }
 
 TEST_F(PanelTest, a_toast_stands_at_the_lower_right_even_when_the_panel_is_closed) {
