@@ -72,7 +72,7 @@ class Publisher::Link final : public HubLinkEvents {
     std::lock_guard lock(mutex_);
     const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxUnsentFrames;
     if (!may_send) {
-      ++shared_.stats.frames_skipped;
+      leave_one_out();
       if (shared_.connected && shared_.clock) send_rate_.piled_up(SteadyClock().now());
       return std::nullopt;
     }
@@ -154,6 +154,7 @@ class Publisher::Link final : public HubLinkEvents {
   std::optional<wire::FrameHeader> make_header(const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
                                                HostTime capture_time);
+  void leave_one_out();
   void enqueue(std::uint64_t session, net::SealedMessagePtr message);
 
   PublisherOptions options_;
@@ -252,6 +253,13 @@ std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
   return header;
 }
 
+/// It has a number all the same, so that others can count it. Under the lock.
+void Publisher::Link::leave_one_out() {
+  ++shared_.stats.frames_skipped;
+  const bool has_sent = sequence_.session == shared_.session && sequence_.base_seq;
+  if (has_sent && shared_.connected) ++sequence_.next_seq;
+}
+
 std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
                                                              const codec::EncodedFrameInfo& info,
                                                              HostTime capture_time,
@@ -262,7 +270,7 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
   if (!header) {
     std::lock_guard lock(mutex_);
     shared_.want_key = true;  // this frame is lost, and later ones may build on it
-    ++shared_.stats.frames_skipped;
+    leave_one_out();
     return std::nullopt;
   }
   header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);

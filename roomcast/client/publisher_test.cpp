@@ -93,8 +93,10 @@ TEST_F(PublisherTest, the_first_frame_has_to_be_a_key_frame) {
 }
 
 TEST_F(PublisherTest, frames_are_numbered_and_name_the_frame_they_need) {
+  std::size_t sent = 0;
   for (const auto& info : {kKey, kDroppable, kBase, kDroppable}) {
     ASSERT_TRUE(publish(wait_for_turn(), info).has_value());
+    ASSERT_EQ(wait_for_frames(++sent).size(), sent);  // a turn that is not given counts as well
   }
   const auto frames = wait_for_frames(4);
   ASSERT_EQ(frames.size(), 4u);
@@ -191,6 +193,15 @@ TEST_F(PublisherTest, what_waited_for_a_broken_connection_is_not_sent_on_the_nex
 TEST_F(PublisherTest, frames_above_the_limit_are_not_sent) {
   EXPECT_FALSE(publish(wait_for_turn(), kKey, wire::kMaxFrameBytes).has_value());
   EXPECT_TRUE(publish(wait_for_turn(), kKey).has_value());
+}
+
+TEST_F(PublisherTest, a_frame_that_is_left_out_has_a_number_all_the_same) {
+  ASSERT_TRUE(publish(wait_for_turn(), kKey).has_value());
+  ASSERT_EQ(wait_for_frames(1).size(), 1u);
+  EXPECT_FALSE(publish(wait_for_turn(), kKey, wire::kMaxFrameBytes).has_value());
+  const auto sent = publish(wait_for_turn(), kKey);
+  ASSERT_TRUE(sent.has_value());
+  EXPECT_EQ(sent->seq, 2u);
 }
 
 TEST_F(PublisherTest, a_new_connection_begins_with_a_new_key_frame) {

@@ -64,6 +64,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void let_go(ConnectionId connection) override;
   void revoked(const std::vector<hub::Claims>& tokens) override;
   [[nodiscard]] std::vector<hub::HubStatus> hubs() const override;
+  [[nodiscard]] hub::BackplaneStats stats() const override;
   [[nodiscard]] std::vector<std::string> less_busy_hubs(const std::string& room) const override;
 
  private:

@@ -80,6 +80,16 @@ std::vector<std::string> ClusterHub::less_busy_hubs(const std::string& room) con
   return is_busy ? directory_.less_busy_with(room, own) : std::vector<std::string>();
 }
 
+hub::BackplaneStats ClusterHub::stats() const {
+  const NatsStats nats = nats_->stats();
+  return {.links = 1,
+          .links_up = nats.is_connected ? 1U : 0U,
+          .other_hubs = directory_.others().size(),
+          .sent = nats.sent,
+          .received = nats.received,
+          .dropped = nats.dropped};
+}
+
 std::vector<hub::HubStatus> ClusterHub::hubs() const {
   std::vector<hub::HubStatus> all;
   const auto add = [&all](const pb::Heartbeat& heartbeat) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "roomcast/cluster/nats_server_fixture.h"
@@ -53,6 +54,20 @@ TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(age, -1s);
   EXPECT_LT(age, 5s) << "captured in this hub's time";
+  part();
+}
+
+TEST_F(ClusterHubTest, tells_what_goes_over_nats) {
+  const NatsServer server;
+  const RunningHub first(sharing_over(server)), second(sharing_over(server));
+  const auto sensor = join(first, hub::sensor_join("left"));
+  const auto viewer = join(second, hub::viewer_join());
+  send_until_seen(sensor, viewer);
+  const std::string metrics = metrics_of(second);
+  EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_links_up 1\n"));
+  EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_other_hubs 1\n"));
+  EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_sent_messages_total 0\n")));
+  EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_received_bytes_total 0\n")));
   part();
 }
 

@@ -81,12 +81,18 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     if (session_) session_->unsubscribe(subject);
   }
   void publish(std::string subject, std::vector<std::uint8_t> message, bool keep) {
-    if (session_) {
-      session_->publish(subject, message, kMaxWaitingBytes);
-    } else if (keep && kept_bytes_ + message.size() <= kMaxWaitingBytes) {
-      kept_bytes_ += message.size();
-      kept_.emplace_back(std::move(subject), std::move(message));
+    if (session_) return send(subject, message);
+    if (!keep || kept_bytes_ + message.size() > kMaxWaitingBytes) {
+      ++stats_.dropped;
+      return;
     }
+    kept_bytes_ += message.size();
+    kept_.emplace_back(std::move(subject), std::move(message));
+  }
+  [[nodiscard]] NatsStats stats() const {
+    NatsStats stats = stats_;
+    stats.is_connected = session_ != nullptr;
+    return stats;
   }
   [[nodiscard]] std::size_t max_message_bytes() const {
     return session_ ? session_->max_message_bytes() : kUsualMessageBytes;
@@ -104,9 +110,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     session_->start({.on_messages = [this](auto messages) { take(std::move(messages)); },
                      .on_gone = [this] { gone(); }});
     for (const std::string& subject : subjects_) session_->subscribe(subject);
-    for (const auto& [subject, message] : kept_) {
-      session_->publish(subject, message, kMaxWaitingBytes);
-    }
+    for (const auto& [subject, message] : kept_) send(subject, message);
     kept_.clear();
     kept_bytes_ = 0;
     log(LogLevel::kInfo, "is connected to " + server_);
@@ -116,8 +120,22 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     });
   }
 
+  void send(const std::string& subject, std::span<const std::uint8_t> message) {
+    if (session_->publish(subject, message, kMaxWaitingBytes)) {
+      count(message.size(), stats_.sent);
+    } else {
+      ++stats_.dropped;
+    }
+  }
+
+  static void count(std::size_t bytes, hub::BackplaneTraffic& traffic) {
+    ++traffic.messages;
+    traffic.bytes += bytes;
+  }
+
   void take(std::vector<NatsMessagePtr> messages) {
     for (NatsMessagePtr& message : messages) {
+      count(bytes_of(message.get()).size(), stats_.received);
       handlers_.on_message(natsMsg_GetSubject(message.get()), bytes_of(message.get()));
       handled_bytes_ += bytes_of(message.get()).size();
       handled_.push_back(std::move(message));
@@ -186,6 +204,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   std::size_t kept_bytes_ = 0;
   std::vector<NatsMessagePtr> handled_;
   std::size_t handled_bytes_ = 0;
+  NatsStats stats_;  // but for is_connected
   std::string was_told_;
   bool is_stopped_ = false;
   asio::steady_timer again_, watch_;
@@ -228,6 +247,10 @@ void NatsClient::publish_now(std::string subject, std::vector<std::uint8_t> mess
 
 std::size_t NatsClient::max_message_bytes() const {
   return link_->max_message_bytes();
+}
+
+NatsStats NatsClient::stats() const {
+  return link_->stats();
 }
 
 }  // namespace roomcast::cluster

@@ -22,8 +22,16 @@
 #include "roomcast/cluster/nats_options.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/hub/backplane.h"
 
 namespace roomcast::cluster {
+
+/// Since it was opened.
+struct NatsStats {
+  bool is_connected = false;
+  hub::BackplaneTraffic sent = {}, received = {};
+  std::uint64_t dropped = 0;  // messages: there was no connection, or a slow one
+};
 
 struct NatsHandlers {
   /// Of several that came together, those of newer subscriptions first.
@@ -53,6 +61,7 @@ class NatsClient {
   void publish_now(std::string subject, std::vector<std::uint8_t> message);
   /// What a message may have. As usual, while there was no connection yet.
   [[nodiscard]] std::size_t max_message_bytes() const;
+  [[nodiscard]] NatsStats stats() const;
 
  private:
   class Link;

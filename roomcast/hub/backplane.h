@@ -33,6 +33,19 @@ struct HubStatus {
   std::vector<Room> rooms = {};  // where somebody is, or was
 };
 
+struct BackplaneTraffic {
+  std::uint64_t messages = 0, bytes = 0;
+};
+
+/// How a backplane is doing, since the hub was started.
+struct BackplaneStats {
+  std::size_t links = 0;     // that it wants: to NATS, or one for each room pulled from another hub
+  std::size_t links_up = 0;  // of these
+  std::size_t other_hubs = 0;  // heard of lately
+  BackplaneTraffic sent = {}, received = {};
+  std::uint64_t dropped = 0;  // messages that could not be sent
+};
+
 class Backplane {
  public:
   virtual ~Backplane() = default;
@@ -50,6 +63,7 @@ class Backplane {
   virtual void revoked(const std::vector<Claims>& /*tokens*/) {}
   /// Those that are there now, this one first; empty: this one is alone.
   [[nodiscard]] virtual std::vector<HubStatus> hubs() const { return {}; }
+  [[nodiscard]] virtual BackplaneStats stats() const { return {}; }
   /// Where somebody who comes to watch this room should rather go; empty: he may stay here.
   [[nodiscard]] virtual std::vector<std::string> less_busy_hubs(const std::string& /*room*/) const {
     return {};

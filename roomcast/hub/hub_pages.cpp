@@ -27,6 +27,7 @@ HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& de
       desk_(desk),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
+      version_(version),
       admin_(hall, desk, std::move(version), recordings) {}
 
 std::vector<std::string> HubPages::request_paths() {
@@ -79,9 +80,12 @@ net::HttpResponse HubPages::health() const {
 }
 
 net::HttpResponse HubPages::metrics() const {
-  const HubStats hub{.connections = server_ == nullptr ? 0 : server_->connection_count(),
+  const HubStats hub{.version = version_,
+                     .process = process_stats(),
+                     .connections = server_ == nullptr ? 0 : server_->connection_count(),
                      .refused_joins = hall_.refused_joins(),
-                     .banned_peers = hall_.banned_count()};
+                     .banned_peers = hall_.banned_count(),
+                     .backplane = hall_.backplane_stats()};
   return net::text_response(200, metrics_text(hub, hall_.stats()));
 }
 

@@ -49,6 +49,7 @@ class HubPages {
   Desk& desk_;
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
+  const std::string version_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
   OtherSites other_sites_;

@@ -28,6 +28,16 @@ class MetricsWriter {
     begin(name, type, help);
     out_ << "roomcast_" << name << " " << value << "\n";
   }
+  /// Under the name that programs of all kinds give it.
+  template <class Value>
+  void of_process(const char* name, const char* type, const char* help, Value value) {
+    out_ << "# HELP process_" << name << " " << help << "\n# TYPE process_" << name << " " << type
+         << "\nprocess_" << name << " " << value << "\n";
+  }
+  void build_info(const std::string& version) {
+    begin("build_info", "gauge", "Always 1; which version this is.");
+    out_ << "roomcast_build_info{version=" << quoted(version) << "} 1\n";
+  }
   template <class ValueOf>
   void of_rooms(const char* name, const char* type, const char* help, ValueOf value_of) {
     begin(name, type, help);
@@ -81,6 +91,26 @@ void write_hub(const HubStats& hub, MetricsWriter& out) {
              hub.refused_joins);
   out.of_hub("banned_peers", "gauge", "Addresses that are not listened to for a while.",
              hub.banned_peers);
+  out.build_info(hub.version);
+  out.of_process("cpu_seconds_total", "counter", "Processor time, user and system.",
+                 hub.process.cpu_s);
+  out.of_process("resident_memory_bytes", "gauge", "Memory in use.", hub.process.resident_bytes);
+}
+
+void write_backplane(const BackplaneStats& stats, MetricsWriter& out) {
+  out.of_hub("backplane_links", "gauge",
+             "Connections to other hubs that it wants: to NATS, or one for each room pulled.",
+             stats.links);
+  out.of_hub("backplane_links_up", "gauge", "Those of them that it has.", stats.links_up);
+  out.of_hub("backplane_other_hubs", "gauge", "Other hubs heard of over NATS.", stats.other_hubs);
+  out.of_hub("backplane_sent_messages_total", "counter", "Messages to other hubs.",
+             stats.sent.messages);
+  out.of_hub("backplane_sent_bytes_total", "counter", "Bytes of these.", stats.sent.bytes);
+  out.of_hub("backplane_received_messages_total", "counter", "Messages from other hubs.",
+             stats.received.messages);
+  out.of_hub("backplane_received_bytes_total", "counter", "Bytes of these.", stats.received.bytes);
+  out.of_hub("backplane_dropped_messages_total", "counter",
+             "Messages to other hubs that could not be sent.", stats.dropped);
 }
 
 void write_rooms(MetricsWriter& out) {
@@ -103,6 +133,9 @@ void write_sensors(MetricsWriter& out) {
                  [](const SensorStats& s) { return s.frames; });
   out.of_sensors("sensor_bytes_total", "counter", "Bytes of these frames.",
                  [](const SensorStats& s) { return s.bytes; });
+  out.of_sensors("sensor_dropped_frames_total", "counter",
+                 "Frames that the sensor has numbered and that did not come.",
+                 [](const SensorStats& s) { return s.missed; });
   out.of_sensors("sensor_frames_per_second", "gauge", "Lately.",
                  [](const SensorStats& s) { return s.frames_per_s; });
   out.of_sensors("sensor_delay_seconds", "gauge", "Capture to arrival of the newest frame.",
@@ -130,6 +163,7 @@ void write_viewers(MetricsWriter& out) {
 std::string metrics_text(const HubStats& hub, std::span<const RoomStats> rooms) {
   MetricsWriter out(rooms);
   write_hub(hub, out);
+  if (hub.backplane) write_backplane(*hub.backplane, out);
   write_rooms(out);
   write_sensors(out);
   write_viewers(out);

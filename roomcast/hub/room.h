@@ -96,6 +96,7 @@ class Room {
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
                    RoomActions& out);
+  void forget_newest_frames();
   void join_viewer(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
                    RoomActions& out);
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);

@@ -83,6 +83,10 @@ class RoomHall final : public BackplaneEvents {
   /// A request of this address was refused because of its token. Bad ones count as those of who
   /// wants to join.
   void refuse_request(const std::string& peer, const Refusal& why);
+  /// Nothing: there is none.
+  [[nodiscard]] std::optional<BackplaneStats> backplane_stats() const {
+    return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
+  }
 
   /// Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;

@@ -79,6 +79,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->token_id = entry.token_id;
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
+  sensor->stats.newest_seq.reset();
   sensor->bundle.reset();
   if (was_here) sensor->place.doubt(sensor->bundles + 1);
   sensor->place.give(join.sensor());
@@ -99,6 +100,11 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   send_closed_sets(now, out);
 }
 
+/// What other hubs did not send while nobody was here was not missed.
+void Room::forget_newest_frames() {
+  for (RoomSensor& sensor : sensors_.all()) sensor.stats.newest_seq.reset();
+}
+
 void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
                        RoomActions& out) {
   if (viewers_.size() >= settings_.max_viewers) {
@@ -115,6 +121,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
+  if (viewers_.empty()) forget_newest_frames();
   poses_.tell_all_again();
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),

@@ -17,6 +17,13 @@ bool is_newest(const FrameSet& set, const SetFrame& frame) {
   });
 }
 
+/// How many frames lie between these two, modulo 2^32; a sensor that counts anew has left none out.
+std::uint32_t frames_between(std::uint32_t before, std::uint32_t after) {
+  constexpr std::uint32_t kBackwards = 1U << 31U;
+  const std::uint32_t between = after - before - 1;
+  return between < kBackwards ? between : 0;
+}
+
 }  // namespace
 
 nanoseconds capture_skew(const FrameSet& set) {
@@ -39,6 +46,8 @@ void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime no
                  SensorStats& stats) {
   ++stats.frames;
   stats.bytes += bytes;
+  if (stats.newest_seq) stats.missed += frames_between(*stats.newest_seq, header.seq);
+  stats.newest_seq = header.seq;
   stats.delay_s = std::chrono::duration<double>(now - header.capture_time).count();
   stats.clock_error_s.reset();
   if (header.clock_error_us != wire::kClockErrorUnknown) {

@@ -22,6 +22,8 @@ struct SensorStats {
   SensorPlace place = {};
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
+  std::optional<std::uint32_t> newest_seq = {};  // nothing: the next frame follows none
+  std::uint64_t missed = 0;                  // frames that it has numbered and that did not come
   std::optional<double> clock_error_s = {};  // the sensor's own bound, of its newest frame
   double delay_s = 0;                        // capture to arrival, of its newest frame
   double frames_per_s = 0, bytes_per_s = 0;  // lately

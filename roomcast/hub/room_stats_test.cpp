@@ -31,5 +31,22 @@ TEST(RoomStats, of_a_sensor_that_catches_up_the_newest_frame_counts) {
   EXPECT_EQ(sensor_count(set), 2U);
 }
 
+std::uint64_t missed_of(std::vector<std::uint32_t> seqs) {
+  SensorStats stats;
+  for (const std::uint32_t seq : seqs) count_frame({.seq = seq}, 100, RoomTime(1s), stats);
+  return stats.missed;
+}
+
+TEST(RoomStats, frames_that_were_numbered_and_did_not_come_are_missed) {
+  EXPECT_EQ(missed_of({0, 1, 2}), 0U);
+  EXPECT_EQ(missed_of({0, 1, 4, 5, 7}), 3U);
+  EXPECT_EQ(missed_of({0xFFFF'FFFE, 0xFFFF'FFFF, 1}), 1U) << "they are counted modulo 2^32";
+}
+
+TEST(RoomStats, a_sensor_that_counts_anew_has_left_out_nothing) {
+  EXPECT_EQ(missed_of({40, 41, 0, 1}), 0U);
+  EXPECT_EQ(missed_of({40, 41, 0, 2}), 1U);
+}
+
 }  // namespace
 }  // namespace roomcast::hub

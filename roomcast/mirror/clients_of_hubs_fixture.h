@@ -7,10 +7,15 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
 #include "roomcast/hub/hub_server_fixture.h"
@@ -56,6 +61,21 @@ class ClientsOfHubs : public testing::Test {
     run_until([&] { return viewer->frames.size() > seen; });
     pace.cancel();
     io.poll();
+  }
+
+  /// What the hub, which has threads of its own, says of itself.
+  static std::string metrics_of(const hub::RunningHub& hub) {
+    using boost::asio::ip::tcp;
+    boost::asio::io_context asking;
+    tcp::socket socket(asking);
+    socket.connect({boost::asio::ip::make_address("127.0.0.1"), hub.port()});
+    const std::string request =
+        "GET /metrics HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n";
+    boost::asio::write(socket, boost::asio::buffer(request));
+    std::string answer;
+    boost::system::error_code end;
+    boost::asio::read(socket, boost::asio::dynamic_buffer(answer), end);
+    return answer;
   }
 
   /// Else the hubs would wait for an answer to their goodbyes.

@@ -6,6 +6,20 @@
 
 namespace roomcast::upstream {
 
+namespace {
+
+void add(const hub::BackplaneTraffic& more, hub::BackplaneTraffic& traffic) {
+  traffic.messages += more.messages;
+  traffic.bytes += more.bytes;
+}
+
+void add_traffic(const UpstreamRoom& room, hub::BackplaneStats& stats) {
+  add(room.sent(), stats.sent);
+  add(room.received(), stats.received);
+}
+
+}  // namespace
+
 UpstreamHub::UpstreamHub(UpstreamOptions options, hub::BackplaneSeat seat)
     : options_(std::move(options)), seat_(std::move(seat)) {}
 
@@ -44,6 +58,7 @@ void UpstreamHub::end_later(Number number, Pulled& pulled) {
 
 void UpstreamHub::end(Rooms::iterator room) {
   const auto ended = rooms_.extract(room);
+  add_traffic(ended.mapped()->room, ended_);
   ended.mapped()->room.mirror().other_hub_is_gone();
 }
 
@@ -58,6 +73,16 @@ void UpstreamHub::send(ConnectionId to, const wire::pb::Control& message) {
 
 void UpstreamHub::let_go(ConnectionId connection) {
   if (UpstreamRoom* room = owner_of(connection)) room->mirror().let_go(connection);
+}
+
+hub::BackplaneStats UpstreamHub::stats() const {
+  hub::BackplaneStats stats = ended_;
+  for (const auto& [number, pulled] : rooms_) {
+    ++stats.links;
+    if (pulled->room.is_welcome()) ++stats.links_up;
+    add_traffic(pulled->room, stats);
+  }
+  return stats;
 }
 
 }  // namespace roomcast::upstream

@@ -21,6 +21,7 @@ class UpstreamHub final : public hub::Backplane {
   void watch(const std::string& room, bool is_watched) override;
   void send(ConnectionId to, const wire::pb::Control& message) override;
   void let_go(ConnectionId connection) override;
+  [[nodiscard]] hub::BackplaneStats stats() const override;
 
  private:
   /// A pulled room's number is part of its connections' ids. Never used twice.
@@ -41,6 +42,7 @@ class UpstreamHub final : public hub::Backplane {
   const UpstreamOptions options_;
   const hub::BackplaneSeat seat_;
   Number newest_ = 0;
+  hub::BackplaneStats ended_;  // traffic of rooms that are pulled no more
   Rooms rooms_;
 };
 

@@ -2,6 +2,7 @@
 // Two real hubs on loopback: a sensor at the one, a viewer at the other.
 #include "roomcast/upstream/upstream_hub.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "roomcast/mirror/clients_of_hubs_fixture.h"
@@ -53,6 +54,18 @@ TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(late, -1s);
   EXPECT_LT(late, 5s) << "captured in this hub's time";
+  part();
+}
+
+TEST_F(UpstreamHubTest, tells_what_comes_from_the_other_hub) {
+  const RunningHub origin, edge(serving_on({origin.port()}));
+  const auto sensor = join(origin, hub::sensor_join("left"));
+  EXPECT_THAT(metrics_of(edge), testing::HasSubstr("\nroomcast_backplane_links 0\n"));
+  const auto viewer = join(edge, hub::viewer_join());
+  send_until_seen(sensor, viewer);
+  const std::string metrics = metrics_of(edge);
+  EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_links_up 1\n"));
+  EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_received_messages_total 0\n")));
   part();
 }
 

@@ -20,6 +20,11 @@ pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
   return join;
 }
 
+void count(std::size_t bytes, hub::BackplaneTraffic& traffic) {
+  ++traffic.messages;
+  traffic.bytes += bytes;
+}
+
 }  // namespace
 
 UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options,
@@ -42,16 +47,22 @@ void UpstreamRoom::join() {
 
 void UpstreamRoom::said(ConnectionId to, const pb::Control& message) {
   const auto answer = mirror_.said(to, message);
-  if (answer && is_welcome_) link_->send(*answer);
+  if (answer && is_welcome_) send(*answer);
+}
+
+void UpstreamRoom::send(const pb::Control& message) {
+  count(message.ByteSizeLong(), sent_);
+  link_->send(message);
 }
 
 void UpstreamRoom::on_welcome(const pb::Welcome& welcome) {
   is_down_ = false;
   is_welcome_ = true;
-  for (const pb::Control& first : mirror_.welcomed(welcome.viewer_id())) link_->send(first);
+  for (const pb::Control& first : mirror_.welcomed(welcome.viewer_id())) send(first);
 }
 
 void UpstreamRoom::on_control(const pb::Control& message) {
+  count(message.ByteSizeLong(), received_);
   if (message.has_roster()) mirror_.roster(message.roster());
   if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
   if (message.has_revoked_tokens()) {
@@ -61,6 +72,7 @@ void UpstreamRoom::on_control(const pb::Control& message) {
 }
 
 void UpstreamRoom::on_frame(net::MessageBuffer message) {
+  count(message.size(), received_);
   mirror_.frame(std::move(message));
 }
 

@@ -45,8 +45,15 @@ class UpstreamRoom final : private HubLinkEvents {
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
   void said(ConnectionId to, const wire::pb::Control& message);
 
+  /// In the room there.
+  [[nodiscard]] bool is_welcome() const { return is_welcome_; }
+  // But for what keeps the connection.
+  [[nodiscard]] const hub::BackplaneTraffic& sent() const { return sent_; }
+  [[nodiscard]] const hub::BackplaneTraffic& received() const { return received_; }
+
  private:
   void join();
+  void send(const wire::pb::Control& message);
   void on_welcome(const wire::pb::Welcome& welcome) override;
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
@@ -62,6 +69,7 @@ class UpstreamRoom final : private HubLinkEvents {
   boost::asio::io_context& io_;
   std::optional<HubLink> link_;
   bool is_welcome_ = false;
+  hub::BackplaneTraffic sent_, received_;
   bool is_down_ = false;  // since the last welcome
   boost::asio::steady_timer timer_;
 };
