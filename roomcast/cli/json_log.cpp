@@ -21,22 +21,26 @@ const char* name_of(LogLevel level) {
 }  // namespace
 
 std::string json_log_line(std::string_view program, LogLevel level, std::string_view message,
-                          std::int64_t unix_ms) {
+                          LogFields fields, std::int64_t unix_ms) {
   const auto seconds = static_cast<std::time_t>(unix_ms / 1000);
   nlohmann::ordered_json line;
   line["time"] = fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), unix_ms % 1000);
   line["level"] = name_of(level);
   line["program"] = program;
   line["message"] = message;
+  for (const auto& [key, value] : fields) {
+    if (!value.empty()) line.emplace(key, value);  // not where the key is there already
+  }
   return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 LogSink json_log(std::string_view program) {
-  return [program = std::string(program)](LogLevel level, std::string_view message) {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
-    fmt::print(stderr, "{}\n", json_log_line(program, level, message, ms));
-  };
+  return
+      [program = std::string(program)](LogLevel level, std::string_view message, LogFields fields) {
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+        fmt::print(stderr, "{}\n", json_log_line(program, level, message, fields, ms));
+      };
 }
 
 }  // namespace roomcast::cli

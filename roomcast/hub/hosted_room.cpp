@@ -62,7 +62,7 @@ void HostedRoom::carry_out(const Disconnect& action) {
   } else {
     shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
   }
-  around_.on_let_go(action.connection);
+  around_.on_let_go(action);
 }
 
 void HostedRoom::carry_out(const KeepSensors& action) {

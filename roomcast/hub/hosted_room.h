@@ -31,7 +31,7 @@ class HostedRoom : public std::enable_shared_from_this<HostedRoom> {
     Backplane* backplane;  // null: there are no other hubs
     const Clock& clock;
     std::function<void(const std::string&)> complain;
-    std::function<void(ConnectionId)> on_let_go;  // the room knows this connection no more
+    std::function<void(const Disconnect&)> on_let_go;  // the room knows this one no more
   };
 
   HostedRoom(RoomId id, Room room, Surroundings around);

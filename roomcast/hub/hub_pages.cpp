@@ -7,6 +7,7 @@
 #include <boost/asio/post.hpp>
 
 #include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/admin_audit.h"
 #include "roomcast/hub/metrics_text.h"
 
 namespace roomcast::hub {
@@ -21,14 +22,15 @@ constexpr char kNoPage[] =
 
 HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
                    boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
-                   RoomRecordings* recordings)
+                   RoomRecordings* recordings, const LogSink& log)
     : site_(std::move(site)),
       hall_(hall),
       desk_(desk),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
-      admin_(hall, desk, std::move(version), recordings) {}
+      log_(log),
+      admin_(hall, desk, std::move(version), recordings, log) {}
 
 std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};
@@ -64,7 +66,8 @@ void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond
     return respond(net::text_response(404, "There is nothing at this address.\n"));
   }
   if (metrics_for_anyone_) return respond(metrics());
-  metrics_for_admins(request, std::move(respond));
+  const AuditedCall asked{.method = request.method, .path = request.path, .peer = request.peer};
+  metrics_for_admins(request, audited(log_, asked, std::move(respond)));
 }
 
 /// For whoever asks: of rooms that are not listed it says nothing.
@@ -100,7 +103,7 @@ void HubPages::metrics_for_admins(const net::HttpRequest& request, net::Respond 
       [token](HubBook& book) { return book.check(token); },
       [this, peer = request.peer, respond = std::move(respond)](const Verdict<Claims>& verdict) {
         if (const Refusal* why = refusal(verdict)) {
-          hall_.refuse_request(peer, *why);
+          hall_.hold_against(peer, *why);
           return respond(error_answer(*why));
         }
         const Grant& grant = std::get<Claims>(verdict).grant;

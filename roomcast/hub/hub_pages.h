@@ -25,7 +25,7 @@ class HubPages {
  public:
   HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
            boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
-           RoomRecordings* recordings);
+           RoomRecordings* recordings, const LogSink& log);
 
   /// Whose connections `/metrics` counts.
   void count_connections_of(const net::HttpServer& server) { server_ = &server; }
@@ -50,6 +50,7 @@ class HubPages {
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
   const std::string version_;
+  const LogSink log_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
   OtherSites other_sites_;

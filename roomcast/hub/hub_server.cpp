@@ -91,7 +91,7 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
   }
   pages_ =
       std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
-                                 ROOMCAST_VERSION, options_.recordings.get());
+                                 ROOMCAST_VERSION, options_.recordings.get(), options_.log);
 }
 
 // The desk first: nothing is asked of it any more, and its last answers go to a loop that is still

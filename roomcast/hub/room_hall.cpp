@@ -18,9 +18,14 @@ bool is_fault(pb::ErrorCode code) {
   return code == pb::ERROR_TOKEN_INVALID || code == pb::ERROR_CODE_USED;
 }
 
+std::string_view role_of(const pb::Join& join) {
+  if (join.has_sensor()) return "sensor";
+  if (join.has_aligner()) return "aligner";
+  return join.viewer().serves_on() ? "hub" : "viewer";
+}
+
 std::string described(const Arrival& arrival, const pb::Join& join) {
-  const char* role = join.has_sensor() ? "sensor" : join.has_aligner() ? "aligner" : "viewer";
-  return std::string(role) + " \"" + join.name() + "\" from " + arrival.address;
+  return std::string(role_of(join)) + " \"" + join.name() + "\" from " + arrival.address;
 }
 
 }  // namespace
@@ -46,7 +51,7 @@ void RoomHall::open(const RoomSettings& settings, std::vector<KnownSensor> senso
       .backplane = backplane_,
       .clock = clock_,
       .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
-      .on_let_go = [this](ConnectionId connection) { guests_.erase(connection); }};
+      .on_let_go = [this](const Disconnect& end) { let_go(end); }};
   rooms_[settings.name] =
       std::make_shared<HostedRoom>(RoomId{next_room_id_++}, std::move(room), std::move(around));
   if (backplane_ != nullptr) backplane_->room_opened(settings.name);
@@ -90,7 +95,7 @@ bool RoomHall::may_connect(const std::string& peer) const {
 }
 
 void RoomHall::on_join(const Arrival& arrival, const pb::Join& join) {
-  guests_[arrival.from].address = arrival.address;
+  guests_[arrival.from] = {.address = arrival.address, .name = join.name(), .role = role_of(join)};
   if (!join.code().empty()) {
     return desk_.ask([code = join.code()](HubBook& book) { return book.redeem(code); },
                      [this, arrival, join](const Verdict<NewToken>& redeemed) {
@@ -112,7 +117,7 @@ void RoomHall::on_join(const Arrival& arrival, const pb::Join& join) {
 void RoomHall::on_checked(const Arrival& arrival, const pb::Join& join,
                           const Verdict<NewToken>& shown, bool was_code) {
   if (!guests_.contains(arrival.from)) return;  // it did not wait
-  if (const Refusal* why = refusal(shown)) return refuse(arrival, *why);
+  if (const Refusal* why = refusal(shown)) return refuse(arrival, join, *why);
   const auto& [claims, token] = std::get<NewToken>(shown);
   decide(arrival, join, &claims, was_code ? token : "");
 }
@@ -121,29 +126,32 @@ void RoomHall::decide(const Arrival& arrival, const pb::Join& join, const Claims
                       const std::string& new_token) {
   const auto verdict = decide_entry(
       join, claims, [this](const std::string& name) { return find(name); }, only_listed_room());
-  if (const Refusal* why = refusal(verdict)) return refuse(arrival, *why);
+  if (const Refusal* why = refusal(verdict))
+    return refuse(arrival, join, *why, claims == nullptr ? "" : claims->id);
   Entry entry = std::get<Entry>(verdict);
   if (send_on(arrival, join, entry.room)) return;
   entry.new_token = new_token;
   if (arrival.token_id_there) entry.token_id = *arrival.token_id_there;
   entry.other_hub = arrival.other_hub;
-  log(LogLevel::kInfo, described(arrival, join) + " joins \"" + entry.room + "\"");
   admit(arrival, join, entry);
 }
 
-void RoomHall::refuse(const Arrival& arrival, const Refusal& why) {
+void RoomHall::refuse(const Arrival& arrival, const pb::Join& join, const Refusal& why,
+                      const std::string& token_id) {
   ++refused_joins_;
   guests_.erase(arrival.from);
-  log(LogLevel::kInfo, arrival.address + " is refused: " + why.sentence);
+  log(LogLevel::kInfo, arrival.address + " is refused: " + why.sentence,
+      {{"event", "refuse"},
+       {"room", join.room()},
+       {"role", role_of(join)},
+       {"name", join.name()},
+       {"peer", arrival.address},
+       {"token", token_id},
+       {"error", pb::ErrorCode_Name(why.code)}});
   hold_against(arrival.peer, why);
   if (is_of_backplane(arrival.from)) return backplane_->let_go(arrival.from);
   shards_[Shard::of(arrival.from, shards_.size())]->disconnect(arrival.from, why.code,
                                                                why.sentence);
-}
-
-void RoomHall::refuse_request(const std::string& peer, const Refusal& why) {
-  log(LogLevel::kInfo, "a request of " + peer + " is refused: " + why.sentence);
-  hold_against(peer, why);
 }
 
 void RoomHall::hold_against(const std::string& peer, const Refusal& why) {
@@ -151,7 +159,8 @@ void RoomHall::hold_against(const std::string& peer, const Refusal& why) {
   if (!is_fault(why.code) || std::ranges::find(exempt, peer) != exempt.end()) return;
   if (!bans_.fault(peer, clock_.now())) return;
   log(LogLevel::kWarning,
-      peer + " shows bad tokens again and again; it is not listened to for a while");
+      peer + " shows bad tokens again and again; it is not listened to for a while",
+      {{"event", "ban"}, {"peer", peer}});
 }
 
 /// To a hub that is less busy, where there is one. Nobody is sent on twice.
@@ -159,7 +168,12 @@ bool RoomHall::send_on(const Arrival& arrival, const pb::Join& join, const std::
   if (backplane_ == nullptr || !join.has_viewer() || join.sent_on()) return false;
   const auto urls = backplane_->less_busy_hubs(room);
   if (urls.empty()) return false;
-  log(LogLevel::kInfo, described(arrival, join) + " is sent on to " + urls.front());
+  log(LogLevel::kInfo, described(arrival, join) + " is sent on to " + urls.front(),
+      {{"event", "send_on"},
+       {"room", room},
+       {"role", role_of(join)},
+       {"name", join.name()},
+       {"peer", arrival.address}});
   guests_.erase(arrival.from);
   pb::Control others;
   others.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
@@ -177,6 +191,7 @@ void RoomHall::admit(const Arrival& arrival, const pb::Join& join, const Entry& 
   guest.token_id = entry.token_id;
   guest.expires_at = entry.expires_at;
   guest.serves_on = join.viewer().serves_on();
+  log_guest(described(arrival, join) + " joins \"" + entry.room + "\"", guest, "join");
   if (backplane_ != nullptr && join.has_sensor() && !is_of_backplane(arrival.from)) {
     backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
   }
@@ -235,13 +250,34 @@ void RoomHall::on_key_needs(ConnectionId from, const std::vector<SensorId>& sens
 void RoomHall::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto guest = guests_.find(from);
   if (guest == guests_.end()) return;  // we sent it away
-  log(LogLevel::kInfo, guest->second.address + " has left: " + reason.sentence);
+  log_guest(guest->second.address + " has left: " + reason.sentence, guest->second, "leave");
   HostedRoom* room = guest->second.room;
   guests_.erase(guest);
   if (room != nullptr) room->carry_out(room->room().leave(from, room->now()));
 }
 
+void RoomHall::log_guest(const std::string& line, const Guest& guest, std::string_view event,
+                         std::string_view error) const {
+  log(LogLevel::kInfo, line,
+      {{"event", event},
+       {"room", guest.room == nullptr ? std::string_view() : guest.room->room().name()},
+       {"role", guest.role},
+       {"name", guest.name},
+       {"peer", guest.address},
+       {"token", guest.token_id},
+       {"error", error}});
+}
+
 // ---- sending away
+
+/// The room's doing, or ours.
+void RoomHall::let_go(const Disconnect& end) {
+  const auto guest = guests_.find(end.connection);
+  if (guest == guests_.end()) return;
+  log_guest(guest->second.address + " is sent away: " + end.sentence, guest->second, "send_away",
+            pb::ErrorCode_Name(end.code));
+  guests_.erase(guest);
+}
 
 bool RoomHall::send_away(ConnectionId guest, const std::string& sentence) {
   HostedRoom* room = room_of(guest);

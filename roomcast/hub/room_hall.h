@@ -80,9 +80,9 @@ class RoomHall final : public BackplaneEvents {
     return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
   }
 
-  /// A request of this address was refused because of its token. Bad ones count as those of who
-  /// wants to join.
-  void refuse_request(const std::string& peer, const Refusal& why);
+  /// This address was refused because of its token: of who wants to join, or of a request. Who
+  /// shows bad ones again and again is not listened to for a while.
+  void hold_against(const std::string& peer, const Refusal& why);
   /// Nothing: there is none.
   [[nodiscard]] std::optional<BackplaneStats> backplane_stats() const {
     return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
@@ -101,9 +101,10 @@ class RoomHall final : public BackplaneEvents {
 
  private:
   struct Guest {
-    std::string address;
+    std::string address, name = {};
+    std::string_view role = {};
     HostedRoom* room = nullptr;
-    std::string token_id;
+    std::string token_id = {};
     UnixSeconds expires_at = 0;  // 0: never
     bool serves_on = false;      // it is a hub
   };
@@ -114,8 +115,9 @@ class RoomHall final : public BackplaneEvents {
                   const Verdict<NewToken>& shown, bool was_code);
   void decide(const Arrival& arrival, const wire::pb::Join& join, const Claims* claims,
               const std::string& new_token);
-  void refuse(const Arrival& arrival, const Refusal& why);
-  void hold_against(const std::string& peer, const Refusal& why);
+  void refuse(const Arrival& arrival, const wire::pb::Join& join, const Refusal& why,
+              const std::string& token_id = "");
+  void let_go(const Disconnect& end);
   bool send_on(const Arrival& arrival, const wire::pb::Join& join, const std::string& room);
   void admit(const Arrival& arrival, const wire::pb::Join& join, const Entry& entry);
   [[nodiscard]] HostedRoom* room_of(ConnectionId from) const;
@@ -131,9 +133,13 @@ class RoomHall final : public BackplaneEvents {
   void end_expired();
   void measure_sensors();
   void take_traffic(std::size_t shard, const ShardTraffic& traffic);
-  void log(LogLevel level, const std::string& line) const {
-    if (options_.log) options_.log(level, line);
+  void log(LogLevel level, const std::string& line,
+           std::initializer_list<LogField> fields = {}) const {
+    if (options_.log) options_.log(level, line, fields);
   }
+  /// `event` and `error` as in docs/guides/hub.md.
+  void log_guest(const std::string& line, const Guest& guest, std::string_view event,
+                 std::string_view error = {}) const;
 
   const RoomHallOptions options_;
   boost::asio::io_context& io_;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/admin_audit.h"
 #include "roomcast/hub/admin/token_request.h"
 
 namespace roomcast::hub {
@@ -51,30 +52,39 @@ net::HttpResponse no_object() {
 
 }  // namespace
 
-AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings)
-    : hall_(hall), desk_(desk), version_(std::move(version)), recordings_(recordings) {}
+AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings,
+                   LogSink log)
+    : hall_(hall),
+      desk_(desk),
+      version_(std::move(version)),
+      recordings_(recordings),
+      log_(std::move(log)) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
   if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
   Call call{std::get<MatchedRoute>(found), std::nullopt, request.body, std::move(respond)};
   const std::string token = net::bearer_token(request);
+  AuditedCall asked{.method = request.method, .path = request.path, .peer = request.peer};
   if (token.empty()) {
     if (!call.match.route.needs_token) return carry_out(call);
-    return call.respond(error_answer(
+    return audited(log_, asked, call.respond)(error_answer(
         Refusal{pb::ERROR_UNAUTHENTICATED,
                 "this takes an admin's token, in the header Authorization: Bearer TOKEN"}));
   }
-  desk_.ask(
-      [token](HubBook& book) { return book.check(token); },
-      [this, peer = request.peer, call = std::move(call)](const Verdict<Claims>& verdict) mutable {
-        if (const Refusal* why = refusal(verdict)) {
-          hall_.refuse_request(peer, *why);
-          return call.respond(error_answer(*why));
-        }
-        call.caller = std::get<Claims>(verdict);
-        carry_out(call);
-      });
+  desk_.ask([token](HubBook& book) { return book.check(token); },
+            [this, call = std::move(call),
+             asked = std::move(asked)](const Verdict<Claims>& verdict) mutable {
+              if (const Refusal* why = refusal(verdict)) {
+                hall_.hold_against(asked.peer, *why);
+                return audited(log_, asked, call.respond)(error_answer(*why));
+              }
+              call.caller = std::get<Claims>(verdict);
+              asked.token_id = call.caller->id;
+              asked.name = call.caller->grant.name;
+              call.respond = audited(log_, std::move(asked), std::move(call.respond));
+              carry_out(call);
+            });
 }
 
 void AdminApi::carry_out(const Call& call) {

@@ -23,7 +23,8 @@ namespace roomcast::hub {
 class AdminApi {
  public:
   /// `recordings` is null where rooms are not kept.
-  AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings);
+  AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings,
+           LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
@@ -67,6 +68,7 @@ class AdminApi {
   Desk& desk_;
   const std::string version_;
   RoomRecordings* const recordings_;
+  const LogSink log_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();
 };

@@ -55,7 +55,7 @@ class AdminApiTest : public testing::Test {
                              .path = "/api/v1" + path,
                              .authorization = token.empty() ? "" : "Bearer " + token,
                              .body = body.is_null() ? "" : body.dump(),
-                             .peer = ""};
+                             .peer = "10.0.0.7"};
     std::optional<net::HttpResponse> response;
     asked->answer(request, [&](net::HttpResponse answer) { response = std::move(answer); });
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(5);
@@ -80,9 +80,31 @@ class AdminApiTest : public testing::Test {
   std::vector<std::unique_ptr<Shard>> shards;
   RoomHall hall{{.hub_version = "test"}, io, desk, shards};
   FakeRecordings recordings;
-  AdminApi api{hall, desk, "test", &recordings};
+  std::map<std::string, std::string, std::less<>> logged;  // of the last line that had fields
+  AdminApi api{hall, desk, "test", &recordings,
+               [this](LogLevel, std::string_view, LogFields fields) {
+                 for (const auto& [key, value] : fields) logged[std::string(key)] = value;
+               }};
   AdminApi* asked = &api;
 };
+
+TEST_F(AdminApiTest, tells_the_log_who_changed_what_and_who_was_refused) {
+  const Answer viewer = ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}});
+  ASSERT_EQ(viewer.status, 201);
+  EXPECT_EQ(logged["method"], "POST");
+  EXPECT_EQ(logged["about"], viewer.body["id"]);
+  EXPECT_EQ(logged["peer"], "10.0.0.7");
+  EXPECT_FALSE(logged["token"].empty()) << "of the hub's admin";
+  logged.clear();
+  ask("GET", "/rooms", hub_admin);
+  EXPECT_TRUE(logged.empty()) << "nothing was changed";
+  ask("DELETE", "/rooms/lab", viewer.body["token"]);
+  EXPECT_EQ(logged["token"], viewer.body["id"]);
+  EXPECT_EQ(logged["error"], "wrong_role");
+  ask("DELETE", "/rooms/lab", "guessed");
+  EXPECT_EQ(logged["token"], "");
+  EXPECT_EQ(logged["error"], "invalid_token");
+}
 
 TEST_F(AdminApiTest, whoever_asks_learns_of_listed_rooms_only) {
   const Answer rooms = ask("GET", "/rooms");
