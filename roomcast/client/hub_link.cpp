@@ -63,6 +63,9 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void wake() {
     if (const auto socket = socket_.lock()) socket->wake();
   }
+  void set_timings(const net::ConnectionTimings& timings) {
+    if (const auto socket = socket_.lock()) socket->set_timings(timings);
+  }
   void part() {
     link_ = nullptr;
     if (const auto socket = socket_.lock()) socket->close(net::close_code::kNormal, "left");
@@ -111,10 +114,14 @@ void HubLink::send(const pb::Control& message) {
   if (connection_) connection_->send(message);
 }
 
+net::ConnectionTimings HubLink::timings() const {
+  return timings_.value_or(hubs_.has_others() ? kTimingsWithOthers : kTimings);
+}
+
 void HubLink::connect() {
   net::ClientOptions options;
   options.max_message_bytes = wire::kMaxFrameBytes;
-  options.timings = timings_.value_or(hubs_.has_others() ? kTimingsWithOthers : kTimings);
+  options.timings = timings();
   const auto hubs = hubs_.to_try();
   unanswered_ = hubs.size();
   for (const net::HubUrl& hub : hubs) {
@@ -238,8 +245,8 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
       if (refusal_code_ == pb::ERROR_BUSY) join_.set_sent_on(true);
       return;
     case pb::Control::kOtherHubs:
-      return hubs_.learn(
-          {control->other_hubs().urls().begin(), control->other_hubs().urls().end()});
+      hubs_.learn({control->other_hubs().urls().begin(), control->other_hubs().urls().end()});
+      return connection_->set_timings(timings());
     default:
       events_.on_control(*control);
   }

@@ -52,9 +52,12 @@ class HubLink {
   /// is gone although nobody said so (a cable pulled, a machine that sleeps).
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
                                                    .give_up_after = std::chrono::seconds(8)};
-  /// Where there is another hub to go on at.
+  /// Where there is another hub to go on at, nobody has to wait long for one that hangs. A hub that
+  /// is there answers within milliseconds, also a busy one (who is inside is served first); and who
+  /// was wrong goes on elsewhere with a new key frame.
   static constexpr net::ConnectionTimings kTimingsWithOthers{
-      .ping_after = std::chrono::milliseconds(800), .give_up_after = std::chrono::seconds(3)};
+      .ping_after = std::chrono::milliseconds(250),
+      .give_up_after = std::chrono::milliseconds(700)};
 
   struct Options {
     std::optional<net::ConnectionTimings> timings = {};  // other ones than the above
@@ -99,6 +102,7 @@ class HubLink {
   void take_pong(const wire::pb::ClockPong& pong);
   void give_up(const Error& reason);
   [[nodiscard]] bool is_over() const;
+  [[nodiscard]] net::ConnectionTimings timings() const;
 
   boost::asio::io_context& io_;
   HubChoice hubs_;

@@ -240,6 +240,34 @@ TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
   EXPECT_FALSE(next.heard.empty());
 }
 
+/// It is told of the other hub when it is connected, and waits no longer from then on.
+TEST(HubLink, a_hub_that_hangs_is_left_soon_where_it_has_named_another) {
+  boost::asio::io_context hub_io, io;
+  FakeHub hangs(hub_io), next(io);
+  Heard heard;
+  wire::pb::Join join;
+  join.mutable_viewer();
+  HubLink link(io, *net::parse_hub_urls(hangs.url()), join, heard);
+  hangs.on_join = [&] {
+    wire::pb::Control others, last;
+    others.mutable_other_hubs()->add_urls(next.url());
+    last.mutable_roster();
+    hangs.say(others);
+    hangs.say(last);
+  };
+  link.start();
+  while (heard.controls.empty()) {
+    hub_io.run_one_for(1ms);
+    io.run_one_for(1ms);
+  }
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  static_assert(HubLink::kTimings.give_up_after > 5s);
+  while (heard.welcomes.size() < 2 && io.run_one_until(give_up) > 0) {
+  }
+  EXPECT_EQ(heard.welcomes.size(), 2u);
+  EXPECT_EQ(next.joins, 1);
+}
+
 TEST_F(HubLinkTest, where_the_next_hub_does_not_know_us_it_comes_back_to_the_first) {
   FakeHub stranger(io);
   stranger.refuse_joins_with = wire::pb::ERROR_TOKEN_INVALID;

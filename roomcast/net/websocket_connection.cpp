@@ -33,6 +33,9 @@ constexpr std::size_t kMaxReadBuffer = 64 * 1024;
 constexpr std::size_t kCongestedPull = 16 * 1024;
 constexpr std::size_t kMaxPull = 256 * 1024;
 
+/// Timers fire a little late on any machine.
+constexpr std::chrono::milliseconds kOnTime{20};
+
 std::string address_of(const asio::ip::tcp::socket& socket) {
   boost::system::error_code error;
   const auto endpoint = socket.remote_endpoint(error);
@@ -275,8 +278,18 @@ void WebSocketConnection::watch_silence() {
   });
 }
 
+void WebSocketConnection::set_timings(const ConnectionTimings& timings) {
+  options_.timings = timings;
+  if (stage_ == Stage::kOpen && handler_) watch_silence();
+}
+
+/// Who looks too late was kept from reading, too, and what the peer said meanwhile may still have
+/// to be read.
 void WebSocketConnection::on_silence_timer() {
-  const auto silence = std::chrono::steady_clock::now() - last_heard_;
+  const SteadyTime now = std::chrono::steady_clock::now();
+  if (const auto late = now - timer_.expiry(); late > kOnTime)
+    last_heard_ = std::min(now, last_heard_ + late);
+  const auto silence = now - last_heard_;
   if (silence >= options_.timings.give_up_after) {
     return shut(
         {close_code::kAbnormal, "Nothing was heard from the other side for too long.", false});

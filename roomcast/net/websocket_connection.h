@@ -61,6 +61,8 @@ class ConnectionHandler {
   virtual void on_closed(const CloseReason& reason) = 0;
 };
 
+/// Silence is what could be heard and was not: time in which this program did not run (a busy
+/// machine, one that slept) does not count.
 struct ConnectionTimings {
   std::chrono::milliseconds ping_after{5'000};      // of silence from the peer
   std::chrono::milliseconds give_up_after{15'000};  // of silence from the peer
@@ -110,6 +112,8 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   /// The peer has shown what it is here for: see HttpServerOptions::max_unsettled_per_peer.
   void settle() { options_.place.reset(); }
 
+  /// Hold from now on.
+  void set_timings(const ConnectionTimings& timings);
   /// Holds from the next frame on.
   void set_max_message_bytes(std::size_t bytes) { reader_.set_max_message_bytes(bytes); }
 

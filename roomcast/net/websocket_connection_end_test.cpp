@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -164,6 +165,23 @@ TEST_F(WebSocketConnectionEnd, silence_is_asked_about_and_then_ended) {
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));
   EXPECT_EQ(server_.handler->closed->code, close_code::kAbnormal);
   EXPECT_FALSE(server_.handler->closed->by_peer);
+}
+
+TEST_F(WebSocketConnectionEnd, timings_can_be_changed_while_it_is_open) {
+  open_server({.ping_after = 60s, .give_up_after = 120s});
+  server_.connection->set_timings({.ping_after = 10ms, .give_up_after = 60ms});
+  ASSERT_TRUE(run_until([&] { return server_.closed(); }));
+  EXPECT_EQ(server_.handler->closed->code, close_code::kAbnormal);
+}
+
+TEST_F(WebSocketConnectionEnd, who_could_not_listen_does_not_take_that_for_silence) {
+  open_server({.ping_after = 150ms, .give_up_after = 300ms});
+  run_ready();
+  std::this_thread::sleep_for(400ms);
+  run_ready();
+  EXPECT_FALSE(server_.closed()) << "nothing was asked yet";
+  EXPECT_THAT(peer_receives(1), ElementsAre("ping "));
+  ASSERT_TRUE(run_until([&] { return server_.closed(); })) << "it is silent all the same";
 }
 
 TEST_F(WebSocketConnectionEnd, two_quiet_ends_keep_each_other_open) {
