@@ -2,12 +2,12 @@
 // Records a room for some seconds, and says meanwhile what its sensors see.
 //   c++ -std=c++17 record.cpp $(pkg-config --cflags --libs roomcast) -o record
 //   ./record ws://127.0.0.1:7600 lab.mcap 10
-#include <roomcast.h>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+
+#include <roomcast.h>
 
 struct Deleter {
   void operator()(roomcast_viewer* viewer) const { roomcast_disconnect(viewer); }
@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
   if (!recorder) return fail(error);
   const std::unique_ptr<roomcast_viewer, Deleter> viewer(
       roomcast_connect(&options, error, sizeof(error)));
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[3]));
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[3]));
   while (viewer && std::chrono::steady_clock::now() < end &&
          roomcast_is_recording(recorder, error, sizeof(error))) {
     const std::unique_ptr<roomcast_frames, Deleter> frames(roomcast_wait_frames(viewer.get(), 200));

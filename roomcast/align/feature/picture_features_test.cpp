@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/align/feature/affine_features.h"
 #include "roomcast/align/feature/feature_comparison.h"
 #include "roomcast/align/feature/rectified_features.h"
 #include "roomcast/align/feature/sift_detector.h"
@@ -28,20 +29,29 @@ struct Seen {
   ColorPicture picture;
 };
 
-/// The share of matches whose features lie at the same place of the room.
-double right_share(const Seen& one, const FeatureSet& of_one, const Seen& other,
-                   const FeatureSet& of_other) {
+struct Matched {
+  double all = 0, right = 0;  // those whose features lie at the same place of the room
+};
+
+Matched matched(const Seen& one, const FeatureSet& of_one, const Seen& other,
+                const FeatureSet& of_other) {
   const auto matches = compare_features(of_one, of_other, 0.5F).matches;
-  double right = 0;
+  Matched count{double(matches.size())};
   for (const DescriptorMatch& match : matches) {
     const Eigen::Vector3d a =
         one.world_from_depth * of_one.features[match.a].point_m.cast<double>();
     const Eigen::Vector3d b =
         other.world_from_depth * of_other.features[match.b].point_m.cast<double>();
-    right += (a - b).norm() < 0.05;
+    count.right += (a - b).norm() < 0.05;
   }
-  EXPECT_GT(matches.size(), 20u);
-  return matches.empty() ? 0 : right / double(matches.size());
+  return count;
+}
+
+double right_share(const Seen& one, const FeatureSet& of_one, const Seen& other,
+                   const FeatureSet& of_other) {
+  const Matched count = matched(one, of_one, other, of_other);
+  EXPECT_GT(count.all, 20);
+  return count.all == 0 ? 0 : count.right / count.all;
 }
 
 const RigidTransform kHere = corner_pose(2, 1.5);
@@ -108,6 +118,25 @@ TEST(PictureFeatures, match_between_neighbouring_views) {
   EXPECT_GT(right_share(one, picture_features(one.picture, one.surface), other,
                         picture_features(other.picture, other.surface)),
             0.3);
+}
+
+TEST(AffineFeatures, match_between_views_aside_where_those_of_the_picture_hardly_do) {
+  const Seen one(kHere), other(kAside);
+  const Matched as_seen = matched(one, picture_features(one.picture, one.surface), other,
+                                  picture_features(other.picture, other.surface));
+  const Matched from_aside = matched(one, affine_features(one.picture, one.surface), other,
+                                     affine_features(other.picture, other.surface));
+  EXPECT_GT(from_aside.right, 3 * as_seen.right + 10);
+  EXPECT_GT(from_aside.right, 0.3 * from_aside.all);
+}
+
+TEST(AffineFeatures, are_none_in_even_pictures_and_the_same_every_time) {
+  const Seen grey(kHere), seen(kHere);
+  ColorPicture even = grey.picture;
+  std::fill_n(even.grey.data(), even.grey.view().pixel_count(), std::uint8_t{90});
+  EXPECT_EQ(affine_features(even, grey.surface).size(), 0u);
+  const FeatureSet one = affine_features(seen.picture, seen.surface);
+  EXPECT_EQ(one.descriptors, affine_features(seen.picture, seen.surface).descriptors);
 }
 
 TEST(RectifiedFeatures, match_between_views_far_aside) {

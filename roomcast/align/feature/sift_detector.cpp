@@ -15,7 +15,8 @@ namespace {
 constexpr int kOctaveLayers = 3;
 constexpr double kClaheLimit = 2;
 constexpr int kClaheTiles = 8;
-constexpr int kLeastSide = 16;  // pixels; nothing is found in smaller pictures
+constexpr int kLeastTilt = 0, kMostTilt = 3;  // of affine SIFT: a factor sqrt(2) each
+constexpr int kLeastSide = 16;                // pixels; nothing is found in smaller pictures
 // OpenCV seeks in a picture of twice the size, whose pixel 2x lies at x - 0.25, and calls it x.
 constexpr float kTooFar_px = 0.25F;
 
@@ -45,19 +46,13 @@ std::vector<std::size_t> in_order(const std::vector<cv::KeyPoint>& points) {
   return order;
 }
 
-}  // namespace
-
-std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,
-                                     const SiftOptions& options) {
-  if (grey.width < kLeastSide || grey.height < kLeastSide) return {};
-  cv::setNumThreads(1);
-  const auto sift = cv::SIFT::create(options.most_features, kOctaveLayers, options.least_contrast,
-                                     options.largest_edge_ratio);
+std::vector<SiftFeature> detect(cv::Feature2D& detector, ImageView<const std::uint8_t> grey,
+                                MaskView mask) {
   const cv::Mat picture = equalised(grey);
   const cv::Mat wanted = mask.data == nullptr ? cv::Mat() : mat_of(mask);
   std::vector<cv::KeyPoint> points;
   cv::Mat histograms;  // both at once: they are of the same pyramid, which is what takes long
-  sift->detectAndCompute(picture, wanted, points, histograms);
+  detector.detectAndCompute(picture, wanted, points, histograms);
   std::vector<SiftFeature> features;
   for (const std::size_t i : in_order(points)) {
     const float* const row = histograms.ptr<float>(static_cast<int>(i));
@@ -67,6 +62,31 @@ std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskVie
          root_descriptor(std::span<const float, kDescriptorSize>(row, kDescriptorSize))});
   }
   return features;
+}
+
+cv::Ptr<cv::SIFT> sift_of(const SiftOptions& options) {
+  return cv::SIFT::create(options.most_features, kOctaveLayers, options.least_contrast,
+                          options.largest_edge_ratio);
+}
+
+bool is_large_enough(ImageView<const std::uint8_t> grey) {
+  return grey.width >= kLeastSide && grey.height >= kLeastSide;
+}
+
+}  // namespace
+
+std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
+                                            const SiftOptions& options) {
+  if (!is_large_enough(grey)) return {};
+  cv::setNumThreads(1);
+  return detect(*cv::AffineFeature::create(sift_of(options), kMostTilt, kLeastTilt), grey, {});
+}
+
+std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,
+                                     const SiftOptions& options) {
+  if (!is_large_enough(grey)) return {};
+  cv::setNumThreads(1);
+  return detect(*sift_of(options), grey, mask);
 }
 
 }  // namespace roomcast::align

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SIFT (Lowe 2004) as OpenCV has it, on a contrast-equalised picture, with RootSIFT descriptors.
-// The only file besides rectified_features that touches OpenCV's detector. One thread: OpenCV's
+// The only file that touches OpenCV's detector. One thread: OpenCV's
 // thread count, which is the process's, is set to one. Thread-safe otherwise (no state).
 #pragma once
 
@@ -30,5 +30,11 @@ struct SiftFeature {
 /// sought.
 [[nodiscard]] std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey,
                                                    MaskView mask, const SiftOptions& options);
+
+/// The same in pictures as they would look from aside (affine SIFT: Morel & Yu 2009): turned and
+/// pressed together by sqrt(2), 2 and 2 sqrt(2). `options` hold for each of these. In the picture's
+/// own pixels.
+[[nodiscard]] std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
+                                                          const SiftOptions& options);
 
 }  // namespace roomcast::align

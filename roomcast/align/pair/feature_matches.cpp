@@ -73,4 +73,14 @@ std::vector<PointMatch> weighed_matches(const SensorView& a, const LookAlikes& o
   return matches;
 }
 
+std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b) {
+  const FeatureComparison comparison = compare_features(a, b, kLargestDescriptorDistance);
+  std::vector<float> alike_a = look_alikes(a), alike_b = look_alikes(b);
+  lower(alike_a, comparison.a_to_repeat);
+  lower(alike_b, comparison.b_to_repeat);
+  std::vector<PointMatch> matches;
+  add_matches(a, alike_a, b, alike_b, comparison, matches);
+  return matches;
+}
+
 }  // namespace roomcast::align

@@ -37,4 +37,8 @@ void add_repeats_of_a(const ViewComparison& comparison, LookAlikes& of_b);
                                                       const SensorView& b, const LookAlikes& of_b,
                                                       const ViewComparison& comparison);
 
+/// Of features that have their look-alikes, of which there are so many that what repeats in other
+/// views is left aside.
+[[nodiscard]] std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b);
+
 }  // namespace roomcast::align

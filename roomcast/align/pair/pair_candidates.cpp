@@ -108,11 +108,26 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
     rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
 }
 
+void PairCandidates::look_closer(const std::vector<PointMatch>& more) {
+  matches_.insert(matches_.end(), more.begin(), more.end());
+  std::vector<PoseEvidence> known;
+  for (const PoseEvidence& each : ranked_)
+    known.push_back(examine({each.a_from_b, each.correction_a, each.correction_b}));
+  keep_best(std::move(known));
+  rank(vote_for_poses(matches_), ColorPlace::kAsCalibrated);
+  if (!any_can_be_believed())
+    rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
+}
+
 /// Judges hypotheses and puts them among those ranked before.
 void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color) {
-  std::vector<PoseEvidence> found = std::move(ranked_);
-  ranked_.clear();
+  std::vector<PoseEvidence> found = ranked_;
   for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis, color));
+  keep_best(std::move(found));
+}
+
+void PairCandidates::keep_best(std::vector<PoseEvidence> found) {
+  ranked_.clear();
   std::stable_sort(found.begin(), found.end(),
                    [](const PoseEvidence& x, const PoseEvidence& y) { return x.score > y.score; });
   for (const PoseEvidence& candidate : found) {

@@ -58,6 +58,12 @@ class PairCandidates {
   /// The views must outlive this. None where both gave the same pictures: one is a copy.
   PairCandidates(const SensorView& a, const SensorView& b, std::vector<PointMatch> matches);
 
+  /// Judges all anew with more matches, found by a closer look (feature/affine_features.h).
+  void look_closer(const std::vector<PointMatch>& more);
+
+  /// Whether one of them, at least, might be the answer.
+  [[nodiscard]] bool any_can_be_believed() const;
+
   /// Best first; no two of them say the same.
   [[nodiscard]] const std::vector<PoseEvidence>& ranked() const { return ranked_; }
   /// The best that says the same as this pose; null where none does.
@@ -78,8 +84,8 @@ class PairCandidates {
 
  private:
   void rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color);
+  void keep_best(std::vector<PoseEvidence> found);
   [[nodiscard]] bool convinces() const;
-  [[nodiscard]] bool any_can_be_believed() const;
   [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis, ColorPlace color) const;
 
   const SensorView* a_;

@@ -53,6 +53,16 @@ TEST(PairCandidates, are_never_strong_without_matches) {
   for (const PoseEvidence& evidence : by_shape.ranked()) EXPECT_FALSE(is_strong(evidence));
 }
 
+TEST(PairCandidates, are_judged_anew_with_the_matches_of_a_closer_look) {
+  PairCandidates candidates(*first_corner().view, *second_corner().view, {});
+  ASSERT_FALSE(candidates.any_can_be_believed());
+  candidates.look_closer(corners().matches());
+  EXPECT_TRUE(candidates.any_can_be_believed());
+  EXPECT_TRUE(is_strong(candidates.ranked()[0]));
+  EXPECT_LT(difference(candidates.ranked()[0].a_from_b, truth()).distance_m, 0.03);
+  EXPECT_GT(candidates.margin(), kLeastMargin);
+}
+
 PoseEvidence evidence_of(double score, double correlation) {
   PoseEvidence evidence;
   evidence.score = score;

@@ -35,7 +35,8 @@ PairState settled_pose(const SensorView& a, const SensorView& b,
     PairEquations equations =
         surface_equations(surface_partners(a.surface, b.surface, state.a_from_b, {reach, kPoints}),
                           state.a_from_b, kUsualNoise);
-    equations.add(feature_equations(a.picture, b.picture, state, agreeing, {kUsualFeatureSigma_px}));
+    equations.add(
+        feature_equations(a.picture, b.picture, state, agreeing, {kUsualFeatureSigma_px}));
     const PairVector step = step_of(equations, state, color);
     move(step, state);
     if (reach == kLeastReach_m && step.head<6>().cwiseAbs().maxCoeff() < kStill) break;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/align/feature/affine_features.h"
 #include "roomcast/align/rig/placed_rig.h"
 
 namespace roomcast::align {
@@ -35,12 +36,19 @@ void RigAligner::remove(const std::string& name) {
     return entry.first.first == name || entry.first.second == name;
   });
   std::erase_if(views_, [&](const auto& view) { return view->name == name; });
+  affine_features_.erase(name);
 }
 
 AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   compare_new_pairs(progress);
   find_new_candidates(progress);
   if (progress) progress("placing all sensors", kPlacing);
+  AlignmentReport report = placed();
+  if (look_closer_at_refused(report, progress)) report = placed();
+  return report;
+}
+
+AlignmentReport RigAligner::placed() const {
   std::vector<const SensorView*> views;
   for (const auto& view : views_) views.push_back(view.get());
   return place_rig(views, pairs());
@@ -50,6 +58,30 @@ const PairCandidates* RigAligner::pair(const std::string& one, const std::string
   auto found = pairs_.find({one, other});
   if (found == pairs_.end()) found = pairs_.find({other, one});
   return found == pairs_.end() ? nullptr : found->second.candidates.get();
+}
+
+/// Pairs that say nothing, of sensors that would be refused. Whether there were any.
+bool RigAligner::look_closer_at_refused(const AlignmentReport& report,
+                                        const AlignProgress& progress) {
+  bool any = false;
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    Pair& pair = pairs_.at({a.name, b.name});
+    const bool is_settled = report.sensors[i].placed && report.sensors[j].placed;
+    if (is_settled || pair.is_looked_at_closer || pair.candidates->same_pictures() ||
+        pair.candidates->any_can_be_believed())
+      return;
+    if (progress) progress(fmt::format("looking closer at {} and {}", a.name, b.name), kPlacing);
+    pair.candidates->look_closer(affine_matches(affine_features_of(a), affine_features_of(b)));
+    any = pair.is_looked_at_closer = true;
+  });
+  return any;
+}
+
+const FeatureSet& RigAligner::affine_features_of(const SensorView& view) {
+  const auto [entry, is_new] = affine_features_.try_emplace(view.name);
+  if (is_new) entry->second = affine_features(view.picture, view.surface);
+  return entry->second;
 }
 
 void RigAligner::compare_new_pairs(const AlignProgress& progress) {

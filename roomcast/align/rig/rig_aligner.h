@@ -41,15 +41,21 @@ class RigAligner {
   struct Pair {
     ViewComparison comparison;
     std::unique_ptr<PairCandidates> candidates;  // once every pair of its sensors is compared
+    bool is_looked_at_closer = false;
   };
 
   void compare_new_pairs(const AlignProgress& progress);
   void find_new_candidates(const AlignProgress& progress);
+  [[nodiscard]] bool look_closer_at_refused(const AlignmentReport& report,
+                                            const AlignProgress& progress);
+  [[nodiscard]] const FeatureSet& affine_features_of(const SensorView& view);
+  [[nodiscard]] AlignmentReport placed() const;
   [[nodiscard]] std::vector<LookAlikes> look_alikes_in_rig() const;
   [[nodiscard]] std::vector<RigPair> pairs() const;
 
   std::vector<std::shared_ptr<const SensorView>> views_;
   std::map<Names, Pair> pairs_;
+  std::map<std::string, FeatureSet> affine_features_;  // of whom they were needed
 };
 
 }  // namespace roomcast::align

@@ -210,6 +210,26 @@ TEST(RigAligner, tells_how_far_it_is) {
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
 }
 
+TEST(RigAligner, looks_closer_at_pairs_of_sensors_that_would_be_refused_and_once_only) {
+  MadeUpRoom elsewhere;
+  elsewhere.looks = 7;
+  RigAligner aligner;
+  aligner.add(first_corner().view);
+  aligner.add(second_corner().view);
+  std::vector<std::string> closer;
+  const AlignProgress listen = [&](std::string_view step, double) {
+    if (step.starts_with("looking closer")) closer.emplace_back(step);
+  };
+  (void)aligner.solve(listen);
+  EXPECT_THAT(closer, testing::IsEmpty());
+  aligner.add(made_up_view(elsewhere, "far", corner_pose(-2, 1.5)).view);
+  (void)aligner.solve(listen);
+  EXPECT_THAT(closer,
+              testing::ElementsAre("looking closer at s0 and far", "looking closer at s1 and far"));
+  (void)aligner.solve(listen);
+  EXPECT_EQ(closer.size(), 2u);
+}
+
 TEST(RigAligner, nobody_or_one_alone_is_no_trouble) {
   RigAligner aligner;
   EXPECT_TRUE(aligner.solve().sensors.empty());
