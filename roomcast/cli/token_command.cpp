@@ -52,9 +52,9 @@ Status list_tokens(const hub::HubBook& book, bool as_json) {
     const auto left = token.claims.expires_at - book.now();
     fmt::print("{:34}{:20}{:8}{:20}{}\n", token.claims.id, token.claims.grant.room,
                hub::name_of(token.claims.grant.role), token.claims.grant.name,
-               token.revoked ? "revoked"
-               : left <= 0   ? "expired"
-                             : format_time_span(left));
+               (token.is_code ? "code, " : "") + (token.revoked ? "revoked"
+                                                  : left <= 0   ? "expired"
+                                                                : format_time_span(left)));
   }
   return {};
 }
@@ -92,9 +92,11 @@ Status make_token(const TokenCommand& command, hub::HubBook& book) {
   const std::string shown = request->once ? (*made)["link"] : (*made)["token"];
   fmt::print("{}\n", shown);
   if (request->once) {
-    fmt::print(stderr, "Good for once, within {}; then for {}. In a program: --token {}\n",
+    fmt::print(stderr,
+               "Good for once, within {}; then for {}. In a program: --token {}\n"
+               "Until it was used it is taken back with roomcast token --revoke {}\n",
                format_time_span(hub::HubBook::kCodeTtl), format_time_span(request->ttl),
-               (*made)["code"].get<std::string>());
+               (*made)["code"].get<std::string>(), (*made)["id"].get<std::string>());
   }
   if (!command.qr) return {};
   const auto qr = qr_code_for_terminal(shown);
@@ -127,9 +129,12 @@ void add_token_command(CLI::App& app, Command& chosen) {
   command->add_option("--link", values->link,
                       "The hub's address; gives a link that is good for once instead");
   command->add_flag("--qr", values->qr, "Also as a QR code");
-  command->add_flag("--list", values->list, "Say which tokens there are");
-  command->add_option("--revoke", values->revoke,
-                      "Id of a token that shall hold no longer; who came with it is sent away");
+  command->add_flag("--list", values->list,
+                    "Say which tokens there are, and which codes nobody has used");
+  command->add_option(
+      "--revoke", values->revoke,
+      "Id of a token, or of a code that nobody has used, that shall hold no longer; "
+      "who came with it is sent away");
   command->add_option("--data", values->data,
                       "The hub's folder (default: ~/.local/state/roomcast)");
   command->add_flag("--json", values->json, "For scripts");

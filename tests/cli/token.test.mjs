@@ -53,6 +53,16 @@ test('code_lets_one_in_once', async (t) => {
   assertFailed(await look(hub, hub.folder, '--token', made.code), 1, /used already/);
 });
 
+test('code_that_nobody_has_used_is_listed_and_taken_back', async (t) => {
+  const hub = await startClosedHub(t);
+  const made = await token(hub, '--room', 'room', '--role', 'viewer', '--link', 'https://hub.example.org:7600');
+  const { tokens } = await token(hub, '--list');
+  assert.deepEqual(tokens.map(({ id, once, revoked }) => ({ id, once, revoked })), [{ id: made.id, once: true, revoked: false }]);
+  assert.match((await run('token', '--data', hub.folder, '--list')).stdout, /code, (59m|1h)/);
+  assert.equal((await run('token', '--data', hub.folder, '--revoke', made.id)).code, 0);
+  assertFailed(await look(hub, hub.folder, '--token', made.code), 1, /code was revoked/);
+});
+
 test('revoked_token_sends_its_holder_away_and_lets_nobody_in', async (t) => {
   const hub = await startClosedHub(t);
   const { id, token: shown } = await token(hub, '--room', 'room', '--role', 'sensor');

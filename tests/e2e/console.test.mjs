@@ -145,6 +145,7 @@ describe('the console', () => {
       assert.ok(link.startsWith(`${hub.page}#room=room&code=`), link);
 
       await page.locator('.access select').first().selectOption('sensor');
+      await page.getByLabel('Whom or what it is for').fill('left');
       await page.getByLabel('A link for one time').uncheck();
       await page.getByRole('button', { name: 'Make it' }).click();
       const command = await until(
@@ -154,7 +155,7 @@ describe('the console', () => {
       );
       assert.match(command, /^roomcast sensor .*--hub ws:.* --room room --token [\w-]+\.[\w-]+\.[\w-]+$/);
       assert.deepEqual(await seriousFindings(page), []);
-      await page.getByRole('button', { name: 'Revoke: Ada' }).click();
+      await page.getByRole('button', { name: 'Revoke: left' }).click();
       await until(
         'it is revoked',
         () => page.locator('.tokens').innerText(),

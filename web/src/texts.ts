@@ -81,6 +81,7 @@ export const consoleTexts = {
     none: 'None yet.',
     revoke: 'Revoke',
     revoked: 'revoked',
+    unusedLink: 'a link that nobody has used',
     until: (date: string) => `until ${date}`,
     signIn: 'Token',
     signInHelp: 'A token from whoever runs this hub. It stays in this tab.',

@@ -83,12 +83,13 @@ Result<NewToken> HubBook::sign(const Grant& grant, UnixSeconds ttl) {
 
 Result<NewCode> HubBook::issue_code(const Grant& grant, UnixSeconds ttl) {
   if (auto status = check_grant(grant, ttl); !status) return status.error();
-  NewCode made{make_one_time_code(), now_() + kCodeTtl};
-  const CodeDigest digest = *digest_of_code(made.code);
-  if (auto status = tokens_.add_code(digest, {grant, ttl}, made.expires_at); !status) {
+  const UnixSeconds now = now_();
+  const std::string code = make_one_time_code();
+  const CodeDigest digest = *digest_of_code(code);
+  if (auto status = tokens_.add_code(digest, {grant, ttl}, now, now + kCodeTtl); !status) {
     return status.error();
   }
-  return made;
+  return NewCode{id_of_code(digest), code, now + kCodeTtl};
 }
 
 std::string HubBook::sign_own() const {

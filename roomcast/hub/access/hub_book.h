@@ -29,7 +29,7 @@ struct NewToken {
 };
 
 struct NewCode {
-  std::string code;
+  std::string id, code;
   UnixSeconds expires_at = 0;
 };
 
@@ -48,7 +48,8 @@ class HubBook {
 
   /// ERROR_TOKEN_INVALID, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED.
   [[nodiscard]] Verdict<Claims> check(const std::string& token);
-  /// A code becomes a token. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_INVALID.
+  /// A code becomes a token. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED,
+  /// ERROR_TOKEN_INVALID.
   [[nodiscard]] Verdict<NewToken> redeem(const std::string& code);
 
   /// kInvalidArgument: `ttl` is not 1 to kMaxTtl, or a grant that makes no sense.
@@ -64,7 +65,7 @@ class HubBook {
   }
   [[nodiscard]] Result<IssuedToken> token(std::string_view id) const { return tokens_.find(id); }
   [[nodiscard]] Status revoke(std::string_view id) { return tokens_.revoke(id, now_()); }
-  /// All that have not expired.
+  /// All tokens that have not expired.
   [[nodiscard]] Result<std::vector<Claims>> revoked() const { return tokens_.revoked(now_()); }
   /// Tokens that other hubs with the same secret have made, or this one, hold no more. Those that
   /// were not known as such.

@@ -2,6 +2,7 @@
 #include "roomcast/hub/access/one_time_code.h"
 
 #include <cctype>
+#include <span>
 
 #include <openssl/evp.h>
 
@@ -21,6 +22,16 @@ char as_meant(char letter) {
   if (upper == 'O') return '0';
   if (upper == 'I' || upper == 'L') return '1';
   return kDigits.find(upper) != std::string_view::npos ? upper : '\0';
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kHex[byte >> 4];
+    text += kHex[byte & 15];
+  }
+  return text;
 }
 
 }  // namespace
@@ -53,16 +64,15 @@ std::optional<CodeDigest> digest_of_code(std::string_view code) {
   return digest;
 }
 
+std::string id_of_code(const CodeDigest& digest) {
+  constexpr std::size_t kShown = 8;
+  return "code-" + hexadecimal(std::span(digest).first<kShown>());
+}
+
 std::string make_token_id() {
-  constexpr std::string_view kHex = "0123456789abcdef";
   std::array<std::uint8_t, 16> random{};
   net::fill_with_random_bytes(random);
-  std::string id;
-  for (const std::uint8_t byte : random) {
-    id += kHex[byte >> 4];
-    id += kHex[byte & 15];
-  }
-  return id;
+  return hexadecimal(random);
 }
 
 }  // namespace roomcast::hub

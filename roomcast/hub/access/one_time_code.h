@@ -21,6 +21,9 @@ using CodeDigest = std::array<std::uint8_t, 32>;
 /// Nothing: this is no code.
 [[nodiscard]] std::optional<CodeDigest> digest_of_code(std::string_view code);
 
+/// "code-0123456789abcdef": by which its owner lists and revokes it; nobody learns it from that.
+[[nodiscard]] std::string id_of_code(const CodeDigest& digest);
+
 /// 128 random bits in hexadecimal: a token's id.
 [[nodiscard]] std::string make_token_id();
 

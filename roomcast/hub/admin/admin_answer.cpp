@@ -159,7 +159,8 @@ Json token_json(const IssuedToken& token) {
           {"name", token.claims.grant.name},
           {"issued_at", token.claims.issued_at},
           {"expires_at", token.claims.expires_at},
-          {"revoked", token.revoked}};
+          {"revoked", token.revoked},
+          {"once", token.is_code}};
 }
 
 }  // namespace roomcast::hub

@@ -48,6 +48,7 @@ TEST(AdminAnswer, a_viewer_and_a_token_are_told_whole) {
                   .revoked = true});
   EXPECT_EQ(token["role"], "sensor");
   EXPECT_EQ(token["revoked"], true);
+  EXPECT_EQ(token["once"], false);
 }
 
 TEST(AdminAnswer, bytes_that_are_no_text_do_no_harm) {

@@ -202,6 +202,20 @@ TEST_F(AdminApiTest, a_code_comes_with_what_follows_the_pages_address) {
   EXPECT_TRUE(made.body["fragment"].get<std::string>().starts_with("#room=lab&code="));
 }
 
+TEST_F(AdminApiTest, an_unused_code_is_listed_and_revoked) {
+  const Answer made =
+      ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}, {"once", true}});
+  const std::string id = made.body["id"];
+  const Answer tokens = ask("GET", "/tokens", hub_admin);
+  EXPECT_EQ(tokens.body["tokens"][0]["id"], id);
+  EXPECT_EQ(tokens.body["tokens"][0]["once"], true);
+  EXPECT_EQ(tokens.body.dump().find(made.body["code"].get<std::string>()), std::string::npos);
+  EXPECT_EQ(ask("DELETE", "/tokens/" + id, token("cellar", TokenRole::kAdmin)).code(), "not_found");
+  EXPECT_EQ(ask("DELETE", "/tokens/" + id, hub_admin).status, 204);
+  EXPECT_EQ(ask("GET", "/tokens", token("lab", TokenRole::kAdmin)).body["tokens"][1]["revoked"],
+            true);
+}
+
 TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/sensors/left", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/7", hub_admin).code(), "not_found");

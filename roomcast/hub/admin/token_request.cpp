@@ -56,7 +56,8 @@ Result<Json> make_token_for(const TokenRequest& request, HubBook& book) {
   if (request.once) {
     const auto made = book.issue_code(request.grant, request.ttl);
     if (!made) return made.error();
-    return Json{{"code", made->code},
+    return Json{{"id", made->id},
+                {"code", made->code},
                 {"fragment", link_fragment(request.grant.room, made->code)},
                 {"expires_at", made->expires_at}};
   }

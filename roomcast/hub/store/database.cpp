@@ -27,6 +27,10 @@ constexpr const char* kSteps[Database::kVersion] = {
     "  digest BLOB PRIMARY KEY,"  // SHA-256: who reads the file learns no code
     "  room TEXT NOT NULL, role TEXT NOT NULL, name TEXT NOT NULL,"
     "  token_ttl_s INTEGER NOT NULL, expires_at INTEGER NOT NULL, used_at INTEGER) STRICT;",
+
+    "ALTER TABLE codes ADD COLUMN issued_at INTEGER NOT NULL DEFAULT 0;"
+    "ALTER TABLE codes ADD COLUMN revoked_at INTEGER;"
+    "UPDATE codes SET issued_at = expires_at - 3600;",  // so long a code held
 };
 
 }  // namespace

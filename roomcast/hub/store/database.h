@@ -23,7 +23,7 @@ namespace roomcast::hub {
 
 class Database {
  public:
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
 
   /// Makes the file where there is none; nothing: in memory. kUnavailable: it cannot be opened, is
   /// no such file or is of a later version; the sentence says which.

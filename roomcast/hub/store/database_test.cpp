@@ -8,6 +8,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/store/sensor_store.h"
+#include "roomcast/hub/store/token_store.h"
 
 namespace roomcast::hub {
 namespace {
@@ -48,6 +49,25 @@ TEST(Database, a_file_of_the_first_version_is_brought_up_to_date_with_what_it_ho
   ASSERT_TRUE(database.ok()) << database.error().message;
   EXPECT_EQ(SensorStore(**database).load("lab")->at(0).id, SensorId{3});
   EXPECT_TRUE((*database)->run("SELECT count(*) FROM tokens").ok());
+}
+
+TEST(Database, a_code_of_the_second_version_has_its_time_of_issue) {
+  const TemporaryFolder folder;
+  run_raw(folder / "hub.sqlite",
+          "CREATE TABLE codes (digest BLOB PRIMARY KEY,"
+          "  room TEXT NOT NULL, role TEXT NOT NULL, name TEXT NOT NULL,"
+          "  token_ttl_s INTEGER NOT NULL, expires_at INTEGER NOT NULL, used_at INTEGER) STRICT;"
+          "CREATE TABLE tokens (id TEXT PRIMARY KEY, room TEXT NOT NULL, role TEXT NOT NULL,"
+          "  name TEXT NOT NULL, issued_at INTEGER NOT NULL, expires_at INTEGER NOT NULL,"
+          "  revoked_at INTEGER) STRICT;"
+          "INSERT INTO codes VALUES (x'00', 'lab', 'viewer', 'Ada', 600, 10000, NULL);"
+          "PRAGMA user_version = 2;");
+  const auto database = Database::open(folder / "hub.sqlite");
+  ASSERT_TRUE(database.ok()) << database.error().message;
+  const auto issued = *TokenStore(**database).list("lab");
+  ASSERT_EQ(issued.size(), 1U);
+  EXPECT_EQ(issued[0].claims.issued_at, 6400);
+  EXPECT_FALSE(issued[0].revoked);
 }
 
 TEST(Database, without_a_file_it_is_in_memory) {

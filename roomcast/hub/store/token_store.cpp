@@ -6,11 +6,22 @@ namespace roomcast::hub {
 namespace {
 
 constexpr UnixSeconds kRemembered_s = 30 * 24 * 3600;  // after their end
-constexpr char kColumns[] =
-    "SELECT id, room, role, name, issued_at, expires_at, revoked_at FROM tokens ";
+/// Tokens, and codes that nobody has used under the ids of id_of_code().
+constexpr char kIssued[] =
+    "SELECT * FROM ("
+    "  SELECT id, room, role, name, issued_at, expires_at, revoked_at, 0 AS is_code, rowid AS "
+    "number"
+    "    FROM tokens"
+    "  UNION ALL"
+    "  SELECT 'code-' || lower(hex(substr(digest, 1, 8))), room, role, name, issued_at, expires_at,"
+    "    revoked_at, 1, rowid FROM codes WHERE used_at IS NULL) ";
+constexpr char kRevoke[] = "UPDATE tokens SET revoked_at = coalesce(revoked_at, ?2) WHERE id = ?1";
+constexpr char kRevokeCode[] =
+    "UPDATE codes SET revoked_at = coalesce(revoked_at, ?2) WHERE used_at IS NULL AND ?1 = 'code-' "
+    "|| lower(hex(substr(digest, 1, 8)))";
 constexpr char kRedeem[] =
-    "UPDATE codes SET used_at = ?2 WHERE digest = ?1 AND used_at IS NULL AND expires_at > ?2 "
-    "RETURNING room, role, name, token_ttl_s";
+    "UPDATE codes SET used_at = ?2 WHERE digest = ?1 AND used_at IS NULL AND revoked_at IS NULL "
+    "AND expires_at > ?2 RETURNING room, role, name, token_ttl_s";
 
 IssuedToken read_token(const Statement& row) {
   IssuedToken token;
@@ -21,6 +32,7 @@ IssuedToken read_token(const Statement& row) {
   token.claims.issued_at = row.integer(4);
   token.claims.expires_at = row.integer(5);
   token.revoked = !row.is_null(6);
+  token.is_code = row.integer(7) != 0;
   return token;
 }
 
@@ -40,8 +52,8 @@ Status TokenStore::add(const Claims& claims) {
 
 Result<std::vector<IssuedToken>> TokenStore::list(std::string_view room) const {
   const std::string sql =
-      std::string(kColumns) +
-      "WHERE ?1 = '*' OR room = ?1 ORDER BY issued_at DESC, rowid DESC LIMIT ?2";
+      std::string(kIssued) +
+      "WHERE ?1 = '*' OR room = ?1 ORDER BY issued_at DESC, number DESC LIMIT ?2";
   Statement rows(database_, sql.c_str());
   rows.bind(1, room).bind(2, std::int64_t{kMaxListed});
   std::vector<IssuedToken> tokens;
@@ -51,7 +63,7 @@ Result<std::vector<IssuedToken>> TokenStore::list(std::string_view room) const {
 }
 
 Result<IssuedToken> TokenStore::find(std::string_view id) const {
-  const std::string sql = std::string(kColumns) + "WHERE id = ?1";
+  const std::string sql = std::string(kIssued) + "WHERE id = ?1";
   Statement row(database_, sql.c_str());
   row.bind(1, id);
   if (row.next()) return read_token(row);
@@ -68,10 +80,12 @@ Result<bool> TokenStore::is_revoked(std::string_view id) const {
 }
 
 Status TokenStore::revoke(std::string_view id, UnixSeconds now) {
-  Statement row(database_, "UPDATE tokens SET revoked_at = coalesce(revoked_at, ?2) WHERE id = ?1");
-  if (!row.bind(1, id).bind(2, now).run()) return database_.failure("cannot revoke a token");
-  if (database_.changed_rows() == 0) return no_such_token(id);
-  return {};
+  for (const char* sql : {kRevoke, kRevokeCode}) {
+    Statement row(database_, sql);
+    if (!row.bind(1, id).bind(2, now).run()) return database_.failure("cannot revoke a token");
+    if (database_.changed_rows() > 0) return {};
+  }
+  return no_such_token(id);
 }
 
 Status TokenStore::add_revoked(const Claims& claims, UnixSeconds now) {
@@ -86,7 +100,7 @@ Status TokenStore::add_revoked(const Claims& claims, UnixSeconds now) {
 
 Result<std::vector<Claims>> TokenStore::revoked(UnixSeconds now) const {
   const std::string sql =
-      std::string(kColumns) + "WHERE revoked_at IS NOT NULL AND expires_at > ?1";
+      std::string(kIssued) + "WHERE NOT is_code AND revoked_at IS NOT NULL AND expires_at > ?1";
   Statement rows(database_, sql.c_str());
   rows.bind(1, now);
   std::vector<Claims> tokens;
@@ -95,12 +109,14 @@ Result<std::vector<Claims>> TokenStore::revoked(UnixSeconds now) const {
   return tokens;
 }
 
-Status TokenStore::add_code(const CodeDigest& digest, const CodeGrant& grant,
+Status TokenStore::add_code(const CodeDigest& digest, const CodeGrant& grant, UnixSeconds issued_at,
                             UnixSeconds expires_at) {
-  Statement row(database_, "INSERT INTO codes VALUES (?1, ?2, ?3, ?4, ?5, ?6, NULL)");
+  Statement row(database_,
+                "INSERT INTO codes (digest, room, role, name, token_ttl_s, expires_at, issued_at) "
+                "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)");
   row.bind_blob(1, digest.data(), digest.size());
   row.bind(2, grant.grant.room).bind(3, name_of(grant.grant.role)).bind(4, grant.grant.name);
-  if (row.bind(5, grant.token_ttl).bind(6, expires_at).run()) return {};
+  if (row.bind(5, grant.token_ttl).bind(6, expires_at).bind(7, issued_at).run()) return {};
   return database_.failure("cannot keep a code");
 }
 
@@ -122,12 +138,13 @@ Verdict<CodeGrant> TokenStore::redeem(const CodeDigest& digest, UnixSeconds now)
 }
 
 Refusal TokenStore::why_not_redeemed(const CodeDigest& digest) const {
-  Statement row(database_, "SELECT used_at FROM codes WHERE digest = ?1");
+  Statement row(database_, "SELECT used_at, revoked_at FROM codes WHERE digest = ?1");
   row.bind_blob(1, digest.data(), digest.size());
   if (!row.next()) return {wire::pb::ERROR_TOKEN_INVALID, "this hub knows no such code"};
   if (!row.is_null(0)) {
     return {wire::pb::ERROR_CODE_USED, "this code was used already; ask for a new one"};
   }
+  if (!row.is_null(1)) return {wire::pb::ERROR_TOKEN_REVOKED, "this code was revoked"};
   return {wire::pb::ERROR_TOKEN_EXPIRED, "this code has expired; ask for a new one"};
 }
 

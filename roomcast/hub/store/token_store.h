@@ -14,9 +14,12 @@
 
 namespace roomcast::hub {
 
+/// Or a code that nobody has used: `claims` are its own id and times, and the grant of the token
+/// that it is exchanged for.
 struct IssuedToken {
   Claims claims;
   bool revoked = false;
+  bool is_code = false;
 };
 
 /// Of a code that has not been used: what it is exchanged for.
@@ -32,22 +35,25 @@ class TokenStore {
   explicit TokenStore(Database& database) : database_(database) {}
 
   [[nodiscard]] Status add(const Claims& claims);
-  /// Newest first, at most kMaxListed; those of one room, or of all when `room` is kAllRooms.
+  /// Tokens and unused codes, newest first, at most kMaxListed; those of one room, or of all when
+  /// `room` is kAllRooms.
   [[nodiscard]] Result<std::vector<IssuedToken>> list(std::string_view room) const;
-  /// kNotFound: no such token was made here.
+  /// kNotFound: no such token was made here, or it is a code that was used.
   [[nodiscard]] Result<IssuedToken> find(std::string_view id) const;
   [[nodiscard]] Result<bool> is_revoked(std::string_view id) const;
-  /// kNotFound: no such token was made here. Twice is as good as once.
+  /// A token, or a code that nobody has used. kNotFound: no such was made here. Twice is as good as
+  /// once.
   [[nodiscard]] Status revoke(std::string_view id, UnixSeconds now);
   /// One that was perhaps made elsewhere. Twice is as good as once.
   [[nodiscard]] Status add_revoked(const Claims& claims, UnixSeconds now);
-  /// All that have not expired.
+  /// All tokens that have not expired.
   [[nodiscard]] Result<std::vector<Claims>> revoked(UnixSeconds now) const;
 
   [[nodiscard]] Status add_code(const CodeDigest& digest, const CodeGrant& grant,
-                                UnixSeconds expires_at);
-  /// For exactly one caller, however many try. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED,
-  /// ERROR_TOKEN_INVALID (there was no such code); ERROR_UNSPECIFIED: the database does not answer.
+                                UnixSeconds issued_at, UnixSeconds expires_at);
+  /// For exactly one caller, however many try. ERROR_CODE_USED, ERROR_TOKEN_REVOKED,
+  /// ERROR_TOKEN_EXPIRED, ERROR_TOKEN_INVALID (there was no such code); ERROR_UNSPECIFIED: the
+  /// database does not answer.
   [[nodiscard]] Verdict<CodeGrant> redeem(const CodeDigest& digest, UnixSeconds now);
 
   /// Forgets what expired long ago.

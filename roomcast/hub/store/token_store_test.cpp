@@ -66,7 +66,7 @@ TEST_F(TokenStoreTest, what_was_not_made_here_cannot_be_revoked) {
 }
 
 TEST_F(TokenStoreTest, a_code_is_good_for_once) {
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 60).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
   const auto redeemed = tokens.redeem(code, kNow);
   ASSERT_EQ(refusal(redeemed), nullptr);
   EXPECT_EQ(std::get<CodeGrant>(redeemed).grant.name, "Ada");
@@ -79,15 +79,42 @@ TEST_F(TokenStoreTest, a_used_code_stays_used_after_a_restart) {
   {
     const auto before = *Database::open(folder / "hub.sqlite");
     TokenStore store(*before);
-    ASSERT_TRUE(store.add_code(code, grant, kNow + 60).ok());
+    ASSERT_TRUE(store.add_code(code, grant, kNow, kNow + 60).ok());
     ASSERT_EQ(refusal(store.redeem(code, kNow)), nullptr);
   }
   const auto after = *Database::open(folder / "hub.sqlite");
   EXPECT_EQ(refusal(TokenStore(*after).redeem(code, kNow))->code, pb::ERROR_CODE_USED);
 }
 
+TEST_F(TokenStoreTest, a_code_is_listed_until_it_is_used_and_then_its_token_is) {
+  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 1, kNow + 60).ok());
+  const auto listed = *tokens.list("lab");
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_TRUE(listed[0].is_code);
+  EXPECT_EQ(listed[0].claims.id, id_of_code(code));
+  EXPECT_EQ(listed[0].claims.grant.name, "Ada");
+  EXPECT_EQ(listed[0].claims.expires_at, kNow + 60);
+  EXPECT_FALSE(listed[1].is_code);
+  ASSERT_EQ(refusal(tokens.redeem(code, kNow + 2)), nullptr);
+  EXPECT_EQ(tokens.list("lab")->size(), 1U);
+  EXPECT_EQ(tokens.revoke(id_of_code(code), kNow + 3).error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(TokenStoreTest, a_revoked_code_is_good_for_nothing) {
+  const CodeDigest other = *digest_of_code("7K1M-90XA-0C4T-VW3J");
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
+  ASSERT_TRUE(tokens.add_code(other, grant, kNow, kNow + 60).ok());
+  EXPECT_EQ(tokens.find(id_of_code(code))->claims.grant.room, "lab");
+  ASSERT_TRUE(tokens.revoke(id_of_code(code), kNow).ok());
+  EXPECT_TRUE(tokens.find(id_of_code(code))->revoked);
+  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(refusal(tokens.redeem(other, kNow)), nullptr);
+  EXPECT_TRUE(tokens.revoked(kNow)->empty()) << "nobody holds a token of it";
+}
+
 TEST_F(TokenStoreTest, a_code_has_an_end) {
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 60).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
   EXPECT_EQ(refusal(tokens.redeem(code, kNow + 60))->code, pb::ERROR_TOKEN_EXPIRED);
 }
 

@@ -99,9 +99,9 @@ export class AccessView {
     this.list.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.none)]));
   }
 
-  private item({ id, role, name, expires_at, revoked }: HubToken): HTMLElement {
+  private item({ id, role, name, expires_at, revoked, once }: HubToken): HTMLElement {
     const until = new Date(1000 * expires_at).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' });
-    const what = [name, texts.roles[role], revoked ? texts.revoked : texts.until(until)].filter(Boolean).join(' · ');
+    const what = [name, texts.roles[role], once ? texts.unusedLink : undefined, revoked ? texts.revoked : texts.until(until)].filter(Boolean).join(' · ');
     const item = element('li', { class: revoked ? 'gone' : '' }, element('span', {}, what));
     if (revoked) return item;
     const button = element(

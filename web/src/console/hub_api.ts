@@ -58,6 +58,7 @@ export interface HubToken {
   issued_at: number;
   expires_at: number;
   revoked: boolean;
+  once?: boolean; // a code that nobody has used
 }
 
 export interface TokenRequest {
