@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -33,6 +34,12 @@ std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
   for (const RoomSettings& room : options.rooms) rooms[room.name] = room;
   for (const RoomSettings& room : kept) rooms[room.name] = room;
   return rooms;
+}
+
+std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
+  std::set<std::string> names;
+  for (const RoomSettings& room : rooms) names.insert(room.name);
+  return names;
 }
 
 }  // namespace
@@ -79,6 +86,7 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
   desk_ = std::make_unique<Desk>(std::move(book), io());
   hall_ = std::make_unique<RoomHall>(RoomHallOptions{.hub_version = ROOMCAST_VERSION,
                                                      .recalls_poses = options_.recalls_poses,
+                                                     .configured_rooms = names_of(options_.rooms),
                                                      .bans = options_.limits.bans,
                                                      .never_banned = options_.limits.proxies,
                                                      .on_in_use = options_.on_room_in_use,

@@ -34,7 +34,8 @@ namespace roomcast::hub {
 
 struct RoomHallOptions {
   std::string hub_version;
-  bool recalls_poses = true;  // that alignment found before the hub was started
+  bool recalls_poses = true;                    // that alignment found before the hub was started
+  std::set<std::string> configured_rooms = {};  // there again whenever the hub starts
   BanRules bans = {};
   std::vector<std::string> never_banned = {};  // proxies: everyone comes from there
   std::function<void(const std::string& room)> on_in_use = {};  // its first sensor has joined
@@ -55,6 +56,9 @@ class RoomHall final : public BackplaneEvents {
   void open(const RoomSettings& settings, std::vector<KnownSensor> sensors);
   void change(const RoomSettings& settings);
   void close(const std::string& room);
+  [[nodiscard]] bool is_configured(const std::string& room) const {
+    return options_.configured_rooms.contains(room);
+  }
   [[nodiscard]] const RoomSettings* find(const std::string& room) const;
   [[nodiscard]] std::size_t room_count() const { return rooms_.size(); }
 

@@ -89,6 +89,16 @@ test('qr_code_is_drawn', async (t) => {
   assert.match(stdout, /█▀|▀█/);
 });
 
+test('room_that_is_configured_is_there_again_and_so_is_not_closed', async (t) => {
+  const hub = await startClosedHub(t);
+  const { token: admin } = await token(hub, '--role', 'admin');
+  const close = (room) =>
+    fetch(`http://127.0.0.1:${hub.port}/api/v1/rooms/${room}`, { method: 'DELETE', headers: { Authorization: `Bearer ${admin}` } });
+  const refused = await close('room');
+  assert.equal(refused.status, 409);
+  assert.match((await refused.json()).error.sentence, /in the hub's configuration/);
+});
+
 const mistakes = {
   no_role: [['--room', 'lab'], /--role/],
   no_room: [['--role', 'viewer'], /--room/],

@@ -45,6 +45,16 @@ HubBook::HubBook(std::unique_ptr<Database> database, const HubSecret& secret, Wa
   foreign_changes_ = database_->foreign_changes();
 }
 
+Status HubBook::forget_room(const std::string& room) {
+  if (auto status = database_->run("BEGIN IMMEDIATE"); !status) return status;
+  auto forgotten = rooms_.forget(room);
+  if (forgotten) forgotten = sensors_.forget(room);
+  if (forgotten) forgotten = tokens_.revoke_all(room, now_());
+  if (forgotten) forgotten = database_->run("COMMIT");
+  if (!forgotten) (void)database_->run("ROLLBACK");
+  return forgotten;
+}
+
 Verdict<Claims> HubBook::check(const std::string& token) {
   auto verdict = signer_.verify(token, now_());
   const Claims* claims = std::get_if<Claims>(&verdict);

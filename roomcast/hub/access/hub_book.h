@@ -46,6 +46,10 @@ class HubBook {
   SensorStore& sensors() { return sensors_; }
   RoomStore& rooms() { return rooms_; }
 
+  /// Its settings, its sensors, and that its tokens hold: all or nothing, so that who comes to a
+  /// new room of this name has a token for that one.
+  [[nodiscard]] Status forget_room(const std::string& room);
+
   /// ERROR_TOKEN_INVALID, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED.
   [[nodiscard]] Verdict<Claims> check(const std::string& token);
   /// A code becomes a token. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED,

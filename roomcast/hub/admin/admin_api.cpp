@@ -238,16 +238,19 @@ void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is
 
 void AdminApi::close_room(const Call& call) {
   if (!call.is_hub_admin()) return call.respond(not_yours());
-  desk_.ask(
-      [name = call.parameter(0)](HubBook& book) {
-        auto forgotten = book.rooms().forget(name);
-        return forgotten ? book.sensors().forget(name) : forgotten;
-      },
-      [this, call](const Status& forgotten) {
-        if (!forgotten) return call.respond(error_answer(forgotten.error()));
-        if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
-        call.respond(no_content());
-      });
+  if (hall_.is_configured(call.parameter(0))) {
+    return call.respond(error_answer(
+        409, "conflict",
+        "this room is in the hub's configuration and would be back with its next start; take it "
+        "out there"));
+  }
+  desk_.ask([name = call.parameter(0)](HubBook& book) { return book.forget_room(name); },
+            [this, call](const Status& forgotten) {
+              if (!forgotten) return call.respond(error_answer(forgotten.error()));
+              if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
+              hall_.tell_revoked();
+              call.respond(no_content());
+            });
 }
 
 // ---- who is in a room

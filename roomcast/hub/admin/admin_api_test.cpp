@@ -78,7 +78,7 @@ class AdminApiTest : public testing::Test {
   const std::string hub_admin = book->sign_own();
   Desk desk{std::move(book), io};
   std::vector<std::unique_ptr<Shard>> shards;
-  RoomHall hall{{.hub_version = "test"}, io, desk, shards};
+  RoomHall hall{{.hub_version = "test", .configured_rooms = {"lab"}}, io, desk, shards};
   FakeRecordings recordings;
   std::map<std::string, std::string, std::less<>> logged;  // of the last line that had fields
   AdminApi api{hall, desk, "test", &recordings,
@@ -151,6 +151,23 @@ TEST_F(AdminApiTest, a_room_is_opened_changed_and_closed) {
   EXPECT_EQ(changed.body["max_viewers"], 9);
   EXPECT_EQ(ask("DELETE", "/rooms/hall", hub_admin).status, 204);
   EXPECT_EQ(ask("GET", "/rooms/hall", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, a_room_of_the_configuration_is_not_closed_here) {
+  const Answer refused = ask("DELETE", "/rooms/lab", hub_admin);
+  EXPECT_EQ(refused.status, 409);
+  EXPECT_EQ(refused.code(), "conflict");
+  EXPECT_EQ(ask("GET", "/rooms/lab", hub_admin).status, 200);
+}
+
+TEST_F(AdminApiTest, tokens_of_a_room_that_was_closed_do_not_open_another_of_its_name) {
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
+  const std::string before = token("hall", TokenRole::kAdmin);
+  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", before).status, 200);
+  ASSERT_EQ(ask("DELETE", "/rooms/hall", hub_admin).status, 204);
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
+  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", before).code(), "revoked");
+  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", token("hall", TokenRole::kAdmin)).status, 200);
 }
 
 TEST_F(AdminApiTest, what_makes_no_sense_is_refused_with_a_sentence) {

@@ -88,6 +88,19 @@ Status TokenStore::revoke(std::string_view id, UnixSeconds now) {
   return no_such_token(id);
 }
 
+Status TokenStore::revoke_all(std::string_view room, UnixSeconds now) {
+  for (const char* table : {"tokens", "codes"}) {
+    const std::string sql =
+        std::string("UPDATE ") + table +
+        " SET revoked_at = coalesce(revoked_at, ?2) WHERE room = ?1 AND expires_at > ?2";
+    Statement rows(database_, sql.c_str());
+    if (!rows.bind(1, room).bind(2, now).run()) {
+      return database_.failure("cannot revoke the tokens of a room");
+    }
+  }
+  return {};
+}
+
 Status TokenStore::add_revoked(const Claims& claims, UnixSeconds now) {
   Statement row(database_,
                 "INSERT INTO tokens VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT (id) DO UPDATE "

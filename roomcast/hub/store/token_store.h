@@ -44,6 +44,8 @@ class TokenStore {
   /// A token, or a code that nobody has used. kNotFound: no such was made here. Twice is as good as
   /// once.
   [[nodiscard]] Status revoke(std::string_view id, UnixSeconds now);
+  /// All tokens and unused codes for this room.
+  [[nodiscard]] Status revoke_all(std::string_view room, UnixSeconds now);
   /// One that was perhaps made elsewhere. Twice is as good as once.
   [[nodiscard]] Status add_revoked(const Claims& claims, UnixSeconds now);
   /// All tokens that have not expired.

@@ -51,6 +51,16 @@ TEST_F(TokenStoreTest, a_revoked_token_stays_revoked) {
   EXPECT_TRUE(tokens.revoked(kNow + 60)->empty()) << "it has expired anyway";
 }
 
+TEST_F(TokenStoreTest, a_rooms_tokens_and_codes_are_revoked_together) {
+  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add(claims("b", "kitchen")).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
+  ASSERT_TRUE(tokens.revoke_all("lab", kNow).ok());
+  EXPECT_TRUE(*tokens.is_revoked("a"));
+  EXPECT_FALSE(*tokens.is_revoked("b"));
+  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_REVOKED);
+}
+
 TEST_F(TokenStoreTest, what_another_hub_has_revoked_holds_no_more_whoever_made_it) {
   ASSERT_TRUE(tokens.add(claims("a", "lab")));
   for (const char* id : {"a", "elsewhere", "elsewhere"}) {
