@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast token: makes, lists and revokes the tokens of a hub whose folder is on this machine. A
 // running hub notices.
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -9,9 +10,11 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/data_folder.h"
+#include "roomcast/cli/hub_settings.h"
 #include "roomcast/cli/qr_code.h"
 #include "roomcast/cli/time_span.h"
 #include "roomcast/hub/access/hub_book.h"
+#include "roomcast/hub/access/hub_secret.h"
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/token_request.h"
 
@@ -21,7 +24,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct TokenCommand {
-  std::string data, room, role, name, ttl = "8h", link, revoke;
+  std::string config, data, room, role, name, ttl = "8h", link, revoke;
   bool qr = false, list = false, json = false;
 };
 
@@ -29,12 +32,33 @@ Error wrong_usage(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-Result<std::unique_ptr<hub::HubBook>> open_book(const std::string& data) {
-  const auto folder =
-      data.empty() ? default_data_folder() : std::optional<std::filesystem::path>(data);
+/// The hub's, as the hub finds it.
+Result<std::filesystem::path> find_folder(const TokenCommand& command) {
+  const auto config = find_hub_config(command.config);
+  if (!config) return config.error();
+  const auto folder = data_folder(command.data.empty() ? config->data : command.data);
   if (!folder) return wrong_usage("there is no home folder; name the hub's with --data");
+  return *folder;
+}
+
+/// Perhaps one that this user may not see.
+bool has_secret(const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(*folder, error);
+  return std::filesystem::exists(hub::secret_file_in(folder), error) ||
+         error == std::errc::permission_denied;
+}
+
+/// With what a hub has kept there.
+Result<std::unique_ptr<hub::HubBook>> open_book(const std::filesystem::path& folder) {
+  if (has_secret(folder)) return hub::HubBook::open(folder);
+  return Error{ErrorCode::kNotFound, "no hub has its secret in " + folder.string() +
+                                         ", so no token was made there; name the hub's folder with "
+                                         "--data, or its configuration with --config"};
+}
+
+/// A token may be made before its hub has ever run.
+Result<std::unique_ptr<hub::HubBook>> open_or_begin_book(const std::filesystem::path& folder) {
+  if (auto made = make_data_folder(folder); !made) return made.error();
   return hub::HubBook::open(folder);
 }
 
@@ -79,11 +103,20 @@ std::string link_of(std::string page, const std::string& fragment) {
   return page + fragment;
 }
 
-Status make_token(const TokenCommand& command, hub::HubBook& book) {
+Status make_token(const TokenCommand& command, const std::filesystem::path& folder) {
   const auto request = request_of(command);
   if (!request) return request.error();
-  auto made = hub::make_token_for(*request, book);
+  const bool is_first = !has_secret(folder);
+  const auto book = open_or_begin_book(folder);
+  if (!book) return book.error();
+  auto made = hub::make_token_for(*request, **book);
   if (!made) return made.error();
+  if (is_first) {
+    fmt::print(stderr,
+               "roomcast token: no hub had its secret in {0}, so a new one was made: only a hub "
+               "with --data {0} takes what was made with it\n",
+               folder.string());
+  }
   if (request->once) (*made)["link"] = link_of(command.link, (*made)["fragment"]);
   if (command.json) {
     fmt::print("{}\n", made->dump());
@@ -106,11 +139,12 @@ Status make_token(const TokenCommand& command, hub::HubBook& book) {
 }
 
 Status run_token(const TokenCommand& command) {
-  auto book = open_book(command.data);
+  const auto folder = find_folder(command);
+  if (!folder) return folder.error();
+  if (!command.list && command.revoke.empty()) return make_token(command, *folder);
+  const auto book = open_book(*folder);
   if (!book) return book.error();
-  if (command.list) return list_tokens(**book, command.json);
-  if (!command.revoke.empty()) return (*book)->revoke(command.revoke);
-  return make_token(command, **book);
+  return command.list ? list_tokens(**book, command.json) : (*book)->revoke(command.revoke);
 }
 
 }  // namespace
@@ -135,8 +169,11 @@ void add_token_command(CLI::App& app, Command& chosen) {
       "--revoke", values->revoke,
       "Id of a token, or of a code that nobody has used, that shall hold no longer; "
       "who came with it is sent away");
+  command->add_option("--config", values->config,
+                      "The hub's configuration, in which its folder is looked up");
   command->add_option("--data", values->data,
-                      "The hub's folder (default: ~/.local/state/roomcast)");
+                      "The hub's folder (default: as the hub finds it: ROOMCAST_HUB_DATA, the "
+                      "configuration, ~/.local/state/roomcast)");
   command->add_flag("--json", values->json, "For scripts");
   command->footer(
       "Examples:\n"
@@ -144,7 +181,8 @@ void add_token_command(CLI::App& app, Command& chosen) {
       "  roomcast token --room lab --role viewer --link https://hub.example.org:7600 --qr\n"
       "  roomcast token --role admin --ttl 1h\n"
       "  roomcast token --list\n"
-      "  roomcast token --revoke ID");
+      "  roomcast token --revoke ID\n"
+      "  sudo roomcast token --data /var/lib/roomcast --role admin --ttl 1h    (of the service)");
   command->callback(
       [values, &chosen] { chosen = [values] { return finish("token", run_token(*values)); }; });
 }

@@ -21,11 +21,11 @@ export class Program {
   stdout = '';
   stderr = '';
 
-  /** `through` is a command that runs the program, if any: ["nice"], say. */
-  constructor(args, { through = [], limitMs = timeLimitMs } = {}) {
+  /** `through` is a command that runs the program, if any: ["nice"], say; `environment` is set besides. */
+  constructor(args, { through = [], limitMs = timeLimitMs, environment = {} } = {}) {
     this.args = args;
     const [command, ...rest] = [...through, binary, ...args];
-    this.child = spawn(command, rest, { env, stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child = spawn(command, rest, { env: { ...env, ...environment }, stdio: ['ignore', 'pipe', 'pipe'] });
     this.child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));
     this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
     this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);
@@ -55,9 +55,10 @@ export class Program {
   }
 }
 
-/** Runs a command to its end. */
+/** Runs a command to its end. Options of Program may follow what it is told. */
 export async function run(...args) {
-  const program = new Program(args);
+  const options = typeof args.at(-1) === 'object' ? args.pop() : {};
+  const program = new Program(args, options);
   const code = await program.ended;
   return { code, stdout: program.stdout, stderr: program.stderr };
 }

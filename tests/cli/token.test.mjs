@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is let into a hub's rooms, with the programs that people use.
 import assert from 'node:assert/strict';
-import { readdirSync, statSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
@@ -112,7 +112,34 @@ for (const [name, [options, sentence]] of Object.entries(mistakes)) {
 }
 
 test('token_that_is_not_there_cannot_be_revoked', async (t) => {
-  assertFailed(await run('token', '--data', scratchFolder(t), '--revoke', 'nobodys'), 1, /no token "nobodys"/);
+  const folder = scratchFolder(t);
+  assert.equal((await run('token', '--data', folder, '--role', 'admin')).code, 0);
+  assertFailed(await run('token', '--data', folder, '--revoke', 'nobodys'), 1, /no token "nobodys"/);
+});
+
+test('tokens_are_looked_for_only_where_a_hub_has_its_secret', async (t) => {
+  const folder = scratchFolder(t);
+  for (const what of [['--list'], ['--revoke', 'nobodys']]) {
+    assertFailed(await run('token', '--data', folder, ...what), 1, /no hub has its secret in .*--data/);
+  }
+  assert.deepEqual(readdirSync(folder), []);
+});
+
+test('token_is_of_the_hub_that_the_configuration_or_the_environment_names', async (t) => {
+  const folder = scratchFolder(t);
+  const inFolder = (name) => join(folder, name);
+  writeFileSync(inFolder('roomcast.toml'), `data = "${inFolder('configured')}"\n`);
+  const make = (options, environment = {}) => run('token', '--role', 'admin', ...options, { environment });
+  const secretOf = (name) => readFileSync(join(inFolder(name), 'hub.secret')).toString('hex');
+
+  const made = await make(['--config', inFolder('roomcast.toml')]);
+  assert.equal(made.code, 0, made.stderr);
+  assert.ok(made.stderr.includes(`a new one was made: only a hub with --data ${inFolder('configured')} takes`), made.stderr);
+  assert.equal((await make(['--config', inFolder('roomcast.toml')])).stderr, '', 'it is there by now');
+  await make(['--config', inFolder('roomcast.toml')], { ROOMCAST_HUB_DATA: inFolder('environment') });
+  await make(['--config', inFolder('roomcast.toml'), '--data', inFolder('said')], { ROOMCAST_HUB_DATA: inFolder('environment') });
+  assert.equal(new Set(['configured', 'environment', 'said'].map(secretOf)).size, 3);
+  assertFailed(await make(['--config', inFolder('none.toml')]), 1, /none\.toml/);
 });
 
 test('configuration_is_checked_with_the_files_that_it_names_and_nothing_is_made', async (t) => {
