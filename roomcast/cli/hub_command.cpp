@@ -227,6 +227,11 @@ Status run_hub(const HubFlags& flags) {
     if (recorders) recorders->trust(certificate);
   };
   const auto watch = watch_certificate(*plan, **server, trust, reload, log);
+  if (::geteuid() == 0) {
+    log(LogLevel::kWarning,
+        "this hub runs as root, which it needs for nothing; run it as a user of its own, as its "
+        "systemd service does");
+  }
   print_where(*plan, (*server)->port());
   (*server)->run(stop.token());
   return {};

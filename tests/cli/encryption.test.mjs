@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // An encrypted hub: whom it serves, who trusts it, and what those hear who do not.
 import assert from 'node:assert/strict';
+import { copyFileSync, readFileSync, renameSync, utimesSync, writeFileSync } from 'node:fs';
 import { request as plainRequest } from 'node:http';
 import { request as encryptedRequest } from 'node:https';
+import { join } from 'node:path';
 import { test } from 'node:test';
 
+import { makeCertificate } from '../network/certificate.mjs';
 import { Program, assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 
 const certificateOfItsOwn = (folder) => ['--tls-self-signed', '--data', folder];
@@ -71,6 +74,46 @@ test('certificate_stays_the_same_from_start_to_start', async (t) => {
     await hub.program.stop();
   }
   assert.equal(fingerprints[0], fingerprints[1]);
+});
+
+async function fingerprintOf(port) {
+  const { fingerprint } = await get(encryptedRequest, { port, rejectUnauthorized: false, agent: false });
+  return fingerprint.replaceAll(':', '').toLowerCase();
+}
+
+/** Puts it there, always as old: only who is told to looks into it again. */
+function putUnnoticed(file, content) {
+  writeFileSync(`${file}.new`, content);
+  utimesSync(`${file}.new`, 1e9, 1e9);
+  renameSync(`${file}.new`, file);
+}
+
+test('certificate_that_was_renewed_is_loaded_when_the_hub_is_told_so', async (t) => {
+  const before = await makeCertificate(t, scratchFolder(t));
+  const after = await makeCertificate(t, scratchFolder(t));
+  const file = join(scratchFolder(t), 'hub.pem');
+  putUnnoticed(file, readFileSync(before.file));
+  const hub = await startHub(t, '--tls-cert', file, '--tls-key', file, '--verbose');
+  assert.equal(await fingerprintOf(hub.port), before.fingerprint);
+
+  putUnnoticed(file, readFileSync(after.file));
+  hub.program.child.kill('SIGHUP');
+  await hub.program.prints(/the certificate was renewed/);
+  assert.equal(await fingerprintOf(hub.port), after.fingerprint);
+
+  putUnnoticed(file, 'nothing');
+  hub.program.child.kill('SIGHUP');
+  await hub.program.prints(/the old certificate is kept: .*no certificate/);
+  assert.equal(await fingerprintOf(hub.port), after.fingerprint);
+});
+
+test('certificate_that_was_renewed_is_noticed_without_being_told', async (t) => {
+  const before = await makeCertificate(t, scratchFolder(t));
+  const after = await makeCertificate(t, scratchFolder(t));
+  const hub = await startHub(t, '--tls-cert', before.file, '--tls-key', before.file, '--verbose');
+  copyFileSync(after.file, before.file);
+  await hub.program.prints(/the certificate was renewed/);
+  assert.equal(await fingerprintOf(hub.port), after.fingerprint);
 });
 
 test('certificate_files_that_do_not_serve_are_named', async () => {

@@ -2,7 +2,7 @@
 // The hub and its clients when the other side is not there, goes away, or talks nonsense.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { chownSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
@@ -136,6 +136,20 @@ test('hub_that_cannot_read_what_it_kept_does_not_start_and_forget_whom_it_turned
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
   assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot keep/);
+});
+
+test('hub_that_is_root_is_told_that_it_needs_not_be', async (t) => {
+  const isRoot = process.getuid() === 0;
+  const { program } = await startHub(t);
+  assert.equal(/runs as root, which it needs for nothing/.test(program.stderr), isRoot, program.stderr);
+  if (!isRoot) return;
+  const folder = scratchFolder(t);
+  chownSync(folder, 65534, 65534);
+  const through = ['setpriv', '--reuid=65534', '--regid=65534', '--clear-groups'];
+  const nobodys = new Program(['hub', '--listen', '127.0.0.1:0', '--data', folder], { through });
+  t.after(() => nobodys.stop('SIGKILL'));
+  await nobodys.port();
+  assert.doesNotMatch(nobodys.stderr, /root/);
 });
 
 test('service_of_the_hub_is_nobody_and_can_write_its_own_folder_only', () => {
