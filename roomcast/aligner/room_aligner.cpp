@@ -62,6 +62,7 @@ class RoomAligner::Link final : public HubLinkEvents {
   net::SealedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate&) override {}
   void on_down(const Error& reason, bool final) override {
+    sensors_.clear();  // a hub that starts again knows nobody yet: that is not to forget them
     if (options_.log) options_.log(final ? LogLevel::kError : LogLevel::kWarning, reason.message);
   }
 
@@ -90,6 +91,10 @@ class RoomAligner::Link final : public HubLinkEvents {
       }
       poses_like(entry, known)[entry.name()] = *pose;
       if (!entry.online()) known.away.insert(entry.name());
+    }
+    for (const auto& [id, sensor] : before) {
+      const auto same_name = [&](const auto& entry) { return entry.second.name == sensor.name; };
+      if (std::ranges::none_of(sensors_, same_name)) thinker_.forget(sensor.name);
     }
     thinker_.set_known(std::move(known), somebody_is_lost);
   }

@@ -146,6 +146,14 @@ RoomActions Room::key_needed(SensorId id, RoomTime now) {
   return out;
 }
 
+RoomActions Room::forget(const std::string& name, RoomTime now) {
+  RoomActions out;
+  const RoomSensor* sensor = sensors_.find(name);
+  if (sensor != nullptr && sensor->connection) return out;
+  if (sensors_.forget(name)) announce(now, out);
+  return out;
+}
+
 RoomActions Room::leave(ConnectionId from, RoomTime now) {
   RoomActions out;
   if (RoomSensor* sensor = sensors_.find(from)) {

@@ -65,6 +65,8 @@ class Room {
                                                 RoomTime now);
   /// A viewer's frames of this sensor had to be left out; it needs a key frame to go on.
   [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
+  /// Of a sensor that is not online nothing is known any more: it comes back as a new one.
+  [[nodiscard]] RoomActions forget(const std::string& sensor, RoomTime now);
   /// A connection ended by itself.
   [[nodiscard]] RoomActions leave(ConnectionId from, RoomTime now);
   /// Time has passed.
@@ -113,6 +115,7 @@ class Room {
   void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
   bool forget_people(const PeopleElsewhere::Change& change);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
+  bool make_room_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);

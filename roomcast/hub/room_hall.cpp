@@ -73,6 +73,11 @@ void RoomHall::close(const std::string& name) {
   rooms_.erase(found);
 }
 
+void RoomHall::forget_sensor(const std::string& room, const std::string& sensor) {
+  HostedRoom& hosted = *rooms_.at(room);
+  hosted.carry_out(hosted.room().forget(sensor, hosted.now()));
+}
+
 const RoomSettings* RoomHall::find(const std::string& room) const {
   const auto found = rooms_.find(room);
   return found == rooms_.end() ? nullptr : &found->second->room().settings();

@@ -70,6 +70,8 @@ class RoomHall final : public BackplaneEvents {
   /// "192.0.2.7:50312"; empty: it has gone.
   [[nodiscard]] std::string address_of(ConnectionId guest) const;
 
+  /// Of a sensor that is not online; what the hub keeps of it is the caller's.
+  void forget_sensor(const std::string& room, const std::string& sensor);
   /// False: it has gone.
   bool send_away(ConnectionId guest, const std::string& sentence);
   /// Whoever came with one of these tokens.

@@ -57,9 +57,11 @@ pb::Control Room::welcome_message(const Entry& entry) const {
 
 void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
                        RoomActions& out) {
-  if (sensors_.find(join.name()) == nullptr && sensors_.count() >= settings_.max_sensors) {
+  if (!make_room_for(join.name())) {
     out = refuse(from, pb::ERROR_ROOM_FULL,
-                 "this room knows " + std::to_string(settings_.max_sensors) + " sensors already",
+                 "this room has " + std::to_string(settings_.max_sensors) +
+                     " sensors that are here or have their place; its admin can forget one that is "
+                     "gone",
                  now);
     return;
   }
@@ -152,6 +154,18 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
   }
+}
+
+/// Who is gone and has no place makes way, so that made-up names keep nobody out. False: all are
+/// here, or have a place to come back to.
+bool Room::make_room_for(const std::string& name) {
+  if (sensors_.find(name) != nullptr) return true;
+  while (sensors_.count() >= settings_.max_sensors || sensors_.would_displace(name)) {
+    const RoomSensor* gone = sensors_.longest_gone();
+    if (gone == nullptr) return sensors_.count() < settings_.max_sensors;
+    sensors_.remove(*gone);
+  }
+  return true;
 }
 
 RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out) {

@@ -7,26 +7,10 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-pb::Join aligner_join() {
-  pb::Join join;
-  join.mutable_aligner();
-  return join;
-}
-
 pb::Control bundle_message() {
   pb::Control control;
   control.mutable_calibration_bundle()->set_sensor_id(99);  // a lie; the hub knows better
   control.mutable_calibration_bundle()->set_depth("depth");
-  return control;
-}
-
-pb::Control placement_of(std::uint32_t sensor, double x) {
-  pb::Control control;
-  auto& found = *control.mutable_placements()->add_sensors();
-  found.set_sensor_id(sensor);
-  const Matrix4 pose = pose_at(x);
-  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
-  found.set_expected_error_mm(4);
   return control;
 }
 
@@ -94,12 +78,6 @@ TEST_F(RoomTest, a_sensor_that_cannot_be_placed_stays_where_it_was_and_says_why)
 pb::Control moved_message() {
   pb::Control control;
   control.mutable_sensor_moved();
-  return control;
-}
-
-pb::Control placement_from_bundle(std::uint32_t number, double x) {
-  pb::Control control = placement_of(0, x);
-  control.mutable_placements()->mutable_sensors(0)->set_bundle_number(number);
   return control;
 }
 

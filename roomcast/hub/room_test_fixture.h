@@ -46,6 +46,30 @@ inline pb::Join viewer_join(const std::string& name = "") {
   return join;
 }
 
+inline pb::Join aligner_join() {
+  pb::Join join;
+  join.mutable_aligner();
+  return join;
+}
+
+/// Of a sensor by its id.
+inline pb::Control placement_of(std::uint32_t sensor, double x) {
+  pb::Control control;
+  auto& found = *control.mutable_placements()->add_sensors();
+  found.set_sensor_id(sensor);
+  const Matrix4 pose = pose_at(x);
+  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  found.set_expected_error_mm(4);
+  return control;
+}
+
+/// Of sensor 0.
+inline pb::Control placement_from_bundle(std::uint32_t number, double x) {
+  pb::Control control = placement_of(0, x);
+  control.mutable_placements()->mutable_sensors(0)->set_bundle_number(number);
+  return control;
+}
+
 template <class T>
 std::vector<T> all(const RoomActions& actions) {
   std::vector<T> found;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/core/assert.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -21,27 +22,62 @@ RoomSensor* SensorList::add(const std::string& name) {
   const auto id = free_id(name);
   if (!id) return nullptr;
   RoomSensor sensor{.id = *id, .name = name, .place = SensorPlace::guessed(id->value)};
+  sensor.bundles = bundles_of_the_removed_;
+  if (sensor.bundles > 0) sensor.place.valid_from_bundle = sensor.bundles + 1;
   return &sensors_.emplace(*id, std::move(sensor)).first->second;
 }
 
-/// Ids of those who may come back are taken by others only when nothing else is left.
+/// Ids of those who may come back are taken by others only when nothing else is left, and of those
+/// with a place last.
 std::optional<SensorId> SensorList::free_id(const std::string& name) const {
   if (const KnownSensor* earlier = remembered(name);
       earlier != nullptr && !sensors_.contains(earlier->id)) {
     return earlier->id;
   }
-  std::optional<SensorId> promised;
+  std::optional<SensorId> promised, of_one_with_a_place;
   for (std::uint16_t value = 0; value < wire::kMaxSensors; ++value) {
     const SensorId id{value};
     if (sensors_.contains(id)) continue;
-    if (!is_remembered(id)) return id;
-    if (!promised) promised = id;
+    const KnownSensor* earlier = remembered(id);
+    if (earlier == nullptr) return id;
+    auto& kept = earlier->pose ? of_one_with_a_place : promised;
+    if (!kept) kept = id;
   }
-  return promised;
+  return promised ? promised : of_one_with_a_place;
 }
 
-bool SensorList::is_remembered(SensorId id) const {
-  return std::ranges::find(remembered_, id, &KnownSensor::id) != remembered_.end();
+const KnownSensor* SensorList::remembered(SensorId id) const {
+  const auto found = std::ranges::find(remembered_, id, &KnownSensor::id);
+  return found == remembered_.end() ? nullptr : &*found;
+}
+
+bool SensorList::would_displace(const std::string& name) const {
+  const auto id = free_id(name);
+  const KnownSensor* earlier = id ? remembered(*id) : nullptr;
+  return earlier != nullptr && earlier->name != name && earlier->pose;
+}
+
+RoomSensor* SensorList::longest_gone() {
+  RoomSensor* longest = nullptr;
+  for (RoomSensor& sensor : all()) {
+    if (sensor.connection || sensor.place.found()) continue;
+    if (longest == nullptr || sensor.left_as < longest->left_as) longest = &sensor;
+  }
+  return longest;
+}
+
+void SensorList::remove(const RoomSensor& sensor) {
+  ROOMCAST_ASSERT(!sensor.connection);
+  bundles_of_the_removed_ = std::max(bundles_of_the_removed_, sensor.bundles);
+  sensors_.erase(SensorId(sensor.id));
+}
+
+bool SensorList::forget(const std::string& name) {
+  const bool was_remembered =
+      std::erase_if(remembered_, [&](const KnownSensor& s) { return s.name == name; }) > 0;
+  const RoomSensor* sensor = find(name);
+  if (sensor != nullptr) remove(*sensor);
+  return was_remembered || sensor != nullptr;
 }
 
 RoomSensor* SensorList::find(const std::string& name) {
@@ -69,6 +105,7 @@ void SensorList::disconnect(RoomSensor& sensor) {
   if (!sensor.connection) return;
   by_connection_.erase(*sensor.connection);
   sensor.connection.reset();
+  sensor.left_as = ++departures_;
 }
 
 }  // namespace roomcast::hub

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorList: the sensors that a room has seen, by name, id and connection. A name keeps its id,
-// also over a restart of the hub when its earlier ids are remembered. Single-threaded.
+// also over a restart of the hub when its earlier ids are remembered, unless it is gone, has no
+// place, and others need the room. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -35,6 +36,7 @@ struct RoomSensor {
   std::size_t bundle_hash = 0;                   // of the newest
   std::optional<std::size_t> verified_by = {};   // hash of the bundle that its place was found from
   std::string token_id = {};                     // that it came with
+  std::uint64_t left_as = 0;                     // of all that left, in their order
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // what changes with its frames
 };
@@ -48,8 +50,18 @@ class SensorList {
   [[nodiscard]] const KnownSensor* remembered(const std::string& name) const;
 
   /// A sensor whose name is new here. It gets the id that it had, or else the lowest that nobody
-  /// has. Null: wire::kMaxSensors are here.
+  /// has, or else one of who had no place. Null: wire::kMaxSensors are here.
   RoomSensor* add(const std::string& name);
+  /// Would a new one take the id of somebody who was here before, and had a place?
+  [[nodiscard]] bool would_displace(const std::string& name) const;
+
+  /// Of those who are offline and have no place that was found for them: who left first. Null:
+  /// none.
+  [[nodiscard]] RoomSensor* longest_gone();
+  /// It was never here. Not for one that is online.
+  void remove(const RoomSensor& sensor);
+  /// As remove(), and what is remembered under this name. False: nothing was known of it.
+  bool forget(const std::string& name);
 
   /// Null: there is none of this name or id, or none behind this connection.
   [[nodiscard]] RoomSensor* find(const std::string& name);
@@ -68,11 +80,13 @@ class SensorList {
 
  private:
   [[nodiscard]] std::optional<SensorId> free_id(const std::string& name) const;
-  [[nodiscard]] bool is_remembered(SensorId id) const;
+  [[nodiscard]] const KnownSensor* remembered(SensorId id) const;
 
-  std::map<SensorId, RoomSensor> sensors_;  // all that were ever here
+  std::map<SensorId, RoomSensor> sensors_;
   std::unordered_map<ConnectionId, SensorId> by_connection_;
   std::vector<KnownSensor> remembered_;
+  std::uint64_t departures_ = 0;
+  std::uint32_t bundles_of_the_removed_ = 0;  // the highest number: what is found from it is old
 };
 
 }  // namespace roomcast::hub

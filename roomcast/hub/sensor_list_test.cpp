@@ -36,6 +36,35 @@ TEST(SensorList, gives_remembered_ids_away_when_no_other_is_left) {
   EXPECT_EQ(sensors.add("old5")->id, SensorId{5});
 }
 
+TEST(SensorList, gives_ids_of_those_with_a_place_away_last) {
+  SensorList sensors;
+  std::vector<KnownSensor> earlier;
+  for (std::uint16_t i = 0; i < wire::kMaxSensors; ++i) {
+    earlier.push_back({"old" + std::to_string(i), SensorId{i}, KnownPose{}});
+  }
+  earlier[5].pose.reset();
+  sensors.remember(earlier);
+  EXPECT_FALSE(sensors.would_displace("new"));
+  EXPECT_EQ(sensors.add("new")->id, SensorId{5});
+  EXPECT_TRUE(sensors.would_displace("newer"));
+  EXPECT_FALSE(sensors.would_displace("old3"));
+  EXPECT_EQ(sensors.add("newer")->id, SensorId{0});
+}
+
+TEST(SensorList, forgets_who_is_gone) {
+  SensorList sensors;
+  sensors.remember({{"right", SensorId{0}}});
+  RoomSensor* left = sensors.add("left");
+  sensors.connect(*left, ConnectionId{7});
+  EXPECT_EQ(sensors.longest_gone(), nullptr);
+  sensors.disconnect(*left);
+  EXPECT_EQ(sensors.longest_gone(), left);
+  EXPECT_TRUE(sensors.forget("left"));
+  EXPECT_TRUE(sensors.forget("right"));
+  EXPECT_FALSE(sensors.forget("left"));
+  EXPECT_EQ(sensors.add("new")->id, SensorId{0});
+}
+
 TEST(SensorList, has_a_limit) {
   SensorList sensors;
   for (std::size_t i = 0; i < wire::kMaxSensors; ++i) {

@@ -54,10 +54,22 @@ void RoomState::update_people(const wire::pb::Roster& roster) {
 
 Status RoomState::roster(const wire::pb::Roster& roster) {
   update_people(roster);
+  forget_others(roster);
   for (const auto& entry : roster.sensors()) {
     if (auto status = update_sensor(entry); !status) return status;
   }
   return {};
+}
+
+/// Of sensors that the room has forgotten, also when another has the id by now.
+void RoomState::forget_others(const wire::pb::Roster& roster) {
+  std::erase_if(room_.sensors, [&](const RoomSensor& known) {
+    const bool is_listed = std::ranges::any_of(roster.sensors(), [&](const auto& entry) {
+      return entry.id() == known.id.value && entry.name() == known.name;
+    });
+    if (!is_listed) decoding_.erase(known.id);
+    return !is_listed;
+  });
 }
 
 Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {

@@ -54,6 +54,7 @@ class RoomState {
         pool;  // pictures are used again once nobody looks at them
   };
 
+  void forget_others(const wire::pb::Roster& roster);
   Status update_sensor(const wire::pb::SensorEntry& entry);
   void update_people(const wire::pb::Roster& roster);
   std::shared_ptr<SensorPicture> free_picture(SensorDecoding& decoding);

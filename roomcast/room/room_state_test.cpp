@@ -220,6 +220,21 @@ TEST_F(RoomStateTest, a_sensor_that_comes_back_with_another_grid_starts_anew) {
       << "a picture of the old size is not drawn on the new grid";
 }
 
+TEST_F(RoomStateTest, a_sensor_that_the_room_has_forgotten_is_gone) {
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
+  wire::pb::Roster roster;
+  *roster.add_sensors() = sensor_entry(0);
+  ASSERT_TRUE(state.roster(roster).ok());
+  ASSERT_EQ(state.snapshot()->sensors.size(), 1U);
+  EXPECT_NE(state.snapshot()->sensors[0].picture, nullptr);
+  roster.mutable_sensors(0)->set_name("another that has its id");
+  ASSERT_TRUE(state.roster(roster).ok());
+  ASSERT_EQ(state.snapshot()->sensors.size(), 1U);
+  EXPECT_EQ(state.snapshot()->sensors[0].picture, nullptr);
+  EXPECT_EQ(*state.frame(sensor.message(header_of(0, 1, false), depth_picture(1))),
+            RoomState::FrameOutcome::kNeedsKey);
+}
+
 TEST_F(RoomStateTest, a_lost_connection_keeps_the_room_and_says_why) {
   ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
   state.disconnected("the hub has gone");

@@ -27,6 +27,7 @@ export const consoleTexts = {
   tabs: { sensors: 'Sensors', alignment: 'Alignment', people: 'People', access: 'Access', room: 'Room' },
   noSensors: 'No sensor has come in yet. Each one that does appears here, with what it sees.',
   gone: 'gone',
+  forget: 'Forget',
   noPicture: 'no picture yet',
   charts: { fps: 'frames', rate: 'bandwidth', latency: 'age', leftOut: 'left out' },
   clock: (error_ms: number) => `clock known to ±${Math.max(0.1, error_ms).toFixed(error_ms < 10 ? 1 : 0)} ms`,

@@ -276,11 +276,20 @@ void AdminApi::list_viewers(const Call& call) const {
 void AdminApi::end_sensor(const Call& call) {
   const RoomStats stats = *hall_.stats(call.parameter(0));
   const auto found = std::ranges::find(stats.sensors, call.parameter(1), &SensorStats::name);
-  if (found == stats.sensors.end() || !found->online) {
-    return call.respond(error_answer(404, "not_found", "no sensor of this name is online"));
-  }
+  if (found == stats.sensors.end() || !found->online) return forget_sensor(call);
   hall_.send_away(found->connection, "the room's owner ended this connection");
   call.respond(no_content());
+}
+
+/// All that were ever here are kept, so what is kept knows whether it was. The room forgets first:
+/// what it has still to keep of the sensor is kept before that is forgotten.
+void AdminApi::forget_sensor(const Call& call) {
+  const std::string &room = call.parameter(0), &sensor = call.parameter(1);
+  hall_.forget_sensor(room, sensor);
+  desk_.ask([room, sensor](HubBook& book) { return book.sensors().forget(room, sensor); },
+            [call](const Status& forgotten) {
+              call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
+            });
 }
 
 void AdminApi::end_viewer(const Call& call) {

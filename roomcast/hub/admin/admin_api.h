@@ -55,6 +55,7 @@ class AdminApi {
   void keep_room(const Call& call, const RoomSettings& settings, bool is_new);
   void list_sensors(const Call& call) const;
   void end_sensor(const Call& call);
+  void forget_sensor(const Call& call);
   void list_viewers(const Call& call) const;
   void end_viewer(const Call& call);
   void recording(const Call& call) const;

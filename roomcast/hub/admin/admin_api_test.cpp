@@ -239,6 +239,21 @@ TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/x", hub_admin).code(), "not_found");
 }
 
+TEST_F(AdminApiTest, a_sensor_that_is_gone_is_forgotten) {
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
+  std::optional<Status> kept;
+  desk.ask(
+      [](HubBook& kept_in) {
+        return kept_in.sensors().save("hall", std::vector{KnownSensor{"left", SensorId{0}}});
+      },
+      [&](const Status& status) { kept = status; });
+  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", token("hall", TokenRole::kViewer)).code(),
+            "wrong_role");
+  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", hub_admin).status, 204);
+  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", hub_admin).code(), "not_found");
+  EXPECT_TRUE(kept && kept->ok());
+}
+
 TEST_F(AdminApiTest, a_room_is_recorded_from_start_to_stop) {
   EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).code(), "conflict");

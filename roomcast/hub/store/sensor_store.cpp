@@ -17,6 +17,7 @@ constexpr char kLoad[] =
     "SELECT name, id, world_from_depth, expected_error_mm FROM sensors WHERE room = ?1 ORDER BY id";
 constexpr char kSave[] = "INSERT OR REPLACE INTO sensors VALUES (?1, ?2, ?3, ?4, ?5)";
 constexpr char kForget[] = "DELETE FROM sensors WHERE room = ?1";
+constexpr char kForgetOne[] = "DELETE FROM sensors WHERE room = ?1 AND name = ?2";
 
 std::optional<KnownPose> read_pose(const Statement& row, int column) {
   KnownPose pose;
@@ -70,6 +71,13 @@ Status SensorStore::save(const std::string& room, std::span<const KnownSensor> s
 Status SensorStore::forget(const std::string& room) {
   if (Statement(database_, kForget).bind(1, room).run()) return {};
   return database_.failure("cannot forget the sensors of a room");
+}
+
+Status SensorStore::forget(const std::string& room, const std::string& sensor) {
+  Statement row(database_, kForgetOne);
+  if (!row.bind(1, room).bind(2, sensor).run()) return database_.failure("cannot forget a sensor");
+  if (database_.changed_rows() > 0) return {};
+  return Error{ErrorCode::kNotFound, "this room knows no sensor \"" + sensor + "\""};
 }
 
 }  // namespace roomcast::hub

@@ -24,7 +24,10 @@ class SensorStore {
   /// Adds or replaces, by name; all or none. Who had one of the ids before is forgotten.
   [[nodiscard]] Status save(const std::string& room, std::span<const KnownSensor> sensors);
 
+  /// All of a room.
   [[nodiscard]] Status forget(const std::string& room);
+  /// One. kNotFound: this room has had no such sensor.
+  [[nodiscard]] Status forget(const std::string& room, const std::string& sensor);
 
  private:
   Database& database_;

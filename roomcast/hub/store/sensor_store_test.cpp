@@ -64,6 +64,18 @@ TEST(SensorStore, an_id_belongs_to_one_sensor_of_a_room) {
   EXPECT_EQ(store->load("kitchen")->at(0).name, "oven");
 }
 
+TEST(SensorStore, one_is_forgotten_and_no_other) {
+  const TemporaryFolder folder;
+  auto store = open_store(folder);
+  ASSERT_TRUE(
+      store->save("lab", std::vector{sensor_at("left", 0, 1), sensor_at("right", 1, 2)}).ok());
+  ASSERT_TRUE(store->save("kitchen", std::vector{sensor_at("left", 0, 1)}).ok());
+  ASSERT_TRUE(store->forget("lab", "left").ok());
+  EXPECT_EQ(store->load("lab")->at(0).name, "right");
+  EXPECT_EQ(store->load("kitchen")->size(), 1U);
+  EXPECT_EQ(store->forget("lab", "left").error().code, ErrorCode::kNotFound);
+}
+
 TEST(SensorStore, names_are_data_and_nothing_else) {
   const std::string name = "'); DROP TABLE sensors; --";
   const TemporaryFolder folder;

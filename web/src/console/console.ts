@@ -27,7 +27,7 @@ export interface ConsoleEvents {
 }
 
 export class Console {
-  private readonly cards = new SensorCards();
+  private readonly cards = new SensorCards((sensor) => void this.forget(sensor));
   private readonly alignment: AlignmentView;
   private readonly people: PeopleView;
   private readonly access: AccessView;
@@ -151,6 +151,11 @@ export class Console {
     ]);
     this.hubSensors = sensors;
     this.hubViewers = viewers;
+  }
+
+  private async forget(sensor: string): Promise<void> {
+    await this.api.forgetSensor(this.state.welcome?.room ?? '', sensor).catch(() => undefined);
+    await this.ask();
   }
 
   private async sendAway(viewer: number): Promise<void> {

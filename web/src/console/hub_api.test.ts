@@ -41,6 +41,13 @@ describe("the hub's interface", () => {
     await expect(api.rooms()).rejects.toThrow('The hub answered 404.');
   });
 
+  test('is asked to forget a sensor by its name', async () => {
+    const { api, asked } = answering(204, undefined);
+    await api.forgetSensor('lab', 'left/right');
+    expect(asked[0]!.address).toBe('api/v1/rooms/lab/sensors/left%2Fright');
+    expect(asked[0]!.init.method).toBe('DELETE');
+  });
+
   test('has nothing to say after deleting', async () => {
     const { api, asked } = answering(204, undefined);
     await api.revoke('a/b');

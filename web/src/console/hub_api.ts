@@ -142,6 +142,11 @@ export class HubApi {
     return (await this.ask<{ sensors: HubSensor[] }>('GET', inRoom(room, '/sensors'))).sensors;
   }
 
+  /** One that is not online. */
+  forgetSensor(room: string, name: string): Promise<void> {
+    return this.ask('DELETE', inRoom(room, `/sensors/${encodeURIComponent(name)}`));
+  }
+
   async viewers(room: string): Promise<HubViewer[]> {
     return (await this.ask<{ viewers: HubViewer[] }>('GET', inRoom(room, '/viewers'))).viewers;
   }

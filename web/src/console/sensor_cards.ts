@@ -16,6 +16,7 @@ class SensorCard {
   private readonly thumbnail: Thumbnail;
   private readonly clock = element('p', { class: 'note' });
   private readonly tag = element('span');
+  private readonly wayOut: HTMLElement;
   private readonly charts = {
     fps: new Chart({ label: texts.charts.fps, unit: 'fps', least: 10, digits: 1 }),
     rate: new Chart({ label: texts.charts.rate, unit: 'MB/s', least: 0.5, digits: 2 }),
@@ -25,7 +26,11 @@ class SensorCard {
   private clockError_ms: number | undefined;
   private leftOutBefore: number | undefined;
 
-  constructor(entry: SensorEntry) {
+  constructor(entry: SensorEntry, forget: (sensor: string) => void) {
+    const label = `${texts.forget}: ${entry.name}`;
+    this.wayOut = element('button', { type: 'button', class: 'plain', 'aria-label': label }, texts.forget);
+    this.wayOut.addEventListener('click', () => forget(entry.name));
+    this.wayOut.hidden = true;
     this.thumbnail = new Thumbnail(entry.name);
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
@@ -34,6 +39,7 @@ class SensorCard {
       element('h3', {}, swatch, entry.name, this.tag),
       element('div', { class: 'seen' }, this.thumbnail.root, element('div', { class: 'charts' }, ...charts)),
       this.clock,
+      this.wayOut,
     );
   }
 
@@ -42,7 +48,7 @@ class SensorCard {
     this.thumbnail.offer(frame, now_ms);
   }
 
-  /** Once a second. */
+  /** Once a second. `hub` is what the hub tells admins. */
   sample(entry: SensorEntry, state: RoomState, hub: HubSensor | undefined): void {
     const traffic = state.status?.sensors.find(({ sensor }) => sensor === entry.id);
     const live = entry.online && traffic !== undefined;
@@ -61,6 +67,7 @@ class SensorCard {
     const clock = error_ms === undefined ? texts.clockUnknown : texts.clock(error_ms);
     setText(this.clock, entry.online ? [clock, hub?.address].filter(Boolean).join(' · ') : texts.gone);
     this.root.classList.toggle('gone', !entry.online);
+    this.wayOut.hidden = entry.online || hub === undefined;
     this.tag.replaceChildren(...[placementTag(entry)].filter((tag) => tag !== undefined));
   }
 }
@@ -68,6 +75,9 @@ class SensorCard {
 export class SensorCards {
   readonly root = element('div', { class: 'cards' });
   private readonly cards = new Map<number, { card: SensorCard; name: string }>();
+
+  /** `forget` is for admins, of a sensor that has gone. */
+  constructor(private readonly forget: (sensor: string) => void) {}
 
   offer(frames: readonly ViewFrame[], now_ms: number): void {
     for (const frame of frames) this.cards.get(frame.sensor)?.card.offer(frame, now_ms);
@@ -88,7 +98,8 @@ export class SensorCards {
     this.cards.clear();
     for (const entry of entries) {
       const kept = before.get(entry.id);
-      this.cards.set(entry.id, kept?.name === entry.name ? kept : { card: new SensorCard(entry), name: entry.name });
+      const stays = kept?.name === entry.name;
+      this.cards.set(entry.id, stays ? kept : { card: new SensorCard(entry, this.forget), name: entry.name });
     }
     const roots = [...this.cards.values()].map(({ card }) => card.root);
     this.root.replaceChildren(...(roots.length > 0 ? roots : [element('p', { class: 'empty' }, texts.noSensors)]));
