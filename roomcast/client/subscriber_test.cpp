@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/subscriber.h"
 
-
 #include <gtest/gtest.h>
 
 #include "roomcast/client/fake_hub.h"

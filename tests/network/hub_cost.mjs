@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it costs to bring a room from hub to hub, against what it costs to bring it to a viewer at the same hub. Both are
 // differences of loads that are larger, and one room's differences are hardly more than what these loads move by
-// themselves; so there are ROOMCAST_COST_ROOMS rooms at once, alike, and a room's share is told. All loads are taken in turn, as
-// often as ROOMCAST_COST_ROUNDS says, and the median of the differences counts. Times are the scheduler's own (schedstat, nanoseconds), over all threads of a hub. Each viewer is
-// a process of its own: to wake one that sleeps is a part of what it costs to send it something.
+// themselves; so there are ROOMCAST_COST_ROOMS rooms at once, alike, and a room's share is told. All loads are taken in turn,
+// as often as ROOMCAST_COST_ROUNDS says, and the median of the differences counts. Times are the scheduler's own (schedstat,
+// nanoseconds), over all threads of a hub. Each viewer is a process of its own: to wake one that sleeps is a part of what it
+// costs to send it something.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
