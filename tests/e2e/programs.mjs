@@ -12,6 +12,7 @@ import { env } from '../state_folder.mjs';
 const readyWithin_ms = 60_000;
 const endWithin_ms = 20_000;
 const kept_lines = 200;
+const kept_bytes = 100_000; // of standard output
 
 const fromRoot = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
@@ -38,6 +39,8 @@ class Program {
     this.child = spawn(binary, args, { env, stdio: ['ignore', 'pipe', 'pipe'] });
     started.push(this);
     this.ended = once(this.child, 'close');
+    this.printed = '';
+    this.child.stdout.on('data', (text) => (this.printed = (this.printed + text).slice(-kept_bytes)));
     for (const stream of [this.child.stdout, this.child.stderr]) {
       stream.setEncoding('utf8').on('data', (text) => this.keep(text));
     }
@@ -70,12 +73,12 @@ class Program {
   }
 }
 
-/** A program that ends by itself: what it said; throws when it fails. */
+/** A program that ends by itself: the lines of its standard output; throws when it fails. */
 export async function run(...args) {
   const program = new Program(args[0], args);
   const [code] = await program.ended;
   if (code !== 0) throw new Error(`${args[0]} has failed:\n${program.lines.join('\n')}`);
-  return program.lines;
+  return program.printed.split('\n').filter((line) => line !== '');
 }
 
 /** For whoever runs the hub that keeps what it knows in the folder `data`. */

@@ -8,17 +8,20 @@ const { transformSync } = createRequire(new URL('../../web/node_modules/vite/pac
 );
 
 const sources = new URL('../../web/src', import.meta.url);
-const three = new URL('../../web/node_modules/three/build/', import.meta.url);
+const packages = new URL('../../web/node_modules/', import.meta.url);
 
 /** What is imported by bare name. */
-const imports = { three: '/three/three.module.js' };
+const imports = {
+  three: '/package/three/build/three.module.js',
+  '@bufbuild/protobuf/codegenv2': '/package/@bufbuild/protobuf/dist/esm/codegenv2/index.js',
+};
 const html = `<!doctype html><title>sources</title><canvas></canvas>
 <script type="importmap">${JSON.stringify({ imports })}</script>`;
 
 function answer(path) {
   if (path === '/') return { contentType: 'text/html', body: html };
-  if (path.startsWith('/three/'))
-    return { contentType: 'text/javascript', body: readFileSync(new URL(path.slice(7), three)) };
+  const [, ofPackage] = path.split('/package/');
+  if (ofPackage) return { contentType: 'text/javascript', body: readFileSync(new URL(ofPackage, packages)) };
   const file = new URL(`${sources.pathname}${path}${path.endsWith('.ts') ? '' : '.ts'}`, sources);
   if (!existsSync(file)) return { status: 404 };
   return { contentType: 'text/javascript', body: transformSync(readFileSync(file, 'utf8'), { loader: 'ts' }).code };
