@@ -31,9 +31,9 @@ struct SiftFeature {
 [[nodiscard]] std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey,
                                                    MaskView mask, const SiftOptions& options);
 
-/// The same in pictures as they would look from aside (affine SIFT: Morel & Yu 2009): turned and
-/// pressed together by sqrt(2), 2 and 2 sqrt(2). `options` hold for each of these. In the picture's
-/// own pixels.
+/// The same in the picture as it is and as it would look from aside (affine SIFT: Morel & Yu 2009):
+/// turned and pressed together by sqrt(2), 2 and 2 sqrt(2). `options` hold for each of these. In
+/// the picture's own pixels.
 [[nodiscard]] std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
                                                           const SiftOptions& options);
 
