@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/render/aligned_poses.h"
 
+#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
+
+#include "roomcast/core/temporary_folder.h"
 
 namespace roomcast::bench {
 namespace {
@@ -22,7 +25,6 @@ class AlignedPosesTest : public testing::Test {
     rig.sensors[1].id = "s1";
     rig.sensors[0].world_from_depth = shifted(5);
   }
-  ~AlignedPosesTest() override { std::filesystem::remove(report); }
 
   /// s1 stands 2 m beside s0.
   void write(const std::string& s1_placed) const {
@@ -32,8 +34,8 @@ class AlignedPosesTest : public testing::Test {
         [1,0,0,3, 0,1,0,0, 0,0,1,0, 0,0,0,1]}]})";
   }
 
-  const std::filesystem::path report =
-      std::filesystem::path(testing::TempDir()) / "roomcast-aligned-poses.json";
+  const TemporaryFolder folder;
+  const std::filesystem::path report = folder / "report.json";
   RigDescription rig;
 };
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
+
 namespace roomcast::cli {
 namespace {
 
@@ -12,9 +14,6 @@ namespace fs = std::filesystem;
 
 class HubCertificate : public ::testing::Test {
  protected:
-  HubCertificate() { fs::remove_all(folder_); }
-  ~HubCertificate() override { fs::remove_all(folder_); }
-
   [[nodiscard]] HubCertificateOptions self_signed() const {
     HubCertificateOptions options;
     options.self_signed = true;
@@ -22,9 +21,8 @@ class HubCertificate : public ::testing::Test {
     return options;
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) /
-                     (std::string("hub_certificate_") +
-                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const TemporaryFolder scratch_;
+  const fs::path folder_ = scratch_ / "certificates";
 };
 
 TEST_F(HubCertificate, is_none_unless_asked_for) {

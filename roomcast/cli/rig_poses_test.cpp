@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/file_bytes.h"
 #include "roomcast/source/rig_json.h"
 
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A rig.json of two sensors that are believed to stand at the origin.
-fs::path make_rig(const char* name) {
+void write_rig(const fs::path& folder) {
   RigDescription rig;
   rig.fps = 15;
   for (const char* id : {"s0", "s1"}) {
@@ -23,10 +24,7 @@ fs::path make_rig(const char* name) {
     entry.world_from_depth = RigidTransform{};
     rig.sensors.push_back(entry);
   }
-  const fs::path folder = fs::path(testing::TempDir()) / name;
-  fs::create_directories(folder);
   EXPECT_TRUE(write_file(folder / "rig.json", rig_json_text(rig)).ok());
-  return folder;
 }
 
 align::AlignmentReport first_placed() {
@@ -41,8 +39,9 @@ align::AlignmentReport first_placed() {
 }
 
 TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
-  const fs::path folder = make_rig("poses_replace");
-  ASSERT_TRUE(write_rig_poses(folder, first_placed()).ok());
+  const TemporaryFolder folder;
+  write_rig(folder.path());
+  ASSERT_TRUE(write_rig_poses(folder.path(), first_placed()).ok());
   const auto rig = read_rig_json(folder / "rig.json");
   ASSERT_TRUE(rig.ok());
   EXPECT_EQ(rig->sensors[0].world_from_depth->translation_m.y(), 1.5);
@@ -51,10 +50,11 @@ TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
 }
 
 TEST(RigPoses, stay_when_nobody_was_placed) {
-  const fs::path folder = make_rig("poses_stay");
+  const TemporaryFolder folder;
+  write_rig(folder.path());
   align::AlignmentReport report = first_placed();
   report.sensors[0].placed = false;
-  const Status status = write_rig_poses(folder, report);
+  const Status status = write_rig_poses(folder.path(), report);
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().message, testing::HasSubstr("no sensor could be placed"));
   EXPECT_TRUE(read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());

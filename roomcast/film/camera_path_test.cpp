@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/file_bytes.h"
 
 namespace roomcast {
@@ -89,8 +90,10 @@ class CameraPathFile : public testing::Test {
     EXPECT_TRUE(write_file(file_, text).ok());
     return read_camera_path(file_);
   }
-  void TearDown() override { std::filesystem::remove(file_); }
-  const std::filesystem::path file_ = std::filesystem::path(testing::TempDir()) / "path.json";
+
+ private:
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "path.json";
 };
 
 TEST_F(CameraPathFile, holds_keys) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
+
 namespace roomcast::net {
 namespace {
 
@@ -14,20 +16,15 @@ namespace fs = std::filesystem;
 
 class StaticSiteTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / ("roomcast_site_" + std::string(test->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  StaticSiteTest() { fs::create_directories(folder_); }
 
   void write(const std::string& name, const std::string& content) {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << content;
   }
 
-  fs::path folder_;
+  const TemporaryFolder scratch_;
+  const fs::path folder_ = scratch_ / "site";
 };
 
 TEST_F(StaticSiteTest, serves_files_with_their_type) {

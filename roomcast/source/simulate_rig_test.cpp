@@ -6,12 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <random>
 #include <stop_token>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/rig_json.h"
 #include "roomcast/source/simulator/simulated_source.h"
@@ -24,11 +24,8 @@ namespace fs = std::filesystem;
 
 class SimulateRig : public testing::Test {
  protected:
-  SimulateRig() { fs::remove_all(folder_); }
-  ~SimulateRig() override { fs::remove_all(folder_); }
-
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / ("simulated_rig_" + std::to_string(std::random_device{}()));
+  const TemporaryFolder scratch_;
+  const fs::path folder_ = scratch_ / "rig";
 };
 
 DepthImage read_depth(const fs::path& path) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <openssl/x509v3.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/net/tls/tls_fixture.h"
 
 namespace roomcast::net {
@@ -17,14 +18,6 @@ namespace fs = std::filesystem;
 
 class CertificateTest : public ::testing::Test {
  protected:
-  CertificateTest() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::path(::testing::TempDir()) / (std::string("certificate_") + test->name());
-    fs::remove_all(directory_);
-    fs::create_directories(directory_);
-  }
-  ~CertificateTest() override { fs::remove_all(directory_); }
-
   fs::path write(const std::string& name, const std::string& text) {
     std::ofstream(directory_ / name) << text;
     return directory_ / name;
@@ -36,7 +29,7 @@ class CertificateTest : public ::testing::Test {
     EXPECT_NE(result.error().message.find(part), std::string::npos) << result.error().message;
   }
 
-  fs::path directory_;
+  const TemporaryFolder directory_;
 };
 
 TEST_F(CertificateTest, self_signed_is_for_its_hosts_only) {

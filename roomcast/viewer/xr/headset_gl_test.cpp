@@ -2,11 +2,11 @@
 // A session with the test runtime, through the loader that people have.
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/render/gl_fixture.h"
 #include "roomcast/render/synthetic_sensor.h"
 #include "roomcast/viewer/room_picture.h"
@@ -272,8 +272,8 @@ TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
   if (!server) GTEST_SKIP() << "there is no X server to be had (xvfb)";
   use_test_runtime();
   TestRuntime::instance().head_at = nodding_head;
-  const auto log = std::filesystem::temp_directory_path() /
-                   ("roomcast-openxr-" + std::to_string(::getpid()) + ".txt");
+  const TemporaryFolder folder;
+  const auto log = folder / "complaints.txt";
   ::setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation", 1);
   ::setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
   ::setenv("XR_CORE_VALIDATION_FILE_NAME", log.c_str(), 1);
@@ -299,7 +299,6 @@ TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
   std::ifstream written(log);
   const std::string complaints(std::istreambuf_iterator<char>(written), {});
   EXPECT_EQ(complaints, "");
-  std::filesystem::remove(log);
 }
 
 }  // namespace
