@@ -7,7 +7,6 @@
 #include <boost/asio/post.hpp>
 
 #include "roomcast/hub/admin/admin_answer.h"
-#include "roomcast/hub/admin/admin_audit.h"
 #include "roomcast/hub/metrics_text.h"
 
 namespace roomcast::hub {
@@ -25,11 +24,10 @@ HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& de
                    RoomRecordings* recordings, const LogSink& log)
     : site_(std::move(site)),
       hall_(hall),
-      desk_(desk),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
-      log_(log),
+      door_(hall, desk, log),
       admin_(hall, desk, std::move(version), recordings, log) {}
 
 std::vector<std::string> HubPages::request_paths() {
@@ -66,8 +64,12 @@ void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond
     return respond(net::text_response(404, "There is nothing at this address.\n"));
   }
   if (metrics_for_anyone_) return respond(metrics());
-  const AuditedCall asked{.method = request.method, .path = request.path, .peer = request.peer};
-  metrics_for_admins(request, audited(log_, asked, std::move(respond)));
+  door_.admit(request, true, std::move(respond), [this](const Caller& caller) {
+    caller.respond(caller.is_hub_admin()
+                       ? metrics()
+                       : error_answer(Refusal{wire::pb::ERROR_WRONG_ROLE,
+                                              "metrics take a token of the hub's admin"}));
+  });
 }
 
 /// For whoever asks: of rooms that are not listed it says nothing.
@@ -90,29 +92,6 @@ net::HttpResponse HubPages::metrics() const {
                      .banned_peers = hall_.banned_count(),
                      .backplane = hall_.backplane_stats()};
   return net::text_response(200, metrics_text(hub, hall_.stats()));
-}
-
-void HubPages::metrics_for_admins(const net::HttpRequest& request, net::Respond respond) {
-  const std::string token = net::bearer_token(request);
-  if (token.empty()) {
-    return respond(error_answer(Refusal{
-        wire::pb::ERROR_UNAUTHENTICATED,
-        "metrics take a token of the hub's admin, in the header Authorization: Bearer TOKEN"}));
-  }
-  desk_.ask(
-      [token](HubBook& book) { return book.check(token); },
-      [this, peer = request.peer, respond = std::move(respond)](const Verdict<Claims>& verdict) {
-        if (const Refusal* why = refusal(verdict)) {
-          hall_.hold_against(peer, *why);
-          return respond(error_answer(*why));
-        }
-        const Grant& grant = std::get<Claims>(verdict).grant;
-        if (grant.role == TokenRole::kAdmin && covers(grant, kAllRooms)) {
-          return respond(metrics());
-        }
-        respond(error_answer(
-            Refusal{wire::pb::ERROR_WRONG_ROLE, "metrics take a token of the hub's admin"}));
-      });
 }
 
 }  // namespace roomcast::hub

@@ -12,6 +12,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/admin/admin_door.h"
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/other_sites.h"
 #include "roomcast/hub/room_hall.h"
@@ -42,15 +43,13 @@ class HubPages {
   void answer_here(const net::HttpRequest& request, net::Respond respond);
   [[nodiscard]] net::HttpResponse health() const;
   [[nodiscard]] net::HttpResponse metrics() const;
-  void metrics_for_admins(const net::HttpRequest& request, net::Respond respond);
 
   const std::optional<net::StaticSite> site_;
   RoomHall& hall_;
-  Desk& desk_;
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
   const std::string version_;
-  const LogSink log_;
+  AdminDoor door_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
   OtherSites other_sites_;

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/hub/admin/admin_answer.h"
-#include "roomcast/hub/admin/admin_audit.h"
 #include "roomcast/hub/admin/token_request.h"
 
 namespace roomcast::hub {
@@ -58,33 +57,16 @@ AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordin
       desk_(desk),
       version_(std::move(version)),
       recordings_(recordings),
-      log_(std::move(log)) {}
+      door_(hall, desk, std::move(log)) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
   if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
-  Call call{std::get<MatchedRoute>(found), std::nullopt, request.body, std::move(respond)};
-  const std::string token = net::bearer_token(request);
-  AuditedCall asked{.method = request.method, .path = request.path, .peer = request.peer};
-  if (token.empty()) {
-    if (!call.match.route.needs_token) return carry_out(call);
-    return audited(log_, asked, call.respond)(error_answer(
-        Refusal{pb::ERROR_UNAUTHENTICATED,
-                "this takes an admin's token, in the header Authorization: Bearer TOKEN"}));
-  }
-  desk_.ask([token](HubBook& book) { return book.check(token); },
-            [this, call = std::move(call),
-             asked = std::move(asked)](const Verdict<Claims>& verdict) mutable {
-              if (const Refusal* why = refusal(verdict)) {
-                hall_.hold_against(asked.peer, *why);
-                return audited(log_, asked, call.respond)(error_answer(*why));
-              }
-              call.caller = std::get<Claims>(verdict);
-              asked.token_id = call.caller->id;
-              asked.name = call.caller->grant.name;
-              call.respond = audited(log_, std::move(asked), std::move(call.respond));
-              carry_out(call);
-            });
+  const auto& match = std::get<MatchedRoute>(found);
+  door_.admit(request, match.route.needs_token, std::move(respond),
+              [this, match, body = request.body](Caller caller) {
+                carry_out({std::move(caller), match, body});
+              });
 }
 
 void AdminApi::carry_out(const Call& call) {
@@ -114,7 +96,7 @@ void AdminApi::carry_out(const Call& call) {
 /// answered as if there were no room.
 void AdminApi::carry_out_in_room(const Call& call) {
   const RoomSettings* settings = hall_.find(call.parameter(0));
-  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
   if (!call.is_admin_of(settings->name)) return call.respond(not_yours());
   switch (call.match.route.call) {
@@ -172,7 +154,7 @@ void AdminApi::list_hubs(const Call& call) const {
 
 void AdminApi::list_rooms(const Call& call) const {
   Json rooms = Json::array();
-  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  const Claims* claims = call.claims ? &*call.claims : nullptr;
   for (const RoomStats& stats : hall_.stats()) {
     const RoomSettings& settings = *hall_.find(stats.room);
     if (!may_know_of(settings, claims)) continue;
@@ -184,7 +166,7 @@ void AdminApi::list_rooms(const Call& call) const {
 
 void AdminApi::room(const Call& call) const {
   const RoomSettings* settings = hall_.find(call.parameter(0));
-  const Claims* claims = call.caller ? &*call.caller : nullptr;
+  const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
   const RoomStats stats = *hall_.stats(settings->name);
   call.respond(json_answer(200, call.is_admin_of(settings->name) ? whole_room(*settings, stats)
@@ -338,8 +320,8 @@ void AdminApi::stop_recording(const Call& call) {
 // ---- tokens
 
 void AdminApi::list_tokens(const Call& call) {
-  if (call.caller->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
-  desk_.ask([room = call.caller->grant.room](HubBook& book) { return book.tokens(room); },
+  if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
+  desk_.ask([room = call.claims->grant.room](HubBook& book) { return book.tokens(room); },
             [call](const Result<std::vector<IssuedToken>>& tokens) {
               if (!tokens) return call.respond(error_answer(tokens.error()));
               Json list = Json::array();
@@ -361,10 +343,10 @@ void AdminApi::make_token(const Call& call) {
 }
 
 void AdminApi::revoke_token(const Call& call) {
-  if (call.caller->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
+  if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
   const std::string& id = call.parameter(0);
   desk_.ask(
-      [id, grant = call.caller->grant](HubBook& book) -> Status {
+      [id, grant = call.claims->grant](HubBook& book) -> Status {
         const auto token = book.token(id);
         if (!token) return token.error();
         if (!covers(grant, token->claims.grant.room)) {  // another room's: as if there were none

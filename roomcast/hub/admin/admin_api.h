@@ -5,13 +5,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "roomcast/core/clock.h"
+#include "roomcast/hub/admin/admin_door.h"
 #include "roomcast/hub/admin/admin_routes.h"
 #include "roomcast/hub/desk.h"
 #include "roomcast/hub/room_hall.h"
@@ -30,17 +30,11 @@ class AdminApi {
 
  private:
   /// One call that may be made, and by whom.
-  struct Call {
+  struct Call : Caller {
     MatchedRoute match;
-    std::optional<Claims> caller;  // nothing: showed no token
     std::string body;
-    net::Respond respond;
 
     [[nodiscard]] const std::string& parameter(std::size_t i) const { return match.parameters[i]; }
-    [[nodiscard]] bool is_admin_of(std::string_view room) const {
-      return caller && caller->grant.role == TokenRole::kAdmin && covers(caller->grant, room);
-    }
-    [[nodiscard]] bool is_hub_admin() const { return is_admin_of(kAllRooms); }
   };
 
   void carry_out(const Call& call);
@@ -69,7 +63,7 @@ class AdminApi {
   Desk& desk_;
   const std::string version_;
   RoomRecordings* const recordings_;
-  const LogSink log_;
+  AdminDoor door_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();
 };

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// AdminDoor: who asks over HTTP? A token that is no good is answered here and held against the
+// address it came from, as a bad join is. Threading: the rooms' thread; whoever comes in is
+// announced later, from there.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "roomcast/core/log.h"
+#include "roomcast/hub/desk.h"
+#include "roomcast/hub/room_hall.h"
+#include "roomcast/net/http_request.h"
+
+namespace roomcast::hub {
+
+/// Who makes a call, and how it is answered so that the log tells of it.
+struct Caller {
+  std::optional<Claims> claims;  // nothing: showed no token
+  net::Respond respond;
+
+  [[nodiscard]] bool is_admin_of(std::string_view room) const {
+    return claims && claims->grant.role == TokenRole::kAdmin && covers(claims->grant, room);
+  }
+  [[nodiscard]] bool is_hub_admin() const { return is_admin_of(kAllRooms); }
+};
+
+class AdminDoor {
+ public:
+  AdminDoor(RoomHall& hall, Desk& desk, LogSink log = {});
+
+  /// `enter` is called with who asks, unless they are refused: for a token that is no good, or for
+  /// none where one is needed.
+  void admit(const net::HttpRequest& request, bool needs_token, net::Respond respond,
+             std::function<void(Caller)> enter);
+
+ private:
+  RoomHall& hall_;
+  Desk& desk_;
+  const LogSink log_;
+};
+
+}  // namespace roomcast::hub
