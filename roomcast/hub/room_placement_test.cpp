@@ -14,6 +14,18 @@ pb::Control bundle_message() {
   return control;
 }
 
+/// The aligner found "left" from its first bundle; it went at 3 s, and is back at 4 s.
+class RoomOfOneWhoWasAway : public RoomTest {
+ protected:
+  ConnectionId enter_placed_leave_and_enter_again(ConnectionId aligner) {
+    const auto before = enter(sensor_join("left", std::nullopt));
+    (void)room.control(before, bundle_message(), at(1s));
+    (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
+    (void)room.leave(before, at(3s));
+    return enter(sensor_join("left", std::nullopt), 4s);
+  }
+};
+
 TEST_F(RoomTest, an_aligner_is_told_of_sensors_and_gets_their_bundles) {
   const auto sensor = enter(sensor_join("left", std::nullopt));
   EXPECT_THAT(room.control(sensor, bundle_message(), at(0s)), IsEmpty()) << "nobody wants it yet";
@@ -243,13 +255,9 @@ TEST_F(RoomTest, a_pose_from_before_a_restart_is_used_at_once_and_said_to_be_unv
   EXPECT_FALSE(roster.sensors(0).unverified());
 }
 
-TEST_F(RoomTest, a_sensor_that_was_away_may_have_been_moved) {
-  auto sensor = enter(sensor_join("left", std::nullopt));
+TEST_F(RoomOfOneWhoWasAway, a_sensor_that_was_away_may_have_been_moved) {
   const auto aligner = enter(aligner_join());
-  (void)room.control(sensor, bundle_message(), at(1s));
-  (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
-  (void)room.leave(sensor, at(3s));
-  sensor = enter(sensor_join("left", std::nullopt), 4s);
+  const auto sensor = enter_placed_leave_and_enter_again(aligner);
   EXPECT_TRUE(newest_roster(actions).sensors(0).unverified());
   auto other = bundle_message();
   other.mutable_calibration_bundle()->set_depth("of something else");
@@ -258,13 +266,8 @@ TEST_F(RoomTest, a_sensor_that_was_away_may_have_been_moved) {
   EXPECT_FALSE(roster.sensors(0).unverified());
 }
 
-TEST_F(RoomTest, a_sensor_that_only_lost_its_connection_stands_where_it_did) {
-  auto sensor = enter(sensor_join("left", std::nullopt));
-  const auto aligner = enter(aligner_join());
-  (void)room.control(sensor, bundle_message(), at(1s));
-  (void)room.control(aligner, placement_from_bundle(1, 7), at(2s));
-  (void)room.leave(sensor, at(3s));
-  sensor = enter(sensor_join("left", std::nullopt), 4s);
+TEST_F(RoomOfOneWhoWasAway, a_sensor_that_only_lost_its_connection_stands_where_it_did) {
+  const auto sensor = enter_placed_leave_and_enter_again(enter(aligner_join()));
   const auto roster = newest_roster(room.control(sensor, bundle_message(), at(5s)));
   EXPECT_FALSE(roster.sensors(0).unverified()) << "it has watched its stand all the time";
 }

@@ -51,6 +51,13 @@ class RecorderTest : public testing::Test {
     on_hub([&](FakeHub& h) { h.say(net::seal(net::MessageBuffer(bytes))); });
     return bytes;
   }
+  bool joined_again() {
+    return within_5_s([&] {
+      int joins = 0;
+      on_hub([&](FakeHub& h) { joins = h.joins; });
+      return joins == 2;
+    });
+  }
   template <class Done>
   bool within_5_s(Done done) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
@@ -139,11 +146,7 @@ TEST_F(RecorderTest, goes_on_when_the_hub_comes_back) {
   say_frame(0, 0);
   EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 1; }));
   on_hub([](FakeHub& h) { h.hang_up(); });
-  EXPECT_TRUE(within_5_s([&] {
-    int joins = 0;
-    on_hub([&](FakeHub& h) { joins = h.joins; });
-    return joins == 2;
-  }));
+  EXPECT_TRUE(joined_again());
   say_roster();
   say_frame(0, 5);
   EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 2; }));
@@ -199,11 +202,7 @@ TEST_F(RecorderTest, the_file_says_where_the_room_is_not_to_be_exported_also_lat
     h.lets_export = false;
     h.hang_up();
   });
-  EXPECT_TRUE(within_5_s([&] {
-    int joins = 0;
-    on_hub([&](FakeHub& h) { joins = h.joins; });
-    return joins == 2;
-  }));
+  EXPECT_TRUE(joined_again());
   say_roster();
   say_frame(0, 5);
   EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 2; }));
