@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <span>
 #include <utility>
 
 #include "roomcast/align/guess/nudged_pose.h"
@@ -189,16 +188,14 @@ void RoomPlacing::guess_beside_unplaced(const std::string& sensor, const RigidTr
   const align::SensorView& view = *views_.at(sensor);
   std::vector<align::PlacedView> others = views_beside(sensor, room.told.made_up);
   std::erase_if(others, [](const align::PlacedView& other) { return !other.view->floor; });
-  const auto partner = align::best_partner(view, guess, others);
-  const auto answer = align::refined_guess(
-      view, guess, partner ? std::span(&*partner, 1) : std::span<const align::PlacedView>());
+  const auto answer = align::refined_guess(view, guess, others);
   if (!answer) {
     room.placement_of(sensor)->note = not_there(answer.error());
     return;
   }
-  const RigidTransform level = align::level_from_depth(*partner->view->floor);
-  room.place(placed_at(partner->view->name, level, 0));
-  const RigidTransform level_from_shown = level * partner->world_from_depth.inverse();
+  const RigidTransform level = align::level_from_depth(*views_.at(answer->beside)->floor);
+  room.place(placed_at(answer->beside, level, 0));
+  const RigidTransform level_from_shown = level * room.told.made_up.at(answer->beside).inverse();
   hold_by_hand(
       placed_at(sensor, level_from_shown * answer->world_from_depth, answer->expected_error_mm),
       room);

@@ -95,7 +95,8 @@ Result<NudgedPose> refined_guess(const PairCandidates& pair, const RigidTransfor
   if (!is_near(world_from_depth, guess))
     return refused("what fits lies far from the guess; bring it nearer");
   return NudgedPose{world_from_depth,
-                    1000 * expected_error_ahead_m(pair.a(), pair.b(), best.a_from_b)};
+                    1000 * expected_error_ahead_m(pair.a(), pair.b(), best.a_from_b),
+                    pair.a().name};
 }
 
 Result<NudgedPose> refined_guess(const SensorView& view, const RigidTransform& guess,

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "roomcast/align/guess/guess_evidence.h"
 #include "roomcast/align/sensor_view.h"
@@ -18,6 +19,7 @@ namespace roomcast::align {
 struct NudgedPose {
   RigidTransform world_from_depth;
   double expected_error_mm = 0;
+  std::string beside;  // the sensor that it was held against
 };
 
 /// kUnavailable: why the guess is not taken, and what would help.
