@@ -183,7 +183,7 @@ function readViewerEntry(bytes) {
 }
 
 function readSensorEntry(bytes) {
-  const entry = { id: 0, name: '', online: false, worldFromDepth: [], placement: 0, moved: false };
+  const entry = { id: 0, name: '', online: false, worldFromDepth: [], placement: 0, moved: false, unverified: false };
   readFields(bytes, (number, reader) => {
     if (number === 1) entry.id = reader.uint32();
     if (number === 2) entry.name = reader.string();
@@ -191,6 +191,7 @@ function readSensorEntry(bytes) {
     if (number === 5) entry.worldFromDepth = readDoubles(Buffer.from(reader.bytes()));
     if (number === 6) entry.placement = reader.uint32();
     if (number === 10) entry.moved = reader.bool();
+    if (number === 11) entry.unverified = reader.bool();
   });
   return entry;
 }
