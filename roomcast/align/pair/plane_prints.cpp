@@ -21,7 +21,10 @@ constexpr float kBefore_m = 0.05F;       // a plane: what is nearer than that
 constexpr double kAlike = 0.5;           // a correlation above it
 constexpr double kOtherSlope = 0.3;      // tint per grey by which hues differ, if besides...
 constexpr double kOtherRatio = 0.5;      // ...one is less than so much of the other: cameras vary
-constexpr int kMostAside = 1;            // grid points: refined poses are no further off
+constexpr int kAside = 1;                // grid points: refined poses are no further off...
+constexpr int kFarAside = 4;             // ...but colours may be, near a camera and in corners
+constexpr double kFoundFarAside = 0.6;   // a correlation above it
+constexpr double kLeastFilledAside = 0.5;
 
 /// Points on planes have a plane's very normal (flat_normals.h).
 bool lies_on_plane(const SensorView& view, const TexturedPoint& point) {
@@ -96,11 +99,15 @@ bool can_be_judged(const OverlaySums& sums) {
   return sums[0] >= kLeastFilled * kWindow;
 }
 
+/// Whether both see the same after all: a little aside, or plainly further aside.
 bool agrees_aside(const Overlay& common, const TexturedPoint& centre) {
-  for (int dy = -kMostAside; dy <= kMostAside; ++dy) {
-    for (int dx = -kMostAside; dx <= kMostAside; ++dx) {
+  for (int dy = -kFarAside; dy <= kFarAside; ++dy) {
+    for (int dx = -kFarAside; dx <= kFarAside; ++dx) {
+      const bool is_far = std::max(std::abs(dx), std::abs(dy)) > kAside;
       const OverlaySums sums = sums_aside(common, centre, dx, dy);
-      if (can_be_judged(sums) && WindowContrast(sums).correlation() >= kContradiction) return true;
+      if (sums[0] < (is_far ? kLeastFilledAside : kLeastFilled) * kWindow) continue;
+      const double correlation = WindowContrast(sums).correlation();
+      if (correlation >= (is_far ? kFoundFarAside : kContradiction)) return true;
     }
   }
   return false;

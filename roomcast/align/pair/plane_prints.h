@@ -2,11 +2,11 @@
 // Do both sensors see the same prints on walls, floors and tables? Rooms of one kind are alike in
 // shape and pattern, and what tells them apart may be no more than a poster. Over a whole view that
 // is one part in a hundred, too little for a mean; so places are counted where both see contrast
-// and it is not the same, even a little aside. On planes only: what people do between two frames
-// looks like contradiction everywhere else; and only where both colour cameras see the plane
-// itself, not the outline of what stands before it. Where prints agree in grey, their hues are
-// compared: how much redder they are where they are brighter, which neither exposure nor blur
-// changes. Thread-safe (no state).
+// and it is not the same, not even aside, as where colours lie beside their surfaces. On planes
+// only: what people do between two frames looks like contradiction everywhere else; and only where
+// both colour cameras see the plane itself, not the outline of what stands before it. Where prints
+// agree in grey, their hues are compared: how much redder they are where they are brighter, which
+// neither exposure nor blur changes. Thread-safe (no state).
 #pragma once
 
 #include "roomcast/align/pair/pair_equations.h"

@@ -109,6 +109,24 @@ TEST(PlanePrints, what_is_a_little_aside_is_no_contradiction) {
   EXPECT_LT(prints.conflict(), 0.01);
 }
 
+/// Seen with colours `pixels` of the colour camera beside where they are.
+MadeUpView with_colors_aside(const MadeUpView& plain, int pixels) {
+  CalibrationBundle bundle = made_up_bundle({}, "s", plain.world_from_depth);
+  const ColorImage straight = bundle.color;
+  for (int y = 0; y < straight.height(); ++y) {
+    for (int x = 0; x < straight.width(); ++x)
+      bundle.color.at(x, y) = straight.at(std::clamp(x - pixels, 0, straight.width() - 1), y);
+  }
+  return {plain.world_from_depth, std::make_shared<const SensorView>(*make_sensor_view(bundle))};
+}
+
+TEST(PlanePrints, colors_that_lie_aside_of_their_surfaces_are_no_other_prints) {
+  const PlanePrints prints = prints_of(first_corner(), with_colors_aside(second_corner(), 8));
+  EXPECT_GT(prints.judged, 0.1);
+  EXPECT_LT(prints.correlation(), 0.6);
+  EXPECT_LT(prints.conflict(), 0.002);
+}
+
 TEST(PlanePrints, views_that_share_nothing_say_nothing) {
   RigidTransform away = true_pose(first_corner(), second_corner());
   away.translation_m.z() += 20;
