@@ -220,6 +220,8 @@ export const problemTexts = {
     `Sensor ${name} is shown where it stood before it was away; nothing has confirmed yet that it still does.${why}`,
   unplaced: (name: string, why: string) =>
     `Nobody knows yet where sensor ${name} stands: ${why} is shown at a place that was made up.`,
+  unplacedOnes: (names: string[]) =>
+    `Nobody knows yet where sensors ${new Intl.ListFormat('en').format(names)} stand: they are shown at places that were made up.`,
 };
 
 export const nudgeTexts = {

@@ -70,6 +70,16 @@ describe('what is wrong', () => {
     expect(sentences(known({}, [told]))[0]).toMatch(/stands: turn it towards s1\. It is shown/);
   });
 
+  test('are several of which nobody knows anything yet, in one sentence', () => {
+    const lost = { ...s0, placement: Placement.UNPLACED };
+    const others = ['s1', 's2'].map((name, n) => ({ ...lost, id: n + 1, name }));
+    expect(sentences(known({}, [lost, ...others]))).toEqual([
+      'Nobody knows yet where sensors s0, s1, and s2 stand: they are shown at places that were made up.',
+    ]);
+    const refused = { ...lost, id: 3, name: 's3', placementNote: 'turn it towards s1' };
+    expect(sentences(known({}, [lost, ...others, refused]))).toHaveLength(2);
+  });
+
   test('is a sensor that was moved, with what keeps it from being aligned again', () => {
     const moved = { ...s0, placement: Placement.ALIGNED, moved: true };
     expect(sentences(known({}, [moved]))).toEqual([

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong, in plain words, worst first. Pure: what the page knows and the time go in, sentences come out.
-import type { Roster } from '../gen/control_pb';
+import type { Roster, SensorEntry } from '../gen/control_pb';
 import { Placement } from '../gen/control_pb';
 import { problemTexts as texts } from '../texts';
 import type { ConnectionState, SensorTraffic, Status } from '../stream/protocol';
@@ -56,7 +56,8 @@ function sensorProblems(
     return [notice(texts.noSensors(hubAddress))];
   }
   if (!roster.sensors.some((sensor) => sensor.online)) return [error(texts.allGone)];
-  return roster.sensors.flatMap((sensor) => {
+  const sought = roster.sensors.filter(isSought).map((sensor) => sensor.name);
+  const ofEach = roster.sensors.flatMap((sensor) => {
     if (!sensor.online) return [notice(texts.gone(sensor.name))];
     const counts = traffic.find((entry) => entry.sensor === sensor.id);
     const found: Problem[] = [];
@@ -66,7 +67,7 @@ function sensorProblems(
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
     if (sensor.moved) {
       found.push(notice(texts.moved(sensor.name, inAddition(sensor.placementNote))));
-    } else if (sensor.placement === Placement.UNPLACED) {
+    } else if (sensor.placement === Placement.UNPLACED && !(sought.length > 1 && isSought(sensor))) {
       const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
       found.push(notice(texts.unplaced(sensor.name, why)));
     } else if (sensor.unverified) {
@@ -74,6 +75,12 @@ function sensorProblems(
     }
     return found;
   });
+  return sought.length > 1 ? [...ofEach, notice(texts.unplacedOnes(sought))] : ofEach;
+}
+
+/** Nobody has said yet why it has no place: so it is with all sensors in a room's first seconds. */
+function isSought(sensor: SensorEntry): boolean {
+  return sensor.online && !sensor.moved && sensor.placement === Placement.UNPLACED && !sensor.placementNote;
 }
 
 function inAddition(note: string): string {
