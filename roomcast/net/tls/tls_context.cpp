@@ -30,6 +30,27 @@ std::string take_reason() {
   return reason == nullptr ? "unknown reason" : reason;
 }
 
+/// Those in this file and no others.
+Status trust_authorities(SSL_CTX* context, const std::string& file) {
+  if (file.empty()) return {};
+  SSL_CTX_set_cert_store(context, X509_STORE_new());
+  if (SSL_CTX_load_verify_file(context, file.c_str()) == 1) return {};
+  ERR_clear_error();
+  return Error{ErrorCode::kInvalidArgument,
+               file + " holds no certificates in PEM that a server's can be checked with"};
+}
+
+Status show_certificate(SSL_CTX* context, const TlsClientFiles& files) {
+  if (files.certificate_file.empty()) return {};
+  if (SSL_CTX_use_certificate_chain_file(context, files.certificate_file.c_str()) == 1 &&
+      SSL_CTX_use_PrivateKey_file(context, files.key_file.c_str(), SSL_FILETYPE_PEM) == 1) {
+    return {};
+  }
+  ERR_clear_error();
+  return Error{ErrorCode::kInvalidArgument, files.certificate_file + " and " + files.key_file +
+                                                " are no certificate and its key in PEM"};
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const TlsServerContext>> TlsServerContext::create(
@@ -51,11 +72,16 @@ Result<std::shared_ptr<const TlsServerContext>> TlsServerContext::create(
   return std::shared_ptr<const TlsServerContext>(new TlsServerContext(std::move(context)));
 }
 
-Result<std::shared_ptr<const TlsClientContext>> TlsClientContext::create() {
+Result<std::shared_ptr<const TlsClientContext>> TlsClientContext::create(
+    const TlsClientFiles& files) {
   auto context = make_context(TLS_client_method());
   if (context == nullptr || SSL_CTX_set_default_verify_paths(context.get()) != 1) {
     return Error{ErrorCode::kUnavailable, "TLS cannot be started: " + take_reason()};
   }
+  if (auto status = trust_authorities(context.get(), files.authorities_file); !status) {
+    return status.error();
+  }
+  if (auto status = show_certificate(context.get(), files); !status) return status.error();
   return std::shared_ptr<const TlsClientContext>(new TlsClientContext(std::move(context)));
 }
 

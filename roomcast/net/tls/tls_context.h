@@ -32,10 +32,17 @@ struct TlsTrust {
   std::optional<Fingerprint> pinned;  // ...unless it is this very certificate
 };
 
+/// PEM files of a client.
+struct TlsClientFiles {
+  std::string authorities_file = {};                 // whom it trusts; empty: those of the system
+  std::string certificate_file = {}, key_file = {};  // its own; empty: it shows none
+};
+
 class TlsClientContext {
  public:
-  /// Trusts the certificate authorities of the system. kUnavailable when OpenSSL cannot start.
-  static Result<std::shared_ptr<const TlsClientContext>> create();
+  /// kInvalidArgument: a file holds something else; the sentence says which. kUnavailable when
+  /// OpenSSL cannot start.
+  static Result<std::shared_ptr<const TlsClientContext>> create(const TlsClientFiles& files = {});
   [[nodiscard]] SSL_CTX* native() const { return context_.get(); }
 
  private:

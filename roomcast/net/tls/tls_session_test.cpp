@@ -2,15 +2,18 @@
 #include "roomcast/net/tls/tls_session.h"
 
 #include <array>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <openssl/ssl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "roomcast/core/temporary_folder.h"
 #include "roomcast/net/tls/tls_fixture.h"
 
 namespace roomcast::net {
@@ -112,6 +115,50 @@ TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
   }
   EXPECT_TRUE(waited);
   EXPECT_EQ(received, sent);
+}
+
+TEST_F(TlsSessionTest, authorities_of_a_file_are_believed_and_no_others) {
+  const TemporaryFolder folder;
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  ASSERT_TRUE(certificate_.save(file("own")).ok() && self_signed().save(file("another")).ok());
+  const auto outcome = [&](const std::string& authorities) {
+    auto server = this->server();
+    const auto context = TlsClientContext::create({.authorities_file = authorities});
+    auto client = *TlsSession::connect(fds_[1], **context, {"localhost", std::nullopt});
+    return shake_hands(server, client);
+  };
+  EXPECT_EQ(outcome(file("own")), Outcome::kDone);
+  EXPECT_EQ(outcome(file("another")), Outcome::kFailed);
+}
+
+TEST_F(TlsSessionTest, a_client_shows_its_certificate_to_a_server_that_asks) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "own").string();
+  ASSERT_TRUE(certificate_.save(file).ok());
+  SSL_CTX_set_verify(server_context_->native(), SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT,
+                     [](int, X509_STORE_CTX*) { return 1; });
+  const auto server_outcome = [&](const TlsClientFiles& files) {
+    auto server = this->server();
+    const auto context = TlsClientContext::create(files);
+    auto client = *TlsSession::connect(fds_[1], **context, pinned());
+    shake_hands(server, client);
+    return server.handshake().outcome;
+  };
+  EXPECT_EQ(server_outcome({.certificate_file = file, .key_file = file}), Outcome::kDone);
+  EXPECT_EQ(server_outcome({}), Outcome::kFailed);
+}
+
+TEST(TlsClientContext, files_that_hold_something_else_are_named) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "file.pem").string();
+  std::ofstream(file) << "this is no certificate\n";
+  for (const TlsClientFiles& files : {TlsClientFiles{.authorities_file = file},
+                                      TlsClientFiles{.certificate_file = file, .key_file = file}}) {
+    const auto context = TlsClientContext::create(files);
+    ASSERT_FALSE(context);
+    EXPECT_EQ(context.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_NE(context.error().message.find(file), std::string::npos);
+  }
 }
 
 TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing) {
