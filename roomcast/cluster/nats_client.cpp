@@ -2,13 +2,14 @@
 #include "roomcast/cluster/nats_client.h"
 
 #include <algorithm>
-#include <thread>
+#include <optional>
 #include <utility>
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "roomcast/cluster/nats_session_thread.h"
+#include "roomcast/cluster/nats_login.h"
+#include "roomcast/cluster/nats_session.h"
 
 namespace roomcast::cluster {
 namespace {
@@ -20,14 +21,6 @@ constexpr std::chrono::milliseconds kTryAgainAfter{500};
 /// is another hub its heartbeats come more often, and none has to be asked.
 constexpr std::chrono::milliseconds kAskedAfter{200}, kAskedEvery{50}, kGivenUpAfter{400};
 constexpr std::size_t kUsualMessageBytes = 1u << 20;
-/// libnats wakes a thread of its own for messages that are given back, so that is done in bulk; but
-/// not of so much memory that the next ones come into pages that are new again.
-constexpr std::size_t kKeptMessages = 32, kKeptMessageBytes = 1u << 20;
-
-std::span<const std::uint8_t> bytes_of(const natsMsg* message) {
-  return {reinterpret_cast<const std::uint8_t*>(natsMsg_GetData(message)),
-          static_cast<std::size_t>(natsMsg_GetDataLength(message))};
-}
 
 /// The server after the one named `last` first, and that one last: it is gone or hangs.
 NatsOptions from_next(NatsOptions options, const std::string& last) {
@@ -51,9 +44,17 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
         watch_(io) {}
 
   Status connect_first() {
-    auto made = connect_to_nats(options_, io_);
-    if (!made) return made.error();
-    begin(*made);
+    asio::io_context alone;
+    std::optional<Result<NatsConnection>> made;
+    log_in_to_nats(alone, options_,
+                   [&made](Result<NatsConnection> login) { made = std::move(login); });
+    while (!made) alone.run_one();
+    if (!*made) return made->error();
+    NatsConnection connection = *std::move(*made);
+    if (!connection.stream.move_to(io_)) {
+      return connect_error(NatsFault::kNoAnswer, connection.server, options_);
+    }
+    begin(std::move(connection));
     return {};
   }
   void start() { look_later(); }
@@ -61,11 +62,12 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     is_stopped_ = true;
     again_.cancel();
     watch_.cancel();
+    if (connecting_) connecting_->cancel();
     if (session_) session_->stop();
   }
 
-  void connect_again_later(std::chrono::milliseconds after) {
-    again_.expires_after(after);
+  void connect_again_later() {
+    again_.expires_after(kTryAgainAfter);
     again_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
       const auto self = weak.lock();
       if (self && !error) self->connect_again();
@@ -102,12 +104,11 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   }
 
  private:
-  void begin(const std::shared_ptr<NatsServerLink>& session) {
-    if (is_stopped_) return;
+  void begin(NatsConnection connection) {
     was_told_.clear();
-    session_ = session;
-    server_ = session->server();
-    session_->start({.on_messages = [this](auto messages) { take(std::move(messages)); },
+    session_ = std::make_shared<NatsSession>(std::move(connection));
+    server_ = session_->server();
+    session_->start({.on_message = [this](auto subject, auto message) { take(subject, message); },
                      .on_gone = [this] { gone(); }});
     for (const std::string& subject : subjects_) session_->subscribe(subject);
     for (const auto& [subject, message] : kept_) send(subject, message);
@@ -133,41 +134,28 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     traffic.bytes += bytes;
   }
 
-  void take(std::vector<NatsMessagePtr> messages) {
-    for (NatsMessagePtr& message : messages) {
-      count(bytes_of(message.get()).size(), stats_.received);
-      handlers_.on_message(natsMsg_GetSubject(message.get()), bytes_of(message.get()));
-      handled_bytes_ += bytes_of(message.get()).size();
-      handled_.push_back(std::move(message));
-    }
-    if (handled_.size() < kKeptMessages && handled_bytes_ < kKeptMessageBytes) return;
-    handled_.clear();
-    handled_bytes_ = 0;
+  void take(std::string_view subject, std::span<const std::uint8_t> message) {
+    count(message.size(), stats_.received);
+    handlers_.on_message(subject, message);
   }
 
   void gone() {
     log(LogLevel::kWarning, "NATS at " + server_ + " is gone");
-    asio::post(io_, [session = std::exchange(session_, nullptr)] { session->stop(); });
-    connect_again_later(std::chrono::milliseconds(0));
+    session_ = nullptr;
+    connect_again();
   }
 
-  /// On a thread of its own: connecting waits for servers, and the rooms must not.
   void connect_again() {
     connecting_ =
-        std::jthread([weak = weak_from_this(), options = from_next(options_, server_), &io = io_] {
-          auto made = connect_to_nats(options, io);
-          asio::post(io, [weak, made = std::move(made)] {
-            const auto self = weak.lock();
-            if (self && !self->is_stopped_) self->connected(made);
-          });
-        });
+        log_in_to_nats(io_, from_next(options_, server_),
+                       [this](Result<NatsConnection> made) { connected(std::move(made)); });
   }
 
-  void connected(const Result<std::shared_ptr<NatsServerLink>>& made) {
-    if (made) return begin(*made);
+  void connected(Result<NatsConnection> made) {
+    if (made) return begin(*std::move(made));
     const std::string& why = made.error().message;
     if (std::exchange(was_told_, why) != why) log(LogLevel::kWarning, why);
-    connect_again_later(kTryAgainAfter);
+    connect_again_later();
   }
 
   void look_later() {
@@ -197,18 +185,16 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   asio::io_context& io_;
   const NatsHandlers handlers_;
   SteadyClock clock_;
-  std::shared_ptr<NatsServerLink> session_;  // null while there is none
-  std::string server_;                       // the newest one's
+  std::shared_ptr<NatsSession> session_;  // null while there is none
+  std::string server_;                    // the newest one's
   std::vector<std::string> subjects_;
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;
-  std::vector<NatsMessagePtr> handled_;
-  std::size_t handled_bytes_ = 0;
   NatsStats stats_;  // but for is_connected
   std::string was_told_;
   bool is_stopped_ = false;
   asio::steady_timer again_, watch_;
-  std::jthread connecting_;
+  std::shared_ptr<NatsLoginAttempt> connecting_;
 };
 
 Result<std::unique_ptr<NatsClient>> NatsClient::open(NatsOptions options, asio::io_context& io,
@@ -218,7 +204,7 @@ Result<std::unique_ptr<NatsClient>> NatsClient::open(NatsOptions options, asio::
   if (auto status = link->connect_first(); !status) {
     if (status.error().code != ErrorCode::kUnavailable) return status.error();
     link->log(LogLevel::kWarning, status.error().message + "; goes on trying");
-    link->connect_again_later(kTryAgainAfter);
+    link->connect_again_later();
   }
   link->start();
   return std::unique_ptr<NatsClient>(new NatsClient(std::move(link)));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// NatsClient: a hub's connection to a NATS cluster, thin over libnats (docs.nats.io, nats.c). When
-// the node it is connected to is gone or hangs, it goes on at another one; what was said meanwhile
-// may be lost, as always with NATS.
+// NatsClient: a hub's connection to a NATS cluster (docs.nats.io). When the node it is connected to
+// is gone or hangs, it goes on at another one; what was said meanwhile may be lost, as always with
+// NATS.
 //
-// Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called.
-// It reads and writes there, too, without waiting; connecting, and encrypted connections, have a
-// thread of their own.
+// Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called;
+// only open() waits.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +33,7 @@ struct NatsStats {
 };
 
 struct NatsHandlers {
-  /// Of several that came together, those of newer subscriptions first.
+  /// Not to destroy the client.
   std::function<void(std::string_view subject, std::span<const std::uint8_t> message)> on_message;
   /// Connected, perhaps to another node than before.
   std::function<void()> on_connected;
@@ -47,8 +46,7 @@ class NatsClient {
   static constexpr std::size_t kMaxWaitingBytes = 8u << 20;
 
   /// Waits for the first connection, at most kConnectWithin for each server; where none answers it
-  /// goes on trying. Errors of check() and libnats_options(); kClosed: why they refuse us, or we
-  /// them.
+  /// goes on trying. Errors of check() and log_in_to_nats().
   static Result<std::unique_ptr<NatsClient>> open(NatsOptions options, boost::asio::io_context& io,
                                                   NatsHandlers handlers);
   ~NatsClient();

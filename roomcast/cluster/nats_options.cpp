@@ -5,6 +5,8 @@
 #include <fstream>
 #include <utility>
 
+#include "roomcast/net/hub_url.h"
+
 namespace roomcast::cluster {
 namespace {
 
@@ -12,29 +14,26 @@ Error wrong(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-Status check_server(const std::string& server) {
-  const auto scheme_end = server.find("://");
-  const std::string scheme = server.substr(0, std::min(scheme_end, server.size()));
-  const std::string rest = scheme_end == std::string::npos ? "" : server.substr(scheme_end + 3);
-  if ((scheme == "nats" || scheme == "tls") && !rest.empty() && rest.back() != '@' &&
-      rest.find_first_of("/ ") == std::string::npos) {
-    return {};
-  }
-  return wrong("\"" + without_secret(server) +
-               "\" is no NATS address; write nats://host:4222 or tls://host:4222");
-}
-
 Status check_file(const std::string& file) {
   if (file.empty() || std::ifstream(file).good()) return {};
   return Error{ErrorCode::kNotFound, "cannot read " + file + ", which NATS is to be reached with"};
 }
 
-std::string all_of(const std::vector<std::string>& servers) {
-  std::string text;
-  for (const std::string& server : servers) {
-    text += (text.empty() ? "" : ", ") + without_secret(server);
-  }
-  return text;
+/// Takes "user:password@" off the front.
+NatsIdentity take_identity(std::string_view& text) {
+  const auto at = text.rfind('@');
+  if (at == std::string_view::npos) return {};
+  const auto shown = text.substr(0, at);
+  text.remove_prefix(at + 1);
+  const auto colon = shown.find(':');
+  if (colon == std::string_view::npos) return {.token = std::string(shown)};
+  return {.user = std::string(shown.substr(0, colon)),
+          .password = std::string(shown.substr(colon + 1))};
+}
+
+bool names_port(std::string_view host_and_port) {
+  const auto last = host_and_port.find_last_of(":]");
+  return last != std::string_view::npos && host_and_port[last] == ':';
 }
 
 }  // namespace
@@ -48,10 +47,28 @@ std::string without_secret(const std::string& server) {
   return scheme + server.substr(at + 1);
 }
 
+Result<NatsAddress> parse_nats_address(const std::string& server) {
+  NatsAddress address;
+  std::string_view rest = server;
+  address.is_encrypted = rest.starts_with("tls://");
+  const bool has_scheme = address.is_encrypted || rest.starts_with("nats://");
+  rest.remove_prefix(has_scheme ? rest.find("://") + 3 : 0);
+  address.identity = take_identity(rest);
+  const std::string port = names_port(rest) ? "" : ":" + std::to_string(address.port);
+  const auto url = net::parse_hub_url("ws://" + std::string(rest) + port);
+  if (!has_scheme || !url || rest.find_first_of("/#") != std::string_view::npos) {
+    return wrong("\"" + without_secret(server) +
+                 "\" is no NATS address; write nats://host:4222 or tls://host:4222");
+  }
+  address.host = url->host;
+  address.port = url->port;
+  return address;
+}
+
 Status check(const NatsOptions& options) {
   if (options.servers.empty()) return wrong("name a NATS server with --nats nats://host:4222");
   for (const std::string& server : options.servers) {
-    if (auto status = check_server(server); !status) return status;
+    if (const auto address = parse_nats_address(server); !address) return address.error();
   }
   if (options.cert_file.empty() != options.key_file.empty()) {
     return wrong("a certificate for NATS and its key go together: --nats-cert and --nats-key");
@@ -70,80 +87,34 @@ bool wants_tls(const NatsOptions& options) {
          });
 }
 
-Result<NatsOptionsPtr> libnats_options(const NatsOptions& options) {
-  natsOptions* made = nullptr;
-  natsStatus status = natsOptions_Create(&made);
-  NatsOptionsPtr result(made, &natsOptions_Destroy);
-  const auto set = [&](natsStatus next) { status = status == NATS_OK ? next : status; };
-  std::vector<const char*> servers;
-  for (const std::string& server : options.servers) servers.push_back(server.c_str());
-  set(natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())));
-  set(natsOptions_SetNoRandomize(made, true));
-  set(natsOptions_SetIgnoreDiscoveredServers(made, true));  // only those that were named
-  set(natsOptions_SetName(made, "roomcast hub"));
-  set(natsOptions_SetTimeout(made, kConnectWithin.count()));
-  set(natsOptions_SetAllowReconnect(made, false));  // NatsClient does
-  set(natsOptions_SetPingInterval(made, 0));        // and asks whether a server is there
-  set(natsOptions_SetIOBufSize(made, kIoBytes));
-  set(natsOptions_SetSendAsap(made, true));  // NatsSession writes
-  set(natsOptions_SetNoEcho(made, true));
-  if (status != NATS_OK) return wrong("libnats cannot be set up: " + all_of(options.servers));
-  if (wants_tls(options)) set(natsOptions_SetSecure(made, true));
-  if (!options.ca_file.empty()) {
-    set(natsOptions_LoadCATrustedCertificates(made, options.ca_file.c_str()));
-  }
-  if (status != NATS_OK) {
-    return wrong(options.ca_file + " holds no certificates in PEM that NATS' can be checked with");
-  }
-  if (!options.cert_file.empty()) {
-    set(natsOptions_LoadCertificatesChain(made, options.cert_file.c_str(),
-                                          options.key_file.c_str()));
-  }
-  if (status != NATS_OK) {
-    return wrong(options.cert_file + " and " + options.key_file +
-                 " are no certificate and its key in PEM");
-  }
-  if (!options.credentials_file.empty()) {
-    set(natsOptions_SetUserCredentialsFromFiles(made, options.credentials_file.c_str(), nullptr));
-  }
-  if (status != NATS_OK) return wrong(options.credentials_file + " holds no NATS credentials");
-  return result;
-}
-
-Error connect_error(natsStatus status, const NatsOptions& options) {
-  const std::string where = all_of(options.servers);
-  switch (status) {
-    case NATS_CONNECTION_AUTH_FAILED:
-      if (options.credentials_file.empty()) {
+Error connect_error(NatsFault fault, const std::string& server, const NatsOptions& options) {
+  const std::string where = "NATS at " + without_secret(server);
+  switch (fault) {
+    case NatsFault::kNoAnswer:
+      return {ErrorCode::kUnavailable, "no NATS server answers at " + without_secret(server)};
+    case NatsFault::kNoNats:
+      return {ErrorCode::kClosed,
+              "who answers at " + without_secret(server) + " is no NATS server"};
+    case NatsFault::kRefused:
+      if (!options.credentials_file.empty()) {
         return {ErrorCode::kClosed,
-                "NATS at " + where +
-                    " refuses this hub; name its credentials with "
-                    "--nats-credentials, or put user:password@ before the host"};
+                where + " refuses the credentials in " + options.credentials_file};
       }
+      return {ErrorCode::kClosed, where +
+                                      " refuses this hub; name its credentials with "
+                                      "--nats-credentials, or put user:password@ before the host"};
+    case NatsFault::kNotTaken:
+      return {ErrorCode::kClosed, where + " does not take this hub"};
+    case NatsFault::kNotTrusted:
       return {ErrorCode::kClosed,
-              "NATS at " + where + " refuses the credentials in " + options.credentials_file};
-    case NATS_SSL_ERROR:
-      return {ErrorCode::kClosed,
-              "no encrypted connection to NATS at " + where +
+              "no encrypted connection to " + where +
                   ": its certificate is not trusted, or it asks for one of ours; see --nats-ca, "
                   "--nats-cert and --nats-key"};
-    case NATS_SECURE_CONNECTION_REQUIRED:
+    case NatsFault::kOffersNoTls:
       return {ErrorCode::kClosed,
-              "NATS at " + where + " asks for TLS; write tls:// before the host"};
-    case NATS_SECURE_CONNECTION_WANTED:
-      return {ErrorCode::kClosed, "NATS at " + where +
-                                      " offers no TLS; what is sent there could be "
-                                      "read by others"};
-    case NATS_INVALID_ARG:
-    case NATS_ERR:
-      return {ErrorCode::kClosed,
-              options.credentials_file.empty()
-                  ? "NATS at " + where + " does not take this hub"
-                  : "NATS at " + where + " cannot be shown the credentials in " +
-                        options.credentials_file + ": they are no credentials, or damaged"};
-    default:
-      return {ErrorCode::kUnavailable, "no NATS server answers at " + where};
+              where + " offers no TLS; what is sent there could be read by others"};
   }
+  return {ErrorCode::kUnavailable, where};
 }
 
 }  // namespace roomcast::cluster

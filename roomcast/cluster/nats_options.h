@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a hub reaches its NATS cluster, checked, as libnats wants it, and what its refusals mean.
-// Threading: no state.
+// How a hub reaches its NATS cluster, checked, and what its refusals mean. Threading: no state.
 #pragma once
 
-#include <chrono>
-#include <memory>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <nats/nats.h>
-
+#include "roomcast/cluster/nats_protocol.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::cluster {
-
-inline constexpr std::chrono::milliseconds kConnectWithin{500};
-/// One frame set of a room goes out in one write.
-inline constexpr int kIoBytes = 256 << 10;
 
 struct NatsOptions {
   /// "nats://a:4222", "tls://a:4222", "nats://user:password@a:4222"; at least one. The first that
@@ -34,15 +28,31 @@ struct NatsOptions {
 /// Every connection is to be encrypted.
 [[nodiscard]] bool wants_tls(const NatsOptions& options);
 
-using NatsOptionsPtr = std::unique_ptr<natsOptions, decltype(&natsOptions_Destroy)>;
-/// kInvalidArgument: libnats cannot use one of the files; the sentence says which.
-[[nodiscard]] Result<NatsOptionsPtr> libnats_options(const NatsOptions& options);
+struct NatsAddress {
+  std::string host;  // without the brackets of an IPv6 address
+  std::uint16_t port = 4222;
+  bool is_encrypted = false;   // "tls://"
+  NatsIdentity identity = {};  // "user:password@", or "token@"
+};
+
+/// kInvalidArgument: not such an address; the sentence shows no password.
+[[nodiscard]] Result<NatsAddress> parse_nats_address(const std::string& server);
 
 /// Without user and password: "nats://a:4222".
 [[nodiscard]] std::string without_secret(const std::string& server);
 
-/// Why there is no connection. kClosed: and there will be none before somebody changes something.
-/// kUnavailable: trying again may help.
-[[nodiscard]] Error connect_error(natsStatus status, const NatsOptions& options);
+enum class NatsFault {
+  kNoAnswer,
+  kNoNats,       // somebody else answers
+  kRefused,      // our name, or that we have none
+  kNotTaken,     // for another reason
+  kNotTrusted,   // its certificate, or ours
+  kOffersNoTls,  // where it is demanded
+};
+
+/// Why there is no connection to `server`. kClosed: and there will be none before somebody changes
+/// something. kUnavailable: trying again may help.
+[[nodiscard]] Error connect_error(NatsFault fault, const std::string& server,
+                                  const NatsOptions& options);
 
 }  // namespace roomcast::cluster

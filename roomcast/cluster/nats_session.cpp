@@ -2,170 +2,166 @@
 #include "roomcast/cluster/nats_session.h"
 
 #include <algorithm>
-
-#include <sys/socket.h>
-#include <unistd.h>
+#include <utility>
 
 namespace roomcast::cluster {
 
 namespace asio = boost::asio;
 
-Result<std::shared_ptr<NatsSession>> NatsSession::connect(const NatsOptions& options,
-                                                          asio::io_context& io) {
-  auto libnats = libnats_options(options);
-  if (!libnats) return libnats.error();
-  std::shared_ptr<NatsSession> session(new NatsSession(io));
-  natsOptions_SetEventLoop(libnats->get(), session.get(), attach, read_wanted, write_wanted,
-                           detach);
-  natsConnection* made = nullptr;
-  const natsStatus status = natsConnection_Connect(&made, libnats->get());
-  session->connection_.reset(made);
-  if (status != NATS_OK) return connect_error(status, options);
-  session->last_heard_ = session->clock_.now();
-  return session;
-}
+namespace {
 
-NatsSession::~NatsSession() {
-  stop();
-}
+/// Some frame sets of a room; grows where a message is longer.
+constexpr std::size_t kReadBytes = 256u << 10;
+/// With less room a read might take only the beginning of what is there.
+constexpr std::size_t kReadAtLeastBytes = 64u << 10;
+/// Shorter messages are copied behind their line: to TLS each piece is a record.
+constexpr std::size_t kJoinedBytes = 4096;
 
-/// Once libnats is connected, still on its thread.
-natsStatus NatsSession::attach(void** user_data, void* session, natsConnection*, natsSock fd) {
-  *user_data = session;
-  boost::system::error_code ignored;
-  static_cast<NatsSession*>(session)->socket_.assign(::dup(fd), ignored);
-  return NATS_OK;
+}  // namespace
+
+NatsSession::NatsSession(NatsConnection connection)
+    : stream_(std::move(connection.stream)),
+      info_(std::move(connection.info)),
+      server_(std::move(connection.server)),
+      last_heard_(clock_.now()),
+      in_(std::move(connection.received)),
+      in_end_(in_.size()) {
+  in_.resize(std::max(in_.size(), kReadBytes));
 }
 
 void NatsSession::start(Handlers handlers) {
   handlers_ = std::move(handlers);
-  read_later();
+  asio::post(stream_.get_executor(), [self = shared_from_this()] { self->read(); });
 }
 
 void NatsSession::stop() {
   is_over_ = true;
-  if (connection_) close_now();
-  subscriptions_.clear();
-  connection_.reset();
-  boost::system::error_code ignored;
-  socket_.close(ignored);
+  stream_.shutdown_send();
+  stream_.close();
 }
 
-/// libnats would wait for a server to take what is still to be written.
-void NatsSession::close_now() {
-  natsConnection_ProcessWriteEvent(connection_.get());
-  if (natsConnection_Buffered(connection_.get()) > 0) abort();
-  while (natsConnection_Buffered(connection_.get()) > 0 &&
-         !natsConnection_IsClosed(connection_.get())) {
-    natsConnection_ProcessReadEvent(connection_.get());  // up to the end that abort() has made
-  }
-  natsConnection_Close(connection_.get());
-}
-
-int NatsSession::duplicate_socket() {
-  return ::dup(socket_.native_handle());
-}
-
+/// Whoever reads learns of it.
 void NatsSession::abort() {
-  ::shutdown(socket_.native_handle(), SHUT_RDWR);
+  boost::system::error_code ignored;
+  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
 }
 
 // ---- reading
 
+void NatsSession::make_room() {
+  if (in_begin_ == in_end_) in_begin_ = in_end_ = 0;
+  if (in_.size() - in_end_ >= kReadAtLeastBytes) return;
+  std::copy(in_.begin() + static_cast<std::ptrdiff_t>(in_begin_),
+            in_.begin() + static_cast<std::ptrdiff_t>(in_end_), in_.begin());
+  in_end_ -= std::exchange(in_begin_, 0);
+  if (in_.size() - in_end_ < kReadAtLeastBytes) in_.resize(2 * in_.size());
+}
+
 void NatsSession::read_later() {
-  socket_.async_wait(asio::posix::stream_descriptor::wait_read,
-                     [weak = weak_from_this()](boost::system::error_code error) {
-                       const auto self = weak.lock();
-                       if (self && !error && self->connection_) self->read();
-                     });
+  make_room();
+  stream_.async_read_some(
+      asio::buffer(in_.data() + in_end_, in_.size() - in_end_),
+      [self = shared_from_this()](boost::system::error_code error, std::size_t size) {
+        if (self->is_over_) return;
+        if (error) return self->end();
+        self->in_end_ += size;
+        self->last_heard_ = self->clock_.now();
+        self->read();
+      });
 }
 
 void NatsSession::read() {
-  natsConnection_ProcessReadEvent(connection_.get());
-  last_heard_ = clock_.now();
-  if (natsConnection_Buffered(connection_.get()) > 0) write();  // an answer: the server asked, too
-  auto messages = take_messages();
-  if (!messages.empty() && !is_over_) handlers_.on_messages(std::move(messages));
-  if (connection_ && !end_if_closed()) read_later();
-}
-
-/// Those of newer subscriptions first: what is said on them is told of on older ones.
-std::vector<NatsMessagePtr> NatsSession::take_messages() {
-  std::vector<NatsMessagePtr> messages;
-  for (auto entry = subscriptions_.rbegin(); entry != subscriptions_.rend(); ++entry) {
-    int waiting = 0, bytes = 0;  // libnats makes up a sentence where there is nothing
-    natsSubscription_GetPending(entry->second.get(), &waiting, &bytes);
-    natsMsg* message = nullptr;
-    while (waiting-- > 0 && natsSubscription_NextMsg(&message, entry->second.get(), 0) == NATS_OK) {
-      messages.emplace_back(message, &natsMsg_Destroy);
-    }
+  while (!is_over_) {
+    std::span<const std::uint8_t> bytes(in_.data() + in_begin_, in_end_ - in_begin_);
+    const NatsEvent event = next_nats_event(bytes);
+    if (std::holds_alternative<NatsNeedsMore>(event)) return read_later();
+    if (std::holds_alternative<NatsViolation>(event)) return end();
+    in_begin_ = in_end_ - bytes.size();
+    take(event);
   }
-  return messages;
 }
 
-bool NatsSession::end_if_closed() {
-  if (!natsConnection_IsClosed(connection_.get())) return false;
-  if (!std::exchange(is_over_, true)) handlers_.on_gone();
-  return true;
+/// A complaint is left to the server: where it matters it hangs up.
+void NatsSession::take(const NatsEvent& event) {
+  if (const auto* message = std::get_if<NatsMessage>(&event)) {
+    if (subscriptions_.contains(message->subscription)) {
+      handlers_.on_message(message->subject, message->bytes);
+    }
+  } else if (std::holds_alternative<NatsPing>(event)) {
+    write(kNatsPong);
+  } else if (const auto* info = std::get_if<NatsInfo>(&event)) {
+    info_ = read_server_info(info->json).value_or(info_);
+  }
+}
+
+void NatsSession::end() {
+  if (std::exchange(is_over_, true)) return;
+  stream_.close();
+  handlers_.on_gone();
 }
 
 // ---- writing
 
 void NatsSession::subscribe(const std::string& subject) {
-  natsSubscription* made = nullptr;
-  if (natsConnection_SubscribeSync(&made, connection_.get(), subject.c_str()) == NATS_OK) {
-    subscriptions_.emplace_back(subject, SubscriptionPtr(made, &natsSubscription_Destroy));
-  }
-  write();
+  subscriptions_[++newest_subscription_] = subject;
+  write(subscribe_line(subject, newest_subscription_));
 }
 
 void NatsSession::unsubscribe(const std::string& subject) {
-  std::erase_if(subscriptions_, [&](const auto& entry) { return entry.first == subject; });
-  write();
+  std::erase_if(subscriptions_, [&](const auto& entry) {
+    if (entry.second != subject) return false;
+    write(unsubscribe_line(entry.first));
+    return true;
+  });
 }
 
-bool NatsSession::publish(const std::string& subject, std::span<const std::uint8_t> message,
+bool NatsSession::publish(std::string_view subject, std::span<const std::uint8_t> message,
                           std::size_t max_waiting_bytes) {
-  const int waiting = natsConnection_Buffered(connection_.get());
-  if (waiting > 0 && static_cast<std::size_t>(waiting) > max_waiting_bytes) return false;
-  natsConnection_Publish(connection_.get(), subject.c_str(), message.data(),
-                         static_cast<int>(message.size()));
-  write();
+  if (waiting_.size() > max_waiting_bytes) return false;
+  std::string line = publish_line(subject, message.size());
+  if (message.size() <= kJoinedBytes) {
+    line.append(message.begin(), message.end()).append(kNatsLineEnd);
+    write(line);
+  } else {
+    write(std::array<asio::const_buffer, 3>{asio::buffer(line),
+                                            asio::buffer(message.data(), message.size()),
+                                            asio::buffer(kNatsLineEnd)});
+  }
   return true;
 }
 
-/// libnats has no question that does not wait for its answer: it waits in vain, as short as it can,
-/// for it is this thread that reads.
-void NatsSession::ask() {
-  if (!connection_) return;
-  natsConnection_FlushTimeout(connection_.get(), 1);
-  write();
+void NatsSession::write(std::string_view line) {
+  write(std::array<asio::const_buffer, 1>{asio::buffer(line)});
 }
 
-void NatsSession::write() {
-  if (!connection_ || waits_to_write_) return;
-  natsConnection_ProcessWriteEvent(connection_.get());
-  if (end_if_closed() || natsConnection_Buffered(connection_.get()) <= 0) return;
-  waits_to_write_ = true;
-  socket_.async_wait(asio::posix::stream_descriptor::wait_write,
-                     [weak = weak_from_this()](boost::system::error_code error) {
-                       const auto self = weak.lock();
-                       if (!self || error) return;
-                       self->waits_to_write_ = false;
-                       self->write();
-                     });
+/// What is not taken now waits.
+void NatsSession::write(std::span<const asio::const_buffer> pieces) {
+  if (is_over_) return;
+  const bool waited = !waiting_.empty();
+  boost::system::error_code error;
+  std::size_t written = waited ? 0 : stream_.write_some(pieces, error);
+  if (error && error != asio::error::would_block) return abort();
+  for (const asio::const_buffer piece : pieces) {
+    const std::size_t done = std::min(written, piece.size());
+    written -= done;
+    const auto* rest = static_cast<const std::uint8_t*>(piece.data());
+    waiting_.insert(waiting_.end(), rest + done, rest + piece.size());
+  }
+  if (!waited && !waiting_.empty()) write_later();
 }
 
-// ---- the server
-
-std::size_t NatsSession::max_message_bytes() const {
-  return static_cast<std::size_t>(natsConnection_GetMaxPayload(connection_.get()));
+void NatsSession::write_later() {
+  stream_.async_wait_writable([self = shared_from_this()](boost::system::error_code error) {
+    if (!error && !self->is_over_) self->write_waiting();
+  });
 }
 
-std::string NatsSession::server() const {
-  char url[256] = "";
-  natsConnection_GetConnectedUrl(connection_.get(), url, sizeof url);
-  return without_secret(url);
+void NatsSession::write_waiting() {
+  boost::system::error_code error;
+  const std::size_t written = stream_.write_some(asio::buffer(waiting_), error);
+  if (error && error != asio::error::would_block) return abort();
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(written));
+  if (!waiting_.empty()) write_later();
 }
 
 }  // namespace roomcast::cluster

@@ -22,15 +22,15 @@ class NatsSessionTest : public testing::Test {
     if (!NatsServer::is_installed()) GTEST_SKIP() << "nats-server is not installed";
   }
   std::shared_ptr<NatsSession> connect(const NatsServer& server) {
-    auto session = *NatsSession::connect({.servers = {server.url()}}, io);
-    session->start({.on_messages =
-                        [this](std::vector<NatsMessagePtr> messages) {
-                          for (const auto& message : messages) {
-                            heard.emplace_back(natsMsg_GetSubject(message.get()),
-                                               natsMsg_GetDataLength(message.get()));
-                          }
-                        },
-                    .on_gone = [this] { ++gone; }});
+    std::shared_ptr<NatsSession> session;
+    log_in_to_nats(io, {.servers = {server.url()}}, [&](Result<NatsConnection> made) {
+      session = std::make_shared<NatsSession>(*std::move(made));
+    });
+    run_until([&] { return session != nullptr; });
+    session->start(
+        {.on_message = [this](std::string_view subject,
+                              auto message) { heard.emplace_back(subject, message.size()); },
+         .on_gone = [this] { ++gone; }});
     return session;
   }
   void run_until(const std::function<bool()>& done) {
@@ -43,7 +43,7 @@ class NatsSessionTest : public testing::Test {
   }
 
   boost::asio::io_context io;
-  std::vector<std::pair<std::string, int>> heard;
+  std::vector<std::pair<std::string, std::size_t>> heard;
   int gone = 0;
 };
 
@@ -60,6 +60,26 @@ TEST_F(NatsSessionTest, a_message_of_any_length_comes_whole) {
   });
   speaker->publish("a", message, kPlenty);
   run_until([&] { return heard.back().second == 1 << 20; });
+}
+
+TEST_F(NatsSessionTest, who_has_unsubscribed_hears_no_more) {
+  const NatsServer server;
+  const auto speaker = connect(server), listener = connect(server);
+  listener->subscribe("a");
+  listener->subscribe("b");
+  const auto say_until_heard = [&](const std::vector<std::string>& subjects) {
+    heard.clear();
+    run_until([&] {
+      for (const std::string& subject : subjects) speaker->publish(subject, {}, kPlenty);
+      io.run_for(1ms);
+      return !heard.empty() && heard.back().first == "b";
+    });
+  };
+  say_until_heard({"a", "b"});
+  listener->unsubscribe("a");
+  say_until_heard({"b"});  // by now the server knows
+  say_until_heard({"a", "b"});
+  for (const auto& [subject, size] : heard) EXPECT_EQ(subject, "b");
 }
 
 TEST_F(NatsSessionTest, a_server_that_is_asked_says_something) {

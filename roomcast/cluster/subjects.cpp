@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <vector>
 
 #include "roomcast/net/random_bytes.h"
 
@@ -55,14 +54,11 @@ std::optional<std::string> room_of(std::string_view word) {
   return room;
 }
 
-std::vector<std::string_view> words(std::string_view text) {
-  std::vector<std::string_view> all;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t dot = std::min(text.find('.', from), text.size());
-    all.push_back(text.substr(from, dot - from));
-    from = dot + 1;
-  }
-  return all;
+/// Takes the first one off `text`, and the dot behind it.
+std::string_view take_word(std::string_view& text) {
+  const auto word = text.substr(0, text.find('.'));
+  text.remove_prefix(std::min(word.size() + 1, text.size()));
+  return word;
 }
 
 }  // namespace
@@ -108,15 +104,13 @@ std::optional<ReadSubject> read_subject(std::string_view subject) {
   if (subject == kRevokedSubject) return ReadSubject{Subject::kRevoked};
   if (subject.starts_with(kInboxPrefix)) return ReadSubject{Subject::kInbox};
   if (!subject.starts_with(kRoomPrefix)) return std::nullopt;
-  const auto parts = words(subject.substr(kRoomPrefix.size()));
-  auto room = room_of(parts[0]);
+  subject.remove_prefix(kRoomPrefix.size());
+  auto room = room_of(take_word(subject));
   if (!room) return std::nullopt;
-  if (parts.size() == 2 && parts[1] == "news") return ReadSubject{Subject::kNews, *room};
-  if (parts.size() == 2 && parts[1] == "poses") return ReadSubject{Subject::kPoses, *room};
-  ReadSubject frames{Subject::kFrames, *room};
-  if (parts.size() != 3 || parts[1] != "frames" || !read_hex(parts[2], frames.hub.value)) {
-    return std::nullopt;
-  }
+  if (subject == "news") return ReadSubject{Subject::kNews, *std::move(room)};
+  if (subject == "poses") return ReadSubject{Subject::kPoses, *std::move(room)};
+  ReadSubject frames{Subject::kFrames, *std::move(room)};
+  if (take_word(subject) != "frames" || !read_hex(subject, frames.hub.value)) return std::nullopt;
   return frames;
 }
 

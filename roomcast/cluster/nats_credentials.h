@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// NatsCredentials: what a NATS operator hands out to a user (.creds): a token (JWT) that says who
+// he is, and the private key, Ed25519, by whose signature he shows it. Threading: immutable.
+// Source: docs.nats.io, "Decentralized JWT Authentication"; github.com/nats-io/nkeys (keys in
+// base32, with a prefix for their kind and a CRC-16); RFC 8032 (Ed25519), by OpenSSL.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::cluster {
+
+class NatsCredentials {
+ public:
+  /// kNotFound: no such file. kMalformed: it holds no credentials of a user, or damaged ones.
+  static Result<NatsCredentials> load(const std::string& file);
+  /// kMalformed, as above.
+  static Result<NatsCredentials> parse(std::string_view text);
+
+  [[nodiscard]] const std::string& user_jwt() const { return user_jwt_; }
+  /// Of these bytes, in base64url without padding.
+  [[nodiscard]] std::string sign(std::string_view text) const;
+
+ private:
+  using Seed = std::array<std::uint8_t, 32>;
+  NatsCredentials(std::string_view user_jwt, const Seed& seed) : user_jwt_(user_jwt), seed_(seed) {}
+
+  std::string user_jwt_;
+  Seed seed_;
+};
+
+}  // namespace roomcast::cluster
