@@ -55,28 +55,32 @@ function answerToPageOf(origin, hub) {
 }
 
 describe('the page of a hub beside others', () => {
-  test('goes on at another hub when its own is gone, with its token, and stays where it is', slowWithNats, async (t) => {
-    requireBuilt();
-    const { hubs: [own, other], tokens } = await startTwins(t);
-    const sensor = startSensor(other, 0, { fps: 4, token: tokens.sensor });
-    t.after(() => sensor.end());
-    await until('the page may go there', () => policyOf(own), (policy) => policy.includes(`connect-src 'self' ws://127.0.0.1:${other.port};`));
-    const browser = await startBrowser({ width: 480, height: 320 });
-    t.after(() => browser.end());
-    const page = await openPage(browser.context, `${own.page}?panel=1#room=room&token=${tokens.viewer}`);
-    await untilAllShown(page, 1);
-    assert.equal(await viewersAt(other), 0);
-    const address = page.url();
+  for (const [isGone, signal] of [['is gone', 'SIGKILL'], ['hangs', 'SIGSTOP']]) {
+    test(`goes on at another hub when its own ${isGone}, with its token, and stays where it is`, slowWithNats, async (t) => {
+      requireBuilt();
+      const { hubs: [own, other], tokens } = await startTwins(t);
+      const sensor = startSensor(other, 0, { fps: 4, token: tokens.sensor });
+      t.after(() => sensor.end());
+      await until('the page may go there', () => policyOf(own), (policy) => policy.includes(`connect-src 'self' ws://127.0.0.1:${other.port};`));
+      const browser = await startBrowser({ width: 480, height: 320 });
+      t.after(() => browser.end());
+      const page = await openPage(browser.context, `${own.page}?panel=1#room=room&token=${tokens.viewer}`);
+      await untilAllShown(page, 1);
+      assert.equal(await viewersAt(other), 0);
+      const address = page.url();
 
-    await own.end('SIGKILL');
-    await until('it is at the other hub', () => viewersAt(other), (viewers) => viewers === 1);
-    const { shownSets } = await stateOf(page);
-    await until('new pictures', () => stateOf(page), (state) => state.phase === 'joined' && state.shownSets > shownSets + 4);
-    await untilAllShown(page, 1);
-    assert.equal(page.url(), address);
-    assert.ok(!page.complaints.some((complaint) => /Security Policy/.test(complaint)), page.complaints.join('\n'));
-    if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: join(process.env.ROOMCAST_SHOTS, 'other_hub.png') });
-  });
+      own.child.kill(signal);
+      const since_ms = performance.now();
+      await until('it is at the other hub', () => viewersAt(other), (viewers) => viewers === 1);
+      t.diagnostic(`there after ${Math.round(performance.now() - since_ms)} ms`);
+      const { shownSets } = await stateOf(page);
+      await until('new pictures', () => stateOf(page), (state) => state.phase === 'joined' && state.shownSets > shownSets + 4);
+      await untilAllShown(page, 1);
+      assert.equal(page.url(), address);
+      assert.ok(!page.complaints.some((complaint) => /Security Policy/.test(complaint)), page.complaints.join('\n'));
+      if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: join(process.env.ROOMCAST_SHOTS, 'other_hub.png') });
+    });
+  }
 
   test('of a site that is none of theirs may not connect', slowWithNats, async (t) => {
     const { hubs: [own, other] } = await startTwins(t);

@@ -78,6 +78,7 @@ beforeEach(() => {
 });
 afterEach(() => {
   vi.useRealTimers();
+  vi.restoreAllMocks();
   vi.unstubAllGlobals();
 });
 
@@ -217,5 +218,46 @@ describe('a hub connection', () => {
     vi.advanceTimersByTime(2000);
     expect(first.closedWith).toBe(4000);
     expect(states.some((state) => state.sentence === 'The hub has gone silent.')).toBe(true);
+  });
+
+  test('that falls silent is left within a second where the room is at another hub, too', () => {
+    start();
+    socket().open();
+    const first = socket();
+    first.say({ case: 'welcome', value: {} });
+    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    vi.advanceTimersByTime(690);
+    expect(first.closedWith).toBeUndefined();
+    vi.advanceTimersByTime(210);
+    expect(first.closedWith).toBe(4000);
+    expect(socket().url).toBe('ws://b:7600/ws');
+  });
+
+  test('that has nothing to say is asked, and is not left while it answers', () => {
+    vi.spyOn(Math, 'random').mockReturnValue(0.999); // pings as far apart as they can be
+    start();
+    socket().open();
+    const first = socket();
+    first.say({ case: 'welcome', value: {} });
+    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const pings = () => first.sent.filter(({ message }) => message.case === 'clockPing').length;
+    for (let answered = 0, step = 0; step < 100; ++step) {
+      const asked = pings();
+      vi.advanceTimersByTime(200); // on the way
+      for (; answered < asked; ++answered) first.say({ case: 'clockPong', value: {} });
+    }
+    expect(first.closedWith).toBeUndefined();
+  });
+
+  test('is not left by who was kept from listening', () => {
+    start();
+    socket().open();
+    const first = socket();
+    first.say({ case: 'welcome', value: {} });
+    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const woken_ms = performance.now() + 5000; // it slept: no timer came, and no message was taken
+    vi.spyOn(performance, 'now').mockReturnValue(woken_ms);
+    vi.advanceTimersByTime(100);
+    expect(first.closedWith).toBeUndefined();
   });
 });

@@ -16,8 +16,10 @@ import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
 const silence_ms = 8000; // pings are answered about twice a second
-const silenceWithOthers_ms = 3000; // where there is another hub to go on at
-const silenceCheck_ms = 1000;
+// Where there is another hub to go on at, as roomcast/client/hub_link.h: soon, and the hub is asked whether it is there.
+const silenceWithOthers_ms = 700;
+const askedAfter_ms = 200;
+const silenceCheck_ms = 100;
 const normalClosure = 1000;
 const policyClosure = 4000; // private range: a browser may not send 1002 or 1008
 
@@ -37,7 +39,7 @@ export class HubConnection {
 
   private socket: WebSocket | undefined;
   private openedAt_ms: number | undefined;
-  private lastHeard_ms = 0;
+  private silent_ms = 0; // as far as it was watched: who was kept from looking was kept from hearing
   private failures = 0;
   private pings = 0;
   private pingTimer: ReturnType<typeof setTimeout> | undefined;
@@ -81,7 +83,7 @@ export class HubConnection {
     socket.onclose = (event) => this.closed(event);
     this.socket = socket;
     this.ending.opened = true;
-    this.lastHeard_ms = performance.now();
+    this.silent_ms = 0;
     const name = asName(this.options.name);
     const role = { case: 'viewer', value: {} } as const;
     // A code is good for one time: once it has brought a token, that one is shown.
@@ -91,7 +93,7 @@ export class HubConnection {
   }
 
   private received(data: unknown): void {
-    this.lastHeard_ms = performance.now();
+    this.silent_ms = 0;
     try {
       if (!(data instanceof ArrayBuffer)) throw malformed('the hub sent text, where every message is binary');
       this.received_bytes += data.byteLength;
@@ -144,16 +146,22 @@ export class HubConnection {
   private schedulePing(): void {
     this.pingTimer = setTimeout(
       () => {
-        this.send({ case: 'clockPing', value: { clientNs: BigInt(Math.round(performance.now() * 1e6)) } });
+        this.ping();
         this.schedulePing();
       },
       pingDelay_ms(this.pings++, Math.random()),
     );
   }
 
+  private ping(): void {
+    this.send({ case: 'clockPing', value: { clientNs: BigInt(Math.round(performance.now() * 1e6)) } });
+  }
+
   private checkSilence(): void {
+    this.silent_ms += silenceCheck_ms;
+    if (this.hubs.hasOthers && this.silent_ms === askedAfter_ms) this.ping();
     const longest_ms = this.hubs.hasOthers ? silenceWithOthers_ms : silence_ms;
-    if (performance.now() - this.lastHeard_ms > longest_ms) this.hangUp('The hub has gone silent.', false);
+    if (this.silent_ms > longest_ms) this.hangUp('The hub has gone silent.', false);
   }
 
   /** The close event may come minutes later when nobody answers, so it is not waited for. */
