@@ -58,6 +58,7 @@ class FakeHub {
   bool lets_joins_wait = false;
   bool lets_record = true, lets_export = true;
   std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
+  std::chrono::nanoseconds far_away{};     // that questions and answers seem to take
 
  private:
   using Messages = std::deque<net::SealedMessagePtr>;
@@ -102,7 +103,8 @@ class FakeHub {
 
   void answer(const wire::pb::ClockPing& ping) {
     wire::pb::Control pong;
-    pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
+    pong.mutable_clock_pong()->set_client_ns(ping.client_ns() -
+                                             static_cast<std::uint64_t>(far_away.count()));
     const auto now = SteadyClock().now().time_since_epoch() + clock_ahead;
     pong.mutable_clock_pong()->set_hub_ns(static_cast<std::uint64_t>(now.count()));
     say(pong);

@@ -115,7 +115,13 @@ void HubLink::send(const pb::Control& message) {
 }
 
 net::ConnectionTimings HubLink::timings() const {
-  return timings_.value_or(hubs_.has_others() ? kTimingsWithOthers : kTimings);
+  if (timings_) return *timings_;
+  if (!hubs_.has_others()) return kTimings;
+  net::ConnectionTimings timings = kTimingsWithOthers;
+  if (const auto clock = clock_sync_.estimate())
+    timings.give_up_after += std::chrono::ceil<std::chrono::milliseconds>(2 * clock->error);
+  timings.give_up_after = std::min(timings.give_up_after, kTimings.give_up_after);
+  return timings;
 }
 
 void HubLink::connect() {
@@ -266,6 +272,7 @@ void HubLink::take_pong(const pb::ClockPong& pong) {
   if (welcomed_at_ && now - *welcomed_at_ > kSettled) hubs_.settled();
   clock_sync_.add(sent, hub, now);
   if (const auto estimate = clock_sync_.estimate()) events_.on_clock(*estimate);
+  if (connection_ && hubs_.has_others()) connection_->set_timings(timings());
 }
 
 }  // namespace roomcast

@@ -53,8 +53,8 @@ class HubLink {
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
                                                    .give_up_after = std::chrono::seconds(8)};
   /// Where there is another hub to go on at, nobody has to wait long for one that hangs. A hub that
-  /// is there answers within milliseconds, also a busy one (who is inside is served first); and who
-  /// was wrong goes on elsewhere with a new key frame.
+  /// is there answers within milliseconds, also a busy one (who is inside is served first), and what
+  /// its answers take on a long way is added; who was wrong goes on elsewhere with a new key frame.
   static constexpr net::ConnectionTimings kTimingsWithOthers{
       .ping_after = std::chrono::milliseconds(250),
       .give_up_after = std::chrono::milliseconds(700)};

@@ -31,14 +31,16 @@ class Heard final : public HubLinkEvents {
   bool is_final = false;
 };
 
+wire::pb::Join viewers_join() {
+  wire::pb::Join join;
+  join.set_name("left");
+  join.mutable_viewer();
+  return join;
+}
+
 class HubLinkTest : public testing::Test {
  protected:
-  static wire::pb::Join join() {
-    wire::pb::Join join;
-    join.set_name("left");
-    join.mutable_viewer();
-    return join;
-  }
+  static wire::pb::Join join() { return viewers_join(); }
 
   template <class Done>
   void run_until(Done done) {
@@ -240,32 +242,61 @@ TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
   EXPECT_FALSE(next.heard.empty());
 }
 
-/// It is told of the other hub when it is connected, and waits no longer from then on.
-TEST(HubLink, a_hub_that_hangs_is_left_soon_where_it_has_named_another) {
-  boost::asio::io_context hub_io, io;
-  FakeHub hangs(hub_io), next(io);
-  Heard heard;
-  wire::pb::Join join;
-  join.mutable_viewer();
-  HubLink link(io, *net::parse_hub_urls(hangs.url()), join, heard);
-  hangs.on_join = [&] {
-    wire::pb::Control others, last;
-    others.mutable_other_hubs()->add_urls(next.url());
+/// A hub that names another one, and then hangs.
+class HubThatHangs : public testing::Test {
+ protected:
+  explicit HubThatHangs(std::chrono::nanoseconds far_away = {}) {
+    hangs.far_away = far_away;
+    hangs.on_join = [this] {
+      wire::pb::Control others;
+      others.mutable_other_hubs()->add_urls(next.url());
+      hangs.say(others);
+    };
+    link.start();
+    run_both_until([this] { return heard.clock.has_value(); });
+  }
+
+  /// The client goes on at the other one. Returns how long it was that nothing came, at least.
+  std::chrono::nanoseconds wait_until_left() {
+    const auto begin = std::chrono::steady_clock::now();
+    wire::pb::Control last;
     last.mutable_roster();
-    hangs.say(others);
     hangs.say(last);
-  };
-  link.start();
-  while (heard.controls.empty()) {
-    hub_io.run_one_for(1ms);
-    io.run_one_for(1ms);
+    run_both_until([this] { return !heard.controls.empty(); });
+    while (heard.welcomes.size() < 2 && io.run_one_until(begin + 5s) > 0) {
+    }
+    EXPECT_EQ(heard.welcomes.size(), 2u);
+    EXPECT_EQ(next.joins, 1);
+    return std::chrono::steady_clock::now() - begin;
   }
-  const auto give_up = std::chrono::steady_clock::now() + 5s;
+
+  template <class Done>
+  void run_both_until(Done done) {
+    while (!done()) {
+      hub_io.run_one_for(1ms);
+      io.run_one_for(1ms);
+    }
+  }
+
+  boost::asio::io_context hub_io, io;
+  FakeHub hangs{hub_io}, next{io};
+  Heard heard;
+  HubLink link{io, *net::parse_hub_urls(hangs.url()), viewers_join(), heard};
+};
+
+/// It is told of the other hub when it is connected, and waits no longer from then on.
+TEST_F(HubThatHangs, is_left_soon) {
   static_assert(HubLink::kTimings.give_up_after > 5s);
-  while (heard.welcomes.size() < 2 && io.run_one_until(give_up) > 0) {
-  }
-  EXPECT_EQ(heard.welcomes.size(), 2u);
-  EXPECT_EQ(next.joins, 1);
+  wait_until_left();
+}
+
+class HubThatHangsFarAway : public HubThatHangs {
+ protected:
+  HubThatHangsFarAway() : HubThatHangs(600ms) {}
+};
+
+TEST_F(HubThatHangsFarAway, is_given_the_time_that_its_answers_take) {
+  EXPECT_GE(wait_until_left(), HubLink::kTimingsWithOthers.give_up_after + 600ms);
 }
 
 TEST_F(HubLinkTest, where_the_next_hub_does_not_know_us_it_comes_back_to_the_first) {

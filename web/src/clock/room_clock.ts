@@ -28,6 +28,11 @@ export class RoomClock {
     this.best = this.exchanges.reduce((best, next) => (next.roundTrip_ms <= best.roundTrip_ms ? next : best));
   }
 
+  /** The shortest; 0 before the first exchange. */
+  get roundTrip_ms(): number {
+    return this.best?.roundTrip_ms ?? 0;
+  }
+
   /** Undefined before the first exchange. */
   estimate(): ClockEstimate | undefined {
     if (!this.best) return undefined;

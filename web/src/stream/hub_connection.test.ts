@@ -249,6 +249,20 @@ describe('a hub connection', () => {
     expect(first.closedWith).toBeUndefined();
   });
 
+  test('is given the time that its answers take from far away', () => {
+    start();
+    socket().open();
+    const first = socket();
+    first.say({ case: 'welcome', value: {} });
+    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    vi.advanceTimersByTime(600);
+    first.say({ case: 'clockPong', value: { clientNs: BigInt(Math.round((performance.now() - 600) * 1e6)) } });
+    vi.advanceTimersByTime(1290);
+    expect(first.closedWith).toBeUndefined();
+    vi.advanceTimersByTime(210);
+    expect(first.closedWith).toBe(4000);
+  });
+
   test('is not left by who was kept from listening', () => {
     start();
     socket().open();

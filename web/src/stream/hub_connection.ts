@@ -16,7 +16,8 @@ import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
 const silence_ms = 8000; // pings are answered about twice a second
-// Where there is another hub to go on at, as roomcast/client/hub_link.h: soon, and the hub is asked whether it is there.
+// Where there is another hub to go on at, as roomcast/client/hub_link.h: soon, and the hub is asked whether it is there. What
+// its answers take on a long way is added.
 const silenceWithOthers_ms = 700;
 const askedAfter_ms = 200;
 const silenceCheck_ms = 100;
@@ -160,7 +161,7 @@ export class HubConnection {
   private checkSilence(): void {
     this.silent_ms += silenceCheck_ms;
     if (this.hubs.hasOthers && this.silent_ms === askedAfter_ms) this.ping();
-    const longest_ms = this.hubs.hasOthers ? silenceWithOthers_ms : silence_ms;
+    const longest_ms = this.hubs.hasOthers ? Math.min(silenceWithOthers_ms + this.clock.roundTrip_ms, silence_ms) : silence_ms;
     if (this.silent_ms > longest_ms) this.hangUp('The hub has gone silent.', false);
   }
 
