@@ -240,8 +240,11 @@ void Attempt::on_ended() {
 }
 
 void Attempt::succeed() {
-  NatsConnection connection{*std::move(stream_), info_, without_secret(server()),
-                            std::move(received_)};
+  NatsConnection connection{.stream = *std::move(stream_),
+                            .is_encrypted = is_encrypted_,
+                            .info = info_,
+                            .server = without_secret(server()),
+                            .received = std::move(received_)};
   stream_.reset();
   finish(std::move(connection));
 }

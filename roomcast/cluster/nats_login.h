@@ -27,6 +27,7 @@ inline constexpr std::chrono::milliseconds kConnectWithin{500};
 /// To a server that has let this hub in.
 struct NatsConnection {
   net::Stream stream;
+  bool is_encrypted = false;
   NatsServerInfo info;
   std::string server;                  // as it was named, without user and password
   std::vector<std::uint8_t> received;  // that it said since

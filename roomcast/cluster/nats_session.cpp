@@ -14,13 +14,15 @@ namespace {
 constexpr std::size_t kReadBytes = 256u << 10;
 /// With less room a read might take only the beginning of what is there.
 constexpr std::size_t kReadAtLeastBytes = 64u << 10;
-/// Shorter messages are copied behind their line: to TLS each piece is a record.
+/// Shorter messages are copied behind their line, and all that are encrypted: to TLS each piece is
+/// a record, and a write.
 constexpr std::size_t kJoinedBytes = 4096;
 
 }  // namespace
 
 NatsSession::NatsSession(NatsConnection connection)
     : stream_(std::move(connection.stream)),
+      is_encrypted_(connection.is_encrypted),
       info_(std::move(connection.info)),
       server_(std::move(connection.server)),
       last_heard_(clock_.now()),
@@ -119,7 +121,7 @@ bool NatsSession::publish(std::string_view subject, std::span<const std::uint8_t
                           std::size_t max_waiting_bytes) {
   if (waiting_.size() > max_waiting_bytes) return false;
   std::string line = publish_line(subject, message.size());
-  if (message.size() <= kJoinedBytes) {
+  if (is_encrypted_ || message.size() <= kJoinedBytes) {
     line.append(message.begin(), message.end()).append(kNatsLineEnd);
     write(line);
   } else {

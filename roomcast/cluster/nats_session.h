@@ -67,6 +67,7 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
   void write_waiting();
 
   net::Stream stream_;
+  const bool is_encrypted_;
   NatsServerInfo info_;
   const std::string server_;
   Handlers handlers_;
