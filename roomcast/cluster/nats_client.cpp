@@ -108,6 +108,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     was_told_.clear();
     session_ = std::make_shared<NatsSession>(std::move(connection));
     server_ = session_->server();
+    begun_ = clock_.now();
     session_->start({.on_message = [this](auto subject, auto message) { take(subject, message); },
                      .on_gone = [this] { gone(); }});
     for (const std::string& subject : subjects_) session_->subscribe(subject);
@@ -142,6 +143,8 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   void gone() {
     log(LogLevel::kWarning, "NATS at " + server_ + " is gone");
     session_ = nullptr;
+    const bool did_it_last = clock_.now() - begun_ >= kTryAgainAfter;
+    if (!did_it_last) return connect_again_later();  // who turns us out would do so without end
     connect_again();
   }
 
@@ -186,7 +189,8 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   const NatsHandlers handlers_;
   SteadyClock clock_;
   std::shared_ptr<NatsSession> session_;  // null while there is none
-  std::string server_;                    // the newest one's
+  std::string server_;                    // the newest one's...
+  HostTime begun_{};                      // ...and since when
   std::vector<std::string> subjects_;
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;

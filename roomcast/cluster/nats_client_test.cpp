@@ -2,10 +2,15 @@
 // With a real server.
 #include "roomcast/cluster/nats_client.h"
 
+#include <atomic>
 #include <functional>
+#include <thread>
 
 #include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read_until.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
 #include "roomcast/cluster/nats_server_fixture.h"
@@ -123,6 +128,53 @@ TEST_F(NatsClientTest, a_server_that_hangs_is_given_up_and_one_that_has_nothing_
   run_until([&] { return connected == 3; });
   io.run_for(600ms);
   EXPECT_EQ(connected, 3) << "longer than the one that hung took to be given up";
+}
+
+/// Lets everybody in, and out again.
+class RevolvingDoor {
+ public:
+  RevolvingDoor() {
+    let_in();
+    thread_ = std::thread([this] { io_.run(); });
+  }
+  ~RevolvingDoor() {
+    io_.stop();
+    thread_.join();
+  }
+  [[nodiscard]] std::string url() const {
+    return "nats://127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
+  }
+
+  std::atomic<int> let_out = 0;
+
+ private:
+  using Tcp = boost::asio::ip::tcp;
+
+  void let_in() {
+    acceptor_.async_accept([this](auto error, Tcp::socket guest) {
+      if (error) return;
+      boost::system::error_code ignored;
+      std::string heard;
+      boost::asio::write(guest, boost::asio::buffer(std::string("INFO {}\r\n")), ignored);
+      boost::asio::read_until(guest, boost::asio::dynamic_buffer(heard), "PING\r\n", ignored);
+      boost::asio::write(guest, boost::asio::buffer(std::string("PONG\r\n")), ignored);
+      ++let_out;
+      let_in();
+    });
+  }
+
+  boost::asio::io_context io_;
+  Tcp::acceptor acceptor_{io_, {boost::asio::ip::address_v4::loopback(), 0}};
+  std::thread thread_;
+};
+
+TEST_F(NatsClientTest, who_is_let_in_and_out_again_pauses_before_the_next_time) {
+  RevolvingDoor door;
+  const auto client = *open({.servers = {door.url()}});
+  auto work = boost::asio::make_work_guard(io);
+  io.run_for(700ms);
+  EXPECT_GE(door.let_out, 1);
+  EXPECT_LE(door.let_out, 3);
 }
 
 TEST_F(NatsClientTest, it_knows_how_long_a_message_may_be) {
