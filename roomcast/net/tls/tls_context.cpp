@@ -40,15 +40,23 @@ Status trust_authorities(SSL_CTX* context, const std::string& file) {
                file + " holds no certificates in PEM that a server's can be checked with"};
 }
 
-Status show_certificate(SSL_CTX* context, const TlsClientFiles& files) {
-  if (files.certificate_file.empty()) return {};
-  if (SSL_CTX_use_certificate_chain_file(context, files.certificate_file.c_str()) == 1 &&
-      SSL_CTX_use_PrivateKey_file(context, files.key_file.c_str(), SSL_FILETYPE_PEM) == 1) {
-    return {};
+/// Its key, and those that sign it, too.
+Status show_certificate(SSL_CTX* context, const Certificate& certificate) {
+  bool good = SSL_CTX_use_certificate(context, certificate.leaf()) == 1 &&
+              SSL_CTX_use_PrivateKey(context, certificate.key()) == 1;
+  for (std::size_t i = 1; good && i < certificate.chain().size(); ++i) {
+    good = SSL_CTX_add1_chain_cert(context, certificate.chain()[i].get()) == 1;
   }
-  ERR_clear_error();
-  return Error{ErrorCode::kInvalidArgument, files.certificate_file + " and " + files.key_file +
-                                                " are no certificate and its key in PEM"};
+  if (good) return {};
+  return Error{ErrorCode::kInvalidArgument,
+               "the certificate cannot be used for TLS: " + take_reason()};
+}
+
+Status show_own_certificate(SSL_CTX* context, const TlsClientFiles& files) {
+  if (files.certificate_file.empty()) return {};
+  const auto certificate = Certificate::load(files.certificate_file, files.key_file);
+  if (!certificate) return Error{ErrorCode::kInvalidArgument, certificate.error().message};
+  return show_certificate(context, *certificate);
 }
 
 }  // namespace
@@ -56,16 +64,10 @@ Status show_certificate(SSL_CTX* context, const TlsClientFiles& files) {
 Result<std::shared_ptr<const TlsServerContext>> TlsServerContext::create(
     const Certificate& certificate) {
   auto context = make_context(TLS_server_method());
-  bool good = context != nullptr &&
-              SSL_CTX_use_certificate(context.get(), certificate.leaf()) == 1 &&
-              SSL_CTX_use_PrivateKey(context.get(), certificate.key()) == 1;
-  for (std::size_t i = 1; good && i < certificate.chain().size(); ++i) {
-    good = SSL_CTX_add1_chain_cert(context.get(), certificate.chain()[i].get()) == 1;
+  if (context == nullptr) {
+    return Error{ErrorCode::kInvalidArgument, "TLS cannot be started: " + take_reason()};
   }
-  if (!good) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "the certificate cannot be used for TLS: " + take_reason()};
-  }
+  if (auto status = show_certificate(context.get(), certificate); !status) return status.error();
   // Sessions are not resumed: a room is joined once, and tickets would weaken forward secrecy.
   SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
   SSL_CTX_set_num_tickets(context.get(), 0);
@@ -81,7 +83,7 @@ Result<std::shared_ptr<const TlsClientContext>> TlsClientContext::create(
   if (auto status = trust_authorities(context.get(), files.authorities_file); !status) {
     return status.error();
   }
-  if (auto status = show_certificate(context.get(), files); !status) return status.error();
+  if (auto status = show_own_certificate(context.get(), files); !status) return status.error();
   return std::shared_ptr<const TlsClientContext>(new TlsClientContext(std::move(context)));
 }
 
