@@ -84,6 +84,16 @@ afterEach(() => {
 
 const access = { room: '', code: 'once', token: '' };
 
+/** The socket of a hub that has let us in, and has named another one. */
+function welcomedBesideAnother() {
+  start();
+  socket().open();
+  const first = socket();
+  first.say({ case: 'welcome', value: {} });
+  first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+  return first;
+}
+
 describe('a hub connection', () => {
   test('speaks roomcast.v1 and joins as a viewer', () => {
     start();
@@ -221,11 +231,7 @@ describe('a hub connection', () => {
   });
 
   test('that falls silent is left within a second where the room is at another hub, too', () => {
-    start();
-    socket().open();
-    const first = socket();
-    first.say({ case: 'welcome', value: {} });
-    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const first = welcomedBesideAnother();
     vi.advanceTimersByTime(690);
     expect(first.closedWith).toBeUndefined();
     vi.advanceTimersByTime(210);
@@ -235,11 +241,7 @@ describe('a hub connection', () => {
 
   test('that has nothing to say is asked, and is not left while it answers', () => {
     vi.spyOn(Math, 'random').mockReturnValue(0.999); // pings as far apart as they can be
-    start();
-    socket().open();
-    const first = socket();
-    first.say({ case: 'welcome', value: {} });
-    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const first = welcomedBesideAnother();
     const pings = () => first.sent.filter(({ message }) => message.case === 'clockPing').length;
     for (let answered = 0, step = 0; step < 100; ++step) {
       const asked = pings();
@@ -250,11 +252,7 @@ describe('a hub connection', () => {
   });
 
   test('is given the time that its answers take from far away', () => {
-    start();
-    socket().open();
-    const first = socket();
-    first.say({ case: 'welcome', value: {} });
-    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const first = welcomedBesideAnother();
     vi.advanceTimersByTime(600);
     first.say({ case: 'clockPong', value: { clientNs: BigInt(Math.round((performance.now() - 600) * 1e6)) } });
     vi.advanceTimersByTime(1290);
@@ -264,11 +262,7 @@ describe('a hub connection', () => {
   });
 
   test('is not left by who was kept from listening', () => {
-    start();
-    socket().open();
-    const first = socket();
-    first.say({ case: 'welcome', value: {} });
-    first.say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
+    const first = welcomedBesideAnother();
     const woken_ms = performance.now() + 5000; // it slept: no timer came, and no message was taken
     vi.spyOn(performance, 'now').mockReturnValue(woken_ms);
     vi.advanceTimersByTime(100);
