@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // NatsSession: one connection to one NATS server, from the moment it has let us in to its end.
-// Messages are handed on where they were read, and written from where they lie; neither waits.
+// Messages are handed on where they were read, and long ones written from where they lie, unless
+// they are encrypted; neither waits.
 // Threading: lives on one io_context.
 #pragma once
 
