@@ -8,13 +8,13 @@
 #include <utility>
 
 #include <boost/asio/connect.hpp>
-#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 
 #include "roomcast/cluster/nats_credentials.h"
+#include "roomcast/net/host_lookup.h"
 #include "roomcast/net/tls/tls_context.h"
 
 namespace roomcast::cluster {
@@ -125,19 +125,12 @@ void Attempt::try_next_server() {
 }
 
 void Attempt::resolve() {
-  SystemError not_numeric;
-  const auto numeric = asio::ip::make_address(address_.host, not_numeric);
-  if (!not_numeric) {
-    const Tcp::endpoint endpoint(numeric, address_.port);
-    return connect_to(Tcp::resolver::results_type::create(endpoint, address_.host, {}));
-  }
-  resolver_.async_resolve(
-      address_.host, std::to_string(address_.port),
-      [self = shared_from_this(), at = server_](SystemError error, const auto& endpoints) {
-        if (!self->callback_ || self->server_ != at) return;
-        if (error) return self->fail(NatsFault::kNoAnswer);
-        self->connect_to(endpoints);
-      });
+  net::look_up(resolver_, address_.host, address_.port,
+               [self = shared_from_this(), at = server_](SystemError error, const auto& endpoints) {
+                 if (!self->callback_ || self->server_ != at) return;
+                 if (error) return self->fail(NatsFault::kNoAnswer);
+                 self->connect_to(endpoints);
+               });
 }
 
 void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {

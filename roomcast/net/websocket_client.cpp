@@ -10,7 +10,6 @@
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/error.hpp>
-#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -20,6 +19,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 
+#include "roomcast/net/host_lookup.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_handshake.h"
@@ -101,14 +101,8 @@ void Attempt::start() {
 }
 
 void Attempt::resolve() {
-  SystemError not_numeric;
-  const auto address = asio::ip::make_address(url_.host, not_numeric);
-  if (!not_numeric) {
-    const Tcp::endpoint endpoint(address, url_.port);
-    return connect_to(Tcp::resolver::results_type::create(endpoint, url_.host, {}));
-  }
-  resolver_.async_resolve(
-      url_.host, std::to_string(url_.port),
+  look_up(
+      resolver_, url_.host, url_.port,
       [self = shared_from_this()](SystemError error, const Tcp::resolver::results_type& endpoints) {
         if (self->callback_) self->on_resolved(error, endpoints);
       });
