@@ -5,6 +5,7 @@
 
 #include "bench/codec/recorded_input.h"
 #include "bench/codec/simulated_input.h"
+#include "roomcast/source/recording.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::bench {

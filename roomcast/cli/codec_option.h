@@ -7,23 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "roomcast/cli/codec_choice.h"
 #include "roomcast/cli/named_choice.h"
-#include "roomcast/codec/frame_codec.h"
 
 namespace roomcast::cli {
-
-struct CodecChoice {
-  codec::DepthMode depth_mode = codec::DepthMode::kLive;
-  int depth_bound_mm = 2;
-  int layers = 2;
-  int color_scale = 1;
-  int color_kbit_per_s = 0;  // 0: what is usual
-
-  [[nodiscard]] int color_kbit() const {
-    if (color_kbit_per_s > 0) return color_kbit_per_s;
-    return color_scale == 1 ? codec::kUsualColorKbit : codec::kUsualFineColorKbit;
-  }
-};
 
 /// Adds --codec, --bound-mm, --layers, --color-scale and --color-kbit.
 inline void add_codec_options(CLI::App& command, CodecChoice& choice) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/hub_aligners.h"
 #include "roomcast/cli/sensor_feed.h"
@@ -17,6 +18,7 @@
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/hub/hub_server.h"
+#include "roomcast/source/recording.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "roomcast/cli/hub_certificate.h"
-#include "roomcast/cli/token_option.h"
 #include "roomcast/net/peer_name.h"
 
 namespace roomcast::cli {
@@ -81,7 +80,7 @@ Result<std::optional<upstream::UpstreamOptions>> upstream_of(const hub::HubConfi
   }
   auto credential = config.upstream_token_file.empty()
                         ? Result<Credential>(Credential{})
-                        : find_credential({.file = config.upstream_token_file});
+                        : read_credential_file(config.upstream_token_file);
   if (!credential) return credential.error();
   options.credential = *std::move(credential);
   return std::optional(std::move(options));

@@ -19,6 +19,7 @@
 #include "roomcast/recording/room_recording.h"
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/replay/replay_source.h"
+#include "roomcast/source/recording.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomcast/align/bundle/bundle_capture.h"
+#include "roomcast/source/recording.h"
 #include "roomcast/source/source_factory.h"
 
 namespace roomcast::cli {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/sensor_camera_options.h"
 #include "roomcast/cli/sensor_feed.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "roomcast/cli/codec_option.h"
+#include "roomcast/cli/codec_choice.h"
 #include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"

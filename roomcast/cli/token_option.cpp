@@ -2,7 +2,6 @@
 #include "roomcast/cli/token_option.h"
 
 #include <cstdlib>
-#include <fstream>
 
 namespace roomcast::cli {
 
@@ -18,14 +17,7 @@ Result<Credential> find_credential(const TokenOption& option) {
     return Error{ErrorCode::kInvalidArgument, "--token and --token-file exclude each other"};
   }
   if (!option.token.empty()) return credential_of(option.token);
-  if (!option.file.empty()) {
-    std::ifstream file(option.file);
-    std::string token;
-    if (!(file >> token)) {
-      return Error{ErrorCode::kNotFound, "there is no token in \"" + option.file + "\""};
-    }
-    return credential_of(token);
-  }
+  if (!option.file.empty()) return read_credential_file(option.file);
   const char* from_environment = std::getenv("ROOMCAST_TOKEN");
   return credential_of(from_environment == nullptr ? "" : from_environment);
 }

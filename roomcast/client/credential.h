@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "roomcast/core/result.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast {
@@ -20,6 +21,9 @@ struct Credential {
   if (text.find('.') == std::string::npos) return {.token = {}, .code = std::move(text)};
   return {.token = std::move(text), .code = {}};
 }
+
+/// The first word of `file`. kNotFound: the file has none, or cannot be read.
+[[nodiscard]] Result<Credential> read_credential_file(const std::string& file);
 
 inline void show(const Credential& credential, wire::pb::Join& join) {
   join.set_token(credential.token);

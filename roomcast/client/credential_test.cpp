@@ -18,5 +18,11 @@ TEST(Credential, nothing_shows_nothing) {
   EXPECT_EQ(join.code(), "");
 }
 
+TEST(Credential, a_file_without_a_token_is_named) {
+  const auto credential = read_credential_file("/nowhere/token");
+  EXPECT_EQ(credential.error().code, ErrorCode::kNotFound);
+  EXPECT_NE(credential.error().message.find("/nowhere/token"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace roomcast

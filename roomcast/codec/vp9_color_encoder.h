@@ -11,7 +11,7 @@
 
 #include "roomcast/codec/color_activity.h"
 #include "roomcast/codec/color_hold.h"
-#include "roomcast/codec/frame_codec.h"
+#include "roomcast/codec/encoder_options.h"
 #include "roomcast/codec/hole_fill.h"
 #include "roomcast/codec/i420_image.h"
 #include "roomcast/codec/layer_schedule.h"

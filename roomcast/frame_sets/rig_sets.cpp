@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "roomcast/geometry/registration.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/source/recording_source.h"
 
 namespace roomcast {
 namespace {
@@ -16,11 +16,7 @@ namespace {
 /// One sensor's frames, the next one read ahead.
 class Track {
  public:
-  static Result<Track> open(const std::string& spec) {
-    SourceOptions options;
-    options.pace = Pace::kAsFastAsPossible;
-    options.loop = false;
-    auto source = open_source(spec, options);
+  static Result<Track> open(Result<std::unique_ptr<FrameSource>> source) {
     if (!source) return source.error();
     auto registration = Registration::create((*source)->description().calibration);
     if (!registration) return registration.error();
@@ -127,34 +123,37 @@ class FolderSets final : public FrameSetReader {
   std::uint64_t count_ = 0;
 };
 
-Result<std::vector<std::string>> specs_of(const std::filesystem::path& folder) {
+Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
+  constexpr PlaybackOptions kOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
   std::error_code ignored;
-  if (std::filesystem::exists(folder / "depth.txt", ignored))
-    return std::vector{"tum:" + folder.string()};
+  std::vector<Track> tracks;
+  if (std::filesystem::exists(folder / "depth.txt", ignored)) {
+    auto track = Track::open(open_tum_source(folder.string(), kOnce));
+    if (!track) return track.error();
+    tracks.push_back(std::move(*track));
+    return tracks;
+  }
   if (!std::filesystem::exists(folder / "rig.json", ignored)) {
     return Error{ErrorCode::kNotFound,
                  folder.string() + " is no recording: it has neither rig.json nor depth.txt"};
   }
-  auto names = rig_sensor_names(folder.string());
+  const auto names = rig_sensor_names(folder);
   if (!names) return names.error();
-  std::vector<std::string> specs;
-  for (const auto& name : *names) specs.push_back("rig:" + folder.string() + "#" + name);
-  return specs;
+  for (const std::string& name : *names) {
+    auto track = Track::open(open_rig_source(folder.string(), name, kOnce));
+    if (!track) return track.error();
+    tracks.push_back(std::move(*track));
+  }
+  return tracks;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<FrameSetReader>> open_folder_sets(const std::filesystem::path& folder,
                                                          nanoseconds from) {
-  const auto specs = specs_of(folder);
-  if (!specs) return specs.error();
-  std::vector<Track> tracks;
-  for (const auto& spec : *specs) {
-    auto track = Track::open(spec);
-    if (!track) return track.error();
-    tracks.push_back(std::move(*track));
-  }
-  return std::unique_ptr<FrameSetReader>(std::make_unique<FolderSets>(std::move(tracks), from));
+  auto tracks = open_tracks(folder);
+  if (!tracks) return tracks.error();
+  return std::unique_ptr<FrameSetReader>(std::make_unique<FolderSets>(std::move(*tracks), from));
 }
 
 }  // namespace roomcast

@@ -40,6 +40,12 @@ enum class Pace {
   kAsFastAsPossible,  // every frame, at once; capture_time still advances as recorded
 };
 
+/// How a recording is played.
+struct PlaybackOptions {
+  Pace pace = Pace::kRealTime;
+  bool loop = true;  // starts again at its end
+};
+
 /// How a source is doing.
 struct SourceHealth {
   std::uint64_t frames_lost = 0;  // by the camera, on the way, or because nobody took them in time

@@ -198,4 +198,12 @@ Result<Recording> read_tum_recording(const fs::path& directory) {
   return recording;
 }
 
+Result<std::vector<std::string>> rig_sensor_names(const std::filesystem::path& directory) {
+  const auto rig = read_rig_json(directory / "rig.json");
+  if (!rig.ok()) return rig.error();
+  std::vector<std::string> names;
+  for (const RigSensorEntry& sensor : rig->sensors) names.push_back(sensor.id);
+  return names;
+}
+
 }  // namespace roomcast

@@ -39,6 +39,10 @@ struct Recording {
 [[nodiscard]] Result<Recording> read_rig_recording(const std::filesystem::path& directory,
                                                    const std::string& sensor);
 
+/// The sensors of a rig folder, in its order: "s0", "s1"... Errors of read_rig_json.
+[[nodiscard]] Result<std::vector<std::string>> rig_sensor_names(
+    const std::filesystem::path& directory);
+
 /// A folder in the layout of the TUM RGB-D benchmark, with camera.json. Errors as above. Colour is
 /// the nearest in time within half a frame, unless associations.txt says which.
 [[nodiscard]] Result<Recording> read_tum_recording(const std::filesystem::path& directory);

@@ -22,7 +22,7 @@ ImageSize size_of(const CameraIntrinsics& camera) {
 }
 
 Result<std::unique_ptr<FrameSource>> play(Result<Recording> recording,
-                                          const SourceOptions& options) {
+                                          const PlaybackOptions& options) {
   if (!recording.ok()) return recording.error();
   return std::unique_ptr<FrameSource>(
       std::make_unique<RecordingSource>(std::move(*recording), options, SteadyClock().now()));
@@ -30,7 +30,7 @@ Result<std::unique_ptr<FrameSource>> play(Result<Recording> recording,
 
 }  // namespace
 
-RecordingSource::RecordingSource(Recording recording, const SourceOptions& options, HostTime opened)
+RecordingSource::RecordingSource(Recording recording, const PlaybackOptions& options, HostTime opened)
     : recording_(std::move(recording)),
       schedule_(positions_of(recording_), recording_.loop_duration, options.pace, options.loop,
                 opened),
@@ -63,12 +63,12 @@ Status RecordingSource::read_pictures(const RecordedFrame& recorded, CapturedFra
 
 Result<std::unique_ptr<FrameSource>> open_rig_source(const std::string& directory,
                                                      const std::string& sensor,
-                                                     const SourceOptions& options) {
+                                                     const PlaybackOptions& options) {
   return play(read_rig_recording(directory, sensor), options);
 }
 
 Result<std::unique_ptr<FrameSource>> open_tum_source(const std::string& directory,
-                                                     const SourceOptions& options) {
+                                                     const PlaybackOptions& options) {
   return play(read_tum_recording(directory), options);
 }
 

@@ -16,13 +16,12 @@
 #include "roomcast/source/image_file.h"
 #include "roomcast/source/playback_schedule.h"
 #include "roomcast/source/recording.h"
-#include "roomcast/source/source_factory.h"
 
 namespace roomcast {
 
 class RecordingSource final : public FrameSource {
  public:
-  RecordingSource(Recording recording, const SourceOptions& options, HostTime opened);
+  RecordingSource(Recording recording, const PlaybackOptions& options, HostTime opened);
 
   [[nodiscard]] const SensorDescription& description() const override {
     return recording_.description;
@@ -44,9 +43,9 @@ class RecordingSource final : public FrameSource {
 /// A sensor of a rig folder. Errors of read_rig_recording.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_rig_source(const std::string& directory,
                                                                    const std::string& sensor,
-                                                                   const SourceOptions& options);
+                                                                   const PlaybackOptions& options);
 /// A folder in TUM RGB-D layout. Errors of read_tum_recording.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_tum_source(const std::string& directory,
-                                                                   const SourceOptions& options);
+                                                                   const PlaybackOptions& options);
 
 }  // namespace roomcast

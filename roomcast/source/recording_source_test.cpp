@@ -13,11 +13,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
-const SourceOptions kFastLoop{.pace = Pace::kAsFastAsPossible, .loop = true};
+const PlaybackOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const PlaybackOptions kFastLoop{.pace = Pace::kAsFastAsPossible, .loop = true};
 
 std::unique_ptr<FrameSource> open_rig(const std::filesystem::path& rig, const std::string& sensor,
-                                      const SourceOptions& options) {
+                                      const PlaybackOptions& options) {
   auto source = open_rig_source(rig.string(), sensor, options);
   EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
   return source.ok() ? std::move(*source) : nullptr;

@@ -13,9 +13,9 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/image_file.h"
+#include "roomcast/source/recording_source.h"
 #include "roomcast/source/rig_json.h"
 #include "roomcast/source/simulator/simulated_source.h"
-#include "roomcast/source/source_factory.h"
 
 namespace roomcast {
 namespace {
@@ -60,12 +60,12 @@ TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
   SimulateRigOptions options = brief();
   options.timing = sim::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
-  SourceOptions playing;
-  playing.pace = Pace::kAsFastAsPossible;
-  playing.loop = false;
-  playing.sim_sensor_count = 1;
-  const auto recorded = open_source("rig:" + folder_.string() + "#s0", playing).value();
-  const auto live = open_simulated_source("office", 0, playing).value();
+  const auto recorded =
+      open_rig_source(folder_.string(), "s0", {.pace = Pace::kAsFastAsPossible, .loop = false})
+          .value();
+  const auto live =
+      open_simulated_source("office", 0, {.pace = Pace::kAsFastAsPossible, .sensor_count = 1})
+          .value();
   const SensorDescription& description = recorded->description();
   EXPECT_EQ(description.name, "s0");
   EXPECT_EQ(description.calibration.depth, live->description().calibration.depth);

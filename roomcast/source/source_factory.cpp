@@ -11,7 +11,6 @@
 #include "roomcast/source/camera_kinds.h"
 #include "roomcast/source/recording_source.h"
 #include "roomcast/source/replay/replay_source.h"
-#include "roomcast/source/rig_json.h"
 #include "roomcast/source/simulator/simulated_source.h"
 
 namespace roomcast {
@@ -69,21 +68,29 @@ Result<std::unique_ptr<FrameSource>> open_kind(const CameraKind& kind, const std
   return CameraSource::open(kind.make(), place, camera);
 }
 
+SimulatedSourceOptions simulated(const SourceOptions& options) {
+  return {.pace = options.pace,
+          .fps = options.sim_fps,
+          .sensor_count = options.sim_sensor_count,
+          .seed = options.sim_seed};
+}
+
 Result<std::unique_ptr<FrameSource>> open_as_it_is(const std::string& text,
                                                    const SourceOptions& options) {
   const Spec spec = split(text);
   if (spec.kind == "sim") {
     const auto index = sensor_index(spec.sensor);
     if (!index) return invalid(text, "numbers its sensor wrongly");
-    return open_simulated_source(spec.place, *index, options);
+    return open_simulated_source(spec.place, *index, simulated(options));
   }
   if (const CameraKind* kind = camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
   const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
   if (!is_recording) return invalid(text, "names no kind of source");
   if (spec.place.empty()) return invalid(text, "names no recording");
-  if (spec.kind == "mcap") return open_replay_source(spec.place, spec.sensor, options);
-  if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, options);
-  return open_tum_source(spec.place, options);
+  const PlaybackOptions playback{.pace = options.pace, .loop = options.loop};
+  if (spec.kind == "mcap") return open_replay_source(spec.place, spec.sensor, playback);
+  if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, playback);
+  return open_tum_source(spec.place, playback);
 }
 
 }  // namespace
@@ -93,14 +100,6 @@ Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
   auto source = open_as_it_is(text, options);
   if (!source || options.calibration.empty()) return source;
   return with_calibration(*std::move(source), options.calibration);
-}
-
-Result<std::vector<std::string>> rig_sensor_names(const std::string& directory) {
-  const auto rig = read_rig_json(std::filesystem::path(directory) / "rig.json");
-  if (!rig.ok()) return rig.error();
-  std::vector<std::string> names;
-  for (const RigSensorEntry& sensor : rig->sensors) names.push_back(sensor.id);
-  return names;
 }
 
 }  // namespace roomcast

@@ -33,7 +33,4 @@ struct SourceOptions {
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_source(const std::string& spec,
                                                                const SourceOptions& options = {});
 
-/// The sensors of a rig folder, in its order: "s0", "s1"...
-[[nodiscard]] Result<std::vector<std::string>> rig_sensor_names(const std::string& directory);
-
 }  // namespace roomcast

@@ -55,7 +55,7 @@ nanoseconds longest_period(const RoomRecording& recording) {
 class ReplaySource final : public FrameSource {
  public:
   ReplaySource(RoomRecording recording, const RecordedSensor& sensor, SensorDescription description,
-               std::unique_ptr<codec::FrameDecoder> decoder, const SourceOptions& options)
+               std::unique_ptr<codec::FrameDecoder> decoder, const PlaybackOptions& options)
       : recording_(std::move(recording)),
         sensor_(sensor),
         description_(std::move(description)),
@@ -135,7 +135,7 @@ class ReplaySource final : public FrameSource {
   const RecordedSensor sensor_;
   const SensorDescription description_;
   const std::unique_ptr<codec::FrameDecoder> decoder_;
-  const SourceOptions options_;
+  const PlaybackOptions options_;
   const nanoseconds period_, length_;
   RecordingCursor cursor_;
   HostTime round_began_{};
@@ -155,7 +155,7 @@ Error no_such_sensor(const RoomRecording& recording, const std::string& sensor) 
 
 Result<std::unique_ptr<FrameSource>> open_replay_source(const std::filesystem::path& file,
                                                         const std::string& sensor,
-                                                        const SourceOptions& options) {
+                                                        const PlaybackOptions& options) {
   auto recording = RoomRecording::open(file);
   if (!recording) return recording.error();
   const auto& sensors = recording->sensors();

@@ -12,14 +12,13 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
-#include "roomcast/source/source_factory.h"
 
 namespace roomcast {
 
 /// `sensor` by name; empty: the first. Errors as RoomRecording::open; kNotFound for a sensor that
 /// sent nothing (the message lists those that did).
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_replay_source(
-    const std::filesystem::path& file, const std::string& sensor, const SourceOptions& options);
+    const std::filesystem::path& file, const std::string& sensor, const PlaybackOptions& options);
 
 /// Those that sent frames, by name. Errors as RoomRecording::open.
 [[nodiscard]] Result<std::vector<std::string>> replay_sensor_names(

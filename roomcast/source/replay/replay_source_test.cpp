@@ -15,7 +15,7 @@ class ReplaySourceTest : public testing::Test {
  protected:
   Result<std::unique_ptr<FrameSource>> open(const std::string& sensor, bool loop = false,
                                             Pace pace = Pace::kAsFastAsPossible) const {
-    SourceOptions options;
+    PlaybackOptions options;
     options.pace = pace;
     options.loop = loop;
     return open_replay_source(path, sensor, options);

@@ -20,16 +20,16 @@ constexpr nanoseconds kDeviceOffset =
 
 class SimulatedSource final : public FrameSource {
  public:
-  SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index, const SourceOptions& options)
+  SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index, const SimulatedSourceOptions& options)
       : stand_(std::move(sensor)),
         pace_(options.pace),
-        period_s_(1.0 / options.sim_fps),
+        period_s_(1.0 / options.fps),
         phase_(pace_ == Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
         device_offset_(kDeviceOffset * (index + 1)) {
     description_.name = "s" + std::to_string(index);
     description_.calibration = stand_.sensor->calibration();
     description_.world_from_depth = stand_.sensor->world_from_depth();
-    description_.fps = options.sim_fps;
+    description_.fps = options.fps;
     if (pace_ == Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
   }
 
@@ -106,20 +106,20 @@ class SimulatedSource final : public FrameSource {
 
 Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& text,
                                                            int sensor_index,
-                                                           const SourceOptions& options) {
-  if (!(options.sim_fps > 0.0 && options.sim_fps <= kMaxSimulatedFps)) {
+                                                           const SimulatedSourceOptions& options) {
+  if (!(options.fps > 0.0 && options.fps <= kMaxSimulatedFps)) {
     return Error{ErrorCode::kInvalidArgument,
                  "A simulated source gives more than 0 and at most 120 frames per second."};
   }
   const auto spec = parse_simulated_spec(text);
   if (!spec) return spec.error();
-  auto room = SimulatedRoom::build(spec->scene, options.sim_seed,
+  auto room = SimulatedRoom::build(spec->scene, options.seed,
                                    spec->board ? Visitor::kBoardBearer : Visitor::kNone);
   if (!room) return std::move(room).error();
   SimulatedSensor::Options sensing;
   sensing.index = sensor_index;
-  sensing.count = options.sim_sensor_count;
-  sensing.seed = options.sim_seed;
+  sensing.count = options.sensor_count;
+  sensing.seed = options.seed;
   sensing.speed = spec->speed;
   sensing.sensing = spec->sensing;
   auto sensor = SimulatedSensor::open(*room, sensing);

@@ -10,24 +10,31 @@
 // frames are lost, and the frame rate is exact.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
-#include "roomcast/source/source_factory.h"
 
 namespace roomcast {
 
 /// Frames per second that a simulated source may be asked for.
 inline constexpr double kMaxSimulatedFps = 120.0;
 
-/// Sensor "s<index>" of `options.sim_sensor_count` in the room that `spec` names
+struct SimulatedSourceOptions {
+  Pace pace = Pace::kRealTime;
+  double fps = 15;         // frames per second, above 0 and at most kMaxSimulatedFps
+  int sensor_count = 3;    // how many sensors stand around the room
+  std::uint64_t seed = 1;  // of noise and furniture
+};
+
+/// Sensor "s<index>" of `options.sensor_count` in the room that `spec` names
 /// (simulated_spec.h). Its description holds the calibration that the sensor reports, the true
-/// world_from_depth and options.sim_fps. kNotFound for an unknown scene (the message lists them);
+/// world_from_depth and options.fps. kNotFound for an unknown scene (the message lists them);
 /// kInvalidArgument for an index, count, rate or option out of range; kUnavailable when the ray
 /// tracer does not start.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> open_simulated_source(
-    const std::string& spec, int sensor_index, const SourceOptions& options);
+    const std::string& spec, int sensor_index, const SimulatedSourceOptions& options = {});
 
 }  // namespace roomcast

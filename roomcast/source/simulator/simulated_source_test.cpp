@@ -16,15 +16,15 @@ namespace {
 
 using std::chrono::milliseconds;
 
-SourceOptions as_fast_as_possible() {
-  SourceOptions options;
+SimulatedSourceOptions as_fast_as_possible() {
+  SimulatedSourceOptions options;
   options.pace = Pace::kAsFastAsPossible;
   return options;
 }
 
 TEST(SimulatedSource, describes_its_sensor) {
-  SourceOptions options = as_fast_as_possible();
-  options.sim_fps = 12;
+  SimulatedSourceOptions options = as_fast_as_possible();
+  options.fps = 12;
   const auto source = open_simulated_source("office", 1, options).value();
   EXPECT_EQ(source->description().name, "s1");
   EXPECT_EQ(source->description().fps, 12);
@@ -69,8 +69,8 @@ TEST(SimulatedSource, frame_is_what_the_sensor_reports_of_its_instant) {
 }
 
 TEST(SimulatedSource, a_bump_moves_the_sensor_once) {
-  SourceOptions options = as_fast_as_possible();
-  options.sim_fps = 2;
+  SimulatedSourceOptions options = as_fast_as_possible();
+  options.fps = 2;
   const auto still = open_simulated_source("bare,speed=0,clean", 0, options).value();
   const auto bumped =
       open_simulated_source("bare,speed=0,clean,bump_at=1,bump_cm=5", 0, options).value();
@@ -85,8 +85,8 @@ TEST(SimulatedSource, a_bump_moves_the_sensor_once) {
 }
 
 TEST(SimulatedSource, real_time_frames_are_instants_of_the_host_clock_that_have_passed) {
-  SourceOptions options;
-  options.sim_fps = 100;
+  SimulatedSourceOptions options;
+  options.fps = 100;
   const auto source = open_simulated_source("", 0, options).value();
   CapturedFrame frame;
   HostTime last{};
@@ -100,8 +100,8 @@ TEST(SimulatedSource, real_time_frames_are_instants_of_the_host_clock_that_have_
 }
 
 TEST(SimulatedSource, sensors_see_instants_a_fixed_phase_apart) {
-  SourceOptions options;
-  options.sim_fps = 50;
+  SimulatedSourceOptions options;
+  options.fps = 50;
   const auto source = open_simulated_source("", 2, options).value();
   CapturedFrame frame;
   ASSERT_TRUE(source->next(frame, {}).value());
@@ -109,8 +109,8 @@ TEST(SimulatedSource, sensors_see_instants_a_fixed_phase_apart) {
 }
 
 TEST(SimulatedSource, stop_ends_the_wait_for_a_frame) {
-  SourceOptions options;
-  options.sim_fps = 0.001;  // the next frame is minutes away
+  SimulatedSourceOptions options;
+  options.fps = 0.001;  // the next frame is minutes away
   const auto source = open_simulated_source("", 0, options).value();
   std::stop_source stop;
   CapturedFrame frame;
@@ -122,8 +122,8 @@ TEST(SimulatedSource, stop_ends_the_wait_for_a_frame) {
 
 TEST(SimulatedSource, impossible_rates_are_refused) {
   for (const double fps : {0.0, -5.0, 1000.0, std::numeric_limits<double>::quiet_NaN()}) {
-    SourceOptions options;
-    options.sim_fps = fps;
+    SimulatedSourceOptions options;
+    options.fps = fps;
     const auto source = open_simulated_source("", 0, options);
     ASSERT_FALSE(source);
     EXPECT_EQ(source.error().code, ErrorCode::kInvalidArgument);
