@@ -9,7 +9,7 @@
 
 #include "roomcast/geometry/registration.h"
 #include "roomcast/geometry/registration_reference.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 namespace {

@@ -3,7 +3,7 @@
 // section.
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask/color_mask.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;

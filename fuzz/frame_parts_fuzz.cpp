@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/cluster/frame_parts.h"
+#include "roomcast/hub/federation/cluster/frame_parts.h"
 #include "roomcast/wire/limits.h"
 
 namespace {

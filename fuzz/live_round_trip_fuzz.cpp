@@ -4,9 +4,9 @@
 // change, and bytes for it.
 #include <algorithm>
 
-#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/live_depth_decoder.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
+#include "roomcast/codec/payload/layer_schedule.h"
 
 namespace {
 

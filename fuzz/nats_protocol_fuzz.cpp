@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/cluster/nats_protocol.h"
 #include "roomcast/core/assert.h"
+#include "roomcast/hub/federation/nats/nats_protocol.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "roomcast/recording/recording_cursor.h"
-#include "roomcast/recording/room_recording.h"
+#include "roomcast/recording/room/recording_cursor.h"
+#include "roomcast/recording/room/room_recording.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomcast;

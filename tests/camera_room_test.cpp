@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/cli/sensor_feed.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/hub/running_hub.h"
-#include "roomcast/source/freenect/fakenect_recording.h"
-#include "roomcast/source/freenect/kinect_depth.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/hub/server/running_hub.h"
+#include "roomcast/sensor/sensor_feed.h"
+#include "roomcast/sensor/source_factory.h"
+#include "roomcast/source/drivers/freenect/fakenect_recording.h"
+#include "roomcast/source/drivers/freenect/kinect_depth.h"
 
 namespace roomcast::tests {
 namespace {

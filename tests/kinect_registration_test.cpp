@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/source/camera_json.h"
-#include "roomcast/source/freenect/kinect_calibration.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/io/camera_json.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/sensor/source_factory.h"
+#include "roomcast/source/drivers/freenect/kinect_calibration.h"
 
 namespace roomcast::tests {
 namespace {

@@ -15,8 +15,8 @@
 #include "roomcast/client/clock_sync.h"
 #include "roomcast/client/ping_pace.h"
 #include "roomcast/client/simulated_clocks.h"
-#include "roomcast/hub/frame_set_builder.h"
-#include "roomcast/source/recording.h"
+#include "roomcast/hub/room/frame_set_builder.h"
+#include "roomcast/recording/dataset/recording.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::tests {

@@ -8,7 +8,7 @@
 #include "roomcast/client/publisher.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/hub/server/running_hub.h"
 
 namespace roomcast::tests {
 namespace {

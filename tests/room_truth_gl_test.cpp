@@ -15,11 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/geometry/registration.h"
-#include "roomcast/render/gl_context.h"
+#include "roomcast/io/camera_json.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/rig_json.h"
+#include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/room_renderer.h"
-#include "roomcast/source/camera_json.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/rig_json.h"
 
 namespace roomcast::tests {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/hub/server/running_hub.h"
 #include "roomcast/viewer/desktop_viewer.h"
 
 namespace roomcast::tests {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/server/hub_server.h"
 
 namespace roomcast::bench {
 namespace {

@@ -9,8 +9,8 @@
 #include "bench/align/align_tally.h"
 #include "bench/align/fpfh_ransac.h"
 #include "bench/align/sift_pnp.h"
-#include "roomcast/align/homography/homography_pose.h"
-#include "roomcast/align/rig/rig_aligner.h"
+#include "roomcast/alignment/homography/homography_pose.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
 
 namespace roomcast::bench {
 namespace {

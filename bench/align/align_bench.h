@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomcast/align/sensor_view.h"
+#include "roomcast/alignment/feature/sensor_view.h"
 
 namespace roomcast::bench {
 

@@ -9,8 +9,8 @@
 
 #include "bench/align/fpfh_ransac.h"
 #include "bench/align/sift_pnp.h"
-#include "roomcast/align/made_up_views.h"
-#include "roomcast/align/pair/pose_difference.h"
+#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "roomcast/align/pair/pose_difference.h"
+#include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "roomcast/align/rig/rig_aligner.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
 
 namespace roomcast::bench {
 namespace {

@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "roomcast/align/feature/shape_features.h"
-#include "roomcast/align/pair/rigid_fit.h"
-#include "roomcast/align/pair/settling.h"
+#include "roomcast/alignment/feature/shape_features.h"
+#include "roomcast/alignment/pair/rigid_fit.h"
+#include "roomcast/alignment/pair/settling.h"
 
 namespace roomcast::bench {
 namespace {

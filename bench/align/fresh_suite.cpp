@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "roomcast/align/pair/free_space.h"
-#include "roomcast/align/pair/pose_difference.h"
-#include "roomcast/align/rig/rig_aligner.h"
-#include "roomcast/source/simulator/scene/room.h"
+#include "roomcast/alignment/pair/free_space.h"
+#include "roomcast/alignment/pair/pose_difference.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
+#include "roomcast/simulator/scene/room.h"
 
 namespace roomcast::bench {
 namespace {

@@ -15,7 +15,7 @@
 #include "bench/align/align_tally.h"
 #include "bench/align/scene_tally.h"
 #include "bench/align/simulated_views.h"
-#include "roomcast/align/rig/alignment_report.h"
+#include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::bench {

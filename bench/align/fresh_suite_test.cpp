@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "roomcast/align/made_up_views.h"
+#include "roomcast/alignment/feature/made_up_views.h"
 
 namespace roomcast::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/align/simulated_views.h"
-#include "roomcast/align/rig/rig_aligner.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
 
 namespace roomcast::bench {
 namespace {

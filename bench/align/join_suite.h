@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/align/align_bench.h"
-#include "roomcast/source/simulator/sensing/sensing_options.h"
+#include "roomcast/simulator/sensing/sensing_options.h"
 
 namespace roomcast::bench {
 

@@ -6,7 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
-#include "roomcast/align/feature/descriptor_products.h"
+#include "roomcast/alignment/feature/descriptor_products.h"
 
 namespace roomcast::bench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "roomcast/align/sensor_view.h"
+#include "roomcast/alignment/feature/sensor_view.h"
 
 namespace roomcast::bench {
 

@@ -4,9 +4,9 @@
 #include <ctime>
 #include <utility>
 
-#include "roomcast/align/bundle/bundle_capture.h"
-#include "roomcast/source/simulator/simulated_room.h"
-#include "roomcast/source/simulator/simulated_sensor.h"
+#include "roomcast/alignment/bundle/bundle_capture.h"
+#include "roomcast/simulator/simulated_room.h"
+#include "roomcast/simulator/simulated_sensor.h"
 
 namespace roomcast::bench {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/align/sensor_view.h"
+#include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/core/result.h"
-#include "roomcast/source/simulator/sensing/sensing_options.h"
+#include "roomcast/simulator/sensing/sensing_options.h"
 
 namespace roomcast::bench {
 

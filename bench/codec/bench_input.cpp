@@ -5,8 +5,8 @@
 
 #include "bench/codec/recorded_input.h"
 #include "bench/codec/simulated_input.h"
-#include "roomcast/source/recording.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/recording/dataset/recording.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/source/recording_fixture.h"
-#include "roomcast/source/simulate_rig.h"
+#include "roomcast/recording/dataset/recording_fixture.h"
+#include "roomcast/simulator/rig/simulate_rig.h"
 
 namespace roomcast::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/codec/candidate.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_color.h"
 
 namespace roomcast::bench {
 namespace {

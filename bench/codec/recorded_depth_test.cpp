@@ -12,7 +12,7 @@
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/core/crc32.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 namespace {

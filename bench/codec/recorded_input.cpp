@@ -7,8 +7,8 @@
 
 #include "bench/codec/measure/temporal_mean.h"
 #include "roomcast/geometry/registration.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 namespace {

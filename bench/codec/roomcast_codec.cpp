@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "bench/codec/cpu_stopwatch.h"
+#include "roomcast/codec/color/vp9_color_decoder.h"
+#include "roomcast/codec/color/vp9_color_encoder.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/layer_schedule.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/vp9_color_decoder.h"
-#include "roomcast/codec/vp9_color_encoder.h"
+#include "roomcast/codec/payload/layer_schedule.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 namespace roomcast::bench {
 namespace {

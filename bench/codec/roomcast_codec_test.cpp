@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_color.h"
 
 namespace roomcast::bench {
 namespace {

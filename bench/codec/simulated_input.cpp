@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "roomcast/geometry/registration.h"
-#include "roomcast/source/simulator/simulated_sensor.h"
-#include "roomcast/source/simulator/simulated_spec.h"
+#include "roomcast/simulator/simulated_sensor.h"
+#include "roomcast/simulator/simulated_spec.h"
 
 namespace roomcast::bench {
 namespace {

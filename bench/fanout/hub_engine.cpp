@@ -3,7 +3,7 @@
 
 #include "bench/fanout/engine.h"
 #include "bench/fanout/tls_identity.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/server/hub_server.h"
 
 namespace roomcast::bench {
 

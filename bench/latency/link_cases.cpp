@@ -9,7 +9,7 @@
 #include "bench/latency/set_watcher.h"
 #include "bench/latency/timed_sensor.h"
 #include "bench/link/emulated_link.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/hub/server/running_hub.h"
 
 namespace roomcast::bench {
 

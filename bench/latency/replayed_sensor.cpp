@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "roomcast/source/source_factory.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 

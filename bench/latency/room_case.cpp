@@ -9,7 +9,7 @@
 #include "bench/latency/replayed_sensor.h"
 #include "bench/latency/set_watcher.h"
 #include "roomcast/client/subscriber.h"
-#include "roomcast/hub/running_hub.h"
+#include "roomcast/hub/server/running_hub.h"
 
 namespace roomcast::bench {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bench/codec/cpu_stopwatch.h"
-#include "roomcast/align/board/board_match.h"
-#include "roomcast/align/board/tag_finder.h"
+#include "roomcast/alignment/board/board_match.h"
+#include "roomcast/alignment/board/tag_finder.h"
 
 namespace roomcast::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "roomcast/align/bundle/bundle_capture.h"
+#include "roomcast/alignment/bundle/bundle_capture.h"
 
 namespace roomcast::bench {
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "roomcast/align/bundle/calibration_bundle.h"
+#include "roomcast/alignment/bundle/calibration_bundle.h"
 #include "roomcast/core/result.h"
-#include "roomcast/source/simulator/simulated_room.h"
-#include "roomcast/source/simulator/simulated_sensor.h"
+#include "roomcast/simulator/simulated_room.h"
+#include "roomcast/simulator/simulated_sensor.h"
 
 namespace roomcast::bench {
 

@@ -14,7 +14,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "bench/live_align/filmed_sensor.h"
-#include "roomcast/align/watch/stand_watch.h"
+#include "roomcast/alignment/watch/stand_watch.h"
 
 namespace roomcast::bench {
 namespace {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "bench/live_align/filmed_sensor.h"
-#include "roomcast/align/guess/settled_place.h"
-#include "roomcast/align/sensor_view.h"
+#include "roomcast/alignment/feature/sensor_view.h"
+#include "roomcast/alignment/guess/settled_place.h"
 
 namespace roomcast::bench {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bench/codec/cpu_stopwatch.h"
-#include "roomcast/align/walker/head_finder.h"
-#include "roomcast/align/walker/walk_match.h"
+#include "roomcast/alignment/walker/head_finder.h"
+#include "roomcast/alignment/walker/walk_match.h"
 
 namespace roomcast::bench {
 namespace {

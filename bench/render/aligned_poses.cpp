@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "roomcast/source/json_fields.h"
+#include "roomcast/io/json_fields.h"
 
 namespace roomcast::bench {
 

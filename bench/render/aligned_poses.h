@@ -7,7 +7,7 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::bench {
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "roomcast/core/result.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/offscreen_target.h"
 #include "roomcast/render/room_renderer.h"
+#include "roomcast/render/view/eyes.h"
+#include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast::bench {
 

@@ -13,9 +13,9 @@
 
 #include "bench/render/aligned_poses.h"
 #include "bench/render/rig_frames.h"
-#include "roomcast/render/gl_context.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/render_mode.h"
-#include "roomcast/source/image_file.h"
 
 namespace roomcast::bench {
 namespace {

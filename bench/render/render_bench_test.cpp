@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/render/synthetic_sensor.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/rig_writer.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/rig_writer.h"
+#include "roomcast/render/surface/synthetic_sensor.h"
 
 namespace roomcast::bench {
 namespace {

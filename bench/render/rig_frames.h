@@ -12,8 +12,8 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/hole_registration.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/recording.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/recording.h"
 
 namespace roomcast::bench {
 

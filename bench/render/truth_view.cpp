@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "roomcast/source/image_file.h"
+#include "roomcast/io/image_file.h"
 
 namespace roomcast::bench {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
-#include "roomcast/render/view_camera.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/recording/dataset/rig_json.h"
+#include "roomcast/render/view/view_camera.h"
 
 namespace roomcast::bench {
 

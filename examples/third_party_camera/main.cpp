@@ -19,7 +19,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "roomcast/cli/sensor_feed.h"
+#include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/source/camera/camera_source.h"
 
 namespace {

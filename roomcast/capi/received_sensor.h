@@ -9,9 +9,9 @@
 
 #include <Eigen/Core>
 
+#include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/image.h"
-#include "roomcast/room/room_snapshot.h"
 
 namespace roomcast {
 

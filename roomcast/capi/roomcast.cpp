@@ -15,7 +15,7 @@
 #include "roomcast/capi/received_sensor.h"
 #include "roomcast/capi/room_points.h"
 #include "roomcast/client/subscriber.h"
-#include "roomcast/recorder/recorder.h"
+#include "roomcast/recording/recorder/recorder.h"
 
 struct roomcast_viewer {
   std::unique_ptr<roomcast::Subscriber> subscriber;

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "roomcast/align/homography/homography_pose.h"
-#include "roomcast/align/rig/rig_aligner.h"
+#include "roomcast/alignment/homography/homography_pose.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
 #include "roomcast/cli/alignment_text.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/pair_list.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "roomcast/align/rig/alignment_report.h"
+#include "roomcast/alignment/rig/alignment_report.h"
 
 namespace roomcast::cli {
 

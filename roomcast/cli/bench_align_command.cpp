@@ -13,12 +13,12 @@
 #include "bench/live_align/board_suite.h"
 #include "bench/live_align/moved_suite.h"
 #include "bench/live_align/walker_suite.h"
-#include "roomcast/align/pair/free_space.h"
+#include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "roomcast/align/board/board_pdf.h"
+#include "roomcast/alignment/board/board_pdf.h"
 #include "roomcast/cli/command.h"
 
 namespace roomcast::cli {

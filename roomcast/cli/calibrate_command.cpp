@@ -9,16 +9,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "roomcast/calibration/residual_pictures.h"
-#include "roomcast/calibration/ros_camera_info.h"
-#include "roomcast/calibration/sensor_calibration.h"
-#include "roomcast/calibration/view_collector.h"
+#include "roomcast/alignment/calibration/residual_pictures.h"
+#include "roomcast/alignment/calibration/ros_camera_info.h"
+#include "roomcast/alignment/calibration/sensor_calibration.h"
+#include "roomcast/alignment/calibration/view_collector.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
-#include "roomcast/source/file_bytes.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 namespace {

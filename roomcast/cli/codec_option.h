@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "roomcast/cli/codec_choice.h"
 #include "roomcast/cli/named_choice.h"
+#include "roomcast/sensor/codec_choice.h"
 
 namespace roomcast::cli {
 

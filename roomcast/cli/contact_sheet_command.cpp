@@ -7,7 +7,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/source/contact_sheet.h"
+#include "roomcast/simulator/rig/contact_sheet.h"
 
 namespace roomcast::cli {
 namespace {

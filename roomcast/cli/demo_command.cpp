@@ -11,15 +11,15 @@
 
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/hub_aligners.h"
-#include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/client/subscriber.h"
-#include "roomcast/hub/hub_server.h"
-#include "roomcast/source/recording.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/server/hub_server.h"
+#include "roomcast/recording/dataset/recording.h"
+#include "roomcast/sensor/sensor_feed.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 namespace {

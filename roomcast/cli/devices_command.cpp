@@ -12,7 +12,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/source/camera/usb_device.h"
-#include "roomcast/source/camera_kinds.h"
+#include "roomcast/source/drivers/camera_kinds.h"
 
 namespace roomcast::cli {
 namespace {

@@ -15,8 +15,8 @@
 #include "roomcast/cli/film_command_options.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
-#include "roomcast/export/set_writer.h"
-#include "roomcast/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/export/set_writer.h"
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
 
 namespace roomcast::cli {
 namespace {

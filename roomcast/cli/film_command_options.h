@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "roomcast/core/result.h"
-#include "roomcast/film/film_writer.h"
+#include "roomcast/recording/film/film_writer.h"
 
 namespace roomcast::cli {
 

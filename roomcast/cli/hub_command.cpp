@@ -11,22 +11,22 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "roomcast/cli/certificate_watch.h"
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/data_folder.h"
-#include "roomcast/cli/hub_aligners.h"
-#include "roomcast/cli/hub_certificate.h"
 #include "roomcast/cli/hub_flags.h"
-#include "roomcast/cli/hub_recorders.h"
-#include "roomcast/cli/hub_settings.h"
 #include "roomcast/cli/json_log.h"
-#include "roomcast/cli/listen_address.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/access/hub_secret.h"
-#include "roomcast/hub/hub_server.h"
+#include "roomcast/hub/daemon/certificate_watch.h"
+#include "roomcast/hub/daemon/data_folder.h"
+#include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/hub_certificate.h"
+#include "roomcast/hub/daemon/hub_recorders.h"
+#include "roomcast/hub/daemon/hub_settings.h"
+#include "roomcast/hub/federation/upstream/upstream_hub.h"
+#include "roomcast/hub/server/hub_server.h"
+#include "roomcast/net/listen_address.h"
 #include "roomcast/net/static_site.h"
-#include "roomcast/upstream/upstream_hub.h"
 
 namespace roomcast::cli {
 namespace {

@@ -11,16 +11,16 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/frame_log.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
-#include "roomcast/export/thumbnail_strip.h"
-#include "roomcast/frame_sets/frame_set_reader.h"
-#include "roomcast/recording/room_recording.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/source/replay/replay_source.h"
-#include "roomcast/source/recording.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/recording.h"
+#include "roomcast/recording/export/thumbnail_strip.h"
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/playback/replay_source.h"
+#include "roomcast/recording/room/room_recording.h"
+#include "roomcast/sensor/frame_log.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 namespace {

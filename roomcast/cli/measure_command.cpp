@@ -11,11 +11,11 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/frame_sets/frame_set_reader.h"
-#include "roomcast/measure/distance.h"
-#include "roomcast/measure/floor_plan.h"
-#include "roomcast/measure/static_room.h"
-#include "roomcast/source/file_bytes.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/measure/distance.h"
+#include "roomcast/recording/measure/floor_plan.h"
+#include "roomcast/recording/measure/static_room.h"
 
 namespace roomcast::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "roomcast/source/json_fields.h"
+#include "roomcast/io/json_fields.h"
 
 namespace roomcast::cli {
 namespace {

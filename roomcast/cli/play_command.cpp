@@ -15,9 +15,9 @@
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
 #include "roomcast/cli/web_directory.h"
-#include "roomcast/hub/hub_server.h"
-#include "roomcast/recorder/room_player.h"
-#include "roomcast/recording/room_recording.h"
+#include "roomcast/hub/server/hub_server.h"
+#include "roomcast/recording/recorder/room_player.h"
+#include "roomcast/recording/room/room_recording.h"
 
 namespace roomcast::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
-#include "roomcast/recorder/recorder.h"
+#include "roomcast/recording/recorder/recorder.h"
 
 namespace roomcast::cli {
 namespace {

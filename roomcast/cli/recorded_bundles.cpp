@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
-#include "roomcast/align/bundle/bundle_capture.h"
-#include "roomcast/source/recording.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/alignment/bundle/bundle_capture.h"
+#include "roomcast/recording/dataset/recording.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 namespace {

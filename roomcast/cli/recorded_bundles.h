@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/align/bundle/calibration_bundle.h"
+#include "roomcast/alignment/bundle/calibration_bundle.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::cli {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/align/sensor_view.h"
+#include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/cli/pair_list.h"
 #include "roomcast/cli/recorded_bundles.h"
 

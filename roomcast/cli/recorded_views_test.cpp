@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/align/pair/pose_difference.h"
-#include "roomcast/align/rig/rig_aligner.h"
-#include "roomcast/source/recording_fixture.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/alignment/pair/pose_difference.h"
+#include "roomcast/alignment/rig/rig_aligner.h"
+#include "roomcast/recording/dataset/recording_fixture.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::cli {
 namespace {

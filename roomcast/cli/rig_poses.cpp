@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "roomcast/source/file_bytes.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::cli {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "roomcast/align/rig/alignment_report.h"
+#include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::cli {

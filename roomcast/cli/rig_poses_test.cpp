@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/source/file_bytes.h"
-#include "roomcast/source/rig_json.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::cli {
 namespace {

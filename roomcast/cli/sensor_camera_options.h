@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "roomcast/source/source_factory.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 

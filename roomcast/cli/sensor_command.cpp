@@ -10,11 +10,11 @@
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/sensor_camera_options.h"
-#include "roomcast/cli/sensor_feed.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
-#include "roomcast/source/source_factory.h"
+#include "roomcast/sensor/sensor_feed.h"
+#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::cli {
 namespace {

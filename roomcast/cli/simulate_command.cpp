@@ -8,10 +8,10 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
-#include "roomcast/source/simulate_rig.h"
-#include "roomcast/source/simulator/scene/room.h"
-#include "roomcast/source/simulator/simulated_source.h"
-#include "roomcast/source/simulator/simulated_spec.h"
+#include "roomcast/simulator/rig/simulate_rig.h"
+#include "roomcast/simulator/scene/room.h"
+#include "roomcast/simulator/simulated_source.h"
+#include "roomcast/simulator/simulated_spec.h"
 
 namespace roomcast::cli {
 namespace {

@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/data_folder.h"
-#include "roomcast/cli/hub_settings.h"
 #include "roomcast/cli/qr_code.h"
 #include "roomcast/cli/time_span.h"
-#include "roomcast/hub/access/hub_book.h"
 #include "roomcast/hub/access/hub_secret.h"
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/token_request.h"
+#include "roomcast/hub/daemon/data_folder.h"
+#include "roomcast/hub/daemon/hub_settings.h"
+#include "roomcast/hub/store/hub_book.h"
 
 namespace roomcast::cli {
 namespace {

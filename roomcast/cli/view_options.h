@@ -9,7 +9,7 @@
 #include "roomcast/cli/token_option.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/render/render_mode.h"
-#include "roomcast/render/view_camera.h"
+#include "roomcast/render/view/view_camera.h"
 
 namespace roomcast::cli {
 

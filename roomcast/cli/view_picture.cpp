@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "roomcast/cli/frame_log.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
-#include "roomcast/render/gl_context.h"
-#include "roomcast/source/image_file.h"
-#include "roomcast/viewer/room_view.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/render/gl/gl_context.h"
+#include "roomcast/sensor/frame_log.h"
+#include "roomcast/viewer/view/room_view.h"
 
 namespace roomcast::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
-#include "roomcast/source/image_file.h"
+#include "roomcast/io/image_file.h"
 #include "roomcast/viewer/desktop_viewer.h"
 
 namespace roomcast::cli {

@@ -24,8 +24,8 @@
 #include <optional>
 #include <vector>
 
+#include "roomcast/client/room/clock_estimate.h"
 #include "roomcast/core/clock.h"
-#include "roomcast/room/clock_estimate.h"
 
 namespace roomcast {
 

@@ -10,7 +10,7 @@
 
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/room/calibration_message.h"
+#include "roomcast/client/room/calibration_message.h"
 
 namespace roomcast {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/room/calibration_message.h"
+#include "roomcast/client/room/calibration_message.h"
 
 namespace roomcast {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/client/room/calibration_message.h"
 #include "roomcast/client/send_rate.h"
 #include "roomcast/net/sealed_message.h"
-#include "roomcast/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 

@@ -8,7 +8,7 @@
 
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/room/room_state.h"
+#include "roomcast/client/room/room_state.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "roomcast/client/credential.h"
+#include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
-#include "roomcast/room/room_snapshot.h"
 
 namespace roomcast {
 

@@ -5,8 +5,8 @@
 
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/room/calibration_message.h"
 
 namespace roomcast {
 namespace {

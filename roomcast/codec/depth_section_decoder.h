@@ -4,7 +4,7 @@
 
 #include "roomcast/codec/live/live_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 namespace roomcast::codec {
 

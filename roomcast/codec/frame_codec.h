@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/codec/encoder_options.h"
+#include "roomcast/codec/payload/encoder_options.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/color/vp9_color_decoder.h"
 #include "roomcast/codec/depth_section_decoder.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/mask/color_mask.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/vp9_color_decoder.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 namespace roomcast::codec {
 namespace {

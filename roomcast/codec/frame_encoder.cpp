@@ -2,17 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomcast/codec/color/shown_surface.h"
+#include "roomcast/codec/color/vp9_color_encoder.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/lossless/residual.h"
 #include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/mask/steady_mask.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/payload/layer_schedule.h"
+#include "roomcast/codec/payload/payload_sections.h"
 #include "roomcast/codec/sensor_motion.h"
-#include "roomcast/codec/shown_surface.h"
-#include "roomcast/codec/vp9_color_encoder.h"
 
 namespace roomcast::codec {
 namespace {

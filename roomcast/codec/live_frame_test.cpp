@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/live/synthetic_motion.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/payload/payload_sections.h"
+#include "roomcast/codec/testing/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace roomcast::codec {
 namespace {

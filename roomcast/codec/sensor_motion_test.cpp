@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/live/synthetic_motion.h"
+#include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace roomcast::codec {
 namespace {

@@ -6,15 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/live_depth_decoder.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
-#include "roomcast/codec/live/synthetic_motion.h"
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/mask/color_mask.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/payload/layer_schedule.h"
+#include "roomcast/codec/payload/payload_sections.h"
+#include "roomcast/codec/testing/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace {
 std::atomic<int> allocation_count{0};  // of this test program

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/codec/live/random_live_stream.h"
-#include "roomcast/codec/live/synthetic_motion.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/payload/payload_sections.h"
+#include "roomcast/codec/testing/random_live_stream.h"
+#include "roomcast/codec/testing/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_motion.h"
 #include "roomcast/core/crc32.h"
 
 namespace roomcast::codec {

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"
-#include "roomcast/recording/room_recording_writer.h"
-#include "roomcast/room/calibration_message.h"
+#include "roomcast/recording/room/room_recording_writer.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::recording {

@@ -2,7 +2,7 @@
 #   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" [-DHEADER=roomcast/viewer/people/shader_sources.h] -P embed_shaders.cmake
 # HEADER declares them.
 if(NOT HEADER)
-  set(HEADER roomcast/render/shader_sources.h)
+  set(HEADER roomcast/render/gl/shader_sources.h)
 endif()
 set(definitions "")
 foreach(shader IN LISTS SHADERS)

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/render/room_renderer.h"
-#include "roomcast/render/synthetic_sensor.h"
+#include "roomcast/render/surface/synthetic_sensor.h"
 
 namespace roomcast {
 

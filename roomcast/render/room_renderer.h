@@ -12,14 +12,14 @@
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/blend/color_matching.h"
 #include "roomcast/render/blend/sensor_memory.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/floor_grid.h"
-#include "roomcast/render/mesh_renderer.h"
-#include "roomcast/render/offscreen_target.h"
-#include "roomcast/render/point_renderer.h"
 #include "roomcast/render/render_mode.h"
-#include "roomcast/render/sensor_surface.h"
-#include "roomcast/render/surface_mesh.h"
+#include "roomcast/render/surface/floor_grid.h"
+#include "roomcast/render/surface/mesh_renderer.h"
+#include "roomcast/render/surface/point_renderer.h"
+#include "roomcast/render/surface/sensor_surface.h"
+#include "roomcast/render/surface/surface_mesh.h"
+#include "roomcast/render/view/eyes.h"
+#include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "roomcast/codec/color/vp9_header.h"
 #include "roomcast/codec/depth_section_decoder.h"
 #include "roomcast/codec/mask/color_mask.h"
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/vp9_header.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 #define ROOMCAST_EXPORT(name) __attribute__((export_name(name)))
 

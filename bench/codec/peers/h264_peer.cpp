@@ -6,7 +6,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "bench/codec/peers/peers.h"
-#include "roomcast/codec/i420_image.h"
+#include "roomcast/codec/color/i420_image.h"
 
 namespace roomcast::bench {
 namespace {

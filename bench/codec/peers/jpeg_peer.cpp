@@ -3,7 +3,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "bench/codec/peers/peers.h"
-#include "roomcast/source/jpeg_codec.h"
+#include "roomcast/io/jpeg_codec.h"
 
 namespace roomcast::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/codec/measure/luma_error.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/testing/synthetic_color.h"
 
 namespace roomcast::bench {
 namespace {

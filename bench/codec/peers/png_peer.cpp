@@ -3,7 +3,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "bench/codec/peers/peers.h"
-#include "roomcast/source/png_codec.h"
+#include "roomcast/io/png_codec.h"
 
 namespace roomcast::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "roomcast/codec/binary_arithmetic_code.h"
+#include "roomcast/codec/entropy/binary_arithmetic_code.h"
 #include "roomcast/codec/live/block_transform.h"
 
 namespace roomcast::codec {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/block_planner.h"
 #include "roomcast/codec/live/drift_detector.h"
 #include "roomcast/codec/live/live_section.h"
@@ -16,6 +15,7 @@
 #include "roomcast/codec/live/picture_pass.h"
 #include "roomcast/codec/live/pixel_history.h"
 #include "roomcast/codec/live/sensor_noise.h"
+#include "roomcast/codec/payload/layer_schedule.h"
 #include "roomcast/core/image.h"
 
 namespace roomcast::codec {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/layer_schedule.h"
 #include "roomcast/codec/live/live_depth_decoder.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
-#include "roomcast/codec/live/synthetic_motion.h"
+#include "roomcast/codec/payload/layer_schedule.h"
+#include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace roomcast::codec {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/codec/live/live_depth_decoder.h"
-#include "roomcast/codec/live/random_live_stream.h"
+#include "roomcast/codec/testing/random_live_stream.h"
 
 namespace roomcast::codec {
 namespace {

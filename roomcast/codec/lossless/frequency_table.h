@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "roomcast/codec/binary_arithmetic_code.h"
+#include "roomcast/codec/entropy/binary_arithmetic_code.h"
 
 namespace roomcast::codec {
 

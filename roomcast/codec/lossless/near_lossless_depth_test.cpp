@@ -8,7 +8,7 @@
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/lossless/lossless_depth_encoder.h"
 #include "roomcast/codec/lossless/residual.h"
-#include "roomcast/codec/synthetic_depth.h"
+#include "roomcast/codec/testing/synthetic_depth.h"
 
 namespace roomcast::codec {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/synthetic_depth.h"
+#include "roomcast/codec/testing/synthetic_depth.h"
 
 namespace roomcast::codec {
 namespace {

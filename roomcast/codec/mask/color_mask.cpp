@@ -5,7 +5,7 @@
 
 #include "roomcast/codec/mask/intra_mask.h"
 #include "roomcast/codec/mask/mask_change.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/payload/payload_sections.h"
 
 namespace roomcast::codec {
 namespace {

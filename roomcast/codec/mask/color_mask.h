@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/codec/layer_schedule.h"
+#include "roomcast/codec/payload/layer_schedule.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/codec/payload_sections.h"
-#include "roomcast/codec/synthetic_color.h"
+#include "roomcast/codec/payload/payload_sections.h"
+#include "roomcast/codec/testing/synthetic_color.h"
 
 namespace roomcast::codec {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdlib>
 
-#include "roomcast/codec/binary_arithmetic_code.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/entropy/binary_arithmetic_code.h"
+#include "roomcast/codec/payload/payload_sections.h"
 #include "roomcast/core/assert.h"
 
 namespace roomcast::codec {

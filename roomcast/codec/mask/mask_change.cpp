@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "roomcast/codec/binary_arithmetic_code.h"
-#include "roomcast/codec/payload_sections.h"
+#include "roomcast/codec/entropy/binary_arithmetic_code.h"
+#include "roomcast/codec/payload/payload_sections.h"
 #include "roomcast/core/assert.h"
 
 namespace roomcast::codec {

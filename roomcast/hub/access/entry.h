@@ -10,7 +10,7 @@
 #include <string>
 
 #include "roomcast/hub/access/claims.h"
-#include "roomcast/hub/room_settings.h"
+#include "roomcast/hub/config/room_settings.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/access/hub_book.h"
-#include "roomcast/hub/room_recordings.h"
-#include "roomcast/hub/room_settings.h"
-#include "roomcast/hub/room_stats.h"
+#include "roomcast/hub/config/room_settings.h"
+#include "roomcast/hub/room/room_stats.h"
+#include "roomcast/hub/runtime/room_recordings.h"
+#include "roomcast/hub/store/hub_book.h"
 #include "roomcast/net/http_response.h"
 
 namespace roomcast::hub {

@@ -13,9 +13,9 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/admin/admin_door.h"
 #include "roomcast/hub/admin/admin_routes.h"
-#include "roomcast/hub/desk.h"
-#include "roomcast/hub/room_hall.h"
-#include "roomcast/hub/room_recordings.h"
+#include "roomcast/hub/runtime/room_hall.h"
+#include "roomcast/hub/runtime/room_recordings.h"
+#include "roomcast/hub/store/desk.h"
 #include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {

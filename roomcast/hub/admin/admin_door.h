@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "roomcast/core/log.h"
-#include "roomcast/hub/desk.h"
-#include "roomcast/hub/room_hall.h"
+#include "roomcast/hub/runtime/room_hall.h"
+#include "roomcast/hub/store/desk.h"
 #include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/access/hub_book.h"
+#include "roomcast/hub/store/hub_book.h"
 
 namespace roomcast::hub {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/room_settings.h"
+#include "roomcast/hub/config/room_settings.h"
 
 namespace roomcast::hub {
 

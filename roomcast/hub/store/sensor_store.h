@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/known_sensor.h"
+#include "roomcast/hub/room/known_sensor.h"
 #include "roomcast/hub/store/database.h"
 
 namespace roomcast::hub {

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "roomcast/core/result.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/gl_program.h"
-#include "roomcast/render/surface_mesh.h"
+#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/surface/surface_mesh.h"
+#include "roomcast/render/view/eyes.h"
 
 namespace roomcast {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomcast/render/blend/adaptive_mesh.h"
-#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/gl/gl_fixture.h"
 
 namespace roomcast {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "roomcast/render/shader_sources.h"
+#include "roomcast/render/gl/shader_sources.h"
 
 namespace roomcast {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "roomcast/render/blend/surface_layer.h"
-#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast {
 

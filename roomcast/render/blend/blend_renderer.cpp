@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "roomcast/render/shader_sources.h"
-#include "roomcast/render/surface_view.h"
+#include "roomcast/render/gl/shader_sources.h"
+#include "roomcast/render/view/surface_view.h"
 
 namespace roomcast {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/blend/surface_layer.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/view/eyes.h"
+#include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast {
 

@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/render/blend/adaptive_mesh.h"
 #include "roomcast/render/blend/compute_pass.h"
-#include "roomcast/render/sensor_surface.h"
+#include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast {
 

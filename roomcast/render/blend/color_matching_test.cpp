@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/render/synthetic_sensor.h"
+#include "roomcast/render/surface/synthetic_sensor.h"
 
 namespace roomcast {
 namespace {

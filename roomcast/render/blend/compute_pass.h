@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "roomcast/core/result.h"
-#include "roomcast/render/gl_program.h"
+#include "roomcast/render/gl/gl_program.h"
 
 namespace roomcast {
 

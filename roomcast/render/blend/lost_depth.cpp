@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "roomcast/render/shader_sources.h"
+#include "roomcast/render/gl/shader_sources.h"
 
 namespace roomcast {
 namespace {

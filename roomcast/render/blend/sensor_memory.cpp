@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "roomcast/render/shader_sources.h"
-#include "roomcast/render/surface_view.h"
+#include "roomcast/render/gl/shader_sources.h"
+#include "roomcast/render/view/surface_view.h"
 
 namespace roomcast {
 namespace {

@@ -13,7 +13,7 @@
 #include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/blend/lost_depth.h"
-#include "roomcast/render/sensor_surface.h"
+#include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast {
 

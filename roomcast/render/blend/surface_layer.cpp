@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/surface_layer.h"
 
-#include "roomcast/render/shader_sources.h"
-#include "roomcast/render/surface_view.h"
+#include "roomcast/render/gl/shader_sources.h"
+#include "roomcast/render/view/surface_view.h"
 
 namespace roomcast {
 namespace {

@@ -8,7 +8,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
-#include "roomcast/render/eyes.h"
+#include "roomcast/render/view/eyes.h"
 
 namespace roomcast {
 

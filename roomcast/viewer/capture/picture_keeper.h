@@ -8,8 +8,8 @@
 #include <string>
 
 #include "roomcast/core/clock.h"
-#include "roomcast/render/offscreen_target.h"
-#include "roomcast/viewer/capture/picture_files.h"
+#include "roomcast/io/picture_files.h"
+#include "roomcast/render/view/offscreen_target.h"
 #include "roomcast/viewer/capture/video_recorder.h"
 #include "roomcast/viewer/report/toasts.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/capture/picture_keeper.h"
 
 namespace roomcast {

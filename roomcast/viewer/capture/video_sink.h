@@ -8,8 +8,8 @@
 
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
-#include "roomcast/viewer/capture/picture_files.h"
-#include "roomcast/viewer/view_target.h"
+#include "roomcast/io/picture_files.h"
+#include "roomcast/viewer/view/view_target.h"
 
 namespace roomcast {
 

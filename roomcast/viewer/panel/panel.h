@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/room/room_snapshot.h"
+#include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/viewer/report/latency_budget.h"
 #include "roomcast/viewer/report/room_report.h"
 #include "roomcast/viewer/report/toasts.h"
-#include "roomcast/viewer/view_settings.h"
+#include "roomcast/viewer/view/view_settings.h"
 #include "roomcast/viewer/window/viewer_command.h"
 
 namespace roomcast {

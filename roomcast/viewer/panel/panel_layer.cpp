@@ -8,7 +8,7 @@
 #include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
-#include "roomcast/viewer/font_file.h"
+#include "roomcast/viewer/text/font_file.h"
 
 namespace roomcast {
 namespace {

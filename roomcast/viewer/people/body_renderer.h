@@ -7,10 +7,10 @@
 
 #include <span>
 
+#include "roomcast/client/room/person_pose.h"
 #include "roomcast/core/image.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/gl_program.h"
-#include "roomcast/room/person_pose.h"
+#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/people/avatars.h"
 
 namespace roomcast {

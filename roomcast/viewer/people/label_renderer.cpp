@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/render/shader_sources.h"
-#include "roomcast/render/surface_view.h"
+#include "roomcast/render/gl/shader_sources.h"
+#include "roomcast/render/view/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
 #include "roomcast/viewer/people/shader_sources.h"
 

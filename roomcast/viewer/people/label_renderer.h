@@ -8,10 +8,10 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/render/eyes.h"
-#include "roomcast/render/gl_program.h"
+#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/people/avatars.h"
-#include "roomcast/viewer/people/label_font.h"
+#include "roomcast/viewer/text/label_font.h"
 
 namespace roomcast {
 

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "roomcast/render/offscreen_target.h"
-#include "roomcast/room/room_snapshot.h"
+#include "roomcast/client/room/room_snapshot.h"
+#include "roomcast/render/view/offscreen_target.h"
 #include "roomcast/viewer/people/avatars.h"
 #include "roomcast/viewer/people/body_renderer.h"
 #include "roomcast/viewer/people/label_renderer.h"

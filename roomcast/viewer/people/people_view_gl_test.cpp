@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/people/people_view.h"
 
 namespace roomcast {

@@ -8,7 +8,7 @@
 #include <deque>
 #include <optional>
 
-#include "roomcast/room/room_snapshot.h"
+#include "roomcast/client/room/room_snapshot.h"
 
 namespace roomcast {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/room/room_snapshot.h"
+#include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/viewer/report/rate_meter.h"
 
 namespace roomcast {

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <optional>
 
+#include "roomcast/client/room/person_pose.h"
 #include "roomcast/core/clock.h"
-#include "roomcast/room/person_pose.h"
 
 namespace roomcast {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "roomcast/core/result.h"
-#include "roomcast/viewer/view_target.h"
+#include "roomcast/viewer/view/view_target.h"
 
 struct SDL_Window;
 

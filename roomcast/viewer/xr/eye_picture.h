@@ -9,8 +9,8 @@
 #include <openxr/openxr.h>
 
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/render/view_camera.h"
-#include "roomcast/viewer/view_target.h"
+#include "roomcast/render/view/view_camera.h"
+#include "roomcast/viewer/view/view_target.h"
 
 namespace roomcast::xr {
 

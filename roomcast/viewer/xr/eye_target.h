@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "roomcast/render/gl_object.h"
-#include "roomcast/render/offscreen_target.h"
+#include "roomcast/render/gl/gl_object.h"
+#include "roomcast/render/view/offscreen_target.h"
 #include "roomcast/viewer/xr/eye_picture.h"
 #include "roomcast/viewer/xr/swapchain.h"
 

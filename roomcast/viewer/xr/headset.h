@@ -17,7 +17,7 @@
 #include <openxr/openxr.h>
 
 #include "roomcast/core/clock.h"
-#include "roomcast/render/eyes.h"
+#include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/xr/actions.h"
 #include "roomcast/viewer/xr/eye_target.h"
 #include "roomcast/viewer/xr/frame_timing.h"

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/render/gl_fixture.h"
-#include "roomcast/render/synthetic_sensor.h"
-#include "roomcast/viewer/room_picture.h"
-#include "roomcast/viewer/wall_room.h"
+#include "roomcast/render/gl/gl_fixture.h"
+#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/viewer/view/room_picture.h"
+#include "roomcast/viewer/view/wall_room.h"
 #include "roomcast/viewer/window/view_window.h"
 #include "roomcast/viewer/xr/headset.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"

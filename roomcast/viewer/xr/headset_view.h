@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "roomcast/room/person_pose.h"
-#include "roomcast/viewer/room_picture.h"
-#include "roomcast/viewer/room_view.h"
-#include "roomcast/viewer/view_settings.h"
+#include "roomcast/client/room/person_pose.h"
+#include "roomcast/viewer/view/room_picture.h"
+#include "roomcast/viewer/view/room_view.h"
+#include "roomcast/viewer/view/view_settings.h"
 #include "roomcast/viewer/xr/headset.h"
 #include "roomcast/viewer/xr/vr_walk.h"
 

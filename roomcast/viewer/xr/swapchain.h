@@ -11,7 +11,7 @@
 #include <openxr/openxr.h>
 
 #include "roomcast/core/result.h"
-#include "roomcast/viewer/view_target.h"
+#include "roomcast/viewer/view/view_target.h"
 
 namespace roomcast::xr {
 

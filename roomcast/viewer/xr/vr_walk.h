@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
+#include "roomcast/client/room/person_pose.h"
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/room/person_pose.h"
-#include "roomcast/viewer/view_settings.h"
+#include "roomcast/viewer/view/view_settings.h"
 #include "roomcast/viewer/walk/view_state.h"
 
 namespace roomcast::xr {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/render/gl_fixture.h"
+#include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 

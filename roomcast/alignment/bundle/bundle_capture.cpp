@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/bundle/bundle_capture.h"
+
+#include <utility>
+
+#include "roomcast/alignment/bundle/steady_color.h"
+#include "roomcast/alignment/bundle/steady_depth.h"
+
+namespace roomcast::align {
+namespace {
+
+/// Leaves every second one, beginning with the first.
+void thin_out(std::vector<ColorImage>& pictures) {
+  for (std::size_t i = 0; 2 * i < pictures.size(); ++i) std::swap(pictures[i], pictures[2 * i]);
+  pictures.resize((pictures.size() + 1) / 2);
+}
+
+}  // namespace
+
+BundleCapture::BundleCapture(std::string name, const SensorCalibration& calibration)
+    : name_(std::move(name)), calibration_(calibration) {}
+
+Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& color) {
+  if (depth_mm_.size() == kBundleFrames) return true;
+  if (!same_size(depth_mm.view(), calibration_.depth) ||
+      (!color.empty() && !same_size(color.view(), calibration_.color))) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "sensor " + name_ + " gave a picture of another size than its camera's"};
+  }
+  if (!color.empty()) add_color(color);
+  depth_mm_.push_back(depth_mm);
+  return depth_mm_.size() == kBundleFrames;
+}
+
+void BundleCapture::add_color(const ColorImage& color) {
+  const std::size_t place = seen_colors_++;
+  if (place % colors_apart_ == 0 && colors_.size() == kBundleColorFrames) {
+    thin_out(colors_);
+    colors_apart_ *= 2;
+  }
+  if (place % colors_apart_ == 0) colors_.push_back(color);
+}
+
+Result<CalibrationBundle> BundleCapture::finish() const {
+  if (depth_mm_.empty()) {
+    return Error{ErrorCode::kUnavailable, "sensor " + name_ + " has not given a frame yet"};
+  }
+  CalibrationBundle bundle;
+  bundle.name = name_;
+  bundle.calibration = calibration_;
+  SteadyDepth steady = steady_depth(depth_mm_);
+  bundle.depth_mm = std::move(steady.depth_mm);
+  bundle.moving = std::move(steady.moving);
+  if (!colors_.empty()) bundle.color = steady_color(colors_);
+  if (const Status status = check(bundle); !status) return status.error();
+  return bundle;
+}
+
+}  // namespace roomcast::align

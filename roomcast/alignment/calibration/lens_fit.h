@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lens of a colour camera, and where the board was in each picture, from the board's corners
+// (Zhang 2000, as in OpenCV's calibrateCamera). Pixels, metres. Thread-safe (no state).
+#pragma once
+
+#include <vector>
+
+#include "roomcast/alignment/calibration/charuco_board.h"
+#include "roomcast/alignment/calibration/charuco_finder.h"
+#include "roomcast/geometry/camera_model.h"
+
+namespace roomcast::calibration {
+
+struct CornerError {
+  Eigen::Vector2d pixel, error_px;  // seen; seen - expected
+};
+
+struct LensFit {
+  CameraIntrinsics camera;
+  std::vector<RigidTransform> camera_from_board;  // one for each view
+  std::vector<CornerError> errors;
+  double rms_px = 0;
+};
+
+/// `keep_lens`: `start` is believed, only the poses are looked for. Views hold six corners at
+/// least. kNotFound: too few views (kFewestViews; one, when the lens is kept); kMalformed:
+/// what was seen is no flat board.
+[[nodiscard]] Result<LensFit> fit_lens(const CharucoBoard& board,
+                                       const std::vector<std::vector<SeenCorner>>& views,
+                                       const CameraIntrinsics& start, bool keep_lens);
+
+inline constexpr std::size_t kFewestViews = 6;
+inline constexpr std::size_t kFewestCorners = 6;
+inline constexpr double kWorstRms_px = 2;
+
+}  // namespace roomcast::calibration

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sensor's calibration from views of a board: the colour camera's lens, where the depth camera
+// stands beside it, and what its readings are off by. The depth camera's lens is believed as it is
+// given: the board's print cannot be seen in depth. Thread-safe (no state).
+#pragma once
+
+#include <vector>
+
+#include "roomcast/alignment/calibration/charuco_finder.h"
+#include "roomcast/alignment/calibration/depth_fit.h"
+#include "roomcast/alignment/calibration/lens_fit.h"
+#include "roomcast/io/camera_json.h"
+
+namespace roomcast::calibration {
+
+struct BoardView {
+  std::vector<SeenCorner> corners;
+  DepthImage depth_mm;
+};
+
+struct CalibrationReport {
+  RecordedCamera camera;  // for camera.json
+  LensFit lens;
+  DepthFit depth;
+};
+
+/// `start`: what is known, the maker's calibration or nominal. Errors of fit_lens and fit_depth.
+[[nodiscard]] Result<CalibrationReport> calibrate(const CharucoBoard& board,
+                                                  const std::vector<BoardView>& views,
+                                                  const SensorCalibration& start, bool keep_lens);
+
+}  // namespace roomcast::calibration

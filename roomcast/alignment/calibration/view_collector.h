@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of a sensor's frames are taken as views of the board: it is held still (depth and colour
+// are not of quite the same instant), most of it is seen, and it is somewhere else than before.
+// Single-threaded.
+#pragma once
+
+#include <vector>
+
+#include "roomcast/alignment/calibration/charuco_finder.h"
+#include "roomcast/alignment/calibration/sensor_calibration.h"
+#include "roomcast/source/frame_source.h"
+
+namespace roomcast::calibration {
+
+class ViewCollector {
+ public:
+  explicit ViewCollector(const CharucoBoard& board);
+
+  enum class Verdict { kNoBoard, kMoving, kSeenBefore, kTaken };
+  Verdict add(const CapturedFrame& frame);
+
+  [[nodiscard]] const std::vector<BoardView>& views() const { return views_; }
+  /// Of the last frame.
+  [[nodiscard]] const std::vector<SeenCorner>& corners() const { return last_; }
+
+  static constexpr std::size_t kLeastCorners = 10;
+  static constexpr double kStill_px = 0.7;
+  static constexpr double kElsewhere = 0.05;  // of the picture's width, the corners' mean way
+
+ private:
+  CharucoFinder finder_;
+  std::vector<SeenCorner> last_;
+  std::vector<BoardView> views_;
+};
+
+/// Root mean square way between corners that both hold; nothing when there are fewer than four.
+[[nodiscard]] std::optional<double> way_px(const std::vector<SeenCorner>& a,
+                                           const std::vector<SeenCorner>& b);
+
+}  // namespace roomcast::calibration

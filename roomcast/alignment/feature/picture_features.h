@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SIFT features of the colour picture, lifted into space by the depth seen there. Those without
+// depth, or at a depth edge, are dropped. Thread-safe (no state).
+#pragma once
+
+#include "roomcast/alignment/feature/feature_set.h"
+#include "roomcast/alignment/view/color_picture.h"
+
+namespace roomcast::align {
+
+[[nodiscard]] FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& surface);
+
+}  // namespace roomcast::align

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/feature/repeats.h"
+
+#include <algorithm>
+
+#include "roomcast/alignment/feature/descriptor_products.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr float kElsewhere_m = 0.12F;
+constexpr float kRepeats = 0.62F;  // descriptors nearer than this to a look-alike are repeats
+constexpr float kLeastWeight = 0.05F;
+constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of the ratio to the nearest look-alike
+// However well two repeats match each other, they do not say which of the repeats is meant.
+constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike's distance
+
+bool lie_apart(const Feature& one, const Feature& other) {
+  return (one.point_m - other.point_m).squaredNorm() > kElsewhere_m * kElsewhere_m;
+}
+
+}  // namespace
+
+void find_look_alikes(FeatureSet& set) {
+  const std::span<const Descriptor> all = set.descriptors;
+  std::vector<std::int32_t> best(set.size()), products(kDescriptorTile);
+  for (std::size_t first = 0; first < set.size(); first += kDescriptorTile) {
+    const auto tile = all.subspan(first, std::min(kDescriptorTile, set.size() - first));
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      descriptor_products(all[i], tile, products);
+      for (std::size_t k = 0; k < tile.size(); ++k) {
+        if (products[k] > best[i] && lie_apart(set.features[i], set.features[first + k]))
+          best[i] = products[k];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    set.features[i].look_alike = descriptor_distance(best[i]);
+  }
+}
+
+bool repeats(const Feature& feature) {
+  return feature.look_alike < kRepeats;
+}
+
+float uniqueness(float distance, float look_alike_a, float look_alike_b) {
+  const float look_alike = std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
+  const float by_ratio = (kWorthless - distance / look_alike) / kWorthRange;
+  const float by_itself = (look_alike - kSurelyRepeats) / kRepeatRange;
+  return std::clamp(std::min(by_ratio, by_itself), kLeastWeight, 1.F);
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/pair/corrected_matches.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::align {
+namespace {
+
+ColorPicture picture() {
+  ColorPicture picture;
+  picture.camera = {500, 400, 320, 240};
+  // Lies on its side, and 5 cm beside the depth camera.
+  picture.color_from_depth_rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  picture.color_from_depth_m = {0.05F, 0, 0};
+  return picture;
+}
+
+const std::vector<PointMatch> kOne = {{{0.2F, 0.1F, 2}, {-0.3F, 0.4F, 4}, {10, 20}, {30, 40}, 0.5}};
+
+TEST(CorrectedMatches, a_corrected_point_is_seen_where_the_shift_says) {
+  const ColorPicture of_a = picture(), of_b = picture();
+  PairState state;
+  state.a.color_shift_px = {8, -3};
+  state.b.color_shift_px = {0, 5};
+  const auto moved = corrected_matches(kOne, of_a, of_b, state);
+  const auto seen = [](const ColorPicture& picture, const Eigen::Vector3f& point_m) {
+    return picture.pixel_of(picture.in_color_frame(point_m));
+  };
+  const Eigen::Vector2f a = seen(of_a, moved[0].a_m) - seen(of_a, kOne[0].a_m);
+  const Eigen::Vector2f b = seen(of_b, moved[0].b_m) - seen(of_b, kOne[0].b_m);
+  EXPECT_LT((a - Eigen::Vector2f(8, -3)).norm(), 1e-3F);
+  EXPECT_LT((b - Eigen::Vector2f(0, 5)).norm(), 1e-3F);
+  EXPECT_NEAR(moved[0].a_m.z(), 2, 1e-6F);
+}
+
+TEST(CorrectedMatches, without_a_shift_all_stays_as_it_is) {
+  const auto moved = corrected_matches(kOne, picture(), picture(), {});
+  EXPECT_EQ(moved[0].a_m, kOne[0].a_m);
+  EXPECT_EQ(moved[0].b_m, kOne[0].b_m);
+  EXPECT_EQ(moved[0].a_pixel, kOne[0].a_pixel);
+  EXPECT_EQ(moved[0].weight, kOne[0].weight);
+}
+
+}  // namespace
+}  // namespace roomcast::align

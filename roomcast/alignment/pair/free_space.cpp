@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/pair/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomcast/alignment/view/depth_noise.h"
+
+namespace roomcast::align {
+namespace {
+
+// In sigmas of the depth noise. Wide, because hypotheses are tested before they are refined.
+constexpr float kSurelyInFront = 8, kSurelyBehind = 5, kSameReading = 10;
+constexpr float kSameSurface_m = 0.02F;  // seen from both sides only if it is paper
+constexpr float kFromBehind = -0.3F;     // cosine
+constexpr int kBorder = 4;               // pixels
+constexpr int kPointsAcross = 170;       // of a picture, about, in blocks of 4 x 4
+constexpr int kBlockPoints = 4, kMostOfBlock = 12;
+
+struct Counts {
+  std::size_t consistent = 0, violating = 0, occluded = 0, tested = 0;
+};
+
+enum class Verdict { kNothing, kConsistent, kViolating, kOccluded };
+
+Verdict judge(const DepthSurface& target, const Eigen::Vector3f& point,
+              const Eigen::Vector3f& normal) {
+  Eigen::Vector2f pixel;
+  if (!target.lens.project(point, pixel)) return Verdict::kNothing;
+  const int u = static_cast<int>(std::lround(pixel.x())),
+            v = static_cast<int>(std::lround(pixel.y()));
+  if (u < kBorder || v < kBorder || u >= target.z_m.width() - kBorder ||
+      v >= target.z_m.height() - kBorder) {
+    return Verdict::kNothing;
+  }
+  const float z = point.z(), seen = target.z_m.at(u, v);
+  const float nearest = target.range.nearest_m.at(u, v),
+              farthest = target.range.farthest_m.at(u, v);
+  const float sigma = depth_sigma_m(z);
+  if (farthest > 0 && z > farthest + kSurelyBehind * sigma) return Verdict::kOccluded;
+  if (!(seen > 0)) return Verdict::kNothing;
+  if (z < nearest - kSurelyInFront * sigma) return Verdict::kViolating;
+  const float facing = -normal.dot(point.normalized());
+  if (facing < kFromBehind && std::abs(z - seen) < kSameSurface_m) return Verdict::kViolating;
+  if (facing > 0 && std::abs(z - seen) < kSameReading * sigma) return Verdict::kConsistent;
+  return Verdict::kNothing;
+}
+
+Counts count(const DepthSurface& source, const DepthSurface& target,
+             const RigidTransform& target_from_source, std::size_t points) {
+  const Eigen::Matrix3f rotation = target_from_source.rotation.cast<float>();
+  const Eigen::Vector3f shift = target_from_source.translation_m.cast<float>();
+  const std::size_t step = std::max<std::size_t>(1, source.samples.size() / points);
+  Counts counts;
+  for (std::size_t i = 0; i < source.samples.size(); i += step) {
+    const SurfacePoint& sample = source.samples[i];
+    const Verdict verdict =
+        judge(target, rotation * sample.point_m + shift, rotation * sample.normal);
+    counts.consistent += verdict == Verdict::kConsistent;
+    counts.violating += verdict == Verdict::kViolating;
+    counts.occluded += verdict == Verdict::kOccluded;
+    ++counts.tested;
+  }
+  return counts;
+}
+
+/// Whether what lies in this block of the source's picture is in the target's way as a whole.
+Verdict judge_block(const DepthSurface& source, const DepthSurface& target,
+                    const Eigen::Matrix3f& rotation, const Eigen::Vector3f& shift, int left,
+                    int top, int step) {
+  int violating = 0, consistent = 0;
+  for (int y = top; y < top + kBlockPoints * step; y += step) {
+    for (int x = left; x < left + kBlockPoints * step; x += step) {
+      const SurfacePoint& here = source.at.at(x, y);
+      if (!(here.normal.squaredNorm() > 0)) continue;
+      const Verdict verdict =
+          judge(target, rotation * here.point_m + shift, rotation * here.normal);
+      violating += verdict == Verdict::kViolating;
+      consistent += verdict == Verdict::kConsistent;
+    }
+  }
+  if (violating >= kMostOfBlock) return Verdict::kViolating;
+  return consistent >= kMostOfBlock ? Verdict::kConsistent : Verdict::kNothing;
+}
+
+void add_blocks(const DepthSurface& source, const DepthSurface& target,
+                const RigidTransform& target_from_source, SolidConflict& conflict) {
+  const Eigen::Matrix3f rotation = target_from_source.rotation.cast<float>();
+  const Eigen::Vector3f shift = target_from_source.translation_m.cast<float>();
+  const int step = std::max(1, source.at.width() / kPointsAcross), block = kBlockPoints * step;
+  for (int top = 0; top + block <= source.at.height(); top += block) {
+    for (int left = 0; left + block <= source.at.width(); left += block) {
+      const Verdict verdict = judge_block(source, target, rotation, shift, left, top, step);
+      conflict.consistent += verdict == Verdict::kConsistent;
+      conflict.violating += verdict == Verdict::kViolating;
+    }
+  }
+}
+
+double share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+FreeSpaceCheck check_free_space(const DepthSurface& a, const DepthSurface& b,
+                                const RigidTransform& a_from_b, std::size_t points) {
+  const Counts of_b = count(b, a, a_from_b, points);
+  const Counts of_a = count(a, b, a_from_b.inverse(), points);
+  const std::size_t tested = of_a.tested + of_b.tested;
+  return {share(of_a.consistent + of_b.consistent, tested),
+          share(of_a.violating + of_b.violating, tested),
+          share(of_a.occluded + of_b.occluded, tested),
+          std::min(share(of_a.consistent, of_a.tested), share(of_b.consistent, of_b.tested))};
+}
+
+SolidConflict check_solid_conflict(const DepthSurface& a, const DepthSurface& b,
+                                   const RigidTransform& a_from_b) {
+  SolidConflict conflict;
+  add_blocks(b, a, a_from_b, conflict);
+  add_blocks(a, b, a_from_b.inverse(), conflict);
+  return conflict;
+}
+
+}  // namespace roomcast::align

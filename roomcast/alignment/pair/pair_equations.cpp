@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/pair/pair_equations.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kLeastTrace = 1e-6;
+constexpr double kDamping = 1e-9;  // of the trace: what nothing holds on to stays where it is
+constexpr double kHeld = 1e12;     // information on what is not to move
+
+void add_expectation(const SensorCorrection& correction, Eigen::Index first,
+                     PairEquations& equations) {
+  const double weight = shift_expectation(correction.color_shift_px);
+  equations.information.diagonal().segment<2>(first + kShift).array() += weight;
+  equations.gradient.segment<2>(first + kShift) += weight * correction.color_shift_px;
+}
+
+}  // namespace
+
+RigidTransform step_transform(const Vector6& xi) {
+  const double angle = xi.head<3>().norm();
+  RigidTransform step;
+  if (angle > 0) {
+    step.rotation = Eigen::AngleAxisd(angle, xi.head<3>() / angle).toRotationMatrix();
+  }
+  step.translation_m = xi.tail<3>();
+  return step;
+}
+
+Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m) {
+  Eigen::Matrix<double, 3, 6> by;
+  for (int axis = 0; axis < 3; ++axis) by.col(axis) = Eigen::Vector3d::Unit(axis).cross(point_m);
+  by.rightCols<3>().setIdentity();
+  return by;
+}
+
+double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point_m) {
+  const Eigen::Matrix<double, 3, 6> by = point_motion(point_m);
+  return std::sqrt((by * information.inverse() * by.transpose()).trace());
+}
+
+Vector6 solve_motion(const PairEquations& equations) {
+  Matrix6 information = equations.information.topLeftCorner<6, 6>();
+  const double trace = information.trace();
+  if (!(trace > kLeastTrace)) return Vector6::Zero();
+  information.diagonal().array() += kDamping * trace;
+  return information.ldlt().solve(-equations.gradient.head<6>());
+}
+
+PairVector solve_state(PairEquations equations, const PairState& at) {
+  const double trace = equations.information.topLeftCorner<6, 6>().trace();
+  if (!(trace > kLeastTrace)) return PairVector::Zero();
+  add_expectation(at.a, kOfA, equations);
+  add_expectation(at.b, kOfB, equations);
+  equations.information.diagonal().head<6>().array() += kDamping * trace;
+  for (const Eigen::Index of : {kOfA, kOfB})
+    equations.information.diagonal().segment<2>(of + kDepth).array() += kHeld;
+  return equations.information.ldlt().solve(-equations.gradient);
+}
+
+void move(const PairVector& step, PairState& state) {
+  state.a_from_b = step_transform(step.head<6>()) * state.a_from_b;
+  state.a.color_shift_px += step.segment<2>(kOfA + kShift);
+  state.b.color_shift_px += step.segment<2>(kOfB + kShift);
+}
+
+}  // namespace roomcast::align

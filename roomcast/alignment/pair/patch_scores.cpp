@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/pair/patch_scores.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kPatchTangent = 0.35;
+constexpr int kMostAside = 8;  // patches on either side of the axis
+
+int along(double tangent) {
+  const double patch = std::floor(tangent / kPatchTangent);
+  return static_cast<int>(std::clamp<double>(patch, -kMostAside, kMostAside - 1)) + kMostAside;
+}
+
+}  // namespace
+
+int patch_of(const Eigen::Vector3d& point_m) {
+  return along(point_m.y() / point_m.z()) * 2 * kMostAside + along(point_m.x() / point_m.z());
+}
+
+void PairScores::add(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m,
+                     const PairVector& score) {
+  of_a[patch_of(a_m)].score += score;
+  of_b[patch_of(b_m)].score += score;
+}
+
+void PairScores::add_surface(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m,
+                             const PairVector& score, double residual_m, double weight) {
+  for (PatchScore* patch : {&of_a[patch_of(a_m)], &of_b[patch_of(b_m)]}) {
+    patch->score += score;
+    patch->weight += weight;
+    patch->residual += weight * residual_m;
+  }
+}
+
+}  // namespace roomcast::align

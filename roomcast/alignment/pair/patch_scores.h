@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Residuals summed patch by patch. Errors of depth are smooth over a picture (multipath, lens,
+// the unit's own bias), so the residuals of a patch err together: ten thousand of them are one
+// witness. How far their sums are from nothing tells how far off a pose may be, without a model of
+// the error (cluster-robust covariance: Liang & Zeger, Biometrika 1986). Metres, radians, pixels.
+// Single-threaded.
+#pragma once
+
+#include <map>
+
+#include <Eigen/Core>
+
+#include "roomcast/alignment/pair/pair_equations.h"
+
+namespace roomcast::align {
+
+/// A patch of a sensor's picture.
+struct PatchScore {
+  PairVector score = PairVector::Zero();  // sum of w J^T r
+  double weight = 0, residual = 0;        // of surfaces: sums of w and w r
+};
+
+/// By patch: about 20 degrees wide and high.
+using PatchScores = std::map<int, PatchScore>;
+
+[[nodiscard]] int patch_of(const Eigen::Vector3d& point_m);
+
+/// What a pair says, by the patches of either sensor's picture.
+struct PairScores {
+  PatchScores of_a, of_b;
+
+  /// A term of `PairEquations`, about a point of either sensor.
+  void add(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m, const PairVector& score);
+  /// One of surfaces, with its residual in metres and its weight.
+  void add_surface(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m, const PairVector& score,
+                   double residual_m, double weight);
+};
+
+}  // namespace roomcast::align

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pose hypotheses from matches of which most may be wrong: second-order spatial compatibility (SC2,
+// Chen et al., CVPR 2022). Two matches are compatible when their points are as far apart in one
+// view as in the other; a match is voted for by the compatible ones that are compatible with each
+// other. No random choice: the same matches give the same hypotheses. Metres. Thread-safe (no
+// state).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "roomcast/alignment/pair/rigid_fit.h"
+
+namespace roomcast::align {
+
+struct VoteOptions {
+  std::size_t most_matches = 1200;  // the heaviest are used
+  std::size_t most_seeds = 150;
+  std::size_t most_hypotheses = 16;
+  float inlier_m = 0.06F;
+  float tolerance_m = 0.02F;  // between distances in both views, and 1.2 % of them
+};
+
+struct PoseHypothesis {
+  RigidTransform a_from_b;
+  double support = 0;  // match_support().weight of what agrees
+};
+
+/// Those with most support first; none twice.
+[[nodiscard]] std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> matches,
+                                                         const VoteOptions& options = {});
+
+}  // namespace roomcast::align

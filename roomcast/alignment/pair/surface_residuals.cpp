@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/pair/surface_residuals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "roomcast/alignment/view/depth_noise.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr float kAlike = 0.8F;       // cosine between normals
+constexpr float kSlidePerReach = 4;  // along the surface a partner may lie further away
+constexpr double kMostIndependent = 1500;
+constexpr double kMedianOfNormal = 0.6745;  // of the absolute value, in sigmas
+constexpr double kLeastNoise = 0.2, kMostNoise = 1.5;
+
+/// One direction of a pair: points of `source` are looked up in `target`.
+struct Direction {
+  const DepthSurface& source;
+  const DepthSurface& target;
+  Eigen::Matrix3f rotation;  // target from source
+  Eigen::Vector3f shift;
+
+  Direction(const DepthSurface& from, const DepthSurface& to, const RigidTransform& to_from_from)
+      : source(from),
+        target(to),
+        rotation(to_from_from.rotation.cast<float>()),
+        shift(to_from_from.translation_m.cast<float>()) {}
+};
+
+/// Calls `visit(source point, target point)` with what lies within reach of each other.
+template <class Visit>
+void for_each_partner(const Direction& way, const SurfaceReach& options, Visit visit) {
+  const auto& samples = way.source.samples;
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / options.points);
+  const float slide = kSlidePerReach * options.reach_m;
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    const Eigen::Vector3f point = way.rotation * samples[i].point_m + way.shift;
+    Eigen::Vector2f pixel;
+    if (!way.target.lens.project(point, pixel)) continue;
+    const int u = static_cast<int>(std::lround(pixel.x()));
+    const int v = static_cast<int>(std::lround(pixel.y()));
+    if (u < 0 || v < 0 || u >= way.target.at.width() || v >= way.target.at.height()) continue;
+    const SurfacePoint& seen = way.target.at.at(u, v);
+    if (seen.normal.dot(way.rotation * samples[i].normal) < kAlike) continue;
+    const Eigen::Vector3f apart = point - seen.point_m;
+    const float residual = seen.normal.dot(apart);
+    if (std::abs(residual) > options.reach_m || apart.squaredNorm() > slide * slide) continue;
+    visit(samples[i], seen, residual);
+  }
+}
+
+float variance_m2(const SurfacePoint& one, const SurfacePoint& other) {
+  const float here = depth_sigma_m(one.point_m.z()), there = depth_sigma_m(other.point_m.z());
+  return 0.5F * (here * here + there * there);
+}
+
+/// Surfaces know nothing of colour: motion and both depths are all that moves them.
+constexpr std::array<Eigen::Index, 10> kKnown = {
+    0, 1, 2, 3, 4, 5, kOfA + kDepth, kOfA + kDepth + 1, kOfB + kDepth, kOfB + kDepth + 1};
+using KnownVector = Eigen::Matrix<double, 10, 1>;
+
+PairVector spread(const KnownVector& known) {
+  PairVector all = PairVector::Zero();
+  for (std::size_t i = 0; i < kKnown.size(); ++i)
+    all(kKnown[i]) = known(static_cast<Eigen::Index>(i));
+  return all;
+}
+
+struct KnownEquations {
+  Eigen::Matrix<double, 10, 10> information = Eigen::Matrix<double, 10, 10>::Zero();
+  KnownVector gradient = KnownVector::Zero();
+
+  [[nodiscard]] PairEquations among_all(double factor, int terms) const {
+    PairEquations all;
+    all.gradient = factor * spread(gradient);
+    for (std::size_t i = 0; i < kKnown.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      for (std::size_t j = 0; j < kKnown.size(); ++j)
+        all.information(kKnown[i], kKnown[j]) =
+            factor * information(row, static_cast<Eigen::Index>(j));
+    }
+    all.terms = terms;
+    return all;
+  }
+};
+
+KnownVector jacobian_of(const SurfacePartner& partner, const RigidTransform& a_from_b) {
+  const Eigen::Vector3d n = partner.normal.cast<double>();
+  const Eigen::Vector3d a = partner.a_m.cast<double>(), b = partner.b_m.cast<double>();
+  const Eigen::Vector3d turned = a_from_b.rotation * b;
+  const double by_a = -n.dot(a), by_b = n.dot(turned);
+  KnownVector jacobian;
+  jacobian << (turned + a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(), by_b;
+  return jacobian;
+}
+
+double weight_of(const SurfacePartner& partner, double noise) {
+  const double variance = noise * noise * double(partner.variance_m2);
+  return robust_weight(double(partner.residual_m) / std::sqrt(variance)) / variance;
+}
+
+/// By which all count as no more than kMostIndependent.
+double share_that_counts(std::size_t partners) {
+  return std::min(1.0, kMostIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
+}
+
+}  // namespace
+
+std::vector<SurfacePartner> surface_partners(const DepthSurface& a, const DepthSurface& b,
+                                             const RigidTransform& a_from_b,
+                                             const SurfaceReach& reach) {
+  std::vector<SurfacePartner> partners;
+  const Eigen::Matrix3f rotation = a_from_b.rotation.cast<float>();
+  for_each_partner(Direction(b, a, a_from_b), reach,
+                   [&](const SurfacePoint& of_b, const SurfacePoint& of_a, float residual) {
+                     partners.push_back({of_a.point_m, of_b.point_m, of_a.normal, residual,
+                                         variance_m2(of_a, of_b)});
+                   });
+  for_each_partner(Direction(a, b, a_from_b.inverse()), reach,
+                   [&](const SurfacePoint& of_a, const SurfacePoint& of_b, float residual) {
+                     partners.push_back({of_a.point_m, of_b.point_m, rotation * of_b.normal,
+                                         -residual, variance_m2(of_a, of_b)});
+                   });
+  return partners;
+}
+
+PairEquations surface_equations(std::span<const SurfacePartner> partners,
+                                const RigidTransform& a_from_b, double noise) {
+  KnownEquations sum;
+  for (const SurfacePartner& partner : partners) {
+    const double weight = weight_of(partner, noise);
+    const KnownVector jacobian = jacobian_of(partner, a_from_b);
+    sum.information.noalias() += weight * jacobian * jacobian.transpose();
+    sum.gradient += weight * double(partner.residual_m) * jacobian;
+  }
+  return sum.among_all(share_that_counts(partners.size()), static_cast<int>(partners.size()));
+}
+
+void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
+                        double noise, PairScores& scores) {
+  const double factor = share_that_counts(partners.size());
+  for (const SurfacePartner& partner : partners) {
+    const double weight = factor * weight_of(partner, noise);
+    const double residual_m = double(partner.residual_m);
+    scores.add_surface(partner.a_m.cast<double>(), partner.b_m.cast<double>(),
+                       weight * residual_m * spread(jacobian_of(partner, a_from_b)), residual_m,
+                       weight);
+  }
+}
+
+double surface_noise(std::span<const SurfacePartner> partners) {
+  if (partners.empty()) return kMostNoise;
+  std::vector<double> sigmas;
+  for (const SurfacePartner& partner : partners)
+    sigmas.push_back(double(std::abs(partner.residual_m) / std::sqrt(partner.variance_m2)));
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  return std::clamp(*middle / kMedianOfNormal, kLeastNoise, kMostNoise);
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/placed_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "roomcast/alignment/pair/surface_residuals.h"
+#include "roomcast/alignment/rig/refusal.h"
+#include "roomcast/alignment/rig/rig_check.h"
+#include "roomcast/alignment/rig/rig_refinement.h"
+#include "roomcast/alignment/rig/world_frame.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kHoldingSupport = 6, kHoldingScore = 6;
+constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
+// A lens whose centre is off by half a pixel looks aside by so much, and no view tells.
+constexpr double kPointingSigma_rad = 0.001;
+constexpr SurfaceReach kReported{0.05F, 20'000};
+const Eigen::Vector3d kInView_m(0, 0, 2.5);
+
+/// Whether a pair has enough to say, where its sensors stand now, to take part in refinement.
+bool holds(const PoseEvidence& evidence) {
+  if (is_strong(evidence)) return true;
+  return (evidence.matches.weight >= kHoldingSupport || evidence.score >= kHoldingScore) &&
+         evidence.space.consistent > kHoldingOverlap &&
+         evidence.space.conflict() <= kHoldingConflict;
+}
+
+std::vector<bool> placed_sensors(const PoseSelection& selection) {
+  const std::size_t count = selection.best.group.size();
+  std::vector<bool> placed(count);
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    placed[i] = i != selection.origin && selection.best.together(i, selection.origin) &&
+                selection.margin_to_rival[i] > kLeastMargin &&
+                selection.margin_to_unplaced[i] > kLeastMargin;
+    any = any || placed[i];
+  }
+  placed[selection.origin] = any || count == 1;
+  return placed;
+}
+
+std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
+                                   const std::vector<RigidTransform>& origin_from_sensor) {
+  std::vector<RigPair> holding;
+  for (const RigPair& pair : pairs) {
+    if (!placed[pair.first] || !placed[pair.second]) continue;
+    const RigidTransform a_from_b =
+        origin_from_sensor[pair.first].inverse() * origin_from_sensor[pair.second];
+    if (holds(pair.candidates->examine(a_from_b))) holding.push_back(pair);
+  }
+  return holding;
+}
+
+/// Median distance between the surfaces that both see.
+double residual_mm(const PairCandidates& pair, const RigidTransform& a_from_b) {
+  std::vector<float> residuals_m;
+  for (const SurfacePartner& partner :
+       surface_partners(pair.a().surface, pair.b().surface, a_from_b, kReported)) {
+    residuals_m.push_back(std::abs(partner.residual_m));
+  }
+  if (residuals_m.empty()) return 0;
+  const auto middle = residuals_m.begin() + static_cast<std::ptrdiff_t>(residuals_m.size() / 2);
+  std::nth_element(residuals_m.begin(), middle, residuals_m.end());
+  return 1000.0 * double(*middle);
+}
+
+PairReport empty_report(const PairCandidates& candidates) {
+  PairReport report;
+  report.a = candidates.a().name;
+  report.b = candidates.b().name;
+  report.margin = candidates.margin();
+  return report;
+}
+
+void describe(const PoseEvidence& evidence, PairReport& report) {
+  report.overlap = evidence.space.consistent_least;
+  report.inliers = evidence.matches.cells;
+  report.conflict = evidence.space.conflict();
+  report.correlation = evidence.photo.correlation;
+}
+
+/// `before` is the evidence that the pair was believed on, with calibrations as given.
+PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
+                         const RigidTransform& a_from_b) {
+  const PairCandidates& candidates = *pair.candidates;
+  const PoseEvidence evidence = candidates.examine(a_from_b);
+  PairReport report = empty_report(candidates);
+  describe(evidence, report);
+  report.correlation = std::max(before.photo.correlation, evidence.photo.correlation);
+  report.b_from_a = a_from_b.inverse();
+  report.residual_mm = residual_mm(candidates, a_from_b);
+  report.accepted = is_strong(before) || is_strong(evidence);
+  report.reason = report.accepted ? fmt::format("{} places agree, colours correlate by {:.2f}",
+                                                report.inliers, report.correlation)
+                                  : why_pair_says_little(candidates, evidence);
+  return report;
+}
+
+/// Whether the pair settles how its sensors stand, only not where in the world.
+bool stand_apart_together(const RigPair& pair, const PoseSelection& selection) {
+  return selection.best.together(pair.first, pair.second) &&
+         !selection.best.together(pair.first, selection.origin);
+}
+
+PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
+  const PairCandidates& candidates = *pair.candidates;
+  PairReport report = empty_report(candidates);
+  if (!candidates.ranked().empty()) describe(candidates.ranked()[0], report);
+  report.reason = why_pair_is_refused(candidates);
+  if (!report.reason.empty()) return report;
+  report.reason = stand_apart_together(pair, answer.selection)
+                      ? fmt::format(
+                            "{} and {} fit together, but neither fits the sensors that are placed; "
+                            "turn one of them so that it shares more with those",
+                            report.a, report.b)
+                      : fmt::format("what {} and {} see of each other contradicts other pairs",
+                                    report.a, report.b);
+  return report;
+}
+
+/// Of what is 2.5 m ahead of `of`, by what is not known of where `sensor` stands.
+double variance_at_view_m2(const RefinedSensor& sensor, const RefinedSensor& of) {
+  const auto by_motion = point_motion(of.origin_from_sensor * kInView_m);
+  return (by_motion * sensor.covariance * by_motion.transpose()).trace();
+}
+
+/// Of both their directions, at the distance of what is in view.
+double variance_of_pointing_m2() {
+  return 2 * kPointingSigma_rad * kPointingSigma_rad * kInView_m.squaredNorm();
+}
+
+/// Both are 0 for the origin, by definition, and nothing is known of a sensor that no pair holds.
+void describe_error(const RefinedSensor& sensor, SensorReport& report) {
+  if (sensor.covariance.isZero()) return;
+  const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
+  const double at_view_m2 = variance_at_view_m2(sensor, sensor) + variance_of_pointing_m2();
+  const double turn_rad2 = sensor.covariance.topLeftCorner<3, 3>().trace() + 3 * pointing;
+  report.expected_error_mm = 1000 * std::sqrt(std::max(0.0, at_view_m2));
+  report.expected_error_deg = std::sqrt(std::max(0.0, turn_rad2)) * 180 / std::numbers::pi;
+}
+
+/// The most telling refusal among the pairs of a sensor: of the one it shares most with.
+std::string why_sensor_is_apart(const std::string& name, const std::vector<PairReport>& pairs) {
+  const PairReport* nearest = nullptr;
+  for (const PairReport& pair : pairs) {
+    if (pair.a != name && pair.b != name) continue;
+    if (!nearest || pair.inliers > nearest->inliers) nearest = &pair;
+  }
+  return nearest ? nearest->reason : "there is no other sensor to align it with";
+}
+
+/// All placed sensors at once, on all that any two of them share where they stand now.
+void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
+            RigAnswer& answer) {
+  answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
+                              holding_pairs(pairs, answer.placed, origin_from_sensor));
+}
+
+/// From where the sensors have come: other matches agree there than where they began.
+void refine_on(std::span<const RigPair> pairs, RigAnswer& answer) {
+  std::vector<RigidTransform> now;
+  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
+  refine(pairs, now, answer);
+}
+
+RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
+  // 1. Which hypotheses fit together, and whose sensors have no rival place?
+  RigAnswer answer;
+  answer.selection = select_poses(sensors, pairs);
+  answer.placed = placed_sensors(answer.selection);
+
+  // 2. More exactly, together.
+  refine(pairs, answer.selection.best.group_from_sensor, answer);
+  return answer;
+}
+
+/// An answer that contradicts itself has fooled us; what is left when the sensor that was least
+/// sure is taken out must hold on its own, so it is sought anew.
+RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs) {
+  std::vector<RigPair> left(pairs.begin(), pairs.end());
+  RigCheck check;
+  for (;;) {
+    RigAnswer answer = answer_of(sensors, left);
+    auto fooled = check.contradicted_sensor(left, answer);
+    if (fooled) {
+      refine_on(left, answer);  // perhaps it is not exact yet
+      fooled = check.contradicted_sensor(left, answer);
+    }
+    if (!fooled) return answer;
+    std::erase_if(
+        left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });
+  }
+}
+
+WorldFrame world_of(std::span<const SensorView* const> views, const RigAnswer& answer) {
+  std::vector<Plane> floors;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (answer.placed[i] && views[i]->floor)
+      floors.push_back(transformed(answer.refined[i].origin_from_sensor, *views[i]->floor));
+  }
+  return world_frame(floors);
+}
+
+PairReport report_of(const RigPair& pair, const RigAnswer& answer) {
+  if (!answer.placed[pair.first] || !answer.placed[pair.second])
+    return report_refused(pair, answer);
+  const RigidTransform selected = answer.selection.best.relative(pair.first, pair.second);
+  PairReport report =
+      report_placed(pair, pair.candidates->examine(selected), answer.relative(pair));
+  const RefinedSensor &a = answer.refined[pair.first], &b = answer.refined[pair.second];
+  report.expected_error_mm =
+      1000 * std::sqrt(std::max(0.0, variance_at_view_m2(a, b)) +
+                       std::max(0.0, variance_at_view_m2(b, b)) + variance_of_pointing_m2());
+  return report;
+}
+
+/// What its pairs say of it.
+void describe_pairs(const std::vector<PairReport>& pairs, SensorReport& report) {
+  double sum = 0, shared = 0;
+  for (const PairReport& pair : pairs) {
+    if (!pair.b_from_a || (pair.a != report.id && pair.b != report.id)) continue;
+    report.overlap = std::max(report.overlap, pair.overlap);
+    report.inliers += pair.inliers;
+    sum += pair.overlap * pair.residual_mm;
+    shared += pair.overlap;
+  }
+  if (shared > 0) report.residual_mm = sum / shared;
+}
+
+SensorReport report_of(std::size_t index, const std::string& name, const RigAnswer& answer,
+                       const WorldFrame& world, const std::vector<PairReport>& pairs) {
+  SensorReport report;
+  report.id = name;
+  report.placed = answer.placed[index];
+  if (!report.placed) {
+    report.reason = why_sensor_is_apart(name, pairs);
+    return report;
+  }
+  const RefinedSensor& refined = answer.refined[index];
+  report.world_from_depth = world.world_from_origin * refined.origin_from_sensor;
+  describe_error(refined, report);
+  describe_pairs(pairs, report);
+  report.correction = refined.correction;
+  report.reason = index == answer.selection.origin ? "stands at the origin" : "placed";
+  return report;
+}
+
+}  // namespace
+
+AlignmentReport place_rig(std::span<const SensorView* const> views,
+                          std::span<const RigPair> pairs) {
+  AlignmentReport report;
+  if (views.empty()) return report;
+  const RigAnswer answer = answer_without_contradiction(views.size(), pairs);
+  const WorldFrame world = world_of(views, answer);
+  report.has_floor = world.has_floor;
+  for (const RigPair& pair : pairs) report.pairs.push_back(report_of(pair, answer));
+  for (std::size_t i = 0; i < views.size(); ++i)
+    report.sensors.push_back(report_of(i, views[i]->name, answer, world, report.pairs));
+  return report;
+}
+
+}  // namespace roomcast::align

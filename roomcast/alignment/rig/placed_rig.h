@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the pairs' candidates to the report: selection, joint refinement, check, world. Reads like
+// the list of steps. Metres. Thread-safe (no state).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "roomcast/alignment/rig/alignment_report.h"
+#include "roomcast/alignment/rig/pose_selection.h"
+
+namespace roomcast::align {
+
+/// `pairs` are all pairs of `views`.
+[[nodiscard]] AlignmentReport place_rig(std::span<const SensorView* const> views,
+                                        std::span<const RigPair> pairs);
+
+}  // namespace roomcast::align

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/placed_rig.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/pair/pose_difference.h"
+#include "roomcast/alignment/rig/rig_check.h"
+
+namespace roomcast::align {
+namespace {
+
+/// One of two sensors that look past a pillar from either side. They share no surface that faces
+/// sideways, so there only matches hold them; but both see where the pillar ends.
+MadeUpView beside_pillar(const char* name, double x) {
+  MadeUpRoom room;
+  room.coarser = 5;
+  room.boxes = {{Eigen::Vector3d(-0.25, 0, -2), Eigen::Vector3d(0.25, 1, -1)}};
+  return made_up_view(room, name, world_from_optical_looking_at({x, 1.3, -0.1}, {0, 0.9, -1}));
+}
+
+Eigen::Vector2f pixel_of(const SensorView& view, const Eigen::Vector3f& point_m) {
+  return view.picture.pixel_of(view.picture.in_color_frame(point_m));
+}
+
+/// Matches all over what `a` sees, which agree on a place aside of where `b` stands.
+struct Group {
+  std::size_t every;  // so many surface points
+  double aside_m;
+  float weight;
+};
+
+std::vector<PointMatch> matches_of(const MadeUpView& a, const MadeUpView& b, const Group& group) {
+  const RigidTransform b_from_a = true_pose(a, b).inverse();
+  const Eigen::Vector3d aside_m =
+      group.aside_m * a.world_from_depth.rotation.transpose() * Eigen::Vector3d::UnitX();
+  const auto& samples = a.view->surface.samples;
+  std::vector<PointMatch> matches;
+  for (std::size_t i = 0; i < samples.size(); i += group.every) {
+    const Eigen::Vector3f in_a = samples[i].point_m;
+    const Eigen::Vector3f in_b = (b_from_a * (in_a.cast<double>() - aside_m)).cast<float>();
+    if (in_b.z() < kNearestSurface_m) continue;
+    matches.push_back({in_a, in_b, pixel_of(*a.view, in_a), pixel_of(*b.view, in_b), group.weight});
+  }
+  return matches;
+}
+
+TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
+  const MadeUpView a = beside_pillar("a", -0.45), b = beside_pillar("b", 0.45);
+  // What weighs most is furthest off, and what is right so far from there that steps reach it only
+  // when they are begun again from where the others have led them.
+  std::vector<PointMatch> matches;
+  for (const Group& group : {Group{43, 0.112, 1}, Group{20, 0.076, 0.01F}, Group{1, 0, 0.001F}}) {
+    const auto of_group = matches_of(a, b, group);
+    matches.insert(matches.end(), of_group.begin(), of_group.end());
+  }
+  const PairCandidates candidates(*a.view, *b.view, std::move(matches));
+  ASSERT_FALSE(candidates.ranked().empty());
+  ASSERT_TRUE(is_strong(candidates.ranked()[0]));
+  const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
+
+  RigAnswer once{select_poses(2, pairs), {true, true}, {}};
+  once.refined = refine_rig(once.selection.best.group_from_sensor, once.selection.origin, pairs);
+  ASSERT_TRUE(RigCheck().contradicted_sensor(pairs, once).has_value());
+
+  const std::array<const SensorView*, 2> views = {a.view.get(), b.view.get()};
+  const AlignmentReport report = place_rig(views, pairs);
+  ASSERT_TRUE(report.sensors[0].placed && report.sensors[1].placed) << report.pairs[0].reason;
+  EXPECT_LT(difference(report.pairs[0].b_from_a->inverse(), true_pose(a, b)).distance_m, 0.01);
+}
+
+}  // namespace
+}  // namespace roomcast::align

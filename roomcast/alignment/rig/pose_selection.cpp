@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/pose_selection.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "roomcast/alignment/pair/pose_difference.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr std::size_t kEdgesPerPair = 6;
+constexpr std::size_t kBeam = 24;
+constexpr double kSameAngle_rad = 0.7 * std::numbers::pi / 180, kSameDistance_m = 0.03;
+constexpr double kNoRival = 99;
+
+bool says_the_same(const Placement& one, const Placement& other) {
+  if (one.group != other.group) return false;
+  for (std::size_t i = 0; i < one.group.size(); ++i) {
+    if (are_rivals(one.group_from_sensor[i], other.group_from_sensor[i])) return false;
+  }
+  return true;
+}
+
+/// The evidence of pairs for poses that are not among their own hypotheses; each is examined once.
+class LoopEvidence {
+ public:
+  explicit LoopEvidence(std::span<const RigPair> pairs) : pairs_(pairs), examined_(pairs.size()) {}
+
+  const PoseEvidence& at(std::size_t pair, const RigidTransform& a_from_b) {
+    for (const PoseEvidence& known : pairs_[pair].candidates->ranked()) {
+      if (!are_rivals(known.a_from_b, a_from_b)) return known;
+    }
+    for (const PoseEvidence& known : examined_[pair]) {
+      const PoseDifference apart = difference(known.a_from_b, a_from_b);
+      if (apart.angle_rad < kSameAngle_rad && apart.distance_m < kSameDistance_m) return known;
+    }
+    examined_[pair].push_back(pairs_[pair].candidates->examine(a_from_b));
+    return examined_[pair].back();
+  }
+
+ private:
+  std::span<const RigPair> pairs_;
+  std::vector<std::vector<PoseEvidence>> examined_;
+};
+
+/// An edge of the tree: a hypothesis of a pair.
+struct Edge {
+  std::size_t pair;
+  const PoseEvidence* evidence;
+};
+
+std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
+  std::vector<Edge> edges;
+  for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
+    std::size_t taken = 0;
+    for (const PoseEvidence& evidence : pairs[pair].candidates->ranked()) {
+      if (taken == kEdgesPerPair) break;
+      if (evidence.score < kPoseCost) continue;
+      edges.push_back({pair, &evidence});
+      ++taken;
+    }
+  }
+  return edges;
+}
+
+Placement nobody_placed(std::size_t sensors) {
+  Placement placement;
+  for (std::size_t i = 0; i < sensors; ++i) placement.group.push_back(i);
+  placement.group_from_sensor.resize(sensors);
+  return placement;
+}
+
+/// `before` with the groups of the edge's two sensors made one.
+Placement joined(const Placement& before, const RigPair& pair, const RigidTransform& a_from_b) {
+  Placement after = before;
+  const std::size_t group_a = before.group[pair.first], group_b = before.group[pair.second];
+  const RigidTransform ga_from_gb = before.group_from_sensor[pair.first] * a_from_b *
+                                    before.group_from_sensor[pair.second].inverse();
+  const std::size_t kept = std::min(group_a, group_b);
+  const RigidTransform moved_from = kept == group_a ? ga_from_gb : ga_from_gb.inverse();
+  for (std::size_t i = 0; i < after.group.size(); ++i) {
+    if (after.group[i] != std::max(group_a, group_b)) continue;
+    after.group[i] = kept;
+    after.group_from_sensor[i] = moved_from * before.group_from_sensor[i];
+  }
+  return after;
+}
+
+/// What all the pairs say that this edge brings together.
+PooledEvidence pooled_evidence(const Placement& before, const Placement& after,
+                               std::span<const RigPair> pairs, const Edge& edge,
+                               LoopEvidence& evidence) {
+  PooledEvidence pooled;
+  pooled.add(*edge.evidence);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [first, second, candidates] = pairs[i];
+    if (i == edge.pair || before.together(first, second) || !after.together(first, second))
+      continue;
+    pooled.add(evidence.at(i, after.relative(first, second)));
+  }
+  return pooled;
+}
+
+/// The answers with the highest scores, each once.
+void keep_best(std::vector<Placement>& placements, std::size_t most) {
+  std::stable_sort(placements.begin(), placements.end(),
+                   [](const Placement& x, const Placement& y) { return x.score > y.score; });
+  std::vector<Placement> kept;
+  for (Placement& placement : placements) {
+    if (kept.size() == most) break;
+    const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const Placement& better) {
+      return says_the_same(placement, better);
+    });
+    if (is_new) kept.push_back(std::move(placement));
+  }
+  placements = std::move(kept);
+}
+
+/// Every answer that one more edge makes of the answers in `beam`.
+std::vector<Placement> extended(std::span<const Placement> beam, std::span<const Edge> edges,
+                                std::span<const RigPair> pairs, LoopEvidence& evidence) {
+  std::vector<Placement> next;
+  for (const Placement& before : beam) {
+    for (const Edge& edge : edges) {
+      const RigPair& pair = pairs[edge.pair];
+      if (before.together(pair.first, pair.second)) continue;
+      Placement after = joined(before, pair, edge.evidence->a_from_b);
+      const PooledEvidence pooled = pooled_evidence(before, after, pairs, edge, evidence);
+      if (!is_strong(*edge.evidence) && !is_strong(pooled)) continue;
+      after.score = before.score + pooled.score - kPoseCost;
+      next.push_back(std::move(after));
+    }
+  }
+  keep_best(next, kBeam);
+  return next;
+}
+
+std::size_t largest_group(const Placement& placement) {
+  std::vector<std::size_t> members(placement.group.size());
+  for (const std::size_t group : placement.group) ++members[group];
+  return static_cast<std::size_t>(std::max_element(members.begin(), members.end()) -
+                                  members.begin());
+}
+
+void measure_margins(std::span<const Placement> answers, PoseSelection& selection) {
+  const Placement& best = selection.best;
+  const std::size_t origin = selection.origin;
+  selection.margin_to_rival.assign(best.group.size(), kNoRival);
+  selection.margin_to_unplaced.assign(best.group.size(), kNoRival);
+  for (const Placement& other : answers) {
+    const double behind = best.score - other.score;
+    for (std::size_t i = 0; i < best.group.size(); ++i) {
+      if (!best.together(i, origin)) continue;
+      if (!other.together(i, origin)) {
+        selection.margin_to_unplaced[i] = std::min(selection.margin_to_unplaced[i], behind);
+      } else if (are_rivals(best.relative(origin, i), other.relative(origin, i))) {
+        selection.margin_to_rival[i] = std::min(selection.margin_to_rival[i], behind);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) {
+  const std::vector<Edge> edges = edges_of(pairs);
+  LoopEvidence evidence(pairs);
+  std::vector<Placement> beam = {nobody_placed(sensors)};
+  std::vector<Placement> answers = beam;
+  while (!beam.empty()) {
+    beam = extended(beam, edges, pairs, evidence);
+    answers.insert(answers.end(), beam.begin(), beam.end());
+  }
+  PoseSelection selection;
+  selection.best =
+      *std::max_element(answers.begin(), answers.end(),
+                        [](const Placement& x, const Placement& y) { return x.score < y.score; });
+  selection.origin = largest_group(selection.best);
+  measure_margins(answers, selection);
+  return selection;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the pairs' hypotheses are true? Those that fit together: an answer places sensors along
+// a tree of hypotheses, and is judged by the evidence of all pairs, also of those that only close a
+// loop. Each branch must be strong: by itself, or by what all the pairs say that it brings
+// together. Beam search, so that eight sensors with a dozen hypotheses per pair take seconds. An
+// answer counts for a sensor only if no other answer that places it elsewhere, or not at all, comes
+// near. Metres. Single-threaded, deterministic.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "roomcast/alignment/pair/pair_candidates.h"
+
+namespace roomcast::align {
+
+/// The candidates of two sensors of a rig, by their places in it; first < second.
+struct RigPair {
+  std::size_t first = 0, second = 0;  // sensors a and b of the candidates
+  const PairCandidates* candidates = nullptr;
+};
+
+/// One way to place the sensors.
+struct Placement {
+  std::vector<std::size_t> group;  // of each sensor: the lowest sensor it is placed with
+  std::vector<RigidTransform> group_from_sensor;  // in the frame of that lowest sensor
+  double score = 0;
+
+  [[nodiscard]] bool together(std::size_t one, std::size_t other) const {
+    return group[one] == group[other];
+  }
+  [[nodiscard]] RigidTransform relative(std::size_t to, std::size_t from) const {
+    return group_from_sensor[to].inverse() * group_from_sensor[from];
+  }
+};
+
+struct PoseSelection {
+  Placement best;
+  std::vector<double>
+      margin_to_rival;  // per sensor: ahead of the best answer that puts it elsewhere
+  std::vector<double>
+      margin_to_unplaced;  // per sensor: ahead of the best answer that leaves it out
+  std::size_t origin = 0;  // the lowest sensor of the largest group
+};
+
+[[nodiscard]] PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs);
+
+}  // namespace roomcast::align

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/refusal.h"
+
+#include <fmt/format.h>
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kLittleOverlap = 0.08;
+constexpr std::size_t kFewFeatures = 50;
+constexpr auto kWithoutSharing =
+    "in the running room walk through both views or hold a printed board into them";
+
+std::string names(const PairCandidates& pair) {
+  return fmt::format("{} and {}", pair.a().name, pair.b().name);
+}
+
+const SensorView* poor_in_features(const PairCandidates& pair) {
+  for (const SensorView* view : {&pair.a(), &pair.b()}) {
+    if (view->picture_features.size() + view->rectified_features.size() < kFewFeatures) return view;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string why_pair_is_refused(const PairCandidates& pair) {
+  if (pair.same_pictures()) {
+    return fmt::format("{} gave the very same pictures; one of them is a copy of the other",
+                       names(pair));
+  }
+  if (const SensorView* view = poor_in_features(pair)) {
+    return fmt::format("{} sees hardly any texture; put something with a pattern into its view",
+                       view->name);
+  }
+  if (pair.ranked().empty() || pair.ranked()[0].score < kLeastMargin) {
+    return fmt::format(
+        "nothing that {} both see could be found; turn them towards each other's view until at "
+        "least a tenth is common, or {}",
+        names(pair), kWithoutSharing);
+  }
+  const PoseEvidence& best = pair.ranked()[0];
+  if (pair.margin() < kLeastMargin) {
+    return fmt::format(
+        "several poses of {} fit about as well (something repeats); put something unmistakable "
+        "where both see it",
+        names(pair));
+  }
+  if (is_strong(best)) return {};
+  if (best.space.consistent < kLittleOverlap) {
+    return fmt::format(
+        "{} share only about {:.0f} % of their views; turn them towards each other, or {}",
+        names(pair), 100 * best.space.consistent, kWithoutSharing);
+  }
+  return fmt::format(
+      "too few places agree between {} ({} found); turn them towards each other, or put something "
+      "with a pattern where both see it",
+      names(pair), best.matches.cells);
+}
+
+std::string why_pair_says_little(const PairCandidates& pair, const PoseEvidence& at_its_place) {
+  if (at_its_place.space.consistent < kLittleOverlap) {
+    return fmt::format("{} share only about {:.0f} % of their views; placed through other sensors",
+                       names(pair), 100 * at_its_place.space.consistent);
+  }
+  return fmt::format(
+      "{} have too few places in common to align on their own; placed through other "
+      "sensors",
+      names(pair));
+}
+
+}  // namespace roomcast::align

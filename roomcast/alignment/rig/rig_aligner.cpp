@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/rig_aligner.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "roomcast/alignment/feature/affine_features.h"
+#include "roomcast/alignment/rig/placed_rig.h"
+
+namespace roomcast::align {
+namespace {
+
+// Where the steps begin, of the whole.
+constexpr double kFinding = 0.5, kPlacing = 0.9;
+
+/// Calls `visit(i, j, done)` for each two of `count`; `done` is how far it is, 0..1.
+template <class Visit>
+void for_each_two(std::size_t count, Visit visit) {
+  const double all = static_cast<double>(count * (count - 1)) / 2;
+  double done = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) visit(i, j, done++ / all);
+  }
+}
+
+}  // namespace
+
+void RigAligner::add(std::shared_ptr<const SensorView> view) {
+  remove(view->name);
+  views_.push_back(std::move(view));
+}
+
+void RigAligner::remove(const std::string& name) {
+  std::erase_if(pairs_, [&](const auto& entry) {
+    return entry.first.first == name || entry.first.second == name;
+  });
+  std::erase_if(views_, [&](const auto& view) { return view->name == name; });
+  affine_features_.erase(name);
+}
+
+AlignmentReport RigAligner::solve(const AlignProgress& progress) {
+  compare_new_pairs(progress);
+  find_new_candidates(progress);
+  if (progress) progress("placing all sensors", kPlacing);
+  AlignmentReport report = placed();
+  if (look_closer_at_refused(report, progress)) report = placed();
+  return report;
+}
+
+AlignmentReport RigAligner::placed() const {
+  std::vector<const SensorView*> views;
+  for (const auto& view : views_) views.push_back(view.get());
+  return place_rig(views, pairs());
+}
+
+const PairCandidates* RigAligner::pair(const std::string& one, const std::string& other) const {
+  auto found = pairs_.find({one, other});
+  if (found == pairs_.end()) found = pairs_.find({other, one});
+  return found == pairs_.end() ? nullptr : found->second.candidates.get();
+}
+
+/// Pairs that say nothing, of sensors that would be refused. Whether there were any.
+bool RigAligner::look_closer_at_refused(const AlignmentReport& report,
+                                        const AlignProgress& progress) {
+  bool any = false;
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    Pair& pair = pairs_.at({a.name, b.name});
+    const bool is_settled = report.sensors[i].placed && report.sensors[j].placed;
+    if (is_settled || pair.is_looked_at_closer || pair.candidates->same_pictures() ||
+        pair.candidates->any_can_be_believed())
+      return;
+    if (progress) progress(fmt::format("looking closer at {} and {}", a.name, b.name), kPlacing);
+    pair.candidates->look_closer(affine_matches(affine_features_of(a), affine_features_of(b)));
+    any = pair.is_looked_at_closer = true;
+  });
+  return any;
+}
+
+const FeatureSet& RigAligner::affine_features_of(const SensorView& view) {
+  const auto [entry, is_new] = affine_features_.try_emplace(view.name);
+  if (is_new) entry->second = affine_features(view.picture, view.surface);
+  return entry->second;
+}
+
+void RigAligner::compare_new_pairs(const AlignProgress& progress) {
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    if (progress) progress(fmt::format("comparing {} with {}", a.name, b.name), kFinding * done);
+    const Names names(a.name, b.name);
+    if (!pairs_.contains(names)) pairs_[names].comparison = compare_views(a, b);
+  });
+}
+
+void RigAligner::find_new_candidates(const AlignProgress& progress) {
+  const std::vector<LookAlikes> look_alikes = look_alikes_in_rig();
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
+    const SensorView &a = *views_[i], &b = *views_[j];
+    if (progress) {
+      progress(fmt::format("seeking how {} and {} stand to each other", a.name, b.name),
+               kFinding + (kPlacing - kFinding) * done);
+    }
+    Pair& pair = pairs_.at({a.name, b.name});
+    if (pair.candidates) return;
+    pair.candidates = std::make_unique<PairCandidates>(
+        a, b, weighed_matches(a, look_alikes[i], b, look_alikes[j], pair.comparison));
+    pair.comparison.forget_matches();
+  });
+}
+
+std::vector<LookAlikes> RigAligner::look_alikes_in_rig() const {
+  std::vector<LookAlikes> look_alikes;
+  for (const auto& view : views_) look_alikes.push_back(own_look_alikes(*view));
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    const ViewComparison& comparison = pairs_.at({views_[i]->name, views_[j]->name}).comparison;
+    add_repeats_of_b(comparison, look_alikes[i]);
+    add_repeats_of_a(comparison, look_alikes[j]);
+  });
+  return look_alikes;
+}
+
+std::vector<RigPair> RigAligner::pairs() const {
+  std::vector<RigPair> pairs;
+  for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
+    pairs.push_back({i, j, pairs_.at({views_[i]->name, views_[j]->name}).candidates.get()});
+  });
+  return pairs;
+}
+
+}  // namespace roomcast::align

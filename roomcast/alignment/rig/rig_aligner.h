@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// RigAligner: places the sensors of a room in one world, without markers. Views can be added while
+// the room runs: only pairs not looked at before are compared. It refuses rather than be wrong: a
+// sensor is placed when no other answer comes near. Deterministic: the same views in the same order
+// give the same bits. Metres. Single-threaded.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "roomcast/alignment/feature/sensor_view.h"
+#include "roomcast/alignment/pair/feature_matches.h"
+#include "roomcast/alignment/rig/alignment_report.h"
+#include "roomcast/alignment/rig/pose_selection.h"
+
+namespace roomcast::align {
+
+/// Called before each step with what is being done and how far it is (0..1).
+using AlignProgress = std::function<void(std::string_view step, double done)>;
+
+class RigAligner {
+ public:
+  /// A sensor of that name takes the place of an earlier one.
+  void add(std::shared_ptr<const SensorView> view);
+  void remove(const std::string& name);
+
+  /// Compares what has not been compared yet, and places all sensors. `progress` may be empty.
+  [[nodiscard]] AlignmentReport solve(const AlignProgress& progress = {});
+
+  /// What two sensors say of each other, since the last solve(), whichever of them is `a` there.
+  /// Null where that is not known.
+  [[nodiscard]] const PairCandidates* pair(const std::string& one, const std::string& other) const;
+
+ private:
+  using Names = std::pair<std::string, std::string>;
+  struct Pair {
+    ViewComparison comparison;
+    std::unique_ptr<PairCandidates> candidates;  // once every pair of its sensors is compared
+    bool is_looked_at_closer = false;
+  };
+
+  void compare_new_pairs(const AlignProgress& progress);
+  void find_new_candidates(const AlignProgress& progress);
+  [[nodiscard]] bool look_closer_at_refused(const AlignmentReport& report,
+                                            const AlignProgress& progress);
+  [[nodiscard]] const FeatureSet& affine_features_of(const SensorView& view);
+  [[nodiscard]] AlignmentReport placed() const;
+  [[nodiscard]] std::vector<LookAlikes> look_alikes_in_rig() const;
+  [[nodiscard]] std::vector<RigPair> pairs() const;
+
+  std::vector<std::shared_ptr<const SensorView>> views_;
+  std::map<Names, Pair> pairs_;
+  std::map<std::string, FeatureSet> affine_features_;  // of whom they were needed
+};
+
+}  // namespace roomcast::align

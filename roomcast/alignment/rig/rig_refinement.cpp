@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/rig/rig_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomcast/alignment/pair/corrected_matches.h"
+#include "roomcast/alignment/pair/feature_residuals.h"
+#include "roomcast/alignment/pair/surface_residuals.h"
+#include "roomcast/alignment/rig/rig_equations.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr int kSteps = 16;
+constexpr std::size_t kPoints = 8000;
+constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
+constexpr float kFeatureReach_m = 0.08F;
+// Features are found to a quarter of a pixel, but neighbouring ones err alike, by what calibrations
+// and depth leave over: however many there are, they tell no more than so many of which each errs
+// for itself.
+constexpr double kIndependentFeatures = 30;
+constexpr double kStill = 3e-5;  // metres and radians
+constexpr double kLeastEvidenceKept = 0.5, kLeastMatchesKept = 0.5, kLeastCommonKept = 0.95;
+constexpr std::size_t kTestedPoints = 1500;
+
+/// A pair and the matches that agreed with it when refinement began.
+struct HeldPair {
+  const RigPair* pair;
+  std::vector<PointMatch> agreeing;
+};
+
+PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) {
+  const RefinedSensor& a = sensors[pair.first];
+  const RefinedSensor& b = sensors[pair.second];
+  return {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction};
+}
+
+/// Where refinement begins: what the pairs on their own thought of the colour cameras, each as much
+/// as its matches weigh.
+void correct_as_pairs_say(std::span<const RigPair> pairs, std::vector<RefinedSensor>& sensors) {
+  std::vector<double> weights(sensors.size());
+  for (const RigPair& pair : pairs) {
+    const PoseEvidence* said = pair.candidates->nearest(state_of(pair, sensors).a_from_b);
+    if (!said) continue;
+    for (const auto& [sensor, correction] :
+         {std::pair(pair.first, said->correction_a), std::pair(pair.second, said->correction_b)}) {
+      sensors[sensor].correction.color_shift_px += said->matches.weight * correction.color_shift_px;
+      weights[sensor] += said->matches.weight;
+    }
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (weights[i] > 0) sensors[i].correction.color_shift_px /= weights[i];
+  }
+}
+
+std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const RefinedSensor> sensors) {
+  const PairState state = state_of(pair, sensors);
+  const PairCandidates& candidates = *pair.candidates;
+  return agreeing_matches(corrected_matches(candidates.matches(), candidates.a().picture,
+                                            candidates.b().picture, state),
+                          state.a_from_b, kFeatureReach_m);
+}
+
+/// What a pair's sensors share, as they stand now.
+struct Shared {
+  PairState state;
+  std::vector<SurfacePartner> partners;
+  double noise;
+  FeatureTrust trust;
+
+  Shared(const HeldPair& held, std::span<const RefinedSensor> sensors, float reach_m)
+      : state(state_of(*held.pair, sensors)) {
+    const SensorView& a = held.pair->candidates->a();
+    const SensorView& b = held.pair->candidates->b();
+    partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
+    noise = surface_noise(partners);
+    const double features =
+        std::max(kIndependentFeatures, static_cast<double>(held.agreeing.size()));
+    trust = {feature_sigma_px(a.picture, b.picture, state, held.agreeing),
+             kIndependentFeatures / features};
+  }
+};
+
+PairEquations equations_of(const HeldPair& held, const Shared& shared) {
+  const PairCandidates& pair = *held.pair->candidates;
+  PairEquations equations = surface_equations(shared.partners, shared.state.a_from_b, shared.noise);
+  equations.add(feature_equations(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
+                                  shared.trust));
+  return equations;
+}
+
+PairScores scores_of(const HeldPair& held, const Shared& shared) {
+  const PairCandidates& pair = *held.pair->candidates;
+  PairScores scores;
+  add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores);
+  add_feature_scores(pair.a().picture, pair.b().picture, shared.state, held.agreeing, shared.trust,
+                     scores);
+  return scores;
+}
+
+RigEquations rig_equations(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
+                           std::size_t origin, float reach_m) {
+  RigEquations rig(sensors.size(), origin);
+  for (const HeldPair& held : pairs) {
+    const RigPair& pair = *held.pair;
+    rig.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
+            equations_of(held, Shared(held, sensors, reach_m)));
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_expectation(i, sensors[i].correction);
+  return rig;
+}
+
+RigScatter rig_scatter(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
+                       float reach_m) {
+  RigScatter scatter(sensors.size());
+  for (const HeldPair& held : pairs) {
+    const RigPair& pair = *held.pair;
+    scatter.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
+                scores_of(held, Shared(held, sensors, reach_m)));
+  }
+  return scatter;
+}
+
+/// Sensors that disagree smoothly by so much may as well agree on being wrong by as much.
+DepthDoubt doubt_of(const RigScatter& scatter) {
+  DepthDoubt doubt;
+  doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
+  return doubt;
+}
+
+/// The largest component of any motion.
+double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) {
+  const auto steps = equations.solve();
+  double largest = 0;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const Vector6 motion = steps[i].head<6>();
+    sensors[i].origin_from_sensor = step_transform(motion) * sensors[i].origin_from_sensor;
+    sensors[i].correction.color_shift_px += steps[i].segment<2>(6 + kShift);
+    largest = std::max(largest, motion.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+/// Gauss-Newton until it stands.
+void settle(std::span<const HeldPair> held, std::size_t origin,
+            std::vector<RefinedSensor>& sensors) {
+  float reach_m = kReach_m;
+  for (int i = 0; i < kSteps; ++i) {
+    const double largest = move(sensors, rig_equations(held, sensors, origin, reach_m));
+    if (reach_m == kLeastReach_m && largest < kStill) break;
+    reach_m = std::max(kLeastReach_m, kShrink * reach_m);
+  }
+}
+
+/// What holds sensors together: places that match and surfaces that both see.
+struct Hold {
+  double matches = 0, common = 0;
+
+  Hold(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+    for (const HeldPair& each : held) {
+      const PairCandidates& pair = *each.pair->candidates;
+      const PairState state = state_of(*each.pair, sensors);
+      matches += match_support(agreeing_at(*each.pair, sensors)).weight;
+      common += check_free_space(pair.a().surface, pair.b().surface, state.a_from_b, kTestedPoints)
+                    .consistent;
+    }
+  }
+  [[nodiscard]] bool is_lost_from(const Hold& start) const {
+    return common < kLeastCommonKept * start.common || matches < kLeastMatchesKept * start.matches;
+  }
+};
+
+/// What speaks for all pairs' poses, in one number.
+double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+  double score = 0;
+  for (const HeldPair& each : held)
+    score += each.pair->candidates->examine(state_of(*each.pair, sensors)).score;
+  return score;
+}
+
+/// Where views share little, surfaces slide along each other until less of them is common. Weaker
+/// evidence alone does not tell: colours that lie aside of depth speak for the worse pose.
+bool slid(std::span<const HeldPair> held, std::span<const RefinedSensor> start,
+          std::span<const RefinedSensor> refined) {
+  return Hold(held, refined).is_lost_from(Hold(held, start)) &&
+         evidence_for(held, refined) < kLeastEvidenceKept * evidence_for(held, start);
+}
+
+void add_covariance(std::span<const HeldPair> held, std::size_t origin,
+                    std::vector<RefinedSensor>& sensors) {
+  const RigScatter scatter = rig_scatter(held, sensors, kLeastReach_m);
+  const auto covariance = rig_equations(held, sensors, origin, kLeastReach_m)
+                              .motion_covariance(scatter, doubt_of(scatter));
+  for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
+}
+
+}  // namespace
+
+std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_from_sensor,
+                                      std::size_t origin, std::span<const RigPair> pairs) {
+  std::vector<RefinedSensor> start;
+  for (const RigidTransform& pose : origin_from_sensor) start.push_back({pose, {}});
+  correct_as_pairs_say(pairs, start);
+  std::vector<HeldPair> held;
+  for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
+  std::vector<RefinedSensor> refined = start;
+  settle(held, origin, refined);
+  if (slid(held, start, refined)) refined = start;
+  add_covariance(held, origin, refined);
+  return refined;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room's frame: y up, the floor at y = 0. Every placed sensor that sees the floor votes with
+// its own floor plane; the median height and the mean normal of those that agree count. The origin
+// sensor stands at x = z = 0 and looks along -z. Metres. Thread-safe (no state).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "roomcast/alignment/view/planes.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast::align {
+
+struct WorldFrame {
+  RigidTransform world_from_origin;
+  bool has_floor = false;  // else the vertical is that of the origin sensor's picture
+};
+
+/// Floors of sensors in the frame of the origin sensor.
+[[nodiscard]] WorldFrame world_frame(std::span<const Plane> floors_in_origin);
+
+/// `plane`, given in b, as seen in a.
+[[nodiscard]] Plane transformed(const RigidTransform& a_from_b, const Plane& plane);
+
+}  // namespace roomcast::align

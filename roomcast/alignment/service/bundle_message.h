@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibration bundles <-> the wire's message: depth lossless, colour as JPEG. docs/spec/wire.md §3.
+#pragma once
+
+#include <string>
+
+#include "roomcast/alignment/bundle/calibration_bundle.h"
+#include "roomcast/core/result.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::aligner {
+
+/// kInvalidArgument when the bundle is of no use; the sentence says why.
+[[nodiscard]] Result<wire::pb::CalibrationBundle> message_from_bundle(
+    const align::CalibrationBundle& bundle);
+
+/// `name` and `calibration` as the roster has them. kMalformed for bytes that are not such
+/// pictures.
+[[nodiscard]] Result<align::CalibrationBundle> bundle_from_message(
+    const wire::pb::CalibrationBundle& message, std::string name,
+    const SensorCalibration& calibration);
+
+}  // namespace roomcast::aligner

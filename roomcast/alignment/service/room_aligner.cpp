@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/room_aligner.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/post.hpp>
+
+#include "roomcast/alignment/service/thinker.h"
+#include "roomcast/client/hub_link.h"
+#include "roomcast/client/network_thread.h"
+#include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::aligner {
+
+namespace {
+
+namespace pb = wire::pb;
+
+pb::Join join_message(const RoomAlignerOptions& options) {
+  pb::Join join;
+  join.set_room(options.room);
+  join.set_name("aligner");
+  join.set_token(options.token);
+  join.mutable_aligner();
+  return join;
+}
+
+/// Those that are known as well as this one.
+KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
+  if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.made_up;
+  if (entry.placement() == pb::PLACEMENT_GIVEN) return entry.online() ? known.given : known.found;
+  return entry.unverified() ? known.remembered : known.found;
+}
+
+}  // namespace
+
+class RoomAligner::Link final : public HubLinkEvents {
+ public:
+  Link(std::vector<net::HubUrl> hubs, RoomAlignerOptions options)
+      : options_(std::move(options)),
+        link_(network_.io(), std::move(hubs), join_message(options_), *this),
+        thinker_([this](Thought thought) { tell(std::move(thought)); }) {
+    link_.start();
+    network_.start();
+  }
+  ~Link() override {
+    network_.finish([this] { link_.stop(); });
+  }
+
+  void on_welcome(const pb::Welcome&) override { asked_for_sightings_ = false; }
+  void on_control(const pb::Control& message) override {
+    if (message.has_roster()) take_roster(message.roster());
+    if (message.has_calibration_bundle()) take_bundle(message.calibration_bundle());
+    if (message.has_sightings()) take_sightings(message.sightings());
+    if (message.has_nudge()) take_nudge(message.nudge());
+  }
+  void on_frame(net::MessageBuffer) override {}  // a hub sends an aligner none
+  net::SealedMessagePtr next_frame() override { return nullptr; }
+  void on_clock(const ClockEstimate&) override {}
+  void on_down(const Error& reason, bool final) override {
+    sensors_.clear();  // a hub that starts again knows nobody yet: that is not to forget them
+    if (options_.log) options_.log(final ? LogLevel::kError : LogLevel::kWarning, reason.message);
+  }
+
+ private:
+  struct Sensor {
+    std::string name;
+    SensorCalibration calibration;
+    bool moved = false;
+  };
+
+  void take_roster(const pb::Roster& roster) {
+    KnownRoom known;
+    bool somebody_is_lost = false;
+    const auto before = std::exchange(sensors_, {});
+    for (const pb::SensorEntry& entry : roster.sensors()) {
+      auto calibration = calibration_from_message(entry.calibration());
+      const auto pose = read_transform(entry.world_from_depth());
+      if (!calibration || !pose) continue;
+      sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
+      somebody_is_lost |=
+          entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
+      if (entry.moved()) {
+        const auto then = before.find(entry.id());
+        if (then != before.end() && !then->second.moved) thinker_.forget(entry.name());
+        continue;
+      }
+      poses_like(entry, known)[entry.name()] = *pose;
+      if (!entry.online()) known.away.insert(entry.name());
+    }
+    for (const auto& [id, sensor] : before) {
+      const auto same_name = [&](const auto& entry) { return entry.second.name == sensor.name; };
+      if (std::ranges::none_of(sensors_, same_name)) thinker_.forget(sensor.name);
+    }
+    thinker_.set_known(std::move(known), somebody_is_lost);
+  }
+
+  void take_bundle(const pb::CalibrationBundle& message) {
+    const auto sensor = sensors_.find(message.sensor_id());
+    if (sensor == sensors_.end()) return;
+    thinker_.add(sensor->second.name, sensor->second.calibration, message);
+  }
+
+  void take_sightings(const pb::Sightings& sightings) {
+    const auto sensor = sensors_.find(sightings.sensor_id());
+    if (sensor != sensors_.end()) thinker_.see(sensor->second.name, sightings);
+  }
+
+  void take_nudge(const pb::Nudge& nudge) {
+    const auto sensor = sensors_.find(nudge.sensor_id());
+    const auto pose = read_transform(nudge.world_from_depth());
+    if (sensor != sensors_.end() && pose) thinker_.nudge(sensor->second.name, *pose);
+  }
+
+  /// From the thinker's thread.
+  void tell(Thought thought) {
+    boost::asio::post(network_.io(), [this, thought = std::move(thought)] {
+      send(thought.placements);
+      ask_for_sightings(thought.wants_sightings);
+    });
+  }
+
+  void ask_for_sightings(bool wanted) {
+    if (wanted == asked_for_sightings_) return;
+    asked_for_sightings_ = wanted;
+    pb::Control message;
+    message.mutable_sighting_request()->set_heads(wanted);
+    message.mutable_sighting_request()->set_tags(wanted);
+    link_.send(message);
+  }
+
+  void send(const std::vector<Placement>& placements) {
+    pb::Control message;
+    for (const Placement& placement : placements) {
+      log(placement);
+      for (const auto& [id, sensor] : sensors_) {
+        if (sensor.name != placement.sensor) continue;
+        auto& found = *message.mutable_placements()->add_sensors();
+        found.set_sensor_id(id);
+        found.set_expected_error_mm(static_cast<float>(placement.expected_error_mm));
+        found.set_bundle_number(placement.bundle_number);
+        found.set_withdrawn(placement.withdrawn);
+        found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
+        if (placement.world_from_depth) {
+          write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
+        }
+      }
+    }
+    link_.send(message);
+  }
+
+  /// What is new.
+  void log(const Placement& placement) {
+    const std::string sentence =
+        placement.world_from_depth
+            ? "sensor \"" + placement.sensor + "\" is placed"
+            : "sensor \"" + placement.sensor + "\" cannot be placed: " + placement.note;
+    std::string& last = logged_[placement.sensor];
+    if (last == sentence) return;
+    last = sentence;
+    if (options_.log) options_.log(LogLevel::kInfo, sentence);
+  }
+
+  const RoomAlignerOptions options_;
+  std::map<std::uint32_t, Sensor> sensors_;  // by id; the network thread's own, as is what follows
+  std::map<std::string, std::string> logged_;  // of each sensor the last sentence
+  bool asked_for_sightings_ = false;
+  NetworkThread network_;
+  HubLink link_;
+  Thinker thinker_;  // last: ends first, and tells nobody after that
+};
+
+RoomAligner::RoomAligner(std::unique_ptr<Link> link) : link_(std::move(link)) {}
+RoomAligner::~RoomAligner() = default;
+
+Result<std::unique_ptr<RoomAligner>> RoomAligner::open(RoomAlignerOptions options) {
+  auto hubs = net::parse_hub_urls(options.hub_url);
+  if (!hubs) return hubs.error();
+  return std::unique_ptr<RoomAligner>(
+      new RoomAligner(std::make_unique<Link>(*std::move(hubs), std::move(options))));
+}
+
+}  // namespace roomcast::aligner

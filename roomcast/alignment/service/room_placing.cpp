@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/room_placing.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "roomcast/alignment/guess/nudged_pose.h"
+#include "roomcast/alignment/guess/recalled_pose.h"
+#include "roomcast/alignment/guess/settled_place.h"
+#include "roomcast/alignment/service/expected_error.h"
+#include "roomcast/alignment/walker/head_finder.h"
+
+namespace roomcast::aligner {
+namespace {
+
+Placement placed_at(const std::string& sensor, const RigidTransform& world_from_depth,
+                    double expected_error_mm) {
+  Placement placement;
+  placement.sensor = sensor;
+  placement.world_from_depth = world_from_depth;
+  placement.expected_error_mm = expected_error_mm;
+  return placement;
+}
+
+std::string not_there(const Error& why) {
+  return "Not where it was put: " + why.message;
+}
+
+}  // namespace
+
+void RoomPlacing::add(const align::CalibrationBundle& bundle) {
+  auto view = align::make_sensor_view(bundle);
+  if (!view) return refuse(bundle.name, view.error().message);
+  forget(bundle.name);
+  walks_.stand(bundle.name, view->floor);
+  views_[bundle.name] = std::make_shared<const align::SensorView>(*std::move(view));
+  aligner_.add(views_[bundle.name]);
+}
+
+void RoomPlacing::refuse(const std::string& sensor, const std::string& reason) {
+  forget(sensor);
+  refused_[sensor] = reason;
+}
+
+void RoomPlacing::forget(const std::string& sensor) {
+  aligner_.remove(sensor);
+  testimonies_.clear();
+  report_.reset();
+  views_.erase(sensor);
+  refused_.erase(sensor);
+  walks_.forget(sensor);
+  boards_.forget(sensor);
+  guesses_.erase(sensor);
+  by_hand_.erase(sensor);
+}
+
+void RoomPlacing::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
+  walks_.see(sensor, sightings);
+  boards_.see(sensor, sightings);
+}
+
+void RoomPlacing::nudge(const std::string& sensor, const RigidTransform& world_from_depth) {
+  guesses_[sensor] = world_from_depth;
+}
+
+std::vector<Placement> RoomPlacing::solve(KnownRoom known) {
+  if (!report_) report_ = aligner_.solve();
+  Room room{std::move(known), {}, {}};
+  room.known = world_.settled(room.told);
+  for (const auto& [sensor, pose] : room.told.given) room.known[sensor] = pose;
+
+  std::map<std::string, Placement> recalled;
+  place_by_sight(room, LoneMemory::kDoubted);
+  const bool is_anybody_placed = std::ranges::any_of(
+      room.placements, [](const Placement& one) { return one.world_from_depth.has_value(); });
+  recall(room, recalled);
+  if (!is_anybody_placed) {
+    place_by_sight(room, LoneMemory::kTrusted);
+    recall(room, recalled);  // beside those that have a place now
+  }
+  for (const auto& [sensor, placement] : recalled) {
+    Placement* place = room.placement_of(sensor);
+    if (place != nullptr && !place->world_from_depth) *place = placement;
+  }
+  place_by_hand(room);
+  place_the_lost(room);
+  return std::move(room.placements);
+}
+
+Placement* RoomPlacing::Room::placement_of(const std::string& sensor) {
+  const auto placement = std::ranges::find(placements, sensor, &Placement::sensor);
+  return placement == placements.end() ? nullptr : &*placement;
+}
+
+KnownPoses RoomPlacing::Room::base() const {
+  const bool is_anybody_here = std::ranges::any_of(
+      known, [this](const auto& pose) { return !told.away.contains(pose.first); });
+  return is_anybody_here ? known : KnownPoses();
+}
+
+void RoomPlacing::Room::place(const Placement& found) {
+  known[found.sensor] = *found.world_from_depth;
+  told.remembered.erase(found.sensor);
+  if (Placement* placement = placement_of(found.sensor)) *placement = found;
+}
+
+/// Of the sensors that have said what they see.
+void RoomPlacing::recall(Room& room, std::map<std::string, Placement>& recalled) {
+  KnownPoses here = room.told.remembered;
+  std::erase_if(here, [this](const auto& pose) { return !views_.contains(pose.first); });
+  const auto told = recollect(
+      here, room.known, [this](const NamedPose& a, const NamedPose& b) { return witness(a, b); });
+  for (const auto& [sensor, placement] : told.confirmed) {
+    room.place(placement);
+    room.told.found[sensor] = *placement.world_from_depth;
+    recalled[sensor] = placement;
+  }
+  for (const auto& [sensor, placement] : told.contradicted) {
+    room.told.remembered.erase(sensor);
+    recalled[sensor] = placement;
+  }
+}
+
+/// Asked with every thought, until somebody moves.
+align::RecalledPose RoomPlacing::witness(const NamedPose& a, const NamedPose& b) {
+  const align::PairCandidates* pair = aligner_.pair(a.sensor, b.sensor);
+  if (pair == nullptr) return {};
+  if (pair->a().name != a.sensor) return witness(b, a);
+  Testimony& testimony = testimonies_[{a.sensor, b.sensor}];
+  const auto poses = std::array{row_major_from_transform(a.world_from_depth),
+                                row_major_from_transform(b.world_from_depth)};
+  if (testimony.pair != pair || testimony.poses != poses) {
+    testimony = {pair, poses, align::recalled_pose(*pair, a.world_from_depth, b.world_from_depth)};
+  }
+  return testimony.told;
+}
+
+void RoomPlacing::place_by_sight(Room& room, LoneMemory lone) {
+  room.placements = world_.place(*report_, room.told, lone);
+  for (const auto& [sensor, reason] : refused_) {
+    Placement& placement = room.placements.emplace_back();
+    placement.sensor = sensor;
+    placement.note = reason;
+  }
+  for (const Placement& placement : room.placements) {
+    if (placement.withdrawn) room.known.erase(placement.sensor);
+    if (!placement.world_from_depth) continue;
+    room.known[placement.sensor] = *placement.world_from_depth;
+    room.told.remembered.erase(placement.sensor);
+  }
+  for (const auto& [sensor, pose] : room.told.given) room.known[sensor] = pose;
+}
+
+/// A guess that was accepted holds until the sensor sees something else.
+void RoomPlacing::place_by_hand(Room& room) {
+  for (const auto& [sensor, placement] : by_hand_) room.place(placement);
+  for (const auto& [sensor, guess] : guesses_) {
+    const auto view = views_.find(sensor);
+    if (view == views_.end()) continue;
+    KnownPoses base = room.known;
+    base.erase(sensor);
+    if (base.empty()) base = room.told.remembered;
+    base.erase(sensor);
+    if (base.empty()) {
+      guess_beside_unplaced(sensor, guess, room);
+      continue;
+    }
+    const auto answer = align::refined_guess(*view->second, guess, views_beside(sensor, base));
+    if (answer) {
+      hold_by_hand(placed_at(sensor, answer->world_from_depth, answer->expected_error_mm), room);
+    } else if (!by_hand_.contains(sensor)) {
+      room.placement_of(sensor)->note = not_there(answer.error());
+    }
+  }
+  guesses_.clear();
+}
+
+void RoomPlacing::hold_by_hand(const Placement& found, Room& room) {
+  by_hand_[found.sensor] = found;
+  room.place(found);
+}
+
+/// Beside one that nobody could place yet, where it is shown meanwhile. That one makes the world.
+void RoomPlacing::guess_beside_unplaced(const std::string& sensor, const RigidTransform& guess,
+                                        Room& room) {
+  const align::SensorView& view = *views_.at(sensor);
+  std::vector<align::PlacedView> others = views_beside(sensor, room.told.made_up);
+  std::erase_if(others, [](const align::PlacedView& other) { return !other.view->floor; });
+  const auto answer = align::refined_guess(view, guess, others);
+  if (!answer) {
+    room.placement_of(sensor)->note = not_there(answer.error());
+    return;
+  }
+  const RigidTransform level = align::level_from_depth(*views_.at(answer->beside)->floor);
+  room.place(placed_at(answer->beside, level, 0));
+  const RigidTransform level_from_shown = level * room.told.made_up.at(answer->beside).inverse();
+  hold_by_hand(
+      placed_at(sensor, level_from_shown * answer->world_from_depth, answer->expected_error_mm),
+      room);
+}
+
+/// Who is remembered, then those that know where the floor is.
+Seeds RoomPlacing::seeds(const Room& room) const {
+  Seeds seeds;
+  for (const auto& [sensor, pose] : room.told.remembered) {
+    if (lost_.contains(sensor)) seeds.emplace_back(sensor, pose);
+  }
+  for (const std::string& sensor : lost_) {
+    const auto view = views_.find(sensor);
+    if (view == views_.end() || !view->second->floor) continue;
+    if (!room.told.remembered.contains(sensor))
+      seeds.emplace_back(sensor, align::level_from_depth(*view->second->floor));
+  }
+  return seeds;
+}
+
+void RoomPlacing::place_the_lost(Room& room) {
+  lost_.clear();
+  for (const Placement& placement : room.placements) {
+    if (!placement.world_from_depth && !room.known.contains(placement.sensor))
+      lost_.insert(placement.sensor);
+  }
+  std::map<std::string, std::string> notes;
+  const auto take = [&](std::vector<Placement> found) {
+    for (Placement& one : found) {
+      if (!one.world_from_depth) {
+        std::string& note = notes[one.sensor];
+        if (!one.note.empty()) note += (note.empty() ? "" : " ") + one.note;
+        continue;
+      }
+      const auto before = room.told.remembered.find(one.sensor);
+      if (before != room.told.remembered.end() &&
+          is_same_place(before->second, *one.world_from_depth, one.expected_error_mm)) {
+        one.world_from_depth = before->second;
+      }
+      room.place(one);
+      lost_.erase(one.sensor);
+    }
+  };
+  const auto settled = [this](Placement& found, const KnownPoses& placed) {
+    settle(found, placed);
+  };
+  for (std::size_t before = lost_.size() + 1; !lost_.empty() && lost_.size() < before;) {
+    before = lost_.size();
+    notes.clear();
+    take(boards_.place(room.base(), lost_, seeds(room)));
+    take(walks_.place(room.base(), lost_, seeds(room), settled));
+  }
+  for (const auto& [sensor, note] : notes) {
+    if (!lost_.contains(sensor) || note.empty()) continue;
+    std::string& all = room.placement_of(sensor)->note;
+    all += (all.empty() ? "" : " ") + note;
+  }
+}
+
+void RoomPlacing::settle(Placement& found, const KnownPoses& placed) const {
+  const auto view = views_.find(found.sensor);
+  if (view == views_.end()) return;
+  const auto settled =
+      align::settled_place(*view->second, {*found.world_from_depth, found.expected_error_mm},
+                           views_beside(found.sensor, placed));
+  if (!settled) return;
+  found.world_from_depth = settled->world_from_depth;
+  found.expected_error_mm = settled->expected_error_mm;
+}
+
+std::vector<align::PlacedView> RoomPlacing::views_beside(const std::string& sensor,
+                                                         const KnownPoses& placed) const {
+  std::vector<align::PlacedView> others;
+  for (const auto& [name, pose] : placed) {
+    const auto other = views_.find(name);
+    if (other != views_.end() && name != sensor) others.push_back({other->second.get(), pose});
+  }
+  return others;
+}
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where nobody is placed, one of the sensors makes the world: the first beside whom another can be
+// placed, for alone it stands nowhere. Pure.
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "roomcast/alignment/service/placement.h"
+
+namespace roomcast::aligner {
+
+/// `place_beside(placed, lost)` says of the lost where they stand. Without seeds, nobody is placed
+/// beside nobody.
+template <class PlaceBeside>
+std::vector<Placement> place_or_seed(const KnownPoses& placed, const std::set<std::string>& lost,
+                                     const Seeds& seeds, const PlaceBeside& place_beside) {
+  if (!placed.empty()) return place_beside(placed, lost);
+  std::vector<Placement> reasons;
+  for (const auto& [seed, world_from_depth] : seeds) {
+    std::set<std::string> others = lost;
+    others.erase(seed);
+    auto placements = place_beside(KnownPoses{{seed, world_from_depth}}, others);
+    const bool any = std::ranges::any_of(placements, [](const Placement& placement) {
+      return placement.world_from_depth.has_value();
+    });
+    if (any) {
+      Placement& first = placements.emplace_back();
+      first.sensor = seed;
+      first.world_from_depth = world_from_depth;
+      return placements;
+    }
+    if (reasons.empty()) reasons = std::move(placements);
+  }
+  return reasons;
+}
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/thinker.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/service/bundle_message.h"
+#include "roomcast/core/blocking_queue.h"
+
+namespace roomcast::aligner {
+namespace {
+
+const RigidTransform kLeft = align::corner_pose(2, 1.5), kRight = align::corner_pose(-2, 1.5);
+
+class ThinkerTest : public testing::Test {
+ protected:
+  void add(const std::string& sensor, const RigidTransform& world_from_depth,
+           std::uint32_t number) {
+    const auto bundle = align::made_up_bundle({}, sensor, world_from_depth);
+    auto message = *message_from_bundle(bundle);
+    message.set_number(number);
+    thinker.add(sensor, bundle.calibration, std::move(message));
+  }
+  static const Placement* find(const Thought& thought, const std::string& sensor) {
+    for (const Placement& placement : thought.placements) {
+      if (placement.sensor == sensor) return &placement;
+    }
+    return nullptr;
+  }
+
+  BlockingQueue<Thought> thoughts{16};
+  Thinker thinker{[this](Thought thought) { (void)thoughts.push(std::move(thought), {}); }};
+};
+
+TEST_F(ThinkerTest, bundles_that_come_together_are_one_thought_with_their_numbers) {
+  thinker.set_known({}, true);
+  add("left", kLeft, 4);
+  add("right", kRight, 7);
+  const auto thought = thoughts.pop({});
+  ASSERT_TRUE(thought);
+  ASSERT_TRUE(find(*thought, "left") && find(*thought, "right"));
+  EXPECT_TRUE(find(*thought, "right")->world_from_depth);
+  EXPECT_EQ(find(*thought, "left")->bundle_number, 4U);
+  EXPECT_EQ(find(*thought, "right")->bundle_number, 7U);
+  EXPECT_FALSE(thought->wants_sightings);
+}
+
+TEST_F(ThinkerTest, a_guess_is_answered_though_nobody_is_lost) {
+  add("left", kLeft, 1);
+  add("right", kRight, 1);
+  KnownRoom known;
+  known.given = {{"left", kLeft}};
+  thinker.set_known(known, false);
+  RigidTransform guess = kRight;
+  guess.translation_m.x() += 0.1;
+  thinker.nudge("right", guess);
+  const auto thought = thoughts.pop({});
+  ASSERT_TRUE(thought && find(*thought, "right"));
+  ASSERT_TRUE(find(*thought, "right")->world_from_depth) << find(*thought, "right")->note;
+  EXPECT_LT(
+      (find(*thought, "right")->world_from_depth->translation_m - kRight.translation_m).norm(),
+      0.03);
+}
+
+}  // namespace
+}  // namespace roomcast::aligner

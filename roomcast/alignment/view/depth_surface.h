@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one depth picture says of the room: readings, and where the surface is smooth, its points
+// and normals. Points near depth edges are left out, since flying pixels lie there. Metres, in the
+// depth camera's frame. Thread-safe (immutable after being made).
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/alignment/view/lens.h"
+#include "roomcast/alignment/view/window_range.h"
+#include "roomcast/core/image.h"
+#include "roomcast/geometry/camera_model.h"
+
+namespace roomcast::align {
+
+struct SurfacePoint {
+  Eigen::Vector3f point_m;
+  Eigen::Vector3f normal;  // unit, towards the camera
+};
+
+struct DepthSurface {
+  CameraIntrinsics camera;
+  Lens lens;
+  Image<float> z_m;                   // readings as they came; 0 = none
+  WindowRange range;                  // of the readings around
+  Image<SurfacePoint> at;             // smoothed; the normal is 0 where the surface is not smooth
+  std::vector<SurfacePoint> samples;  // the smooth points of every kSampleStep-th row and column
+};
+
+inline constexpr int kSampleStep = 3;
+inline constexpr float kNearestSurface_m = 0.3F;
+inline constexpr float kFarthestSurface_m = 7;
+
+/// Sizes as those of `camera`, which has been checked.
+[[nodiscard]] DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera);
+
+}  // namespace roomcast::align

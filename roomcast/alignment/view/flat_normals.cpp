@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/view/flat_normals.h"
+
+#include <cmath>
+
+#include "roomcast/alignment/view/depth_noise.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr float kThickness_m = 0.02F;  // and the depth noise
+constexpr float kAlike = 0.98F;        // cosine: what is tilted by more is tilted
+
+void flatten(std::span<const Plane> planes, SurfacePoint& point) {
+  if (point.normal.isZero()) return;
+  const float thickness_m = kThickness_m + depth_sigma_m(point.point_m.z());
+  for (const Plane& plane : planes) {
+    if (point.normal.dot(plane.normal) < kAlike) continue;
+    if (std::abs(plane.height_m(point.point_m)) > thickness_m) continue;
+    point.normal = plane.normal;
+    return;
+  }
+}
+
+}  // namespace
+
+void flatten_normals(std::span<const Plane> planes, DepthSurface& surface) {
+  for (int y = 0; y < surface.at.height(); ++y) {
+    for (int x = 0; x < surface.at.width(); ++x) flatten(planes, surface.at.at(x, y));
+  }
+  for (SurfacePoint& sample : surface.samples) flatten(planes, sample);
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colours of a view's surfaces, for comparing them with what another sensor sees: on every
+// second row and column of the depth grid, the point in space and the (slightly blurred) grey that
+// the colour camera saw there. Metres, grey 0..255. Thread-safe (immutable after being made).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/alignment/view/color_picture.h"
+#include "roomcast/alignment/view/depth_surface.h"
+#include "roomcast/core/image.h"
+
+namespace roomcast::align {
+
+struct TexturedPoint {
+  int x = 0, y = 0;  // in the grid
+  Eigen::Vector3f point_m;
+  float grey = 0;
+};
+
+inline constexpr int kTextureStep = 2;       // rows and columns of the depth grid
+inline constexpr int kTextureBlurReach = 4;  // pixels to each side that a grey is mixed from
+
+struct Texture {
+  int width = 0, height = 0;          // of the grid
+  std::vector<TexturedPoint> points;  // row by row; only what both cameras see
+  Image<float> soft_grey;             // the colour picture, blurred as the points' greys are
+  Image<float> soft_tint;             // and as blurred
+  bool has_hues = false;              // a camera that sees only greys says nothing of hues
+};
+
+[[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
+
+/// The blurred grey, or tint, at a pixel of the colour picture; nothing outside it.
+[[nodiscard]] std::optional<float> texture_grey(const Texture& texture,
+                                                const Eigen::Vector2f& pixel);
+[[nodiscard]] std::optional<float> texture_tint(const Texture& texture,
+                                                const Eigen::Vector2f& pixel);
+
+}  // namespace roomcast::align

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomSnapshot: all that a viewer needs to draw a room at one moment. Threading: immutable once
+// shared.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomcast/client/room/clock_estimate.h"
+#include "roomcast/client/room/person_pose.h"
+#include "roomcast/client/room/viewer_rights.h"
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+
+namespace roomcast {
+
+/// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same
+/// object.
+struct SensorPicture {
+  std::uint32_t seq = 0;
+  SetId set{};
+  RoomTime capture_time{};
+  HostTime received{}, decoded{};
+  codec::DecodedFrame frame;
+};
+
+struct RoomSensor {
+  SensorId id{};
+  std::string name;
+  bool online = false;
+  bool placed = false;      // false: world_from_depth is a guess, so that there is something to see
+  bool moved = false;       // since world_from_depth was known
+  bool unverified = false;  // away since world_from_depth was found; nothing has confirmed it
+  float expected_error_mm = 0;  // of a placement that was found from what sensors see; 0: not one
+  std::string placement_note;   // why it could not be placed, for a person; else empty
+  double fps = 0;
+  SensorCalibration calibration;
+  RigidTransform world_from_depth;
+  std::shared_ptr<const SensorPicture> picture;  // null before its first frame
+  std::uint64_t frames_received = 0;
+  std::uint64_t frames_missed = 0;  // left out on their way, or not to be decoded
+  std::uint64_t bytes_received = 0;
+};
+
+/// Somebody who is in the room, the one who looks included.
+struct RoomPerson {
+  ViewerId id{};
+  std::string name;
+  Rgb8 color;
+  std::optional<PersonPose> pose;  // nothing before it is known
+};
+
+struct RoomSnapshot {
+  std::uint64_t revision = 0;  // grows with every change
+  bool connected = false;
+  std::string problem;  // why not, for a person
+  std::string room;
+  ViewerRights rights;  // as of the last time that the hub let us in
+  std::optional<RigidTransform>
+      start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
+  std::vector<RoomSensor> sensors;  // by id
+  ViewerId self{};
+  std::vector<RoomPerson> people;      // nobody is known while there is no connection
+  std::optional<ClockEstimate> clock;  // room time, once it is known
+  SetId newest_set{};
+  std::uint64_t sets_received = 0;
+  std::uint64_t bytes_received = 0;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/room/room_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast {
+
+void RoomState::welcome(const wire::pb::Welcome& welcome) {
+  room_.connected = true;
+  room_.problem.clear();
+  room_.room = welcome.room();
+  room_.rights = {.may_record = welcome.may_record(), .may_export = welcome.may_export()};
+  room_.self = ViewerId{welcome.viewer_id()};
+  room_.clock.reset();
+  if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;
+  decoding_.clear();  // nothing of an earlier connection can be built on
+}
+
+void RoomState::disconnected(std::string problem) {
+  room_.connected = false;
+  room_.problem = std::move(problem);
+  room_.people.clear();
+}
+
+void RoomState::poses(const wire::pb::ViewerPoses& poses) {
+  for (const auto& message : poses.poses()) {
+    const auto person = std::ranges::find(room_.people, ViewerId{message.viewer_id()},
+                                          [](const RoomPerson& p) { return p.id; });
+    if (person != room_.people.end()) person->pose = pose_from_message(message);
+  }
+}
+
+/// Who stays keeps the pose that is known of them.
+void RoomState::update_people(const wire::pb::Roster& roster) {
+  std::vector<RoomPerson> people;
+  for (const auto& entry : roster.viewers()) {
+    const std::uint32_t rgb = entry.color_rgb();
+    RoomPerson person{ViewerId{entry.id()},
+                      entry.name(),
+                      {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>(rgb >> 8U),
+                       static_cast<std::uint8_t>(rgb)},
+                      {}};
+    const auto known =
+        std::ranges::find(room_.people, person.id, [](const RoomPerson& p) { return p.id; });
+    if (known != room_.people.end()) person.pose = known->pose;
+    people.push_back(std::move(person));
+  }
+  room_.people = std::move(people);
+}
+
+Status RoomState::roster(const wire::pb::Roster& roster) {
+  update_people(roster);
+  forget_others(roster);
+  for (const auto& entry : roster.sensors()) {
+    if (auto status = update_sensor(entry); !status) return status;
+  }
+  return {};
+}
+
+/// Of sensors that the room has forgotten, also when another has the id by now.
+void RoomState::forget_others(const wire::pb::Roster& roster) {
+  std::erase_if(room_.sensors, [&](const RoomSensor& known) {
+    const bool is_listed = std::ranges::any_of(roster.sensors(), [&](const auto& entry) {
+      return entry.id() == known.id.value && entry.name() == known.name;
+    });
+    if (!is_listed) decoding_.erase(known.id);
+    return !is_listed;
+  });
+}
+
+Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
+  auto calibration = calibration_from_message(entry.calibration());
+  if (!calibration) return calibration.error();
+  auto world_from_depth = read_transform(entry.world_from_depth());
+  if (!world_from_depth) return world_from_depth.error();
+  const SensorId id{static_cast<std::uint16_t>(entry.id())};
+  auto known = std::find_if(room_.sensors.begin(), room_.sensors.end(),
+                            [&](const RoomSensor& s) { return s.id == id; });
+  if (known == room_.sensors.end()) {
+    known = room_.sensors.emplace(known);
+    known->id = id;
+  }
+  const bool another_grid = known->calibration.depth.width != calibration->depth.width ||
+                            known->calibration.depth.height != calibration->depth.height;
+  known->name = entry.name();
+  known->online = entry.online();
+  known->placed = entry.placement() != wire::pb::PLACEMENT_UNPLACED;
+  known->moved = entry.moved();
+  known->unverified = entry.unverified();
+  known->expected_error_mm =
+      entry.placement() == wire::pb::PLACEMENT_ALIGNED ? entry.expected_error_mm() : 0;
+  known->placement_note = entry.placement_note();
+  known->fps = entry.fps();
+  known->calibration = *calibration;
+  known->world_from_depth = *world_from_depth;
+  if (another_grid) {
+    known->picture.reset();
+    decoding_.erase(id);
+  }
+  return {};
+}
+
+Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> message) {
+  const auto header = wire::parse_frame(message);
+  if (!header) return header.error();
+  const auto sensor = std::find_if(room_.sensors.begin(), room_.sensors.end(),
+                                   [&](const RoomSensor& s) { return s.id == header->sensor; });
+  if (sensor == room_.sensors.end()) {
+    return Error{ErrorCode::kMalformed, "a frame came of a sensor that is not in the roster"};
+  }
+  const HostTime received = clock_.now();
+  room_.bytes_received += message.size();
+  sensor->bytes_received += message.size();
+  SensorDecoding& decoding = decoding_[header->sensor];
+  sensor->frames_missed += decoding.count_gap(header->seq);
+  if (!decoding.chain.may_decode(*header)) {
+    ++sensor->frames_missed;
+    return FrameOutcome::kNeedsKey;
+  }
+  if (!decoding.decoder) {
+    auto decoder = codec::FrameDecoder::create(sensor->calibration.depth.width,
+                                               sensor->calibration.depth.height);
+    if (!decoder) return decoder.error();
+    decoding.decoder = std::move(*decoder);
+  }
+  auto picture = free_picture(decoding);
+  if (auto status =
+          decoding.decoder->decode(message.subspan(header->header_length), picture->frame);
+      !status) {
+    decoding.chain.broke();
+    ++sensor->frames_missed;
+    return FrameOutcome::kNeedsKey;
+  }
+  decoding.chain.decoded(*header);
+  picture->seq = header->seq;
+  picture->set = header->set;
+  picture->capture_time = header->capture_time;
+  picture->received = received;
+  picture->decoded = clock_.now();
+  ++sensor->frames_received;
+  sensor->picture = std::move(picture);
+  room_.newest_set = std::max(room_.newest_set, header->set);
+  if (!header->last) return FrameOutcome::kDecoded;
+  ++room_.sets_received;
+  return FrameOutcome::kSetComplete;
+}
+
+/// Frames between the newest one and the one before it. Sensors count from where they like, anew
+/// after a restart.
+std::uint64_t RoomState::SensorDecoding::count_gap(std::uint32_t seq) {
+  const std::uint32_t step = newest_seq ? seq - *newest_seq : 1;
+  newest_seq = seq;
+  return step > 0 && step <= kLongestGap ? step - 1 : 0;
+}
+
+std::shared_ptr<SensorPicture> RoomState::free_picture(SensorDecoding& decoding) {
+  for (const auto& picture : decoding.pool) {
+    if (picture.use_count() == 1) return picture;
+  }
+  return decoding.pool.emplace_back(std::make_shared<SensorPicture>());
+}
+
+std::shared_ptr<const RoomSnapshot> RoomState::snapshot() {
+  ++room_.revision;
+  return std::make_shared<const RoomSnapshot>(room_);
+}
+
+}  // namespace roomcast

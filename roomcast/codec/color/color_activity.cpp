@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/color/color_activity.h"
+
+#include <algorithm>
+
+namespace roomcast::codec {
+namespace {
+
+// Frames of layer 0: about a second.
+constexpr std::uint8_t kImprovements = 16;
+
+bool any_changed(MaskView changed, int block_x, int block_y) {
+  for (int y = 2 * block_y; y < std::min(2 * block_y + 2, changed.height); ++y) {
+    for (int x = 2 * block_x; x < std::min(2 * block_x + 2, changed.width); ++x) {
+      if (changed.at(x, y)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+MaskView ColorActivity::update(MaskView changed, FrameRole role) {
+  const int wide = (changed.width + 1) / 2, high = (changed.height + 1) / 2;
+  if (active_.empty()) {
+    active_.resize(wide, high, 1);
+    improvements_left_.resize(wide, high, 0);
+  }
+  for (int y = 0; y < high; ++y) {
+    for (int x = 0; x < wide; ++x) {
+      const bool fresh = role.key || any_changed(changed, x, y);
+      std::uint8_t& left = improvements_left_.at(x, y);
+      active_.at(x, y) = fresh || (role.layer == 0 && left > 0);
+      if (role.layer > 0) continue;
+      if (fresh) {
+        left = kImprovements;
+      } else if (left > 0) {
+        --left;
+      }
+    }
+  }
+  return active_;
+}
+
+}  // namespace roomcast::codec

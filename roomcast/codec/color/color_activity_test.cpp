@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/codec/color/color_activity.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast::codec {
+namespace {
+
+constexpr FrameRole kKey{true, 0}, kBase{false, 0}, kUpper{false, 1};
+
+// A picture of 40x24 pixels: 5x3 blocks of 8x8, 3x2 of 16x16.
+MaskImage changed_at(int x, int y) {
+  MaskImage changed(5, 3, 0);
+  changed.at(x, y) = 1;
+  return changed;
+}
+const MaskImage kNothing(5, 3, 0);
+
+int count(MaskView active) {
+  int n = 0;
+  for (int y = 0; y < active.height; ++y) {
+    for (int x = 0; x < active.width; ++x) n += active.at(x, y);
+  }
+  return n;
+}
+
+void come_to_rest(ColorActivity& activity) {
+  for (int i = 0; i < 30; ++i) activity.update(kNothing, kBase);
+}
+
+TEST(ColorActivity, a_key_frame_is_active_everywhere) {
+  ColorActivity activity;
+  const MaskView active = activity.update(kNothing, kKey);
+  EXPECT_EQ(active.width, 3);
+  EXPECT_EQ(active.height, 2);
+  EXPECT_EQ(count(active), 6);
+}
+
+TEST(ColorActivity, after_a_key_frame_only_frames_that_others_build_on_improve_it) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  EXPECT_EQ(count(activity.update(kNothing, kUpper)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 6);
+}
+
+TEST(ColorActivity, a_still_picture_comes_to_rest) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 0);
+}
+
+TEST(ColorActivity, what_changes_is_active_in_any_layer_and_improved_for_a_while) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  const MaskImage corner = changed_at(4, 2);
+  MaskView active = activity.update(corner, kUpper);
+  EXPECT_EQ(count(active), 1);
+  EXPECT_EQ(active.at(2, 1), 1);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 0) << "the upper layer left no trace";
+  EXPECT_EQ(count(activity.update(corner, kBase)), 1);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 1);
+  come_to_rest(activity);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 0);
+}
+
+}  // namespace
+}  // namespace roomcast::codec

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registered colour to VP9 for real time, through libvpx. docs/spec/codec.md §3.1.
+// Pixels that the colour camera does not see keep the colour they last had, or are filled from
+// around if they never had any: still pixels cost nothing, black ones would cost two thirds of the
+// stream.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "roomcast/codec/color/color_activity.h"
+#include "roomcast/codec/color/color_hold.h"
+#include "roomcast/codec/color/hole_fill.h"
+#include "roomcast/codec/color/i420_image.h"
+#include "roomcast/codec/payload/encoder_options.h"
+#include "roomcast/codec/payload/layer_schedule.h"
+
+namespace roomcast::codec {
+
+class Vp9ColorEncoder {
+ public:
+  /// `options` must be legal. kUnavailable if libvpx does not start.
+  static Result<std::unique_ptr<Vp9ColorEncoder>> create(const FrameEncoderOptions& options);
+  ~Vp9ColorEncoder();
+
+  /// Appends one VP9 frame to `out`. Sizes must be those of the options; `seen` is in the depth
+  /// grid. The first frame's role is a key frame's; frames of layer 1 and up leave no trace.
+  [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
+                              std::vector<std::uint8_t>& out);
+
+  /// From the next frame on; as FrameEncoderOptions.color_kbit_per_s. kUnavailable if libvpx
+  /// refuses.
+  [[nodiscard]] Status set_rate(int kbit_per_s);
+
+ private:
+  struct Codec;
+  Vp9ColorEncoder(const FrameEncoderOptions& options, std::unique_ptr<Codec> codec);
+  void remember_seen();
+  void fill_never_seen();
+  void choose_quality();
+  [[nodiscard]] bool limit_quantizer(FrameRole role);
+  void set_layer(bool droppable);
+  void take_packets(std::vector<std::uint8_t>& out);
+  void set_active(MaskView active);
+
+  FrameEncoderOptions options_;
+  std::unique_ptr<Codec> codec_;
+  I420Image input_;
+  ColorHold hold_;
+  ColorActivity activity_;
+  MaskImage seen_;  // of the newest frame, of colour's size
+  MaskImage ever_seen_, chroma_ever_seen_;
+  HoleFill hole_fill_;
+  std::int64_t frame_count_ = 0;
+  std::int64_t key_at_ = 0;          // the frame_count_ of the newest key frame
+  std::size_t bytes_since_key_ = 0;  // without its own
+  unsigned key_quantizer_;           // of the next key frame
+};
+
+}  // namespace roomcast::codec

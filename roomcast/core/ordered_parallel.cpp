@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/core/ordered_parallel.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace roomcast {
+namespace {
+
+/// What the threads share: which task is next, which have ended, and whether to go on.
+class Ledger {
+ public:
+  Ledger(int tasks, int most_ahead) : tasks_(tasks), most_ahead_(most_ahead) {}
+
+  /// A task to do, or -1 when there is no more.
+  int take() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopped_ || next_ < handed_on_ + most_ahead_; });
+    return stopped_ || next_ >= tasks_ ? -1 : next_++;
+  }
+
+  void end(int task, Status status) {
+    const std::scoped_lock lock(mutex_);
+    if (!status && failure_.ok()) failure_ = std::move(status);
+    ended_.insert(task);
+    changed_.notify_all();
+  }
+
+  /// Waits for this task's end; whether all went well so far.
+  Status wait_for(int task) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !failure_.ok() || ended_.count(task) > 0; });
+    return failure_;
+  }
+
+  void hand_on(int task) {
+    const std::scoped_lock lock(mutex_);
+    ended_.erase(task);
+    handed_on_ = task + 1;
+    changed_.notify_all();
+  }
+
+  void stop() {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  const int tasks_, most_ahead_;
+  int next_ = 0, handed_on_ = 0;
+  bool stopped_ = false;
+  Status failure_;
+  std::set<int> ended_;
+};
+
+}  // namespace
+
+Status run_in_order(int tasks, int threads, const std::function<Status(int, int)>& work,
+                    const std::function<Status(int)>& done) {
+  constexpr int kAheadPerThread = 3;
+  Ledger ledger(tasks, kAheadPerThread * threads);
+  std::vector<std::jthread> workers;
+  for (int thread = 0; thread < threads; ++thread) {
+    workers.emplace_back([&ledger, &work, thread] {
+      for (int task = ledger.take(); task >= 0; task = ledger.take())
+        ledger.end(task, work(thread, task));
+    });
+  }
+  Status status;
+  for (int task = 0; task < tasks && status.ok(); ++task) {
+    status = ledger.wait_for(task);
+    if (status.ok()) status = done(task);
+    if (status.ok()) ledger.hand_on(task);
+  }
+  ledger.stop();
+  return status;
+}
+
+}  // namespace roomcast

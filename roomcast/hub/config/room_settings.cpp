@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/config/room_settings.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "roomcast/wire/name_check.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::pair<Who, std::string_view>, 4> kWho = {{{Who::kAnyone, "anyone"},
+                                                                   {Who::kToken, "token"},
+                                                                   {Who::kAdmin, "admin"},
+                                                                   {Who::kNobody, "nobody"}}};
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+Error wrong(std::string sentence) {
+  return {ErrorCode::kInvalidArgument, std::move(sentence)};
+}
+
+// Readers of one value each: false for a value of another kind.
+
+bool read(const Json& json, std::string& text) {
+  if (!json.is_string()) return false;
+  text = json.get<std::string>();
+  return true;
+}
+
+bool read(const Json& json, bool& flag) {
+  if (!json.is_boolean()) return false;
+  flag = json.get<bool>();
+  return true;
+}
+
+bool read(const Json& json, std::size_t& count) {
+  if (!json.is_number_unsigned()) return false;
+  count = json.get<std::size_t>();
+  return true;
+}
+
+bool read(const Json& json, double& number) {
+  if (!json.is_number()) return false;
+  number = json.get<double>();
+  return std::isfinite(number) && std::abs(number) <= wire::kMaxPosition_m;
+}
+
+bool read(const Json& json, Who& who) {
+  const auto found = json.is_string() ? who_is(json.get<std::string>()) : std::nullopt;
+  if (found) who = *found;
+  return found.has_value();
+}
+
+bool read(const Json& json, StartPosition& position) {
+  if (!json.is_object()) return false;
+  double yaw_deg = position.yaw_rad / kRadPerDeg;
+  const std::map<std::string, double*> fields = {{"x", &position.x_m},
+                                                 {"z", &position.z_m},
+                                                 {"eye_height", &position.eye_height_m},
+                                                 {"yaw_deg", &yaw_deg}};
+  for (const auto& [key, value] : json.items()) {
+    const auto field = fields.find(key);
+    if (field == fields.end() || !read(value, *field->second)) return false;
+  }
+  position.yaw_rad = yaw_deg * kRadPerDeg;
+  return json.contains("x") && json.contains("z");
+}
+
+bool read(const Json& json, std::vector<StartPosition>& positions) {
+  if (!json.is_array() || json.size() > kMaxStartPositions) return false;
+  std::vector<StartPosition> read_ones(json.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (!read(json[i], read_ones[i])) return false;
+  }
+  positions = std::move(read_ones);
+  return true;
+}
+
+Json to_json(const StartPosition& position) {
+  return {{"x", position.x_m},
+          {"z", position.z_m},
+          {"eye_height", position.eye_height_m},
+          {"yaw_deg", position.yaw_rad / kRadPerDeg}};
+}
+
+using Reader = std::function<bool(const Json&)>;
+
+std::map<std::string, Reader> readers_into(RoomSettings& s) {
+  const auto into = [](auto& field) {
+    return [&field](const Json& json) { return read(json, field); };
+  };
+  return {{"name", into(s.name)},
+          {"title", into(s.title)},
+          {"max_sensors", into(s.max_sensors)},
+          {"max_viewers", into(s.max_viewers)},
+          {"listed", into(s.listed)},
+          {"send", into(s.send)},
+          {"view", into(s.view)},
+          {"record", into(s.record)},
+          {"export", into(s.share)},
+          {"start_positions", into(s.start_positions)}};
+}
+
+}  // namespace
+
+std::string_view name_of(Who who) {
+  for (const auto& [value, name] : kWho) {
+    if (value == who) return name;
+  }
+  return "nobody";
+}
+
+std::optional<Who> who_is(std::string_view name) {
+  for (const auto& [value, text] : kWho) {
+    if (text == name) return value;
+  }
+  return std::nullopt;
+}
+
+Matrix4 world_from_viewer(const StartPosition& position) {
+  const double c = std::cos(position.yaw_rad), s = std::sin(position.yaw_rad);
+  return {c,  0, s, position.x_m, 0, 1, 0, position.eye_height_m,
+          -s, 0, c, position.z_m, 0, 0, 0, 1};
+}
+
+Status check(const RoomSettings& settings) {
+  if (settings.name.empty() || settings.name == "*") {
+    return wrong("a room needs a name, and \"*\" is none");
+  }
+  if (auto s = wire::check_name(settings.name, "room"); !s) return wrong(s.error().message);
+  if (auto s = wire::check_name(settings.title, "room"); !s) return wrong(s.error().message);
+  const auto within = [](std::size_t count, std::size_t most) {
+    return count >= 1 && count <= most;
+  };
+  if (!within(settings.max_sensors, wire::kMaxSensors)) {
+    return wrong("max_sensors is 1 to " + std::to_string(wire::kMaxSensors));
+  }
+  if (!within(settings.max_viewers, wire::kMaxViewers)) {
+    return wrong("max_viewers is 1 to " + std::to_string(wire::kMaxViewers));
+  }
+  return {};
+}
+
+Json to_json(const RoomSettings& settings) {
+  Json positions = Json::array();
+  for (const auto& position : settings.start_positions) positions.push_back(to_json(position));
+  return {{"name", settings.name},
+          {"title", settings.title.empty() ? settings.name : settings.title},
+          {"max_sensors", settings.max_sensors},
+          {"max_viewers", settings.max_viewers},
+          {"listed", settings.listed},
+          {"send", name_of(settings.send)},
+          {"view", name_of(settings.view)},
+          {"record", name_of(settings.record)},
+          {"export", name_of(settings.share)},
+          {"start_positions", std::move(positions)}};
+}
+
+Result<RoomSettings> changed(RoomSettings settings, const Json& changes) {
+  if (!changes.is_object()) return wrong("a room's settings are an object");
+  const auto readers = readers_into(settings);
+  for (const auto& [key, value] : changes.items()) {
+    const auto reader = readers.find(key);
+    if (reader == readers.end()) return wrong("a room has no setting \"" + key + "\"");
+    if (!reader->second(value)) return wrong("this is no value for a room's \"" + key + "\"");
+  }
+  if (auto status = check(settings); !status) return status.error();
+  return settings;
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/config/room_settings.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::hub {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string fault_in(const Json& changes) {
+  const auto result = changed({}, changes);
+  return result ? "" : result.error().message;
+}
+
+TEST(RoomSettings, survive_being_json) {
+  const RoomSettings settings{.name = "lab",
+                              .title = "The lab",
+                              .max_sensors = 4,
+                              .max_viewers = 20,
+                              .listed = false,
+                              .send = Who::kToken,
+                              .view = Who::kAdmin,
+                              .record = Who::kNobody,
+                              .share = Who::kToken,
+                              .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}}};
+  const auto read = changed({}, to_json(settings));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(to_json(*read), to_json(settings));
+}
+
+TEST(RoomSettings, what_is_not_named_stays) {
+  RoomSettings settings;
+  settings.max_viewers = 7;
+  const auto result = changed(settings, {{"title", "Kitchen"}});
+  EXPECT_EQ(result->max_viewers, 7U);
+  EXPECT_EQ(result->title, "Kitchen");
+}
+
+TEST(RoomSettings, a_wrong_field_or_value_is_named) {
+  EXPECT_NE(fault_in({{"colour", "red"}}).find("colour"), std::string::npos);
+  EXPECT_NE(fault_in({{"view", "friends"}}).find("view"), std::string::npos);
+  EXPECT_NE(fault_in({{"max_viewers", -1}}).find("max_viewers"), std::string::npos);
+  EXPECT_NE(fault_in({{"max_viewers", 100'000}}).find("max_viewers"), std::string::npos);
+  EXPECT_NE(fault_in({{"max_sensors", 0}}).find("max_sensors"), std::string::npos);
+  EXPECT_NE(fault_in({{"start_positions", {{{"x", 1}}}}}).find("start_positions"),
+            std::string::npos);
+  EXPECT_NE(fault_in({{"start_positions", {{{"x", 1e300}, {"z", 0}}}}}), "");
+  EXPECT_NE(fault_in({{"listed", 1}}), "");
+  EXPECT_NE(fault_in(Json::array()), "");
+}
+
+TEST(RoomSettings, a_room_needs_a_name_that_can_be_one) {
+  EXPECT_NE(fault_in({{"name", ""}}), "");
+  EXPECT_NE(fault_in({{"name", "*"}}), "") << "it would be all rooms in a token";
+  EXPECT_NE(fault_in({{"name", std::string(65, 'x')}}), "");
+  EXPECT_NE(fault_in({{"name", "a\nb"}}), "");
+}
+
+TEST(RoomSettings, a_start_position_looks_where_it_says) {
+  const Matrix4 ahead = world_from_viewer({.x_m = 1, .z_m = 2});
+  EXPECT_EQ(ahead[3], 1);
+  EXPECT_EQ(ahead[7], 1.6);
+  EXPECT_EQ(ahead[11], 2);
+  EXPECT_EQ(ahead[10], 1) << "-z of the viewer is -z of the world";
+  const Matrix4 left = world_from_viewer({.yaw_rad = std::numbers::pi / 2});
+  EXPECT_NEAR(-left[2], -1, 1e-12) << "a quarter turn counter-clockwise looks along -x";
+}
+
+}  // namespace
+}  // namespace roomcast::hub

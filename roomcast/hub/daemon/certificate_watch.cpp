@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/daemon/certificate_watch.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+namespace roomcast::cli {
+
+CertificateWatch::CertificateWatch(std::filesystem::path certificate, std::filesystem::path key,
+                                   Take take, std::atomic<bool>& asked, LogSink log,
+                                   std::chrono::milliseconds look_every)
+    : certificate_(std::move(certificate)),
+      key_(std::move(key)),
+      take_(std::move(take)),
+      asked_(asked),
+      log_(std::move(log)),
+      seen_(stamp()),
+      thread_([this, look_every](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any nobody_wakes;
+        std::unique_lock lock(mutex);
+        while (
+            !nobody_wakes.wait_for(lock, stop, look_every, [&] { return stop.stop_requested(); })) {
+          look();
+        }
+      }) {}
+
+CertificateWatch::Stamp CertificateWatch::stamp() const {
+  std::error_code absent;
+  return {std::filesystem::last_write_time(certificate_, absent),
+          std::filesystem::last_write_time(key_, absent)};
+}
+
+/// Between the writing of the one file and of the other they do not belong together: the next look
+/// will find that they do.
+void CertificateWatch::look() {
+  const Stamp now = stamp();
+  if (!asked_.exchange(false) && now == seen_) return;
+  seen_ = now;
+  const auto certificate = net::Certificate::load(certificate_, key_);
+  const Status taken = certificate ? take_(*certificate) : Status(certificate.error());
+  if (taken) return log_(LogLevel::kInfo, "the certificate was renewed");
+  log_(LogLevel::kWarning, "the old certificate is kept: " + taken.error().message);
+}
+
+}  // namespace roomcast::cli

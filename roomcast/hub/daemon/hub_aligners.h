@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The aligners that come with a hub: one for each room that has had a sensor, in the same process,
+// clients of the hub like any other. Threading: thread-safe.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "roomcast/alignment/service/room_aligner.h"
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+#include "roomcast/net/tls/fingerprint.h"
+
+namespace roomcast::cli {
+
+struct OwnHub {
+  std::string listen_address = "127.0.0.1";
+  std::uint16_t port = 0;
+  std::optional<net::Fingerprint> certificate;  // of a hub that encrypts
+};
+
+/// How the hub is reached from its own machine.
+[[nodiscard]] std::string own_hub_url(const OwnHub& hub);
+
+class HubAligners {
+ public:
+  explicit HubAligners(LogSink log) : log_(std::move(log)) {}
+
+  /// The hub is open, and takes this token. Call it before it runs.
+  void serve(OwnHub hub, std::string token);
+  /// The hub's certificate was renewed.
+  void trust(const net::Fingerprint& certificate);
+
+  /// A room has a sensor.
+  void start(const std::string& room);
+  /// Another hub does it from now on. Waits for nothing.
+  void stop(const std::string& room);
+
+ private:
+  const LogSink log_;
+  std::mutex mutex_;
+  OwnHub hub_;
+  std::string token_;
+  std::map<std::string, std::unique_ptr<aligner::RoomAligner>> aligners_;  // by room
+  std::vector<std::jthread> ending_;  // each waits for an aligner's last thought
+};
+
+}  // namespace roomcast::cli

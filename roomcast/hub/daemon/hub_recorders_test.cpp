@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/daemon/hub_recorders.h"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/core/temporary_folder.h"
+#include "roomcast/hub/server/running_hub.h"
+#include "roomcast/recording/room/room_recording.h"
+
+namespace roomcast::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using hub::RecordingState;
+
+class HubRecordersTest : public testing::Test {
+ protected:
+  HubRecordersTest() {
+    recorders_.serve({.port = hub_.port(), .certificate = {}}, hub_.server().own_token());
+  }
+
+  /// As it is once it is no more on its way to another state.
+  hub::RoomRecording settled() {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    for (;;) {
+      const auto now = recorders_.now("room");
+      const bool moves =
+          now.state == RecordingState::kStarting || now.state == RecordingState::kStopping;
+      if (!moves || std::chrono::steady_clock::now() > give_up) return now;
+      std::this_thread::yield();
+    }
+  }
+
+  TemporaryFolder folder_;
+  const hub::RunningHub hub_;
+  HubRecorders recorders_{folder_.path() / "recordings", {}};
+};
+
+TEST_F(HubRecordersTest, a_room_is_kept_in_a_file_of_its_own_each_time) {
+  for (const char* name : {"roomcast-room-0001.mcap", "roomcast-room-0002.mcap"}) {
+    ASSERT_TRUE(recorders_.start("room").ok());
+    const auto on = settled();
+    ASSERT_EQ(on.state, RecordingState::kOn) << on.problem;
+    EXPECT_EQ(std::filesystem::path(on.file).filename(), name);
+    ASSERT_TRUE(recorders_.stop("room").ok());
+    const auto off = settled();
+    EXPECT_EQ(off.state, RecordingState::kOff) << off.problem;
+    EXPECT_GT(off.bytes, 0u);
+    EXPECT_EQ(off.file, on.file);
+    EXPECT_EQ(std::filesystem::file_size(off.file), off.bytes);
+  }
+}
+
+TEST_F(HubRecordersTest, starting_twice_and_stopping_nothing_are_refused) {
+  EXPECT_FALSE(recorders_.stop("room").ok());
+  ASSERT_TRUE(recorders_.start("room").ok());
+  EXPECT_FALSE(recorders_.start("room").ok());
+  ASSERT_EQ(settled().state, RecordingState::kOn);
+  EXPECT_FALSE(recorders_.start("room").ok());
+}
+
+TEST_F(HubRecordersTest, why_it_failed_is_said_and_it_can_be_tried_again) {
+  std::filesystem::create_directories(folder_.path());
+  const auto in_the_way = folder_.path() / "recordings";
+  std::filesystem::create_symlink("/dev/null/nowhere", in_the_way);
+  ASSERT_TRUE(recorders_.start("room").ok());
+  const auto failed = settled();
+  EXPECT_EQ(failed.state, RecordingState::kFailed);
+  EXPECT_NE(failed.problem.find("recordings"), std::string::npos) << failed.problem;
+  std::filesystem::remove(in_the_way);
+  ASSERT_TRUE(recorders_.start("room").ok());
+  EXPECT_EQ(settled().state, RecordingState::kOn);
+}
+
+TEST_F(HubRecordersTest, of_a_room_that_was_never_kept_there_is_nothing) {
+  EXPECT_EQ(recorders_.now("room").state, RecordingState::kOff);
+  EXPECT_TRUE(recorders_.now("room").file.empty());
+}
+
+}  // namespace
+}  // namespace roomcast::cli

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/federation/cluster/cluster_hub.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "roomcast/hub/federation/cluster/revoked_tokens.h"
+#include "roomcast/hub/federation/cluster/subjects.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::cluster {
+namespace {
+
+template <class Message>
+std::vector<std::uint8_t> bytes_of(const Message& message) {
+  std::vector<std::uint8_t> bytes(message.ByteSizeLong());
+  message.SerializeToArray(bytes.data(), static_cast<int>(bytes.size()));
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
+                                                     hub::BackplaneSeat seat) {
+  std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(seat)));
+  NatsHandlers handlers{
+      .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
+      .on_connected = [hub = hub.get()] { hub->say_alive(); },
+      .log = hub->options_.log};
+  auto nats = NatsClient::open(hub->options_.nats, hub->seat_.io, std::move(handlers));
+  if (!nats) return nats.error();
+  hub->nats_ = *std::move(nats);
+  hub->nats_->subscribe(kHeartbeatSubject);
+  hub->nats_->subscribe(kRevokedSubject);
+  hub->nats_->subscribe(inbox_subject(hub->id_));
+  hub->beat_later();
+  return hub;
+}
+
+ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneSeat seat)
+    : options_(std::move(options)), seat_(std::move(seat)), timer_(seat_.io) {}
+
+ClusterHub::~ClusterHub() {
+  timer_.cancel();
+  if (nats_) say_alive(true);
+}
+
+// ---- rooms
+
+void ClusterHub::room_opened(const std::string& name) {
+  const Number number = numbers_[name] = ++newest_;
+  auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
+    return hub::backplane_connection(number, ++*count);
+  };
+  SharedRoom::Seat seat{.own = id_,
+                        .room = name,
+                        .token = seat_.token,
+                        .rooms = seat_.rooms,
+                        .new_connection = std::move(new_connection),
+                        .out = *this};
+  rooms_[number] =
+      std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(seat)),
+                                     .packer = FramePacker(nats_->max_message_bytes()),
+                                     .gathered = boost::asio::steady_timer(seat_.io),
+                                     .unwatched = boost::asio::steady_timer(seat_.io)});
+  nats_->subscribe(news_subject(name));
+  // Rooms are opened one after the other, before the first of them can take anybody in.
+  boost::asio::post(seat_.io, [this, number] {
+    const auto room = rooms_.find(number);
+    if (room != rooms_.end()) room->second->shared->stay();
+  });
+}
+
+void ClusterHub::room_closed(const std::string& name) {
+  nats_->unsubscribe(news_subject(name));
+  nats_->unsubscribe(all_frames_subject(name));
+  nats_->unsubscribe(poses_subject(name));
+  const auto number = numbers_.extract(name);
+  if (number) rooms_.erase(number.mapped());
+}
+
+ClusterHub::Room* ClusterHub::find(std::string_view name) {
+  const auto number = numbers_.find(name);
+  return number == numbers_.end() ? nullptr : rooms_.at(number->second).get();
+}
+
+void ClusterHub::watch(const std::string& name, bool is_watched) {
+  Room* room = find(name);
+  if (room == nullptr) return;
+  room->is_watched = is_watched;
+  room->unwatched.cancel();
+  if (is_watched && !std::exchange(room->is_subscribed, true)) {
+    nats_->subscribe(all_frames_subject(name));
+    nats_->subscribe(poses_subject(name));
+    return say_alive();
+  }
+  if (is_watched) return;
+  room->unwatched.expires_after(options_.kept_unwatched);
+  room->unwatched.async_wait([this, name](boost::system::error_code error) {
+    Room* unwatched = find(name);
+    if (error || unwatched == nullptr || unwatched->is_watched) return;
+    unwatched->is_subscribed = false;
+    nats_->unsubscribe(all_frames_subject(name));
+    nats_->unsubscribe(poses_subject(name));
+    say_alive();
+  });
+}
+
+void ClusterHub::sensor_joins(const std::string& room, const std::string& name,
+                              const std::string& token_id) {
+  if (Room* found = find(room)) found->shared->sensor_joins(name, token_id);
+}
+
+void ClusterHub::frame(const std::string& name, const wire::FrameHeader&,
+                       std::span<const std::uint8_t> message) {
+  Room* room = find(name);
+  if (room == nullptr || !room->is_wanted) return;
+  if (room->packer.byte_count() + message.size() > wire::kMaxFrameBytes) flush(*room);
+  room->packer.add(message);
+  if (!room->shared->has_sensors_elsewhere()) return;  // they go when they close a set
+  if (room->packer.frame_count() >= room->shared->local_sensor_count()) return flush(*room);
+  if (room->packer.frame_count() > 1) return;
+  room->gathered.expires_after(kGatherFor);
+  room->gathered.async_wait([this, name](boost::system::error_code error) {
+    if (Room* gathered = find(name); gathered != nullptr && !error) flush(*gathered);
+  });
+}
+
+void ClusterHub::set_closed(const std::string& name) {
+  Room* room = find(name);
+  if (room == nullptr || room->packer.frame_count() == 0) return;
+  room->packer.close_set();
+  flush(*room);
+}
+
+void ClusterHub::flush(Room& room) {
+  room.gathered.cancel();
+  for (auto& message : room.packer.take()) {
+    nats_->publish_now(frames_subject(room.shared->name(), id_), std::move(message));
+  }
+}
+
+SharedRoom* ClusterHub::owner_of_connection(ConnectionId connection) {
+  const auto room = rooms_.find(hub::backplane_owner(connection));
+  return room == rooms_.end() ? nullptr : room->second->shared.get();
+}
+
+void ClusterHub::send(ConnectionId to, const wire::pb::Control& message) {
+  if (SharedRoom* room = owner_of_connection(to)) room->said(to, message);
+}
+
+void ClusterHub::let_go(ConnectionId connection) {
+  if (SharedRoom* room = owner_of_connection(connection)) room->let_go(connection);
+}
+
+// ---- to other hubs
+
+void ClusterHub::tell_all(const pb::RoomNews& news) {
+  nats_->publish(news_subject(news.room()), bytes_of(news));
+  say_alive();
+}
+
+void ClusterHub::tell(HubId hub, const pb::ToHub& message) {
+  nats_->publish(inbox_subject(hub), bytes_of(message));
+}
+
+void ClusterHub::tell_moved(const std::string& room, const pb::PeopleMoved& people) {
+  const Room* moved_in = find(room);
+  if (moved_in != nullptr && moved_in->is_wanted) {
+    nats_->publish_now(poses_subject(room), bytes_of(people));
+  }
+}
+
+pb::Heartbeat ClusterHub::heartbeat() const {
+  pb::Heartbeat own;
+  own.set_hub(id_.value);
+  own.set_sent_ns(static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
+  own.set_public_url(options_.public_url);
+  own.set_aligns(options_.on_owned != nullptr);
+  own.set_load(load_.cores());
+  own.set_cores(options_.cores);
+  for (const auto& [number, room] : rooms_) {
+    if (room->shared->revision() == 0 && !room->is_subscribed) continue;
+    pb::RoomHere& here = *own.add_rooms();
+    here.set_room(room->shared->name());
+    here.set_revision(room->shared->revision());
+    here.set_sensors(static_cast<std::uint32_t>(room->shared->local_sensor_count()));
+    here.set_viewers(static_cast<std::uint32_t>(room->shared->viewer_count()));
+    here.set_wants_frames(room->is_subscribed);
+  }
+  return own;
+}
+
+void ClusterHub::say_alive(bool leaves) {
+  pb::Heartbeat own = heartbeat();
+  own.set_leaves(leaves);
+  if (beats_ % kBeatsPerList == 0) {
+    for (const auto& [number, room] : rooms_) own.add_all_rooms(room->shared->name());
+  }
+  directory_.write_heard(own);
+  nats_->publish(kHeartbeatSubject, bytes_of(own));
+}
+
+/// At random distances: clocks are compared by heartbeats, and what falls in step with frames waits
+/// behind one every time.
+void ClusterHub::beat_later() {
+  std::uniform_real_distribution<double> share(0.7, 1.3);
+  timer_.expires_after(
+      std::chrono::duration_cast<nanoseconds>(kHeartbeatInterval * share(random_)));
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (error) return;
+    beat();
+    beat_later();
+  });
+}
+
+void ClusterHub::beat() {
+  load_.look(clock_.now());
+  for (const HubId gone : directory_.take_gone(clock_.now())) {
+    if (options_.log) options_.log(LogLevel::kWarning, "hub " + to_string(gone) + " is gone");
+    for (const auto& [number, room] : rooms_) room->shared->hub_is_gone(gone);
+  }
+  look_after_rooms();
+  ++beats_;
+  say_alive();
+}
+
+void ClusterHub::look_after_rooms() {
+  auto urls = directory_.urls();
+  if (urls != named_hubs_) seat_.name_hubs(named_hubs_ = std::move(urls));
+  const pb::Heartbeat own = heartbeat();
+  for (const auto& [number, room] : rooms_) {
+    const std::string& name = room->shared->name();
+    room->asked.clear();
+    room->shared->stay();
+    room->is_wanted = directory_.is_wanted(name);
+    room->shared->others_are(directory_.urls_with(name));
+    const auto owner = owner_of(name, own, directory_);
+    const bool was_ours = room->owner == id_;
+    room->owner = owner;
+    room->shared->owner_is(owner);
+    if (was_ours != (owner == id_)) begin_or_end_owning(name, owner == id_);
+    if (beats_ % kBeatsPerList == 0) room->shared->tell_poses_again();
+  }
+}
+
+void ClusterHub::begin_or_end_owning(const std::string& room, bool owns) const {
+  if (options_.log) {
+    options_.log(LogLevel::kInfo, std::string(owns ? "works" : "no longer works") +
+                                      " out where the sensors of \"" + room + "\" stand");
+  }
+  options_.on_owned(room, owns);
+}
+
+void ClusterHub::revoked(const std::vector<hub::Claims>& tokens) {
+  nats_->publish(kRevokedSubject, bytes_of(revoked_message(tokens)));
+}
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// ClusterHub: the backplane of a hub that shares its rooms with others over NATS. Every hub tells
+// the others several times a second that it is alive, what its rooms have, and of which it wants
+// frames; it gets frames of a room only while somebody watches that here, and a little longer.
+// Threading: the rooms' thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/hub/federation/cluster/frame_parts.h"
+#include "roomcast/hub/federation/cluster/hub_directory.h"
+#include "roomcast/hub/federation/cluster/processor_load.h"
+#include "roomcast/hub/federation/cluster/shared_room.h"
+#include "roomcast/hub/federation/nats/nats_client.h"
+#include "roomcast/hub/runtime/backplane.h"
+
+namespace roomcast::cluster {
+
+struct ClusterOptions {
+  NatsOptions nats;
+  std::string public_url;  // how others reach this hub; empty: nobody is sent here
+  /// This hub could work out where sensors stand: it begins for a room when told so, and ends.
+  std::function<void(const std::string& room, bool owns)> on_owned = {};
+  float cores = 1;  // that this hub can use
+  /// Of these, from 0 to 1: a hub that uses more sends who comes to watch on to one that is much
+  /// less busy. 0: never.
+  float busy_share = 0.75F;
+  /// How long a room's frames still come that nobody watches any more.
+  std::chrono::milliseconds kept_unwatched{3000};
+  LogSink log = {};
+};
+
+class ClusterHub final : public hub::Backplane, private SharedRoomOut {
+ public:
+  /// Frames that close a set together share a message. Where a room has sensors at other hubs, too,
+  /// who would wait for each other's, those that come within this time.
+  static constexpr std::chrono::milliseconds kGatherFor{8};
+  /// All rooms are named in each so manyth heartbeat, and where people are who stand still.
+  static constexpr unsigned kBeatsPerList = 8;
+
+  /// Errors of NatsClient::open.
+  static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options, hub::BackplaneSeat seat);
+  ~ClusterHub() override;
+
+  void room_opened(const std::string& room) override;
+  void room_closed(const std::string& room) override;
+  void watch(const std::string& room, bool is_watched) override;
+  void sensor_joins(const std::string& room, const std::string& name,
+                    const std::string& token_id) override;
+  void frame(const std::string& room, const wire::FrameHeader& header,
+             std::span<const std::uint8_t> message) override;
+  void set_closed(const std::string& room) override;
+  void send(ConnectionId to, const wire::pb::Control& message) override;
+  void let_go(ConnectionId connection) override;
+  void revoked(const std::vector<hub::Claims>& tokens) override;
+  [[nodiscard]] std::vector<hub::HubStatus> hubs() const override;
+  [[nodiscard]] hub::BackplaneStats stats() const override;
+  [[nodiscard]] std::vector<std::string> less_busy_hubs(const std::string& room) const override;
+
+ private:
+  /// Part of the ids of a room's connections. Never used twice.
+  using Number = std::uint32_t;
+  struct Room {
+    std::unique_ptr<SharedRoom> shared;
+    FramePacker packer;
+    boost::asio::steady_timer gathered, unwatched;
+    std::size_t viewers = 0;
+    bool is_watched = false, is_subscribed = false;
+    bool is_wanted = false;  // by another hub
+    std::optional<HubId> owner = {};
+    std::set<HubId> asked = {};  // for their news, since the last heartbeat of ours
+  };
+  using Rooms = std::map<Number, std::unique_ptr<Room>>;
+
+  ClusterHub(ClusterOptions options, hub::BackplaneSeat seat);
+
+  void tell_all(const pb::RoomNews& news) override;
+  void tell(HubId hub, const pb::ToHub& message) override;
+  void tell_moved(const std::string& room, const pb::PeopleMoved& people) override;
+
+  void take(std::string_view subject, std::span<const std::uint8_t> message);
+  void take_revoked(const pb::Revoked& revoked);
+  void take_heartbeat(const pb::Heartbeat& heartbeat);
+  void beat_later();
+  void beat();
+  void say_alive(bool leaves = false);
+  [[nodiscard]] pb::Heartbeat heartbeat() const;
+  void look_after_rooms();
+  void begin_or_end_owning(const std::string& room, bool owns) const;
+  void flush(Room& room);
+  [[nodiscard]] Room* find(std::string_view room);
+  [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);
+
+  const ClusterOptions options_;
+  const hub::BackplaneSeat seat_;
+  const HubId id_ = new_hub_id();
+  SteadyClock clock_;
+  HubDirectory directory_{id_};
+  ProcessorLoad load_;
+  std::vector<std::string> named_hubs_;  // to those who have the page
+  std::unique_ptr<NatsClient> nats_;
+  Number newest_ = 0;
+  unsigned beats_ = 0;
+  Rooms rooms_;
+  std::map<std::string, Number, std::less<>> numbers_;  // by name
+  boost::asio::steady_timer timer_;
+  std::minstd_rand random_{std::random_device{}()};
+};
+
+}  // namespace roomcast::cluster

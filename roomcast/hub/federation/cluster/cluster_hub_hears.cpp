@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ClusterHub hears from other hubs, and what it knows of them.
+#include <utility>
+
+#include "roomcast/hub/federation/cluster/cluster_hub.h"
+#include "roomcast/hub/federation/cluster/revoked_tokens.h"
+#include "roomcast/hub/federation/cluster/subjects.h"
+
+namespace roomcast::cluster {
+namespace {
+
+template <class Message>
+std::optional<Message> read(std::span<const std::uint8_t> bytes) {
+  Message message;
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return std::nullopt;
+  return message;
+}
+
+}  // namespace
+
+void ClusterHub::take(std::string_view subject, std::span<const std::uint8_t> bytes) {
+  const auto what = read_subject(subject);
+  if (!what) return;
+  if (what->subject == Subject::kHeartbeat) {
+    if (const auto heartbeat = read<pb::Heartbeat>(bytes)) take_heartbeat(*heartbeat);
+  } else if (what->subject == Subject::kInbox) {
+    const auto message = read<pb::ToHub>(bytes);
+    Room* room = message ? find(message->room()) : nullptr;
+    if (room != nullptr && directory_.find(HubId{message->from()})) room->shared->take(*message);
+  } else if (what->subject == Subject::kNews) {
+    const auto news = read<pb::RoomNews>(bytes);
+    Room* room = find(what->room);
+    if (room != nullptr && news && directory_.find(HubId{news->hub()})) room->shared->news(*news);
+  } else if (what->subject == Subject::kRevoked) {
+    if (const auto revoked = read<pb::Revoked>(bytes)) take_revoked(*revoked);
+  } else if (what->subject == Subject::kPoses) {
+    const auto people = read<pb::PeopleMoved>(bytes);
+    Room* room = find(what->room);
+    if (room != nullptr && people) room->shared->people_moved(*people);
+  } else if (what->subject == Subject::kFrames) {
+    if (Room* room = find(what->room)) room->shared->frames(what->hub, bytes);
+  }
+}
+
+void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
+  const HubId from{heartbeat.hub()};
+  const bool is_new = directory_.find(from) == nullptr;
+  if (!directory_.take(heartbeat, clock_.now())) return;
+  const auto estimate = directory_.find(from)->clock.estimate();
+  for (const auto& [number, room] : rooms_) {
+    const pb::RoomHere* there = room_of(heartbeat, room->shared->name());
+    if (there == nullptr) continue;
+    room->is_wanted = directory_.is_wanted(room->shared->name());
+    if (estimate) room->shared->clock_is(from, *estimate);
+    if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
+      pb::ToHub please;
+      please.set_from(id_.value);
+      please.set_room(room->shared->name());
+      please.mutable_news_please();
+      tell(from, please);
+    }
+  }
+  if (heartbeat.leaves()) beat();
+  if (!is_new) return;
+  beats_ = 0;
+  say_alive();  // it knows of us at once
+  seat_.tell_revoked();
+}
+
+void ClusterHub::take_revoked(const pb::Revoked& revoked) {
+  auto tokens = revoked_tokens(revoked);
+  if (!tokens.empty()) seat_.revoke(std::move(tokens));
+}
+
+// ---- who is there
+
+std::vector<std::string> ClusterHub::less_busy_hubs(const std::string& room) const {
+  const pb::Heartbeat own = heartbeat();
+  const bool is_busy = options_.busy_share > 0 && busy_share(own) > options_.busy_share;
+  return is_busy ? directory_.less_busy_with(room, own) : std::vector<std::string>();
+}
+
+hub::BackplaneStats ClusterHub::stats() const {
+  const NatsStats nats = nats_->stats();
+  return {.links = 1,
+          .links_up = nats.is_connected ? 1U : 0U,
+          .other_hubs = directory_.others().size(),
+          .sent = nats.sent,
+          .received = nats.received,
+          .dropped = nats.dropped};
+}
+
+std::vector<hub::HubStatus> ClusterHub::hubs() const {
+  std::vector<hub::HubStatus> all;
+  const auto add = [&all](const pb::Heartbeat& heartbeat) {
+    hub::HubStatus& status = all.emplace_back();
+    status.id = to_string(HubId{heartbeat.hub()});
+    status.public_url = heartbeat.public_url();
+    status.load = heartbeat.load();
+    for (const pb::RoomHere& room : heartbeat.rooms()) {
+      status.rooms.push_back({room.room(), room.sensors(), room.viewers()});
+    }
+  };
+  add(heartbeat());
+  for (const auto& [id, hub] : directory_.others()) add(hub.newest);
+  return all;
+}
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a SharedRoom does so that one hub works out where all sensors stand, and all show it.
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/hub/federation/cluster/shared_room.h"
+#include "roomcast/wire/control_check.h"
+
+namespace roomcast::cluster {
+namespace {
+
+namespace wpb = wire::pb;
+
+bool same_pose(const wpb::SensorEntry& a, const wpb::SensorEntry& b) {
+  return std::ranges::equal(a.world_from_depth(), b.world_from_depth());
+}
+
+/// Is this, which another hub says of a sensor, more than what is known of it here?
+bool is_news(const wpb::SensorEntry& said, const wpb::SensorEntry& here) {
+  if (here.placement() == wpb::PLACEMENT_GIVEN || said.moved()) return false;
+  const bool other_note = said.placement_note() != here.placement_note();
+  if (said.placement() != wpb::PLACEMENT_ALIGNED) return other_note;
+  if (here.moved() && same_pose(said, here)) return false;  // the other does not know yet
+  return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(said, here) || other_note ||
+         said.expected_error_mm() != here.expected_error_mm() ||
+         said.unverified() != here.unverified();
+}
+
+}  // namespace
+
+void SharedRoom::owner_is(std::optional<HubId> owner) {
+  if (owner == owner_) return;
+  owner_ = owner;
+  tell_news();
+  place_sensors();
+  if (!is_owner()) return;
+  for (const auto& [id, hub] : others_) {
+    if (!hub.sensors.all().empty()) ask_for_bundles(id);
+  }
+}
+
+/// The owner's word holds. Where there is none, that of the hub to which the sensor sends.
+void SharedRoom::place_sensors() {
+  if (!is_welcome_ || is_owner()) return;
+  wpb::Control control;
+  const auto consider = [&](const wpb::SensorEntry& said) {
+    const wpb::SensorEntry* here = entry_of(said.name());
+    if (here == nullptr || !is_news(said, *here)) return;
+    const SensorId id{static_cast<std::uint16_t>(here->id())};
+    *control.mutable_placements()->add_sensors() = mirror::placement_of(said, id);
+  };
+  const auto owner = owner_ ? others_.find(*owner_) : others_.end();
+  if (owner != others_.end()) std::ranges::for_each(owner->second.news.placed(), consider);
+  for (const auto& [id, hub] : others_) {
+    if (owner_) break;
+    for (const auto& [there, sensor] : hub.sensors.all()) consider(sensor.there.entry);
+  }
+  if (control.has_placements()) seat_.rooms.on_control(*aligner_, control);
+}
+
+/// What sensors and people here say to an aligner.
+void SharedRoom::pass_to_owner(const wpb::Control& said_here) {
+  if (!owner_ || is_owner()) return;
+  pb::ToHub message = message_to_hub();
+  *message.mutable_news() = news_;
+  const auto pass = [&](std::uint32_t sensor_id) {
+    if (!is_local(sensor_id)) return;
+    message.mutable_sensor_said()->set_sensor_id(sensor_id);
+    *message.mutable_sensor_said()->mutable_control() = said_here;
+  };
+  if (said_here.has_calibration_bundle()) pass(said_here.calibration_bundle().sensor_id());
+  if (said_here.has_sightings()) pass(said_here.sightings().sensor_id());
+  if (said_here.has_nudge()) {
+    for (const wpb::SensorEntry& entry : roster_.sensors()) {
+      if (entry.id() != said_here.nudge().sensor_id()) continue;
+      message.mutable_nudge()->set_sensor(entry.name());
+      *message.mutable_nudge()->mutable_world_from_depth() = said_here.nudge().world_from_depth();
+    }
+  }
+  if (message.what_case() != pb::ToHub::WHAT_NOT_SET) seat_.out.tell(*owner_, message);
+}
+
+void SharedRoom::ask_for_bundles(HubId hub) {
+  pb::ToHub message = message_to_hub();
+  message.mutable_bundles_please();
+  seat_.out.tell(hub, message);
+}
+
+pb::ToHub SharedRoom::message_to_hub() const {
+  pb::ToHub message;
+  message.set_from(seat_.own.value);
+  message.set_room(seat_.room);
+  return message;
+}
+
+void SharedRoom::take(const pb::ToHub& message) {
+  const HubId from{message.from()};
+  if (message.has_news()) news(message.news());
+  switch (message.what_case()) {
+    case pb::ToHub::kKeyRequest: {
+      const SensorId sensor{static_cast<std::uint16_t>(message.key_request().sensor_id())};
+      if (is_welcome_) seat_.rooms.on_key_needs(*aligner_, {sensor});
+      return;
+    }
+    case pb::ToHub::kSensorSaid:
+      return take_said(from, message.sensor_said());
+    case pb::ToHub::kSightingsWanted: {
+      if (from != owner_ || !is_welcome_) return;
+      wpb::Control control;
+      *control.mutable_sighting_request() = message.sightings_wanted().request();
+      return seat_.rooms.on_control(*aligner_, control);
+    }
+    case pb::ToHub::kNudge:
+      return take_nudge(message.nudge());
+    case pb::ToHub::kNewsPlease:
+      return seat_.out.tell_all(news_);
+    case pb::ToHub::kBundlesPlease:
+      if (!is_welcome_) return;  // they come with the welcome
+      leave();
+      return join();
+    default:
+      return;  // of a later version
+  }
+}
+
+/// Times come in this hub's clock.
+void SharedRoom::take_said(HubId from, const pb::SensorSaid& said) {
+  const auto hub = others_.find(from);
+  if (!is_owner() || hub == others_.end() || !wire::check_control(said.control())) return;
+  wpb::Control control = said.control();
+  if (!control.has_calibration_bundle() && !control.has_sightings()) return;
+  const auto convert = [&](auto& sighting) {
+    const RoomTime there(nanoseconds(static_cast<std::int64_t>(sighting.room_ns())));
+    const auto here = hub->second.sensors.time_here(there);
+    if (here) sighting.set_room_ns(static_cast<std::uint64_t>(here->time_since_epoch().count()));
+    return here.has_value();
+  };
+  bool times_are_known = true;
+  if (control.has_sightings()) {
+    for (auto& head : *control.mutable_sightings()->mutable_heads()) {
+      times_are_known &= convert(head);
+    }
+    for (auto& tag : *control.mutable_sightings()->mutable_tags()) times_are_known &= convert(tag);
+  }
+  if (times_are_known) hub->second.sensors.say(said.sensor_id(), control);
+}
+
+void SharedRoom::take_nudge(const pb::NudgeByName& nudge) {
+  const wpb::SensorEntry* entry = entry_of(nudge.sensor());
+  if (!is_owner() || !is_welcome_ || entry == nullptr) return;
+  wpb::Control control;
+  control.mutable_nudge()->set_sensor_id(entry->id());
+  *control.mutable_nudge()->mutable_world_from_depth() = nudge.world_from_depth();
+  if (wire::check_control(control)) seat_.rooms.on_control(*aligner_, control);
+}
+
+}  // namespace roomcast::cluster

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two hubs with a sensor each: where sensors stand is worked out by one, and both show it.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/federation/cluster/shared_room.h"
+#include "roomcast/hub/federation/mirror/room_here_fixture.h"
+
+namespace roomcast::cluster {
+namespace {
+
+namespace wpb = wire::pb;
+using mirror::RoomHere;
+using mirror::sensor_there;
+using namespace std::chrono_literals;
+
+constexpr HubId kOwner{3}, kOther{8};
+
+wpb::SensorEntry aligned(std::uint32_t id, const std::string& name, double x_m) {
+  auto entry = sensor_there(id, name, wpb::PLACEMENT_ALIGNED);
+  entry.set_world_from_depth(3, x_m);
+  entry.set_expected_error_mm(4);
+  return entry;
+}
+
+/// A hub and what goes from it to the other one, at once.
+class Hub final : public SharedRoomOut {
+ public:
+  explicit Hub(HubId id) : id_(id) {
+    room.stay();
+    welcome(0, 0);
+  }
+  void tell_all(const pb::RoomNews& news) override {
+    if (other != nullptr) other->room.news(news);
+  }
+  void tell(HubId, const pb::ToHub& message) override {
+    said_to_other.push_back(message);
+    if (other != nullptr) other->room.take(message);
+  }
+  void tell_moved(const std::string&, const pb::PeopleMoved&) override {}
+  void welcome(std::size_t n, std::uint32_t id) {
+    wpb::Control control;
+    control.mutable_welcome()->set_sensor_id(id);
+    room.said(here.joins.at(n).first, control);
+  }
+  void hear(const wpb::Control& control) { room.said(aligner(), control); }
+  void roster(std::initializer_list<wpb::SensorEntry> sensors) {
+    wpb::Control control;
+    for (const auto& sensor : sensors) *control.mutable_roster()->add_sensors() = sensor;
+    hear(control);
+  }
+  ConnectionId aligner() const {
+    ConnectionId newest;
+    for (const auto& [connection, join] : here.joins) {
+      if (join.has_aligner()) newest = connection;
+    }
+    return newest;
+  }
+
+  RoomHere here;
+  Hub* other = nullptr;
+  std::vector<pb::ToHub> said_to_other;
+
+ private:
+  const HubId id_;
+  std::uint64_t connections_ = 0;
+
+ public:
+  SharedRoom room{{.own = id_,
+                   .room = "lab",
+                   .token = "own",
+                   .rooms = here,
+                   .new_connection = [this] { return ConnectionId{++connections_}; },
+                   .out = *this}};
+};
+
+class SharedRoomPlacing : public testing::Test {
+ protected:
+  SharedRoomPlacing() {
+    owner.other = &other;
+    other.other = &owner;
+    for (Hub* hub : {&owner, &other}) hub->room.owner_is(kOwner);
+    owner.room.sensor_joins("a", "");
+    other.room.sensor_joins("b", "");
+    owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED)});
+    other.roster({sensor_there(0, "b", wpb::PLACEMENT_UNPLACED)});
+    owner.welcome(1, 1);  // "b" is number 1 there
+    other.welcome(1, 1);  // and "a" here
+    owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
+                  sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
+    other.roster({sensor_there(0, "b", wpb::PLACEMENT_UNPLACED),
+                  sensor_there(1, "a", wpb::PLACEMENT_UNPLACED)});
+    for (Hub* hub : {&owner, &other}) hub->here.said.clear();
+  }
+  Hub owner{kOwner}, other{kOther};
+};
+
+TEST_F(SharedRoomPlacing, what_a_sensor_sees_goes_to_the_owner_as_if_it_were_there) {
+  wpb::Control bundle;
+  bundle.mutable_calibration_bundle()->set_sensor_id(0);
+  bundle.mutable_calibration_bundle()->set_depth("d");
+  bundle.mutable_calibration_bundle()->set_color_jpeg("c");
+  other.hear(bundle);
+  ASSERT_EQ(owner.here.said.size(), 1u);
+  EXPECT_EQ(owner.here.said[0].first, owner.here.joins[1].first);
+  EXPECT_TRUE(owner.here.said[0].second.has_calibration_bundle());
+  owner.hear(bundle);
+  EXPECT_EQ(owner.said_to_other.back().what_case(), pb::ToHub::kBundlesPlease) << "none goes back";
+}
+
+TEST_F(SharedRoomPlacing,
+       the_owner_asks_for_bundles_when_a_sensor_comes_and_when_it_becomes_owner) {
+  ASSERT_EQ(owner.said_to_other.size(), 1u);
+  EXPECT_TRUE(owner.said_to_other[0].has_bundles_please());
+  EXPECT_EQ(other.here.left.size(), 1u) << "it joins again: the room tells it all bundles";
+  other.welcome(2, 0);
+  other.said_to_other.clear();
+  other.room.owner_is(kOther);
+  ASSERT_EQ(other.said_to_other.size(), 1u);
+  EXPECT_TRUE(other.said_to_other[0].has_bundles_please());
+}
+
+TEST_F(SharedRoomPlacing, poses_that_the_owner_found_hold_everywhere) {
+  other.welcome(2, 0);
+  owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
+  ASSERT_EQ(other.here.said.size(), 1u);
+  EXPECT_EQ(other.here.said[0].first, other.aligner());
+  const auto& placements = other.here.said[0].second.placements();
+  ASSERT_EQ(placements.sensors_size(), 2);
+  EXPECT_EQ(placements.sensors(0).sensor_id(), 1u) << "\"a\" has another number here";
+  EXPECT_EQ(placements.sensors(0).world_from_depth(3), 1);
+  EXPECT_EQ(placements.sensors(1).world_from_depth(3), 2);
+}
+
+TEST_F(SharedRoomPlacing, what_is_known_already_is_not_said_again) {
+  other.welcome(2, 0);
+  owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
+  other.here.said.clear();
+  other.roster({aligned(0, "b", 2), aligned(1, "a", 1)});
+  EXPECT_TRUE(other.here.said.empty());
+}
+
+TEST_F(SharedRoomPlacing, the_pose_that_a_moved_sensor_had_is_no_news) {
+  other.welcome(2, 0);
+  owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
+  other.here.said.clear();
+  auto moved = aligned(0, "b", 2);
+  moved.set_moved(true);
+  other.roster({moved, aligned(1, "a", 1)});
+  EXPECT_TRUE(other.here.said.empty());
+  EXPECT_TRUE(owner.here.said.back().second.has_sensor_moved()) << "the owner is told";
+}
+
+TEST_F(SharedRoomPlacing, a_hub_that_is_not_the_owner_places_nothing_elsewhere) {
+  other.welcome(2, 0);
+  other.roster({aligned(0, "b", 5), aligned(1, "a", 6)});
+  EXPECT_TRUE(owner.here.said.empty());
+}
+
+TEST_F(SharedRoomPlacing, where_nobody_works_it_out_a_sensors_own_hub_knows) {
+  for (Hub* hub : {&owner, &other}) hub->room.owner_is(std::nullopt);
+  owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
+                sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
+  other.roster({aligned(0, "b", 5)});
+  ASSERT_FALSE(owner.here.said.empty());
+  EXPECT_EQ(owner.here.said.back().second.placements().sensors(0).sensor_id(), 1u);
+}
+
+TEST_F(SharedRoomPlacing, sightings_are_wanted_by_the_owner_only_and_come_in_its_time) {
+  other.welcome(2, 0);
+  wpb::Control request;
+  request.mutable_sighting_request()->set_heads(true);
+  owner.room.said(owner.here.joins[1].first, request);
+  ASSERT_FALSE(other.here.said.empty());
+  EXPECT_TRUE(other.here.said.back().second.sighting_request().heads());
+  owner.room.clock_is(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});
+  wpb::Control sightings;
+  sightings.mutable_sightings()->set_sensor_id(0);
+  sightings.mutable_sightings()->add_heads()->set_room_ns(10'000'000'000);
+  other.hear(sightings);
+  ASSERT_FALSE(owner.here.said.empty());
+  EXPECT_EQ(owner.here.said.back().second.sightings().heads(0).room_ns(), 14'000'000'000u);
+}
+
+TEST_F(SharedRoomPlacing, a_nudge_goes_to_the_owner_by_the_sensors_name) {
+  other.welcome(2, 0);
+  owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
+                sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
+  wpb::Control nudge;
+  nudge.mutable_nudge()->set_sensor_id(0);
+  for (int i = 0; i < 16; ++i) nudge.mutable_nudge()->add_world_from_depth(i % 5 == 0 ? 1 : 0);
+  other.hear(nudge);
+  ASSERT_FALSE(owner.here.said.empty());
+  EXPECT_EQ(owner.here.said.back().second.nudge().sensor_id(), 1u);
+}
+
+}  // namespace
+}  // namespace roomcast::cluster

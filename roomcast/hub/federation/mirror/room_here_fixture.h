@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of what speaks for sensors of other hubs: a room that remembers what it was told.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/hub/server/hub_server_fixture.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::mirror {
+
+namespace pb = wire::pb;
+using namespace std::chrono_literals;
+
+/// A room here that remembers what it was told.
+struct RoomHere final : hub::BackplaneEvents {
+  void on_join(const hub::Arrival& arrival, const pb::Join& join) override {
+    joins.emplace_back(arrival.from, join);
+    arrivals.push_back(arrival);
+  }
+  void on_control(ConnectionId from, const pb::Control& message) override {
+    said.emplace_back(from, message);
+  }
+  void on_frame(ConnectionId from, const wire::FrameHeader& header,
+                net::MessageBuffer message) override {
+    EXPECT_EQ(*wire::parse_frame(message.payload()), header) << "the bytes say the same";
+    frames.emplace_back(from, header);
+  }
+  void on_frames(std::span<hub::IncomingFrame> together) override {
+    batches.push_back(together.size());
+    for (auto& frame : together) on_frame(frame.from, frame.header, std::move(frame.message));
+  }
+  void on_key_needs(ConnectionId, const std::vector<SensorId>& sensors) override {
+    key_needs.insert(key_needs.end(), sensors.begin(), sensors.end());
+  }
+  void on_left(ConnectionId from, const net::CloseReason&) override { left.push_back(from); }
+
+  std::vector<std::pair<ConnectionId, pb::Join>> joins;
+  std::vector<hub::Arrival> arrivals;
+  std::vector<std::pair<ConnectionId, pb::Control>> said;
+  std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
+  std::vector<std::size_t> batches;  // how many frames came together
+  std::vector<SensorId> key_needs;
+  std::vector<ConnectionId> left;
+};
+
+inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
+                                    pb::Placement placement = pb::PLACEMENT_GIVEN) {
+  pb::SensorEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_online(true);
+  entry.set_fps(30);
+  entry.set_placement(placement);
+  hub::set_camera(*entry.mutable_calibration()->mutable_depth());
+  hub::set_camera(*entry.mutable_calibration()->mutable_color());
+  for (int i = 0; i < 16; ++i) {
+    entry.mutable_calibration()->add_color_from_depth(i % 5 == 0 ? 1 : 0);
+  }
+  for (int i = 0; i < 16; ++i) entry.add_world_from_depth(i % 5 == 0 ? 1 : 0);
+  return entry;
+}
+
+inline pb::ViewerEntry person(std::uint32_t id, const std::string& name,
+                              std::uint32_t hubs_away = 0, std::uint32_t through = 0) {
+  pb::ViewerEntry entry;
+  entry.set_id(id);
+  entry.set_name(name);
+  entry.set_hubs_away(hubs_away);
+  entry.set_through(through);
+  return entry;
+}
+
+inline pb::Control pose_of(std::uint32_t person) {
+  pb::Control control;
+  pb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
+  pose.set_viewer_id(person);
+  pose.mutable_head()->set_qw(1);
+  return control;
+}
+
+/// Of sensor 7 there, captured at 10 s of that hub's clock.
+inline net::MessageBuffer frame_there() {
+  const wire::FrameHeader header{
+      .key = true, .sensor = SensorId{7}, .capture_time = RoomTime(10s), .clock_error_us = 100};
+  std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+  wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+  return net::MessageBuffer(bytes);
+}
+
+}  // namespace roomcast::mirror

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// With somebody who answers as a test wants it; what real servers say: nats_client_test.cpp,
+// tests/network/nats_access.test.mjs.
+#include "roomcast/hub/federation/nats/nats_login.h"
+
+#include <functional>
+#include <optional>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/write.hpp>
+#include <gtest/gtest.h>
+
+namespace roomcast::cluster {
+namespace {
+
+using namespace std::chrono_literals;
+namespace asio = boost::asio;
+using Tcp = asio::ip::tcp;
+
+/// Says one thing to who connects, and another to the first thing that it says.
+class Answerer {
+ public:
+  Answerer(asio::io_context& io, std::string greeting, std::string answer)
+      : acceptor_(io, {asio::ip::address_v4::loopback(), 0}),
+        socket_(io),
+        greeting_(std::move(greeting)),
+        answer_(std::move(answer)) {
+    acceptor_.async_accept(socket_, [this](auto error) {
+      if (error) return;
+      asio::write(socket_, asio::buffer(greeting_), ignored_);
+      socket_.async_read_some(asio::buffer(heard_), [this](auto end, std::size_t size) {
+        heard.assign(heard_.data(), end ? 0 : size);
+        asio::write(socket_, asio::buffer(answer_), ignored_);
+      });
+    });
+  }
+  [[nodiscard]] std::string url() const {
+    return "nats://127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
+  }
+
+  std::string heard;
+
+ private:
+  Tcp::acceptor acceptor_;
+  Tcp::socket socket_;
+  const std::string greeting_, answer_;
+  std::array<char, 4096> heard_{};
+  boost::system::error_code ignored_;
+};
+
+constexpr char kInfo[] = "INFO {\"max_payload\": 1000, \"nonce\": \"n\"}\r\n";
+
+class NatsLoginTest : public testing::Test {
+ protected:
+  Result<NatsConnection> log_in(NatsOptions options) {
+    std::optional<Result<NatsConnection>> made;
+    log_in_to_nats(io, std::move(options), [&](auto result) { made = std::move(result); });
+    EXPECT_FALSE(made) << "never from within";
+    auto work = asio::make_work_guard(io);
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while (!made && io.run_one_until(give_up) > 0) {
+    }
+    if (!made) return Error{ErrorCode::kMalformed, "no answer in 5 s"};
+    return *std::move(made);
+  }
+
+  asio::io_context io;
+};
+
+TEST_F(NatsLoginTest, what_comes_behind_the_welcome_is_not_lost) {
+  Answerer server(io, kInfo, "+OK\r\nPONG\r\nPING\r\nMS");
+  auto made = log_in({.servers = {server.url()}});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(std::string(made->received.begin(), made->received.end()), "PING\r\nMS");
+  EXPECT_EQ(made->info.max_message_bytes, 1000u);
+  EXPECT_TRUE(server.heard.starts_with("CONNECT {") && server.heard.ends_with("}\r\nPING\r\n"));
+}
+
+TEST_F(NatsLoginTest, the_first_server_that_answers_is_taken) {
+  Answerer silent(io, "", ""), speaks(io, kInfo, "PONG\r\n"), not_asked(io, kInfo, "PONG\r\n");
+  const std::string nobody = Answerer(io, "", "").url();
+  auto made = log_in({.servers = {nobody, silent.url(), speaks.url(), not_asked.url()}});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->server, speaks.url());
+  EXPECT_TRUE(not_asked.heard.empty());
+}
+
+TEST_F(NatsLoginTest, where_nobody_answers_all_are_named_and_no_password) {
+  Answerer silent(io, "INFO {", "");
+  const std::string nobody = Answerer(io, "", "").url();
+  const auto made = log_in({.servers = {silent.url(), "nats://u:secret@" + nobody.substr(7)}});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::kUnavailable);
+  EXPECT_EQ(made.error().message, "no NATS server answers at " + silent.url() + ", " + nobody);
+}
+
+TEST_F(NatsLoginTest, who_is_no_nats_server_is_told_from_one_that_refuses) {
+  const auto told = [this](const char* greeting, const char* answer) {
+    Answerer server(io, greeting, answer);
+    const auto made = log_in({.servers = {server.url()}});
+    return made ? "" : made.error().message;
+  };
+  EXPECT_NE(told("HTTP/1.1 400 Bad Request\r\n", "").find("is no NATS server"), std::string::npos);
+  EXPECT_NE(told("INFO nothing\r\n", "").find("is no NATS server"), std::string::npos);
+  EXPECT_NE(told(kInfo, "-ERR 'Authorization Violation'\r\n").find("refuses this hub"),
+            std::string::npos);
+  EXPECT_NE(told(kInfo, "-ERR 'maximum connections exceeded'\r\n").find("does not take this hub"),
+            std::string::npos);
+}
+
+TEST_F(NatsLoginTest, a_refusal_is_told_where_no_other_server_takes_us) {
+  Answerer refuses(io, kInfo, "-ERR 'Authorization Violation'\r\n");
+  const std::string nobody = Answerer(io, "", "").url();
+  const auto made = log_in({.servers = {refuses.url(), nobody}});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::kClosed);
+}
+
+TEST_F(NatsLoginTest, who_is_to_encrypt_and_does_not_learns_nothing) {
+  Answerer server(io, kInfo, "PONG\r\n");
+  const auto made = log_in({.servers = {"tls" + server.url().substr(4)}});
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("offers no TLS"), std::string::npos);
+  io.run_for(1ms);
+  EXPECT_TRUE(server.heard.empty());
+}
+
+TEST_F(NatsLoginTest, who_gives_up_hears_no_more) {
+  Answerer server(io, kInfo, "PONG\r\n");
+  bool called = false;
+  const auto attempt =
+      log_in_to_nats(io, {.servers = {server.url()}}, [&](auto) { called = true; });
+  io.run_one();  // it has begun
+  attempt->cancel();
+  io.run_for(20ms);
+  EXPECT_FALSE(called);
+}
+
+}  // namespace
+}  // namespace roomcast::cluster

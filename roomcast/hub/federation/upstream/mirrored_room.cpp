@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/federation/upstream/mirrored_room.h"
+
+#include <utility>
+#include <vector>
+
+namespace roomcast::upstream {
+
+namespace pb = wire::pb;
+
+namespace {
+
+constexpr std::uint64_t kOtherHub = 1;  // there is only one
+
+}  // namespace
+
+MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
+                           NewConnection new_connection)
+    : room_(std::move(room)),
+      token_(std::move(token)),
+      here_(here),
+      new_connection_(std::move(new_connection)),
+      sensors_(kOtherHub, room_, token_, here_, new_connection_) {}
+
+// ---- from the other hub
+
+std::vector<pb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
+  viewer_id_ = viewer_id;
+  std::vector<pb::Control> first(2);
+  *first[0].mutable_people_here() = people_here_.people();
+  *first[1].mutable_viewer_poses() = people_here_.newest_poses();
+  return first;
+}
+
+void MirroredRoom::poses(const pb::ViewerPoses& poses) {
+  if (!aligner_is_welcome_) return;
+  pb::Control control;
+  *control.mutable_viewer_poses() = poses;
+  here_.on_control(*aligner_, control);
+}
+
+void MirroredRoom::roster(const pb::Roster& roster) {
+  if (!aligner_) join_as_aligner();
+  std::vector<mirror::SensorThere> online;
+  for (const auto& entry : roster.sensors()) {
+    if (entry.online()) online.push_back({.entry = entry});
+  }
+  sensors_.follow(online);
+  place_sensors();
+  people_there_ = mirror::people_there(roster, viewer_id_);
+  show_people();
+}
+
+void MirroredRoom::show_people() {
+  if (!aligner_is_welcome_) return;
+  if (const auto news = people_shown_.news(people_there_)) here_.on_control(*aligner_, *news);
+}
+
+void MirroredRoom::join_as_aligner() {
+  aligner_ = new_connection_();
+  pb::Join join;
+  join.set_room(room_);
+  join.set_token(token_);
+  join.mutable_aligner();
+  here_.on_join({.from = *aligner_, .address = "another hub", .peer = ""}, join);
+}
+
+void MirroredRoom::other_hub_is_gone() {
+  sensors_.other_hub_is_gone();
+  people_there_.Clear();
+  people_shown_.forget();
+  if (!aligner_) return;
+  const ConnectionId aligner = *std::exchange(aligner_, std::nullopt);
+  aligner_is_welcome_ = false;
+  here_.on_left(aligner, {net::close_code::kGoingAway, "the other hub is gone"});
+}
+
+// ---- from the room here
+
+std::optional<pb::Control> MirroredRoom::said(ConnectionId to, const pb::Control& message) {
+  if (to == aligner_) return said_to_aligner(message);
+  auto request = sensors_.said(to, message);
+  if (message.has_welcome()) place_sensors();
+  return request;
+}
+
+std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& message) {
+  pb::Control told;
+  if (message.has_welcome()) {
+    aligner_is_welcome_ = true;
+    people_shown_.forget();
+    place_sensors();
+    show_people();
+  } else if (message.has_roster() && people_here_.take(message.roster())) {
+    *told.mutable_people_here() = people_here_.people();
+    return told;
+  } else if (message.has_viewer_poses()) {
+    *told.mutable_viewer_poses() = people_here_.take(message.viewer_poses());
+    if (told.viewer_poses().poses_size() > 0) return told;
+  }
+  return std::nullopt;
+}
+
+void MirroredRoom::place_sensors() {
+  if (!aligner_is_welcome_) return;
+  pb::Control control;
+  for (const auto& [there, sensor] : sensors_.all()) {
+    const pb::SensorEntry& entry = sensor.there.entry;
+    if (!sensor.id || entry.placement() == pb::PLACEMENT_GIVEN) continue;
+    *control.mutable_placements()->add_sensors() = mirror::placement_of(entry, *sensor.id);
+  }
+  if (control.has_placements()) here_.on_control(*aligner_, control);
+}
+
+void MirroredRoom::let_go(ConnectionId connection) {
+  if (connection == aligner_) aligner_.reset(), aligner_is_welcome_ = false;
+  sensors_.let_go(connection);
+}
+
+}  // namespace roomcast::upstream

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/federation/upstream/mirrored_room.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/federation/mirror/room_here_fixture.h"
+
+namespace roomcast::upstream {
+namespace {
+
+namespace pb = wire::pb;
+using namespace std::chrono_literals;
+using mirror::person;
+using mirror::pose_of;
+using mirror::RoomHere;
+using mirror::sensor_there;
+
+pb::Roster roster_of(std::initializer_list<pb::SensorEntry> sensors) {
+  pb::Roster roster;
+  for (const auto& sensor : sensors) *roster.add_sensors() = sensor;
+  return roster;
+}
+
+class MirroredRoomTest : public testing::Test {
+ protected:
+  /// The room here welcomes the `n`th who joined as sensor `id`.
+  void welcome(std::size_t n, std::uint32_t id = 0) {
+    pb::Control control;
+    control.mutable_welcome()->set_sensor_id(id);
+    EXPECT_FALSE(mirrored.said(here.joins.at(n).first, control).has_value());
+  }
+
+  RoomHere here;
+  std::uint64_t connections = 0;
+  MirroredRoom mirrored{"lab", "own", here, [this] { return ConnectionId{++connections}; }};
+};
+
+TEST_F(MirroredRoomTest, sensors_there_join_here_and_an_aligner_that_places_them) {
+  mirrored.roster(roster_of({sensor_there(7, "left")}));
+  ASSERT_EQ(here.joins.size(), 2u);
+  EXPECT_TRUE(here.joins[0].second.has_aligner());
+  const pb::Join& join = here.joins[1].second;
+  EXPECT_EQ(join.room(), "lab");
+  EXPECT_EQ(join.token(), "own");
+  EXPECT_EQ(join.name(), "left");
+  EXPECT_EQ(join.sensor().fps(), 30);
+  EXPECT_EQ(join.sensor().world_from_depth_size(), 16) << "somebody gave its pose";
+}
+
+TEST_F(MirroredRoomTest, what_alignment_found_comes_as_an_aligners_word) {
+  mirrored.roster(roster_of({sensor_there(7, "left", pb::PLACEMENT_ALIGNED)}));
+  EXPECT_EQ(here.joins.at(1).second.sensor().world_from_depth_size(), 0);
+  welcome(0);
+  EXPECT_TRUE(here.said.empty()) << "its id here is not known yet";
+  welcome(1, 3);
+  ASSERT_EQ(here.said.size(), 1u);
+  EXPECT_EQ(here.said[0].first, here.joins[0].first);
+  const auto& placement = here.said[0].second.placements().sensors(0);
+  EXPECT_EQ(placement.sensor_id(), 3u);
+  EXPECT_EQ(placement.world_from_depth_size(), 16);
+}
+
+TEST_F(MirroredRoomTest, who_leaves_there_leaves_here_and_who_changes_joins_anew) {
+  mirrored.roster(roster_of({sensor_there(7, "left"), sensor_there(8, "right")}));
+  auto offline = sensor_there(7, "left");
+  offline.set_online(false);
+  auto faster = sensor_there(8, "right");
+  faster.set_fps(60);
+  mirrored.roster(roster_of({offline, faster}));
+  EXPECT_EQ(here.left.size(), 2u);
+  ASSERT_EQ(here.joins.size(), 4u);
+  EXPECT_EQ(here.joins[3].second.sensor().fps(), 60);
+}
+
+TEST_F(MirroredRoomTest, when_the_other_hub_is_gone_nobody_is_left) {
+  mirrored.roster(roster_of({sensor_there(7, "left")}));
+  mirrored.other_hub_is_gone();
+  EXPECT_EQ(here.left.size(), 2u);
+  mirrored.roster(roster_of({sensor_there(7, "left")}));
+  EXPECT_EQ(here.joins.size(), 4u) << "and comes back with it";
+}
+
+TEST_F(MirroredRoomTest, a_sensor_that_was_sent_away_here_is_back_with_the_next_roster) {
+  mirrored.roster(roster_of({sensor_there(7, "left")}));
+  mirrored.let_go(here.joins[1].first);
+  mirrored.roster(roster_of({sensor_there(7, "left")}));
+  EXPECT_EQ(here.joins.size(), 3u);
+  EXPECT_TRUE(here.left.empty()) << "the room knows already";
+}
+
+TEST_F(MirroredRoomTest, people_there_are_shown_here_but_for_us_and_those_behind_us) {
+  EXPECT_EQ(mirrored.welcomed(4).size(), 2u);
+  pb::Roster roster;
+  *roster.add_viewers() = person(3, "Ada");
+  *roster.add_viewers() = person(4, "hub");
+  *roster.add_viewers() = person(5, "behind us", 1, 4);
+  *roster.add_viewers() = person(6, "behind another", 1, 8);
+  mirrored.roster(roster);
+  EXPECT_TRUE(here.said.empty()) << "nobody is welcome yet";
+  welcome(0);
+  ASSERT_EQ(here.said.size(), 1u);
+  EXPECT_EQ(here.said[0].first, here.joins[0].first);
+  const auto& people = here.said[0].second.people_here();
+  ASSERT_EQ(people.people_size(), 2);
+  EXPECT_EQ(people.people(0).name(), "Ada");
+  EXPECT_EQ(people.people(1).name(), "behind another");
+  mirrored.roster(roster);
+  EXPECT_EQ(here.said.size(), 1u) << "nothing new";
+  mirrored.poses(pose_of(3).viewer_poses());
+  EXPECT_TRUE(here.said.back().second.has_viewer_poses());
+}
+
+TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_there) {
+  mirrored.roster({});
+  welcome(0);
+  pb::Control control;
+  *control.mutable_roster()->add_viewers() = person(1, "Bob");
+  *control.mutable_roster()->add_viewers() = person(2, "from there", 1);
+  *control.mutable_roster()->add_viewers() = person(3, "behind a hub here", 1, 9);
+  const auto aligner = here.joins[0].first;
+  const auto told = mirrored.said(aligner, control);
+  ASSERT_TRUE(told);
+  ASSERT_EQ(told->people_here().people_size(), 2);
+  EXPECT_EQ(told->people_here().people(0).name(), "Bob");
+  EXPECT_EQ(told->people_here().people(1).name(), "behind a hub here");
+  EXPECT_FALSE(mirrored.said(aligner, control)) << "nothing new";
+  EXPECT_TRUE(mirrored.said(aligner, pose_of(1)));
+  EXPECT_FALSE(mirrored.said(aligner, pose_of(2)));
+  const auto first = mirrored.welcomed(4);  // the connection was new
+  EXPECT_EQ(first[0].people_here().people_size(), 2);
+  EXPECT_EQ(first[1].viewer_poses().poses_size(), 1);
+}
+
+}  // namespace
+}  // namespace roomcast::upstream

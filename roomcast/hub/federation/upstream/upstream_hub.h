@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// UpstreamHub: the backplane of a hub that serves on what another hub has. A room is pulled while
+// somebody here watches it, and a little longer, so that who reloads the page finds it as it was.
+// Threading: the rooms' thread.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "roomcast/hub/federation/upstream/upstream_room.h"
+#include "roomcast/hub/runtime/backplane.h"
+
+namespace roomcast::upstream {
+
+class UpstreamHub final : public hub::Backplane {
+ public:
+  UpstreamHub(UpstreamOptions options, hub::BackplaneSeat seat);
+
+  void watch(const std::string& room, bool is_watched) override;
+  void send(ConnectionId to, const wire::pb::Control& message) override;
+  void let_go(ConnectionId connection) override;
+  [[nodiscard]] hub::BackplaneStats stats() const override;
+
+ private:
+  /// A pulled room's number is part of its connections' ids. Never used twice.
+  using Number = std::uint32_t;
+  struct Pulled {
+    std::string name;
+    UpstreamRoom room;
+    boost::asio::steady_timer end;  // of a room that nobody watches
+    bool is_watched = true;
+  };
+  using Rooms = std::map<Number, std::unique_ptr<Pulled>>;
+
+  void pull(const std::string& room);
+  void end_later(Number number, Pulled& pulled);
+  void end(Rooms::iterator room);
+  [[nodiscard]] UpstreamRoom* owner_of(ConnectionId connection) const;
+
+  const UpstreamOptions options_;
+  const hub::BackplaneSeat seat_;
+  Number newest_ = 0;
+  hub::BackplaneStats ended_;  // traffic of rooms that are pulled no more
+  Rooms rooms_;
+};
+
+}  // namespace roomcast::upstream

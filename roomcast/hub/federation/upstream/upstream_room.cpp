@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/federation/upstream/upstream_room.h"
+
+#include <utility>
+
+#include "roomcast/hub/runtime/revoked_message.h"
+
+namespace roomcast::upstream {
+
+namespace pb = wire::pb;
+
+namespace {
+
+pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
+  pb::Join join;
+  join.set_room(room);
+  join.set_name("hub");
+  show(options.credential, join);
+  join.mutable_viewer()->set_serves_on(true);
+  return join;
+}
+
+void count(std::size_t bytes, hub::BackplaneTraffic& traffic) {
+  ++traffic.messages;
+  traffic.bytes += bytes;
+}
+
+}  // namespace
+
+UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options,
+                           const std::string& room, MirroredRoom mirror, Revoke revoke)
+    : options_(options),
+      room_(room),
+      mirror_(std::move(mirror)),
+      revoke_(std::move(revoke)),
+      io_(io),
+      timer_(io) {
+  join();
+}
+
+void UpstreamRoom::join() {
+  HubLinkEvents& events = *this;
+  link_.emplace(io_, options_.hubs, join_message(options_, room_), events,
+                HubLink::Options{.timings = kTimings, .pings = PingPace::kOfHub});
+  link_->start();
+}
+
+void UpstreamRoom::said(ConnectionId to, const pb::Control& message) {
+  const auto answer = mirror_.said(to, message);
+  if (answer && is_welcome_) send(*answer);
+}
+
+void UpstreamRoom::send(const pb::Control& message) {
+  count(message.ByteSizeLong(), sent_);
+  link_->send(message);
+}
+
+void UpstreamRoom::on_welcome(const pb::Welcome& welcome) {
+  is_down_ = false;
+  is_welcome_ = true;
+  for (const pb::Control& first : mirror_.welcomed(welcome.viewer_id())) send(first);
+}
+
+void UpstreamRoom::on_control(const pb::Control& message) {
+  count(message.ByteSizeLong(), received_);
+  if (message.has_roster()) mirror_.roster(message.roster());
+  if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
+  if (message.has_revoked_tokens()) {
+    auto revoked = hub::revoked_claims(message.revoked_tokens(), room_);
+    if (!revoked.empty()) revoke_(std::move(revoked));
+  }
+}
+
+void UpstreamRoom::on_frame(net::MessageBuffer message) {
+  count(message.size(), received_);
+  mirror_.frame(std::move(message));
+}
+
+void UpstreamRoom::on_clock(const ClockEstimate& estimate) {
+  mirror_.clock_is(estimate);
+}
+
+void UpstreamRoom::on_down(const Error& reason, bool final) {
+  is_welcome_ = false;
+  mirror_.other_hub_is_gone();
+  if (final) {
+    timer_.expires_after(kAskAgainAfter);
+    timer_.async_wait([this](boost::system::error_code error) {
+      if (!error) join();
+    });
+  }
+  if (std::exchange(is_down_, true) || !options_.log) return;
+  options_.log(LogLevel::kWarning, "room \"" + room_ + "\" of another hub: " + reason.message);
+}
+
+}  // namespace roomcast::upstream

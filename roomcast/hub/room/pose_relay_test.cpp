@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room/pose_relay.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+using namespace std::chrono_literals;
+
+RoomTime at(nanoseconds since_start) {
+  return RoomTime(1h + since_start);
+}
+
+wire::pb::ViewerPose pose_at(float x) {
+  wire::pb::ViewerPose pose;
+  pose.set_viewer_id(12345);  // a lie; the hub knows better
+  pose.mutable_head()->set_x(x);
+  return pose;
+}
+
+TEST(PoseRelay, the_newest_pose_goes_out_under_the_viewers_id_at_most_20_times_a_second) {
+  PoseRelay relay;
+  EXPECT_FALSE(relay.next());
+  relay.set(ViewerId{1}, pose_at(1), at(10ms));
+  relay.set(ViewerId{1}, pose_at(2), at(20ms));
+  const auto message = relay.take(at(30ms));
+  ASSERT_TRUE(message);
+  ASSERT_EQ(message->viewer_poses().poses_size(), 1);
+  EXPECT_EQ(message->viewer_poses().poses(0).viewer_id(), 1U);
+  EXPECT_EQ(message->viewer_poses().poses(0).head().x(), 2);
+  EXPECT_FALSE(relay.next());
+  relay.set(ViewerId{1}, pose_at(3), at(40ms));
+  EXPECT_FALSE(relay.take(at(41ms)));
+  EXPECT_EQ(relay.next(), at(80ms));
+  EXPECT_TRUE(relay.take(at(80ms)));
+}
+
+TEST(PoseRelay, who_comes_is_told_where_the_others_are) {
+  PoseRelay relay;
+  relay.set(ViewerId{1}, pose_at(1), at(0ms));
+  EXPECT_TRUE(relay.take(at(0ms)));
+  relay.tell_all_again();
+  const auto message = relay.take(at(1s));
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->viewer_poses().poses_size(), 1);
+}
+
+TEST(PoseRelay, a_crowd_is_told_less_often) {
+  constexpr int kMany = 40;
+  PoseRelay relay;
+  const auto all_move = [&](nanoseconds when) {
+    for (std::uint32_t i = 0; i < kMany; ++i) relay.set(ViewerId{i}, pose_at(1), at(when));
+  };
+  all_move(0ms);
+  EXPECT_TRUE(relay.take(at(0ms)));
+  all_move(10ms);
+  EXPECT_EQ(relay.next(), at(kMany * wire::kIntervalPerPose));
+}
+
+TEST(PoseRelay, poses_of_a_chatterbox_are_dropped) {
+  PoseRelay relay;
+  for (int i = 0; i < 2 * wire::kMaxPosesPerSecond; ++i) {
+    relay.set(ViewerId{1}, pose_at(static_cast<float>(i)), at(i * 1ms));
+  }
+  EXPECT_EQ(relay.take(at(500ms))->viewer_poses().poses(0).head().x(),
+            wire::kMaxPosesPerSecond - 1);
+}
+
+TEST(PoseRelay, who_has_left_is_not_told_of) {
+  PoseRelay relay;
+  relay.set(ViewerId{1}, pose_at(1), at(0ms));
+  relay.forget(ViewerId{1});
+  EXPECT_FALSE(relay.take(at(1s)));
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room/room.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+Room::Room(RoomSettings settings, std::string hub_version, bool recalls_poses)
+    : settings_(std::move(settings)),
+      hub_version_(std::move(hub_version)),
+      recalls_poses_(recalls_poses) {}
+
+/// An aligner passes on what somebody did at another hub.
+bool Room::may_nudge(ConnectionId from) const {
+  const auto viewer = viewers_.find(from);
+  if (viewer != viewers_.end()) return viewer->second.may_nudge;
+  return std::ranges::find(aligners_, from) != aligners_.end();
+}
+
+RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
+  RoomActions out;
+  const auto viewer = viewers_.find(from);
+  RoomSensor* const sensor = sensors_.find(from);
+  switch (message.message_case()) {
+    case pb::Control::kCalibrationBundle:
+      if (sensor == nullptr) break;
+      keep_bundle(*sensor, message.calibration_bundle(), now, out);
+      return out;
+    case pb::Control::kSensorMoved:
+      if (sensor == nullptr) break;
+      lose_place(*sensor, now, out);
+      return out;
+    case pb::Control::kSightings: {
+      if (sensor == nullptr) break;
+      pb::Control passed = message;
+      passed.mutable_sightings()->set_sensor_id(sensor->id.value);
+      pass_to_aligners(std::move(passed), out);
+      return out;
+    }
+    case pb::Control::kSightingRequest:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      ask_for_sightings(message.sighting_request(), out);
+      return out;
+    case pb::Control::kNudge:
+      if (!may_nudge(from)) break;
+      pass_to_aligners(message, out);
+      return out;
+    case pb::Control::kPlacements:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      take_placements(message.placements(), now, out);
+      return out;
+    case pb::Control::kOtherHubs:
+      if (std::ranges::find(aligners_, from) == aligners_.end()) break;
+      name_other_hubs(message, out);
+      return out;
+    case pb::Control::kKeyRequest:
+      if (viewer == viewers_.end()) break;
+      return key_needed(wire_id(message.key_request().sensor_id()), now);
+    case pb::Control::kViewerPose:
+      if (viewer == viewers_.end()) break;
+      poses_.set(viewer->second.id, message.viewer_pose(), now);
+      return out;
+    case pb::Control::kPeopleHere:
+      if (!tells_of_people(from)) break;
+      return take_people(from, message.people_here(), now);
+    case pb::Control::kViewerPoses:
+      if (!tells_of_people(from)) break;
+      take_poses(from, message.viewer_poses(), now);
+      return out;
+    case pb::Control::kViewerStats:
+      if (viewer == viewers_.end()) break;
+      viewer->second.told = message.viewer_stats();
+      return out;
+    case pb::Control::MESSAGE_NOT_SET:
+      return out;  // of a later version
+    default:
+      break;
+  }
+  return refuse(from, pb::ERROR_UNEXPECTED,
+                "this control message may not be sent to a hub by this kind of client", now);
+}
+
+/// To all but aligners, which belong to this hub.
+void Room::name_other_hubs(const pb::Control& message, RoomActions& out) {
+  other_hubs_ = message;
+  std::vector<ConnectionId> to = viewer_connections();
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) to.push_back(*sensor.connection);
+  }
+  if (!to.empty()) out.push_back(SendControl{std::move(to), message});
+}
+
+std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader& header,
+                                      RoomTime now) {
+  const RoomSensor* sensor = sensors_.find(from);
+  if (sensor == nullptr) {
+    return Refusal{pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames"};
+  }
+  if (header.sensor != sensor->id) {
+    return Refusal{pb::ERROR_UNEXPECTED, "this frame carries the id of another sensor than " +
+                                             std::to_string(sensor->id.value)};
+  }
+  if (header.capture_time > now + wire::kMaxCaptureAhead) {
+    return Refusal{pb::ERROR_MALFORMED,
+                   "this frame was captured in the future: synchronise the clock first"};
+  }
+  return std::nullopt;
+}
+
+RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
+                        net::MessageBuffer message, RoomTime now) {
+  IncomingFrame alone{from, header, std::move(message)};
+  return frames({&alone, 1}, now);
+}
+
+RoomActions Room::frames(std::span<IncomingFrame> together, RoomTime now) {
+  RoomActions out;
+  for (IncomingFrame& frame : together) take_frame(frame, now, out);
+  send_closed_sets(now, out);
+  return out;
+}
+
+void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
+  if (const auto fault = fault_of(frame.from, frame.header, now)) {
+    std::ranges::move(refuse(frame.from, fault->code, fault->sentence, now),
+                      std::back_inserter(out));
+    return;
+  }
+  RoomSensor& sensor = *sensors_.find(frame.from);
+  if (frame.header.key) sensor.key_pace.key_frame_came();
+  count_frame(frame.header, frame.message.size(), now, sensor.stats);
+  sets_.add_frame(frame.header, std::move(frame.message), now);
+}
+
+RoomActions Room::key_needed(SensorId id, RoomTime now) {
+  RoomActions out;
+  RoomSensor* const sensor = sensors_.find(id);  // none: a viewer with an old roster, or a joker
+  if (sensor == nullptr || !sensor->connection) return out;
+  if (sensor->key_pace.request(now)) ask_for_key(*sensor, out);
+  return out;
+}
+
+RoomActions Room::forget(const std::string& name, RoomTime now) {
+  RoomActions out;
+  const RoomSensor* sensor = sensors_.find(name);
+  if (sensor != nullptr && sensor->connection) return out;
+  if (sensors_.forget(name)) announce(now, out);
+  return out;
+}
+
+RoomActions Room::leave(ConnectionId from, RoomTime now) {
+  RoomActions out;
+  if (RoomSensor* sensor = sensors_.find(from)) {
+    sensors_.disconnect(*sensor);
+    sets_.remove_sensor(sensor->id);
+    announce(now, out);
+    send_closed_sets(now, out);
+  } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
+    poses_.forget(viewer->second.id);
+    viewers_.erase(viewer);
+    forget_people(people_elsewhere_.forget(from));
+    announce_in_time(now, out);
+  } else {
+    std::erase(aligners_, from);
+    if (forget_people(people_elsewhere_.forget(from))) announce_in_time(now, out);
+    if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
+      ask_for_sightings({}, out);
+  }
+  return out;
+}
+
+RoomActions Room::tick(RoomTime now) {
+  RoomActions out;
+  send_closed_sets(now, out);
+  for (RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
+  }
+  if (auto poses = poses_.take(now)) {
+    out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
+  }
+  if (roster_is_news_ && now >= next_roster_) announce(now, out);
+  return out;
+}
+
+std::optional<RoomTime> Room::next_tick() const {
+  std::optional<RoomTime> next = sets_.next_deadline();
+  const auto consider = [&](std::optional<RoomTime> time) {
+    if (time && (!next || *time < *next)) next = time;
+  };
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) consider(sensor.key_pace.next());
+  }
+  consider(poses_.next());
+  if (roster_is_news_) consider(next_roster_);
+  return next;
+}
+
+void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
+  pb::Control request;
+  request.mutable_key_request()->set_sensor_id(sensor.id.value);
+  out.push_back(SendControl{{*sensor.connection}, std::move(request)});
+}
+
+void Room::send_closed_sets(RoomTime now, RoomActions& out) {
+  for (FrameSetPtr& set : sets_.take_closed(now)) {
+    count_set(*set, sensors_.online_count(), set_stats_);
+    if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
+  }
+}
+
+/// For what concerns the pictures: nobody may get a sensor's frames before its calibration. Poses
+/// may have been told of people whom nobody knew yet.
+void Room::announce(RoomTime now, RoomActions& out) {
+  stand_aside();
+  const bool people_are_news = std::exchange(roster_is_news_, false);
+  if (viewers_.empty() && aligners_.empty()) return;
+  next_roster_ = now + wire::kRosterInterval;
+  if (people_are_news) poses_.tell_all_again();
+  out.push_back(SendControl{readers_of_roster(), roster_message()});
+}
+
+/// For people who come and go: now, or with others a little later. When a whole class arrives, each
+/// would otherwise be told of each. False: later.
+bool Room::announce_in_time(RoomTime now, RoomActions& out) {
+  roster_is_news_ = true;
+  if (now < next_roster_) return false;
+  announce(now, out);
+  return true;
+}
+
+pb::Control Room::roster_message() {
+  ++roster_revision_;
+  pb::Control control;
+  *control.mutable_roster() = roster();
+  return control;
+}
+
+std::vector<ConnectionId> Room::viewer_connections() const {
+  std::vector<ConnectionId> connections;
+  connections.reserve(viewers_.size());
+  for (const auto& [connection, viewer] : viewers_) connections.push_back(connection);
+  return connections;
+}
+
+std::vector<ConnectionId> Room::readers_of_roster() const {
+  std::vector<ConnectionId> connections = viewer_connections();
+  connections.insert(connections.end(), aligners_.begin(), aligners_.end());
+  return connections;
+}
+
+std::vector<ConnectionId> Room::connections() const {
+  std::vector<ConnectionId> connections = readers_of_roster();
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection) connections.push_back(*sensor.connection);
+  }
+  return connections;
+}
+
+pb::Roster Room::roster() const {
+  pb::Roster roster;
+  roster.set_revision(roster_revision_);
+  roster.set_fps(sets_.fps());
+  for (const RoomSensor& sensor : sensors_.all()) {
+    auto& entry = *roster.add_sensors();
+    entry.set_id(sensor.id.value);
+    entry.set_name(sensor.name);
+    entry.set_online(sensor.connection.has_value());
+    *entry.mutable_calibration() = sensor.description.calibration();
+    sensor.place.write_to(entry);
+    entry.set_fps(sensor.description.fps());
+  }
+  for (const auto& [connection, viewer] : viewers_) {
+    auto& entry = *roster.add_viewers();
+    entry.set_id(viewer.id.value);
+    entry.set_name(viewer.name);
+    entry.set_color_rgb(viewer.color_rgb);
+    entry.set_serves_on(viewer.serves_on);
+  }
+  people_elsewhere_.write_to(roster);
+  return roster;
+}
+
+RoomStats Room::stats() const {
+  RoomStats stats = set_stats_;
+  stats.room = settings_.name;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    SensorStats& entry = stats.sensors.emplace_back(sensor.stats);
+    entry.id = sensor.id;
+    entry.name = sensor.name;
+    entry.online = sensor.connection.has_value();
+    entry.connection = sensor.connection.value_or(ConnectionId{});
+    entry.token_id = sensor.connection ? sensor.token_id : "";
+    entry.place = sensor.place;
+  }
+  for (const auto& [connection, viewer] : viewers_) {
+    stats.viewers.push_back({.id = viewer.id,
+                             .name = viewer.name,
+                             .connection = connection,
+                             .token_id = viewer.token_id,
+                             .records = viewer.records,
+                             .shown_fps = viewer.told.shown_fps(),
+                             .latency_ms = viewer.told.latency_ms()});
+  }
+  std::ranges::sort(stats.viewers, {}, &ViewerStats::id);
+  return stats;
+}
+
+RoomActions Room::refuse(ConnectionId from, pb::ErrorCode code, std::string sentence,
+                         RoomTime now) {
+  RoomActions out = leave(from, now);
+  out.push_back(Disconnect{from, code, std::move(sentence)});
+  return out;
+}
+
+}  // namespace roomcast::hub

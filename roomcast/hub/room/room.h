@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Room: who is in it and who gets what. A pure state machine: an event and the time go in, actions
+// come out (the paper's Algorithm 2: ids, forwarding, time-aligned frames, joins and leaves in any
+// order). docs/spec/wire.md §3.
+//
+// A sensor's name is its identity: it leaves and comes back with the same id and pose. Viewers are
+// new each time.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/access/entry.h"
+#include "roomcast/hub/access/rate_limit.h"
+#include "roomcast/hub/config/room_settings.h"
+#include "roomcast/hub/room/frame_set_builder.h"
+#include "roomcast/hub/room/people_elsewhere.h"
+#include "roomcast/hub/room/pose_relay.h"
+#include "roomcast/hub/room/room_action.h"
+#include "roomcast/hub/room/room_stats.h"
+#include "roomcast/hub/room/sensor_list.h"
+#include "roomcast/hub/room/start_pose.h"
+#include "roomcast/net/message_buffer.h"
+#include "roomcast/wire/control.pb.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::hub {
+
+class Room {
+ public:
+  /// How often a viewer that is a hub may say who is there; it has reason to when its roster
+  /// changes.
+  static constexpr double kPeopleToldPerSecond = 20;
+
+  /// `recalls_poses`: of sensors that were here before; only where an aligner verifies them.
+  Room(RoomSettings settings, std::string hub_version, bool recalls_poses = true);
+
+  /// Hold for who comes from now on. The name stays.
+  void change(RoomSettings settings) { settings_ = std::move(settings); }
+  [[nodiscard]] const RoomSettings& settings() const { return settings_; }
+
+  /// Who was here before the hub was started. They get their ids back when they come. Call it
+  /// first.
+  void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
+
+  // Events. Messages have passed wire::decode_control or wire::parse_frame.
+
+  /// Somebody was let in, and may do what `entry` says.
+  [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, const Entry& entry,
+                                 RoomTime now);
+  /// Any later control message.
+  [[nodiscard]] RoomActions control(ConnectionId from, const wire::pb::Control& message,
+                                    RoomTime now);
+  [[nodiscard]] RoomActions frame(ConnectionId from, const wire::FrameHeader& header,
+                                  net::MessageBuffer message, RoomTime now);
+  /// Several that came together. Their messages are taken.
+  [[nodiscard]] RoomActions frames(std::span<IncomingFrame> together, RoomTime now);
+  /// Why `frame` would refuse it; nothing: it would not.
+  [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
+                                                RoomTime now);
+  /// A viewer's frames of this sensor had to be left out; it needs a key frame to go on.
+  [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
+  /// Of a sensor that is not online nothing is known any more: it comes back as a new one.
+  [[nodiscard]] RoomActions forget(const std::string& sensor, RoomTime now);
+  /// A connection ended by itself.
+  [[nodiscard]] RoomActions leave(ConnectionId from, RoomTime now);
+  /// Time has passed.
+  [[nodiscard]] RoomActions tick(RoomTime now);
+
+  /// When `tick` should be called next, if nothing happens before.
+  [[nodiscard]] std::optional<RoomTime> next_tick() const;
+
+  [[nodiscard]] const std::string& name() const { return settings_.name; }
+  /// Everybody in it.
+  [[nodiscard]] std::vector<ConnectionId> connections() const;
+  [[nodiscard]] std::size_t online_sensor_count() const { return sensors_.online_count(); }
+  [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
+  [[nodiscard]] std::uint64_t closed_set_count() const { return set_stats_.sets; }
+  [[nodiscard]] RoomStats stats() const;
+
+ private:
+  struct Viewer {
+    ViewerId id;
+    std::string name;
+    std::uint32_t color_rgb = 0;
+    bool may_nudge = false;
+    bool records = false;
+    bool serves_on = false;  // it is a hub
+    std::string token_id;
+    wire::pb::ViewerStats told = {};  // by itself
+    RateLimit people{kPeopleToldPerSecond, 4 * kPeopleToldPerSecond};
+  };
+
+  void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
+                   RoomActions& out);
+  void forget_newest_frames();
+  void join_viewer(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
+                   RoomActions& out);
+  void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
+  [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
+  void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomTime now,
+                   RoomActions& out);
+  void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
+  void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
+  void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
+  void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
+  [[nodiscard]] bool may_nudge(ConnectionId from) const;
+  [[nodiscard]] bool tells_of_people(ConnectionId from) const;
+  RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
+  void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
+  bool forget_people(const PeopleElsewhere::Change& change);
+  void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
+  bool make_room_for(const std::string& name);
+  RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
+  void ask_for_key(const RoomSensor& sensor, RoomActions& out);
+  void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
+  void send_closed_sets(RoomTime now, RoomActions& out);
+  void announce(RoomTime now, RoomActions& out);
+  void stand_aside();
+  bool announce_in_time(RoomTime now, RoomActions& out);
+  [[nodiscard]] wire::pb::Control roster_message();
+  [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
+  [[nodiscard]] std::vector<ConnectionId> readers_of_roster() const;
+  [[nodiscard]] std::vector<ConnectionId> readers_of_poses() const;
+  [[nodiscard]] wire::pb::Roster roster() const;
+  [[nodiscard]] Matrix4 next_start_pose() const;
+  [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
+                                   std::string sentence, RoomTime now);
+
+  RoomSettings settings_;
+  const std::string hub_version_;
+  const bool recalls_poses_;
+  SensorList sensors_;
+  std::unordered_map<ConnectionId, Viewer> viewers_;
+  std::vector<ConnectionId> aligners_;
+  wire::pb::SightingRequest wanted_sightings_;
+  wire::pb::Control other_hubs_;  // where else this room is; empty: nowhere
+  PeopleElsewhere people_elsewhere_;
+  PoseRelay poses_;
+  FrameSetBuilder sets_;
+  RoomStats set_stats_;  // what changes with sets
+  std::uint32_t next_viewer_id_ = 1;
+  std::uint32_t roster_revision_ = 0;
+  RoomTime next_roster_{};
+  bool roster_is_news_ = false;  // to some viewers
+};
+
+}  // namespace roomcast::hub

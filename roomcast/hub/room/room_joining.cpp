@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who comes into a Room, and what each is told on entering.
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/hub/room/backplane_connection.h"
+#include "roomcast/hub/room/room.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+// Told apart by people with red-green blindness too: Okabe and Ito's palette without black and
+// grey.
+constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
+                                                        0x0072B2, 0xD55E00, 0xCC79A7};
+
+/// One sensor cannot send as another: the name of one that is online is its own.
+bool may_replace(const RoomSensor& sensor, const Entry& entry) {
+  return !sensor.connection || sensor.token_id == entry.token_id || entry.takes_over_name;
+}
+
+}  // namespace
+
+RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now) {
+  ROOMCAST_ASSERT(sensors_.find(from) == nullptr && !viewers_.contains(from));
+  RoomActions out;
+  switch (join.role_case()) {
+    case pb::Join::kSensor:
+      join_sensor(from, join, entry, now, out);
+      break;
+    case pb::Join::kAligner:
+      join_aligner(from, entry, now, out);
+      break;
+    default:
+      join_viewer(from, join, entry, now, out);
+  }
+  const bool is_in = sensors_.find(from) != nullptr || viewers_.contains(from);
+  if (is_in && other_hubs_.has_other_hubs()) out.push_back(SendControl{{from}, other_hubs_});
+  return out;
+}
+
+pb::Control Room::welcome_message(const Entry& entry) const {
+  pb::Control control;
+  pb::Welcome& welcome = *control.mutable_welcome();
+  welcome.set_room(settings_.name);
+  welcome.set_hub_version(hub_version_);
+  welcome.set_token(entry.new_token);
+  return control;
+}
+
+void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
+                       RoomActions& out) {
+  if (!make_room_for(join.name())) {
+    out = refuse(from, pb::ERROR_ROOM_FULL,
+                 "this room has " + std::to_string(settings_.max_sensors) +
+                     " sensors that are here or have their place; its admin can forget one that is "
+                     "gone",
+                 now);
+    return;
+  }
+  const bool was_here = sensors_.find(join.name()) != nullptr;
+  RoomSensor* sensor = known_or_new_sensor(join.name(), out);
+  ROOMCAST_ASSERT(sensor != nullptr);  // there are ids for kMaxSensors
+  if (!may_replace(*sensor, entry)) {
+    out = refuse(from, pb::ERROR_WRONG_ROLE,
+                 "another sensor is here as \"" + sensor->name + "\"; choose another --name", now);
+    return;
+  }
+  if (sensor->connection) {
+    out.push_back(Disconnect{*sensor->connection, pb::ERROR_REPLACED,
+                             "sensor \"" + sensor->name + "\" has joined again from elsewhere"});
+  }
+  sensors_.connect(*sensor, from);
+  sensor->token_id = entry.token_id;
+  sensor->description = join.sensor();
+  sensor->key_pace = {};  // its first frame is a key frame anyway
+  sensor->stats.newest_seq.reset();
+  sensor->bundle.reset();
+  if (was_here) sensor->place.doubt(sensor->bundles + 1);
+  sensor->place.give(join.sensor());
+  sets_.remove_sensor(sensor->id);
+  sets_.add_sensor(sensor->id, join.sensor().fps(), entry.other_hub);
+
+  pb::Control welcome = welcome_message(entry);
+  welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
+  out.push_back(AcceptConnection{from, Role::kSensor});
+  out.push_back(SendControl{{from}, std::move(welcome)});
+  out.emplace_back(RestartSensor{sensor->id});
+  if (wanted_sightings_.heads() || wanted_sightings_.tags()) {
+    pb::Control request;
+    *request.mutable_sighting_request() = wanted_sightings_;
+    out.push_back(SendControl{{from}, std::move(request)});
+  }
+  announce(now, out);
+  send_closed_sets(now, out);
+}
+
+/// What other hubs did not send while nobody was here was not missed.
+void Room::forget_newest_frames() {
+  for (RoomSensor& sensor : sensors_.all()) sensor.stats.newest_seq.reset();
+}
+
+void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
+                       RoomActions& out) {
+  if (viewers_.size() >= settings_.max_viewers) {
+    out = refuse(
+        from, pb::ERROR_ROOM_FULL,
+        "this room holds " + std::to_string(settings_.max_viewers) + " viewers and is full", now);
+    return;
+  }
+  pb::Control welcome = welcome_message(entry);
+  welcome.mutable_welcome()->set_may_place(entry.may_place);
+  welcome.mutable_welcome()->set_may_record(entry.may_record);
+  welcome.mutable_welcome()->set_may_export(entry.may_share);
+  const Matrix4 pose = next_start_pose();
+  welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
+  welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
+
+  if (viewers_.empty()) forget_newest_frames();
+  poses_.tell_all_again();
+  viewers_[from] = {.id = ViewerId{next_viewer_id_},
+                    .name = join.name(),
+                    .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
+                    .may_nudge = entry.may_place,
+                    .records = join.viewer().records(),
+                    .serves_on = join.viewer().serves_on(),
+                    .token_id = entry.token_id};
+  ++next_viewer_id_;
+  out.push_back(AcceptConnection{from, join.viewer().serves_on() ? Role::kHub : Role::kViewer});
+  out.push_back(SendControl{{from}, std::move(welcome)});
+  if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
+  for (RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
+  }
+}
+
+void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out) {
+  if (aligners_.size() >= wire::kMaxAligners) {
+    out = refuse(from, pb::ERROR_ROOM_FULL, "this room has aligners enough", now);
+    return;
+  }
+  aligners_.push_back(from);
+  if (is_of_backplane(from)) poses_.tell_all_again();
+  out.push_back(AcceptConnection{from, Role::kAligner});
+  out.push_back(SendControl{{from}, welcome_message(entry)});
+  out.push_back(SendControl{{from}, roster_message()});
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
+  }
+}
+
+/// Who is gone and has no place makes way, so that made-up names keep nobody out. False: all are
+/// here, or have a place to come back to.
+bool Room::make_room_for(const std::string& name) {
+  if (sensors_.find(name) != nullptr) return true;
+  while (sensors_.count() >= settings_.max_sensors || sensors_.would_displace(name)) {
+    const RoomSensor* gone = sensors_.longest_gone();
+    if (gone == nullptr) return sensors_.count() < settings_.max_sensors;
+    sensors_.remove(*gone);
+  }
+  return true;
+}
+
+RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out) {
+  if (RoomSensor* known = sensors_.find(name)) return known;
+  RoomSensor* added = sensors_.add(name);
+  if (added == nullptr) return nullptr;
+  const KnownSensor* earlier = sensors_.remembered(name);
+  const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
+  if (pose && recalls_poses_) added->place.recall(*pose);
+  if (earlier == nullptr || earlier->id != added->id) {
+    out.push_back(KeepSensors{{{name, added->id, pose}}});
+  }
+  return added;
+}
+
+Matrix4 Room::next_start_pose() const {
+  if (const auto& positions = settings_.start_positions; !positions.empty()) {
+    return world_from_viewer(positions[viewers_.size() % positions.size()]);
+  }
+  std::vector<Matrix4> placed;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;
+    placed.push_back(sensor.place.world_from_depth);
+  }
+  if (placed.empty()) {
+    for (const RoomSensor& sensor : sensors_.all()) placed.push_back(sensor.place.world_from_depth);
+  }
+  return start_pose(placed, viewers_.size());
+}
+
+}  // namespace roomcast::hub

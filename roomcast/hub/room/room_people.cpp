@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// People who watch a Room at other hubs: who may tell of them, and to whom those here are told.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "roomcast/hub/room/backplane_connection.h"
+#include "roomcast/hub/room/room.h"
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+/// An aligner: the backplane speaks as one.
+bool Room::tells_of_people(ConnectionId from) const {
+  const auto viewer = viewers_.find(from);
+  if (viewer != viewers_.end()) return viewer->second.serves_on;
+  return std::ranges::find(aligners_, from) != aligners_.end();
+}
+
+RoomActions Room::take_people(ConnectionId from, const pb::PeopleHere& people, RoomTime now) {
+  PeopleElsewhere::Teller teller{from};
+  if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
+    teller.viewer = viewer->second.id;
+    if (!viewer->second.people.take(1, HostTime(now.time_since_epoch()))) {
+      return refuse(from, pb::ERROR_TOO_FAST, "this hub tells too often who is there", now);
+    }
+  }
+  RoomActions out;
+  const auto change =
+      people_elsewhere_.tell(teller, people, [this] { return ViewerId{next_viewer_id_++}; });
+  if (forget_people(change)) announce_in_time(now, out);
+  return out;
+}
+
+void Room::take_poses(ConnectionId from, const pb::ViewerPoses& poses, RoomTime now) {
+  for (const pb::ViewerPose& pose : poses.poses()) {
+    const auto person = people_elsewhere_.find(from, pose.viewer_id());
+    if (person) poses_.set(*person, pose, now);
+  }
+}
+
+/// Of those who are gone. True: the roster is news.
+bool Room::forget_people(const PeopleElsewhere::Change& change) {
+  for (const ViewerId gone : change.gone) poses_.forget(gone);
+  return change.is_news;
+}
+
+/// The backplane's, too: it tells other hubs.
+std::vector<ConnectionId> Room::readers_of_poses() const {
+  std::vector<ConnectionId> connections = viewer_connections();
+  std::ranges::copy_if(aligners_, std::back_inserter(connections), is_of_backplane);
+  return connections;
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of the Room: who joins it, and what it then wants done.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/room/room.h"
+
+namespace roomcast::hub {
+
+using namespace std::chrono_literals;
+namespace pb = wire::pb;
+
+inline RoomTime at(nanoseconds since_start) {
+  return RoomTime(1h + since_start);
+}
+
+inline Matrix4 pose_at(double x) {
+  return {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
+
+inline pb::Join sensor_join(const std::string& name,
+                            std::optional<Matrix4> world_from_depth = pose_at(1)) {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_sensor()->set_fps(30);
+  join.mutable_sensor()->mutable_calibration()->mutable_depth()->set_width(512);
+  if (world_from_depth) {
+    join.mutable_sensor()->mutable_world_from_depth()->Assign(world_from_depth->begin(),
+                                                              world_from_depth->end());
+  }
+  return join;
+}
+
+inline pb::Join viewer_join(const std::string& name = "") {
+  pb::Join join;
+  join.set_name(name);
+  join.mutable_viewer();
+  return join;
+}
+
+inline pb::Join aligner_join() {
+  pb::Join join;
+  join.mutable_aligner();
+  return join;
+}
+
+/// Of a sensor by its id.
+inline pb::Control placement_of(std::uint32_t sensor, double x) {
+  pb::Control control;
+  auto& found = *control.mutable_placements()->add_sensors();
+  found.set_sensor_id(sensor);
+  const Matrix4 pose = pose_at(x);
+  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  found.set_expected_error_mm(4);
+  return control;
+}
+
+/// Of sensor 0.
+inline pb::Control placement_from_bundle(std::uint32_t number, double x) {
+  pb::Control control = placement_of(0, x);
+  control.mutable_placements()->mutable_sensors(0)->set_bundle_number(number);
+  return control;
+}
+
+template <class T>
+std::vector<T> all(const RoomActions& actions) {
+  std::vector<T> found;
+  for (const auto& action : actions) {
+    if (const auto* match = std::get_if<T>(&action)) found.push_back(*match);
+  }
+  return found;
+}
+
+/// Control messages of one kind, with whom they go to.
+inline std::vector<SendControl> messages(const RoomActions& actions,
+                                         pb::Control::MessageCase kind) {
+  auto found = all<SendControl>(actions);
+  std::erase_if(found,
+                [&](const SendControl& send) { return send.message.message_case() != kind; });
+  return found;
+}
+
+inline pb::Roster newest_roster(const RoomActions& actions) {
+  const auto rosters = messages(actions, pb::Control::kRoster);
+  return rosters.empty() ? pb::Roster() : rosters.back().message.roster();
+}
+
+class RoomTest : public testing::Test {
+ protected:
+  ConnectionId enter(const pb::Join& join, nanoseconds now = 0s, const Entry& entry = {}) {
+    const ConnectionId connection{next_connection++};
+    actions = room.join(connection, join, entry, at(now));
+    return connection;
+  }
+
+  static IncomingFrame incoming(ConnectionId from, SensorId sensor, nanoseconds captured,
+                                bool key = true) {
+    wire::FrameHeader header{.key = key, .sensor = sensor, .capture_time = at(captured)};
+    std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
+    wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+    return {from, header, net::MessageBuffer(bytes)};
+  }
+
+  RoomActions frame(ConnectionId from, SensorId sensor, nanoseconds captured, nanoseconds arrived,
+                    bool key = true) {
+    auto [who, header, message] = incoming(from, sensor, captured, key);
+    return room.frame(who, header, std::move(message), at(arrived));
+  }
+
+  Room room{RoomSettings{.name = "lab"}, "test"};
+  RoomActions actions;  // of the last enter()
+  std::uint64_t next_connection = 1;
+};
+
+}  // namespace roomcast::hub

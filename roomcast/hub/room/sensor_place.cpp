@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/room/sensor_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+namespace {
+
+/// Who reads a pose makes its rotation orthonormal, which may cost its last bits.
+bool is_the_same(const google::protobuf::RepeatedField<double>& found, const Matrix4& known) {
+  constexpr double kRounding = 1e-9;
+  return std::ranges::equal(
+      found, known, [](double one, double other) { return std::abs(one - other) < kRounding; });
+}
+
+}  // namespace
+
+/// In a row along x, looking into the world's -z like somebody who faces the room.
+SensorPlace SensorPlace::guessed(std::size_t nth, std::span<const Matrix4> placed) {
+  constexpr double kSpacing_m = 3, kHeight_m = 1.2;
+  constexpr double kBeside_m = 8;  // what a sensor shows reaches that far to its side at most
+  constexpr std::size_t kX = 3, kZ = 11;
+  double x = kSpacing_m * static_cast<double>(nth), z = 0;
+  if (!placed.empty()) {
+    const auto at = [](std::size_t i) { return [i](const Matrix4& pose) { return pose[i]; }; };
+    x += std::ranges::max(placed, {}, at(kX))[kX] + kBeside_m;
+    z = std::ranges::max(placed, {}, at(kZ))[kZ];
+  }
+  // Optical axes to world: x right, y down -> -y, z forward -> -z.
+  SensorPlace place;
+  place.world_from_depth = {1, 0, 0, x, 0, -1, 0, kHeight_m, 0, 0, -1, z, 0, 0, 0, 1};
+  return place;
+}
+
+void SensorPlace::give(const pb::SensorRole& role) {
+  if (role.world_from_depth().empty()) return;
+  std::ranges::copy(role.world_from_depth(), world_from_depth.begin());
+  placement = pb::PLACEMENT_GIVEN;
+  expected_error_mm = 0;
+  note.clear();
+  moved = false;
+  unverified = false;
+}
+
+bool SensorPlace::find(const pb::SensorPlacement& found) {
+  if (found.bundle_number() < valid_from_bundle) return false;
+  if (placement == pb::PLACEMENT_GIVEN && !moved) return false;
+  note = found.note();
+  if (found.withdrawn() && placement == pb::PLACEMENT_ALIGNED) {
+    withdraw();
+    return true;
+  }
+  if (found.world_from_depth().empty()) return false;
+  if (!is_the_same(found.world_from_depth(), world_from_depth))
+    std::ranges::copy(found.world_from_depth(), world_from_depth.begin());
+  placement = pb::PLACEMENT_ALIGNED;
+  expected_error_mm = found.expected_error_mm();
+  moved = false;
+  unverified = found.unverified();
+  return true;
+}
+
+/// The note stays: it says why. Where it is shown meanwhile the room says (Room::announce).
+void SensorPlace::withdraw() {
+  placement = pb::PLACEMENT_UNPLACED;
+  expected_error_mm = 0;
+  unverified = false;
+}
+
+void SensorPlace::lose(std::uint32_t next_bundle) {
+  moved = true;
+  valid_from_bundle = next_bundle;
+}
+
+void SensorPlace::recall(const KnownPose& pose) {
+  world_from_depth = pose.world_from_depth;
+  expected_error_mm = pose.expected_error_mm;
+  placement = pb::PLACEMENT_ALIGNED;
+  unverified = true;
+}
+
+void SensorPlace::doubt(std::uint32_t next_bundle) {
+  if (placement != pb::PLACEMENT_ALIGNED) return;
+  unverified = true;
+  valid_from_bundle = next_bundle;
+}
+
+std::optional<KnownPose> SensorPlace::found() const {
+  if (placement != pb::PLACEMENT_ALIGNED) return std::nullopt;
+  return KnownPose{world_from_depth, expected_error_mm};
+}
+
+void SensorPlace::write_to(pb::SensorEntry& entry) const {
+  entry.mutable_world_from_depth()->Assign(world_from_depth.begin(), world_from_depth.end());
+  entry.set_placement(placement);
+  entry.set_expected_error_mm(expected_error_mm);
+  entry.set_placement_note(note);
+  entry.set_moved(moved);
+  entry.set_unverified(unverified);
+}
+
+}  // namespace roomcast::hub

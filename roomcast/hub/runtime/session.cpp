@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/session.h"
+
+#include <utility>
+
+#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/wire/control.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace pb = wire::pb;
+
+pb::ErrorCode wire_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kTooLarge:
+      return pb::ERROR_TOO_LARGE;
+    case ErrorCode::kUnsupported:
+      return pb::ERROR_UNSUPPORTED;
+    default:
+      return pb::ERROR_MALFORMED;
+  }
+}
+
+std::uint16_t close_code_of(pb::ErrorCode code) {
+  switch (code) {
+    case pb::ERROR_TOO_LARGE:
+      return net::close_code::kTooLarge;
+    case pb::ERROR_ROOM_FULL:
+    case pb::ERROR_TOO_SLOW:
+    case pb::ERROR_BUSY:
+      return net::close_code::kTryAgainLater;
+    case pb::ERROR_SHUTTING_DOWN:
+      return net::close_code::kGoingAway;
+    default:
+      return net::close_code::kPolicy;
+  }
+}
+
+}  // namespace
+
+const wire::SendingLimits& SessionLimits::of(Role role) const {
+  switch (role) {
+    case Role::kSensor:
+      return sensor;
+    case Role::kHub:
+      return hub;
+    case Role::kAligner:
+      return aligner;
+    case Role::kViewer:
+      break;
+  }
+  return viewer;
+}
+
+Session::Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
+                 const Clock& clock, const SessionLimits& limits)
+    : id_(id), connection_(connection), hub_(hub), clock_(clock), limits_(limits) {
+  limit(limits_.viewer);
+}
+
+void Session::limit(const wire::SendingLimits& limits) {
+  messages_ = RateLimit(limits.messages_per_s, limits.messages_at_once);
+  bytes_ = RateLimit(limits.bytes_per_s, limits.bytes_at_once);
+}
+
+void Session::on_message(net::MessageBuffer message) {
+  const HostTime now = clock_.now();
+  if (!messages_.take(1, now) || !bytes_.take(static_cast<double>(message.size()), now)) {
+    return disconnect(pb::ERROR_TOO_FAST,
+                      "more comes from here than a connection of its kind may send");
+  }
+  const auto type = wire::message_type(message.payload());
+  if (!type) return refuse(type.error());
+  if (*type == wire::MessageType::kFrame) return take_frame(std::move(message));
+  take_control(message.payload());
+}
+
+void Session::take_frame(net::MessageBuffer message) {
+  if (!is_sensor_ || !is_accepted_) {
+    return disconnect(pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames");
+  }
+  const auto header = wire::parse_frame(message.payload());
+  if (!header) return refuse(header.error());
+  hub_.on_frame(id_, *header, std::move(message));
+}
+
+void Session::take_control(std::span<const std::uint8_t> message) {
+  const auto control =
+      wire::decode_control(message, is_sensor_ ? wire::Sender::kSensor : wire::Sender::kClient);
+  if (!control) return refuse(control.error());
+  if (control->has_join() == has_joined_) {
+    return disconnect(pb::ERROR_UNEXPECTED, has_joined_
+                                                ? "this connection has joined already"
+                                                : "the first message of a connection is Join");
+  }
+  if (control->has_clock_ping()) return tell_time(control->clock_ping());
+  if (!control->has_join()) return hub_.on_control(id_, *control);
+  has_joined_ = true;
+  is_sensor_ = control->join().has_sensor();
+  hub_.on_join({id_, connection_.peer_address(), connection_.peer()}, control->join());
+}
+
+// Here and at once: what the answer waits for on its way makes the client's clock uncertain.
+void Session::tell_time(const wire::pb::ClockPing& ping) {
+  pb::Control pong;
+  pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
+  pong.mutable_clock_pong()->set_hub_ns(
+      static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
+  if (!send_control(sealed_control(pong))) {
+    disconnect(pb::ERROR_TOO_SLOW, "control messages pile up unread");
+  }
+}
+
+net::SealedMessagePtr Session::next_message() {
+  auto message = outbox_.next();
+  if (auto sensors = outbox_.take_key_needs(); !sensors.empty()) hub_.on_key_needs(id_, sensors);
+  return message;
+}
+
+void Session::on_closed(const net::CloseReason& reason) {
+  hub_.on_left(id_, reason);
+}
+
+void Session::accept(Role role) {
+  is_accepted_ = true;
+  limit(limits_.of(role));
+  connection_.settle();
+  if (role == Role::kSensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
+}
+
+bool Session::send_control(net::SealedMessagePtr message) {
+  if (!outbox_.push_control(std::move(message))) return false;
+  connection_.wake();
+  return true;
+}
+
+void Session::send_set(FrameSetPtr set) {
+  outbox_.push_set(std::move(set));
+  connection_.wake();
+}
+
+void Session::disconnect(pb::ErrorCode code, const std::string& sentence) {
+  pb::Control control;
+  control.mutable_error()->set_code(code);
+  control.mutable_error()->set_sentence(sentence);
+  connection_.close_after(sealed_control(control), close_code_of(code), sentence);
+}
+
+void Session::refuse(const Error& error) {
+  disconnect(wire_code(error.code), error.message);
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/shard.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <boost/asio/dispatch.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+
+namespace asio = boost::asio;
+
+Shard::Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined, ShardLimits limits)
+    : place_(place),
+      room_(room),
+      unjoined_(unjoined),
+      limits_(limits),
+      next_connection_(place.count + place.index) {}
+
+std::shared_ptr<net::ConnectionHandler> Shard::welcome(
+    const std::shared_ptr<net::WebSocketConnection>& connection) {
+  if (unjoined_ >= limits_.max_unjoined) return nullptr;
+  ++unjoined_;
+  const ConnectionId id{next_connection_};
+  next_connection_ += place_.count;
+  auto session = std::make_shared<Session>(id, *connection, *this, clock_, limits_.session);
+  sessions_[id] = session;
+  expect_join(id);
+  return session;
+}
+
+void Shard::expect_join(ConnectionId id) {
+  auto deadline = std::make_shared<asio::steady_timer>(place_.io, limits_.join_within);
+  deadline->async_wait([this, id, deadline](boost::system::error_code error) {
+    Session* session = find(id);
+    if (error || session == nullptr || session->has_joined()) return;
+    session->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join came in time after connecting");
+  });
+}
+
+Session* Shard::find(ConnectionId id) const {
+  const auto found = sessions_.find(id);
+  return found == sessions_.end() ? nullptr : found->second.get();
+}
+
+// ---- from the room
+
+void Shard::accept(ConnectionId connection, Role role, RoomId room) {
+  asio::dispatch(place_.io, [this, connection, role, room] {
+    Session* session = find(connection);
+    if (session == nullptr) return;
+    session->accept(role);
+    --unjoined_;
+    if (role == Role::kViewer || role == Role::kHub) viewers_[room].sessions.push_back(session);
+  });
+}
+
+void Shard::send_control(std::vector<ConnectionId> to, net::SealedMessagePtr message) {
+  asio::dispatch(place_.io, [this, to = std::move(to), message = std::move(message)] {
+    for (const ConnectionId connection : to) {
+      Session* session = find(connection);
+      if (session == nullptr || session->send_control(message)) continue;
+      session->disconnect(wire::pb::ERROR_TOO_SLOW, "control messages pile up unread");
+    }
+  });
+}
+
+void Shard::send_set(RoomId room, FrameSetPtr set) {
+  asio::dispatch(place_.io, [this, room, set = std::move(set)] {
+    const auto found = viewers_.find(room);
+    if (found == viewers_.end()) return;
+    std::uint64_t dropped = 0;
+    for (Session* viewer : found->second.sessions) {
+      dropped -= viewer->dropped_sets();
+      viewer->send_set(set);
+      dropped += viewer->dropped_sets();
+    }
+    found->second.dropped_sets += dropped;
+  });
+}
+
+void Shard::restart_sensor(RoomId room, SensorId sensor) {
+  asio::dispatch(place_.io, [this, room, sensor] {
+    const auto found = viewers_.find(room);
+    if (found == viewers_.end()) return;
+    for (Session* viewer : found->second.sessions) viewer->restart_sensor(sensor);
+  });
+}
+
+void Shard::forget(RoomId room) {
+  asio::dispatch(place_.io, [this, room] { viewers_.erase(room); });
+}
+
+void Shard::report_traffic(std::function<void(ShardTraffic)> to) {
+  asio::dispatch(place_.io, [this, to = std::move(to)] {
+    ShardTraffic traffic;
+    for (const auto& [room, viewers] : viewers_) {
+      traffic.rooms.push_back({room, viewers.dropped_sets});
+      for (const Session* viewer : viewers.sessions) {
+        traffic.viewers.push_back({viewer->id(), viewer->bytes_out(), viewer->dropped_sets()});
+      }
+    }
+    asio::dispatch(place_.room_io,
+                   [to, traffic = std::move(traffic)]() mutable { to(std::move(traffic)); });
+  });
+}
+
+void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence) {
+  asio::dispatch(place_.io, [this, connection, code, sentence = std::move(sentence)] {
+    if (Session* session = find(connection)) session->disconnect(code, sentence);
+  });
+}
+
+// ---- to the room
+
+void Shard::on_join(const Arrival& arrival, const wire::pb::Join& join) {
+  asio::dispatch(place_.room_io, [this, arrival, join] { room_.on_join(arrival, join); });
+}
+
+void Shard::on_control(ConnectionId from, const wire::pb::Control& message) {
+  asio::dispatch(place_.room_io, [this, from, message] { room_.on_control(from, message); });
+}
+
+void Shard::on_frame(ConnectionId from, const wire::FrameHeader& header,
+                     net::MessageBuffer message) {
+  asio::dispatch(place_.room_io, [this, from, header, message = std::move(message)]() mutable {
+    room_.on_frame(from, header, std::move(message));
+  });
+}
+
+void Shard::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
+  asio::dispatch(place_.room_io, [this, from, sensors] { room_.on_key_needs(from, sensors); });
+}
+
+void Shard::on_left(ConnectionId from, const net::CloseReason& reason) {
+  const auto found = sessions_.find(from);
+  if (!found->second->is_accepted()) --unjoined_;
+  for (auto& [room, viewers] : viewers_) std::erase(viewers.sessions, found->second.get());
+  sessions_.erase(found);
+  asio::dispatch(place_.room_io, [this, from, reason] { room_.on_left(from, reason); });
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a running hub tells its log of those who come and go: under which keys, for programs that
+// read it.
+#include <map>
+#include <mutex>
+
+#include "roomcast/hub/server/hub_server.h"
+#include "roomcast/hub/server/hub_server_fixture.h"
+
+namespace roomcast::hub {
+namespace {
+
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+/// Made before the hub, gone after it.
+struct WithLog {
+  LogSink sink() {
+    return [this](LogLevel, std::string_view, LogFields about) {
+      const std::lock_guard lock(mutex);
+      Fields& fields = lines.emplace_back();
+      for (const auto& [key, value] : about) fields.emplace(key, value);
+    };
+  }
+  /// The newest line about this; nothing: there is none yet.
+  std::optional<Fields> last(std::string_view event) {
+    const std::lock_guard lock(mutex);
+    std::optional<Fields> found;
+    for (const Fields& fields : lines) {
+      const auto told = fields.find("event");
+      if (told != fields.end() && told->second == event) found = fields;
+    }
+    return found;
+  }
+
+  std::mutex mutex;
+  std::vector<Fields> lines;
+};
+
+class HubLogTest : protected WithLog, public HubServerTest {
+ protected:
+  HubLogTest()
+      : HubServerTest(
+            {.rooms = {{.name = "lab", .view = Who::kToken}, {.name = "open"}}, .log = sink()}) {}
+
+  static pb::Control in_room(pb::Control join, const std::string& room) {
+    join.mutable_join()->set_room(room);
+    return join;
+  }
+  std::shared_ptr<RawClient> answered(const pb::Control& join) {
+    auto client = connect(join);
+    run_until([&] { return !client->heard.empty(); });
+    return client;
+  }
+  /// It is told on the hub's threads.
+  Fields told(std::string_view event) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    std::optional<Fields> fields;
+    while (!(fields = last(event)) && std::chrono::steady_clock::now() < give_up) {
+      io.run_for(1ms);
+      io.restart();
+    }
+    EXPECT_TRUE(fields) << "nothing of " << event;
+    return fields.value_or(Fields());
+  }
+};
+
+TEST_F(HubLogTest, names_who_joins_which_room_from_where_and_who_leaves_it) {
+  auto sensor = answered(in_room(sensor_join("left"), "open"));
+  Fields join = told("join");
+  EXPECT_EQ(join["room"], "open");
+  EXPECT_EQ(join["role"], "sensor");
+  EXPECT_EQ(join["name"], "left");
+  EXPECT_EQ(join["peer"].find("127.0.0.1:"), 0U) << join["peer"];
+  sockets.back()->close(net::close_code::kNormal, "left");
+  Fields leave = told("leave");
+  EXPECT_EQ(leave["room"], "open");
+  EXPECT_EQ(leave["name"], "left");
+  EXPECT_EQ(leave["peer"], join["peer"]);
+}
+
+TEST_F(HubLogTest, names_who_is_refused_with_the_code_that_it_is_told) {
+  answered(in_room(viewer_join(), "lab"));
+  Fields refuse = told("refuse");
+  EXPECT_EQ(refuse["room"], "lab");
+  EXPECT_EQ(refuse["role"], "viewer");
+  EXPECT_EQ(refuse["error"], "ERROR_UNAUTHENTICATED");
+}
+
+TEST_F(HubLogTest, names_the_token_of_who_is_inside) {
+  pb::Control join = in_room(viewer_join(), "lab");
+  join.mutable_join()->set_token(hub->own_token());
+  const auto viewer = answered(join);
+  ASSERT_TRUE(viewer->heard.at(0).has_welcome()) << viewer->heard.at(0).error().sentence();
+  Fields fields = told("join");
+  EXPECT_FALSE(fields["token"].empty());
+  EXPECT_EQ(hub->own_token().find(fields["token"]), std::string::npos) << "not what lets one in";
+}
+
+TEST_F(HubLogTest, names_who_is_sent_away_and_why) {
+  answered(in_room(sensor_join("left"), "open"));
+  answered(in_room(sensor_join("left"), "open"));  // where no token is asked for it is the same one
+  Fields away = told("send_away");
+  EXPECT_EQ(away["name"], "left");
+  EXPECT_FALSE(away["error"].empty());
+}
+
+}  // namespace
+}  // namespace roomcast::hub

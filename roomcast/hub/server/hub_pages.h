@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// HubPages: what a hub answers to HTTP: the page, `/healthz`, `/metrics`, and the interface for
+// whoever runs it. Threading: find() on the door's thread; answer() from any, what it looks up
+// lives on the rooms' thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+
+#include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/admin/admin_door.h"
+#include "roomcast/hub/runtime/room_hall.h"
+#include "roomcast/hub/server/other_sites.h"
+#include "roomcast/hub/store/desk.h"
+#include "roomcast/net/http_request.h"
+#include "roomcast/net/http_server.h"
+#include "roomcast/net/static_site.h"
+
+namespace roomcast::hub {
+
+class HubPages {
+ public:
+  HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
+           boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
+           RoomRecordings* recordings, const LogSink& log);
+
+  /// Whose connections `/metrics` counts.
+  void count_connections_of(const net::HttpServer& server) { server_ = &server; }
+
+  /// What answer() is for.
+  [[nodiscard]] static std::vector<std::string> request_paths();
+
+  [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
+  /// Hubs beside this one. On the door's thread, as find().
+  [[nodiscard]] OtherSites& other_sites() { return other_sites_; }
+  void answer(net::HttpRequest request, net::Respond respond);
+
+ private:
+  void answer_here(const net::HttpRequest& request, net::Respond respond);
+  [[nodiscard]] net::HttpResponse health() const;
+  [[nodiscard]] net::HttpResponse metrics() const;
+
+  const std::optional<net::StaticSite> site_;
+  RoomHall& hall_;
+  boost::asio::io_context& rooms_io_;
+  const bool metrics_for_anyone_;
+  const std::string version_;
+  AdminDoor door_;
+  AdminApi admin_;
+  const net::HttpServer* server_ = nullptr;
+  OtherSites other_sites_;
+};
+
+}  // namespace roomcast::hub

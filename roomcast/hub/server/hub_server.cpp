@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/server/hub_server.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "roomcast/hub/runtime/room_hall.h"
+#include "roomcast/hub/runtime/shard.h"
+#include "roomcast/hub/server/hub_pages.h"
+#include "roomcast/hub/store/desk.h"
+#include "roomcast/net/http_server.h"
+
+namespace roomcast::hub {
+namespace {
+
+namespace asio = boost::asio;
+constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
+constexpr std::chrono::milliseconds kGoodbyeLook{10};
+constexpr int kDoorNiceness = 10;  // who is in a room goes before who knocks
+
+/// The options' rooms, but those that were changed or opened since, as they are kept.
+std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
+                                                  const std::vector<RoomSettings>& kept) {
+  std::map<std::string, RoomSettings> rooms;
+  for (const RoomSettings& room : options.rooms) rooms[room.name] = room;
+  for (const RoomSettings& room : kept) rooms[room.name] = room;
+  return rooms;
+}
+
+std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
+  std::set<std::string> names;
+  for (const RoomSettings& room : rooms) names.insert(room.name);
+  return names;
+}
+
+}  // namespace
+
+class HubServer::Loop {
+ public:
+  Loop(HubOptions options, std::unique_ptr<HubBook> book, std::optional<net::StaticSite> site);
+  ~Loop();
+
+  /// Before any room is opened.
+  Status open_backplane();
+  void open_rooms(const std::map<std::string, RoomSettings>& rooms,
+                  std::map<std::string, std::vector<KnownSensor>> sensors);
+  Status listen();
+  void run(const std::stop_token& stop);
+  [[nodiscard]] std::uint16_t port() const { return http_->port(); }
+  [[nodiscard]] const std::string& own_token() const { return own_token_; }
+  void replace_tls(std::shared_ptr<const net::TlsServerContext> tls);
+
+ private:
+  [[nodiscard]] net::HttpServerOptions http_options();
+  void say_goodbye();
+  asio::io_context& io() { return *loops_.front(); }
+
+  HubOptions options_;
+  const std::string own_token_;
+  UnjoinedCount unjoined_ = 0;
+  // One per thread, the first is the rooms'.
+  std::vector<std::unique_ptr<asio::io_context>> loops_;
+  std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
+  std::vector<std::unique_ptr<Shard>> shards_;
+  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<RoomHall> hall_;
+  std::unique_ptr<Backplane> backplane_;
+  std::unique_ptr<HubPages> pages_;
+  std::unique_ptr<net::HttpServer> http_;
+};
+
+HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
+                      std::optional<net::StaticSite> site)
+    : options_(std::move(options)), own_token_(book->sign_own()) {
+  const std::size_t count = std::max<std::size_t>(options_.threads, 1);
+  for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
+  desk_ = std::make_unique<Desk>(std::move(book), io());
+  hall_ = std::make_unique<RoomHall>(RoomHallOptions{.hub_version = ROOMCAST_VERSION,
+                                                     .recalls_poses = options_.recalls_poses,
+                                                     .configured_rooms = names_of(options_.rooms),
+                                                     .bans = options_.limits.bans,
+                                                     .never_banned = options_.limits.proxies,
+                                                     .on_in_use = options_.on_room_in_use,
+                                                     .log = options_.log},
+                                     io(), *desk_, shards_);
+  for (std::size_t i = 0; i < count; ++i) {
+    shards_.push_back(std::make_unique<Shard>(
+        Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
+        ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
+  }
+  pages_ =
+      std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
+                                 ROOMCAST_VERSION, options_.recordings.get(), options_.log);
+}
+
+// The desk first: nothing is asked of it any more, and its last answers go to a loop that is still
+// there. The rooms' loop goes before the door: an answer that it would have given goes out there.
+HubServer::Loop::~Loop() {
+  desk_.reset();
+  http_.reset();
+  pages_.reset();
+  backplane_.reset();
+  hall_.reset();
+  loops_.front().reset();
+  door_.reset();
+  for (auto& loop : loops_) loop.reset();
+}
+
+Status HubServer::Loop::open_backplane() {
+  if (!options_.open_backplane) return {};
+  auto opened = options_.open_backplane(
+      {.io = io(),
+       .rooms = *hall_,
+       .token = own_token_,
+       .revoke = [this](std::vector<Claims> tokens) { hall_->take_revoked(std::move(tokens)); },
+       .tell_revoked = [this] { hall_->tell_revoked(); },
+       .name_hubs =
+           [this](std::vector<std::string> urls) {
+             asio::post(*door_,
+                        [this, urls = std::move(urls)] { pages_->other_sites().are(urls); });
+           }});
+  if (!opened) return opened.error();
+  backplane_ = *std::move(opened);
+  hall_->connect(*backplane_);
+  return {};
+}
+
+void HubServer::Loop::open_rooms(const std::map<std::string, RoomSettings>& rooms,
+                                 std::map<std::string, std::vector<KnownSensor>> sensors) {
+  for (const auto& [name, settings] : rooms) hall_->open(settings, std::move(sensors[name]));
+}
+
+net::HttpServerOptions HubServer::Loop::http_options() {
+  net::HttpServerOptions http;
+  http.address = options_.address;
+  http.port = options_.port;
+  http.tls = options_.tls;
+  http.names = options_.names;
+  http.knows_site = [this](std::string_view origin) { return pages_->other_sites().has(origin); };
+  http.on_get = [this](std::string_view path) { return pages_->find(path); };
+  http.request_paths = HubPages::request_paths();
+  http.on_request = [this](net::HttpRequest request, net::Respond respond) {
+    pages_->answer(std::move(request), std::move(respond));
+  };
+  http.on_websocket = [this](const auto& connection, std::size_t thread) {
+    return shards_[thread]->welcome(connection);
+  };
+  http.may_connect = [this](const std::string& peer) { return hall_->may_connect(peer); };
+  http.max_connections = options_.limits.max_connections;
+  http.max_unsettled_per_peer = options_.limits.max_unsettled_per_peer;
+  http.uncounted_peers = options_.limits.proxies;
+  http.max_message_bytes = wire::kMaxControlFromClientBytes;
+  return http;
+}
+
+Status HubServer::Loop::listen() {
+  std::vector<asio::io_context*> workers;
+  for (const auto& loop : loops_) workers.push_back(loop.get());
+  auto server = net::HttpServer::listen(*door_, workers, http_options(), options_.log);
+  if (!server) return server.error();
+  http_ = std::move(*server);
+  pages_->count_connections_of(*http_);
+  return {};
+}
+
+void HubServer::Loop::replace_tls(std::shared_ptr<const net::TlsServerContext> tls) {
+  asio::post(*door_, [this, tls = std::move(tls)]() mutable { http_->set_tls(std::move(tls)); });
+}
+
+void HubServer::Loop::run(const std::stop_token& stop) {
+  const std::stop_callback wake_up(stop, [this] { asio::post(io(), [] {}); });
+  std::vector<asio::executor_work_guard<asio::io_context::executor_type>> keep_alive;
+  for (const auto& loop : loops_) keep_alive.push_back(asio::make_work_guard(*loop));
+  keep_alive.push_back(asio::make_work_guard(*door_));
+  std::vector<std::jthread> others;
+  others.emplace_back([this] {
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kDoorNiceness);
+    door_->run();
+  });
+  for (std::size_t i = 1; i < loops_.size(); ++i) {
+    others.emplace_back([loop = loops_[i].get()] { loop->run(); });
+  }
+  hall_->start();
+  while (!stop.stop_requested()) io().run_one();
+  say_goodbye();
+  for (std::size_t i = 1; i < loops_.size(); ++i) loops_[i]->stop();
+  door_->stop();
+}
+
+void HubServer::Loop::say_goodbye() {
+  asio::post(*door_, [this] { http_->stop(); });
+  const auto give_up = std::chrono::steady_clock::now() + kGoodbyeWithin;
+  while (http_->connection_count() > 0 && std::chrono::steady_clock::now() < give_up) {
+    io().run_one_for(kGoodbyeLook);
+  }
+}
+
+HubServer::HubServer(std::unique_ptr<Loop> loop) : loop_(std::move(loop)) {}
+HubServer::~HubServer() = default;
+
+Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
+  for (const RoomSettings& room : options.rooms) {
+    if (auto status = check(room); !status) return status.error();
+  }
+  std::optional<net::StaticSite> site;
+  if (options.web_directory) {
+    auto loaded = net::StaticSite::load(*options.web_directory);
+    if (!loaded) return loaded.error();
+    site = std::move(*loaded);
+  }
+  auto book = HubBook::open(options.data_folder);
+  if (!book) return book.error();
+  const auto kept = (*book)->rooms().load();
+  if (!kept) return kept.error();
+  const auto rooms = rooms_to_open(options, *kept);
+  std::map<std::string, std::vector<KnownSensor>> sensors;
+  for (const auto& [name, settings] : rooms) {
+    auto known = (*book)->sensors().load(name);
+    if (!known) return known.error();
+    sensors[name] = *std::move(known);
+  }
+  auto loop = std::make_unique<Loop>(std::move(options), *std::move(book), std::move(site));
+  if (auto status = loop->open_backplane(); !status) return status.error();
+  loop->open_rooms(rooms, std::move(sensors));
+  if (auto status = loop->listen(); !status) return status.error();
+  return std::unique_ptr<HubServer>(new HubServer(std::move(loop)));
+}
+
+std::uint16_t HubServer::port() const {
+  return loop_->port();
+}
+
+const std::string& HubServer::own_token() const {
+  return loop_->own_token();
+}
+
+void HubServer::replace_tls(std::shared_ptr<const net::TlsServerContext> tls) {
+  loop_->replace_tls(std::move(tls));
+}
+
+void HubServer::run(std::stop_token stop) {
+  loop_->run(stop);
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each role may send: who sends more is cut off, and honest use stays below.
+#include <algorithm>
+
+#include "roomcast/hub/access/rate_limit.h"
+#include "roomcast/hub/server/hub_server.h"
+#include "roomcast/hub/server/hub_server_fixture.h"
+
+namespace roomcast::hub {
+namespace {
+
+/// So little comes back per second that a slow machine changes nothing.
+constexpr wire::SendingLimits at_once(double messages, double bytes = 1e6) {
+  return {1e-6, messages, 1e-6, bytes};
+}
+
+struct Case {
+  const char* name;
+  pb::Control join;
+  int messages;  // that it may send at once
+};
+
+pb::Control aligner_join() {
+  pb::Control control;
+  control.mutable_join()->mutable_aligner();
+  return control;
+}
+
+pb::Control hub_join() {
+  pb::Control control = viewer_join();
+  control.mutable_join()->mutable_viewer()->set_serves_on(true);
+  return control;
+}
+
+std::vector<Case> cases() {
+  return {{"sensor", sensor_join("left"), 40},
+          {"viewer", viewer_join(), 10},
+          {"hub", hub_join(), 20},
+          {"aligner", aligner_join(), 15}};
+}
+
+class SessionLimitsTest : public HubServerTest {
+ protected:
+  explicit SessionLimitsTest(SessionLimits limits = {.sensor = at_once(40),
+                                                     .viewer = at_once(10),
+                                                     .hub = at_once(20),
+                                                     .aligner = at_once(15)})
+      : HubServerTest({.limits = {.session = limits}}) {}
+
+  std::shared_ptr<RawClient> welcomed(pb::Control join) {
+    join.mutable_join()->set_token(hub->own_token());
+    auto client = connect(join);
+    run_until([&] { return !client->heard.empty(); });
+    EXPECT_TRUE(client->heard.at(0).has_welcome()) << client->heard.at(0).error().sentence();
+    return client;
+  }
+
+  /// `client` came last.
+  void say(RawClient& client, int times, const net::SealedMessagePtr& message = clock_ping(1)) {
+    for (int i = 0; i < times; ++i) client.say(message);
+    sockets.back()->wake();
+  }
+
+  static std::ptrdiff_t pongs(const RawClient& client) {
+    return std::ranges::count_if(client.heard, [](const auto& m) { return m.has_clock_pong(); });
+  }
+};
+
+TEST_F(SessionLimitsTest, who_sends_more_than_its_role_may_is_cut_off) {
+  for (const Case& role : cases()) {
+    SCOPED_TRACE(role.name);
+    const auto client = welcomed(role.join);
+    say(*client, role.messages);
+    run_until([&] { return pongs(*client) == role.messages; });
+    EXPECT_FALSE(client->closed);
+    say(*client, 1);
+    run_until([&] { return client->closed.has_value(); });
+    EXPECT_EQ(pongs(*client), role.messages);
+    EXPECT_EQ(client->heard.back().error().code(), pb::ERROR_TOO_FAST);
+  }
+}
+
+TEST_F(SessionLimitsTest, who_has_not_joined_may_send_as_a_viewer) {
+  std::deque<net::SealedMessagePtr> said(30, clock_ping(1));
+  pb::Control join = sensor_join("left");
+  join.mutable_join()->set_room("nowhere");
+  said.front() = sealed_control(join);
+  const auto stranger = connect(std::move(said));
+  run_until([&] { return stranger->closed.has_value(); });
+  EXPECT_LE(pongs(*stranger), 9);
+}
+
+class SmallMessagesTest : public SessionLimitsTest {
+ protected:
+  SmallMessagesTest()
+      : SessionLimitsTest({.sensor = at_once(1000, 1e6),
+                           .viewer = at_once(1000, 4000),
+                           .hub = at_once(1000, 20'000),
+                           .aligner = at_once(1000, 20'000)}) {}
+};
+
+TEST_F(SmallMessagesTest, who_sends_larger_messages_than_its_role_may_is_cut_off) {
+  pb::Control pose;
+  pose.mutable_clock_ping()->set_client_ns(1);
+  pose.GetReflection()->MutableUnknownFields(&pose)->AddLengthDelimited(1000,
+                                                                        std::string(3000, 'x'));
+  const auto large = sealed_control(pose);
+  const auto viewer = welcomed(viewer_join());
+  say(*viewer, 2, large);
+  run_until([&] { return viewer->closed.has_value(); });
+  EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_TOO_FAST);
+  const auto sensor = welcomed(sensor_join("left"));
+  say(*sensor, 2, large);
+  run_until([&] { return pongs(*sensor) == 2; });
+  EXPECT_FALSE(sensor->closed);
+}
+
+/// So many of these a second.
+struct Use {
+  double per_s;
+  std::size_t bytes;
+};
+
+/// Everything on its own clock for a minute, of which it could not send for the first 4 s.
+bool passes(const wire::SendingLimits& limits, const std::vector<Use>& uses) {
+  RateLimit messages(limits.messages_per_s, limits.messages_at_once);
+  RateLimit bytes(limits.bytes_per_s, limits.bytes_at_once);
+  std::vector<std::pair<HostTime, std::size_t>> sent;
+  for (const auto& [per_s, size] : uses) {
+    for (int i = 0; i < 60 * per_s; ++i) {
+      const std::chrono::duration<double> at(i / per_s);
+      sent.emplace_back(HostTime(1h + std::max<nanoseconds>(4s, duration_cast<nanoseconds>(at))),
+                        size);
+    }
+  }
+  std::ranges::sort(sent);
+  return std::ranges::all_of(sent, [&](const auto& message) {
+    return messages.take(1, message.first) &&
+           bytes.take(static_cast<double>(message.second), message.first);
+  });
+}
+
+std::size_t largest_pose() {
+  pb::Control control;
+  auto& pose = *control.mutable_viewer_pose();
+  for (auto* part : {pose.mutable_head(), pose.mutable_left_hand(), pose.mutable_right_hand()}) {
+    for (const auto set : {&pb::Pose::set_x, &pb::Pose::set_y, &pb::Pose::set_z, &pb::Pose::set_qx,
+                           &pb::Pose::set_qy, &pb::Pose::set_qz, &pb::Pose::set_qw}) {
+      (part->*set)(0.7F);
+    }
+  }
+  for (auto* point :
+       {pose.mutable_pointer()->mutable_from(), pose.mutable_pointer()->mutable_to()}) {
+    point->set_x(1.5F);
+    point->set_y(1.5F);
+    point->set_z(1.5F);
+  }
+  return 4 + control.ByteSizeLong();
+}
+
+TEST(HonestUse, stays_below_what_each_role_may_send) {
+  constexpr std::size_t kSmall = 64;
+  const double keys_per_s =
+      wire::kMaxSensors / std::chrono::duration<double>(wire::kKeyRequestInterval).count();
+  const Use pings{10, kSmall}, stats{1, kSmall}, keys{keys_per_s, kSmall};
+  for (const double headset_hz : {30, 72, 90}) {
+    EXPECT_TRUE(passes(wire::kMaxFromViewer,
+                       {{headset_hz, largest_pose()}, {headset_hz, 200}, pings, stats, keys}));
+  }
+  const Use bundle{0.1, wire::kMaxBundleBytes}, sightings{2, 8000};
+  EXPECT_TRUE(passes(wire::kMaxFromSensor, {{60, 400'000}, bundle, sightings, pings}));
+  EXPECT_TRUE(passes(wire::kMaxFromSensor, {{wire::kMaxFps, 100'000}, bundle, sightings, pings}));
+  const Use people{20, wire::kMaxControlFromClientBytes / 2};
+  EXPECT_TRUE(passes(wire::kMaxFromHub, {people, people, keys, stats, pings}));
+  EXPECT_TRUE(passes(wire::kMaxFromAligner, {{5, wire::kMaxControlFromClientBytes}, pings}));
+  EXPECT_FALSE(passes(wire::kMaxFromViewer, {{600, kSmall}})) << "this test can fail";
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/dataset/rig_writer.h"
+
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/io/camera_json.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/rig_json.h"
+
+namespace roomcast {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMaxGap = 100'000;  // frames in a row
+
+Error invalid(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message)};
+}
+
+Error cannot_make(const fs::path& path, const std::error_code& error) {
+  return {ErrorCode::kUnavailable,
+          "cannot make the folder " + path.string() + ": " + error.message()};
+}
+
+Status check_names(std::span<const RigSensor> sensors) {
+  if (sensors.empty() || sensors.size() > kMaxRigSensors) {
+    return invalid("a rig has 1 to " + std::to_string(kMaxRigSensors) + " sensors");
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const std::string& name = sensors[i].description.name;
+    const bool folder_name = is_sensor_name(name) && name.find('/') == std::string::npos &&
+                             stays_inside(name) && name != ".";
+    if (!folder_name) return invalid("the sensor name \"" + name + "\" is no folder name");
+    for (std::size_t j = 0; j < i; ++j) {
+      if (sensors[j].description.name == name) return invalid("two sensors are named " + name);
+    }
+  }
+  return {};
+}
+
+Status check_cameras(std::span<const RigSensor> sensors) {
+  for (const RigSensor& sensor : sensors) {
+    const SensorCalibration& calibration = sensor.description.calibration;
+    if (Status status = calibration.depth.check(); !status.ok()) return status;
+    if (Status status = calibration.color.check(); !status.ok()) return status;
+  }
+  return {};
+}
+
+/// Never into a folder that holds something: what was recorded stays.
+Status make_empty_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return cannot_make(path, error);
+  const bool empty = fs::is_empty(path, error);
+  if (error) return cannot_make(path, error);
+  if (!empty) {
+    return Error{ErrorCode::kUnavailable,
+                 path.string() + " is not empty; name a new folder, nothing is overwritten"};
+  }
+  return {};
+}
+
+Status make_sensor_folders(const fs::path& folder) {
+  std::error_code error;
+  for (const char* name : {"depth", "rgb"}) {
+    fs::create_directories(folder / name, error);
+    if (error) return cannot_make(folder / name, error);
+    const fs::path list = folder / (std::string(name) + ".txt");
+    if (Status status = write_file(list, "# timestamp path\n"); !status.ok()) return status;
+  }
+  return {};
+}
+
+std::string numbered(std::uint64_t index, const char* folder, const char* ending) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%s/%06" PRIu64 "%s", folder, index, ending);
+  return text;
+}
+
+/// A line of a TUM list: seconds with nine decimals, exact for any int64 of nanoseconds.
+std::string list_line(nanoseconds timestamp, const std::string& file) {
+  const std::int64_t ns = timestamp.count();
+  char seconds[40];
+  const std::int64_t whole = ns / 1'000'000'000, rest = std::abs(ns % 1'000'000'000);
+  std::snprintf(seconds, sizeof(seconds), "%s%" PRId64 ".%09" PRId64,
+                ns < 0 && whole == 0 ? "-" : "", whole, rest);
+  return std::string(seconds) + " " + file;
+}
+
+Status check_frame(const SensorCalibration& calibration, const CapturedFrame& frame) {
+  const auto is = [](const auto& image, const CameraIntrinsics& camera) {
+    return image.width() == camera.width && image.height() == camera.height;
+  };
+  if (!is(frame.depth_mm, calibration.depth)) {
+    return invalid("the depth picture is not of the size in its calibration");
+  }
+  if (!frame.color.empty() && !is(frame.color, calibration.color)) {
+    return invalid("the colour picture is not of the size in its calibration");
+  }
+  return {};
+}
+
+}  // namespace
+
+RigWriter::RigWriter(fs::path directory, double fps, std::vector<RigSensor> sensors,
+                     RigWriterOptions options)
+    : directory_(std::move(directory)),
+      fps_(fps),
+      sensors_(std::move(sensors)),
+      progress_(sensors_.size()),
+      options_(std::move(options)) {}
+
+Result<RigWriter> RigWriter::create(const fs::path& directory, double fps,
+                                    std::span<const RigSensor> sensors,
+                                    const RigWriterOptions& options) {
+  if (!(fps > 0 && fps <= kMaxFps)) return invalid("a rig's fps must be above 0 and at most 240");
+  if (options.jpeg_quality < 1 || options.jpeg_quality > 100) {
+    return invalid("JPEG quality must be 1 to 100");
+  }
+  if (Status status = check_names(sensors); !status.ok()) return status.error();
+  if (Status status = check_cameras(sensors); !status.ok()) return status.error();
+  if (Status status = make_empty_folder(directory); !status.ok()) return status.error();
+  RigWriter writer(directory, fps, {sensors.begin(), sensors.end()}, options);
+  if (Status status = writer.write_cameras(); !status.ok()) return status.error();
+  const std::string unfinished = options.source + " (not finished)";
+  if (Status status = writer.write_rig_json(unfinished); !status.ok()) return status.error();
+  return writer;
+}
+
+Status RigWriter::write_cameras() const {
+  for (const RigSensor& sensor : sensors_) {
+    const fs::path folder = directory_ / sensor.description.name;
+    if (Status status = make_sensor_folders(folder); !status.ok()) return status;
+    const std::string text = camera_json_text(sensor.description.calibration);
+    if (Status status = write_file(folder / "camera.json", text); !status.ok()) return status;
+  }
+  return {};
+}
+
+Status RigWriter::write_rig_json(const std::string& source) const {
+  RigDescription rig{fps_, source, {}};
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const SensorDescription& description = sensors_[i].description;
+    rig.sensors.push_back({description.name, description.name, description.world_from_depth,
+                           sensors_[i].clock_offset_s, sensors_[i].rate_ppm, progress_[i].dropped});
+  }
+  return write_file(directory_ / "rig.json", rig_json_text(rig));
+}
+
+Status RigWriter::check_index(const Progress& progress, std::uint64_t index) {
+  if (!progress.started) return {};
+  if (index < progress.next_index) return invalid("frame numbers of a sensor must grow");
+  if (index - progress.next_index > kMaxGap)
+    return invalid("more frames are missing than a rig can name");
+  return {};
+}
+
+void RigWriter::note_written(Progress& progress, std::uint64_t index) {
+  if (!progress.started) progress.next_index = index;
+  progress.started = true;
+  while (progress.next_index < index) progress.dropped.push_back(progress.next_index++);
+  progress.next_index = index + 1;
+}
+
+Status RigWriter::write_pictures(std::size_t sensor, const CapturedFrame& frame) const {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  const SensorDescription& description = sensors_[sensor].description;
+  if (Status status = check_frame(description.calibration, frame); !status.ok()) return status;
+  const fs::path folder = directory_ / description.name;
+  const fs::path depth = folder / numbered(frame.index, "depth", ".png");
+  if (Status status = write_depth_png(depth, frame.depth_mm); !status.ok()) return status;
+  if (frame.color.empty()) return {};
+  const fs::path color = folder / numbered(frame.index, "rgb", ".jpg");
+  return write_color_jpeg(color, frame.color, options_.jpeg_quality);
+}
+
+Status RigWriter::list(std::size_t sensor, std::uint64_t index, bool has_color,
+                       nanoseconds timestamp) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], index); !status.ok()) return status;
+  const fs::path folder = directory_ / sensors_[sensor].description.name;
+  if (has_color) {
+    const std::string line = list_line(timestamp, numbered(index, "rgb", ".jpg"));
+    if (Status status = append_line(folder / "rgb.txt", line); !status.ok()) return status;
+  }
+  const std::string line = list_line(timestamp, numbered(index, "depth", ".png"));
+  if (Status status = append_line(folder / "depth.txt", line); !status.ok()) return status;
+  note_written(progress_[sensor], index);
+  return {};
+}
+
+Status RigWriter::drop(std::size_t sensor, std::uint64_t index) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], index); !status.ok()) return status;
+  note_written(progress_[sensor], index);
+  progress_[sensor].dropped.push_back(index);
+  return {};
+}
+
+Status RigWriter::add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp) {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  if (Status status = check_index(progress_[sensor], frame.index); !status.ok()) return status;
+  if (Status status = write_pictures(sensor, frame); !status.ok()) return status;
+  return list(sensor, frame.index, !frame.color.empty(), timestamp);
+}
+
+Status RigWriter::finish() {
+  return write_rig_json(options_.source);
+}
+
+}  // namespace roomcast

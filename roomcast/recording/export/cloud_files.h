@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Point clouds as the bytes of files, little-endian:
+//   PLY  binary 1.0: x y z nx ny nz (float), red green blue (uchar)   (Turk 1994)
+//   PCD  binary 0.7: x y z normal_x normal_y normal_z (float), rgb (float, 0x00RRGGBB)  (PCL)
+// Metres. Thread-safe (no state).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/recording/export/point_cloud.h"
+
+namespace roomcast {
+
+void append_ply(const PointCloud& cloud, std::vector<std::uint8_t>& out);
+void append_pcd(const PointCloud& cloud, std::vector<std::uint8_t>& out);
+
+}  // namespace roomcast

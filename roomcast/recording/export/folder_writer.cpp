@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/export/folder_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "roomcast/io/file_bytes.h"
+
+namespace roomcast {
+
+Status FolderWriter::create(const FrameSet& set) {
+  std::vector<RigSensor> rig(sensors_.size());
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    SensorDescription& description = rig[i].description;
+    description.name = sensors_[i].name;
+    description.calibration = {sensors_[i].depth, sensors_[i].depth, {}, true};
+    fps_ = std::max(fps_, sensors_[i].fps);
+  }
+  for (const SetFrame& frame : set.frames)
+    rig[frame.sensor].description.world_from_depth = frame.world_from_depth;
+  auto writer = RigWriter::create(folder_, fps_, rig, {.source = "roomcast export"});
+  if (!writer) return writer.error();
+  writer_.emplace(std::move(*writer));
+  return {};
+}
+
+Status FolderWriter::add(const FrameSet& set) {
+  if (!writer_) {
+    if (auto status = create(set); !status) return status;
+  }
+  ++totals_.sets;
+  for (const SetFrame& frame : set.frames) {
+    if (last_[frame.sensor].pictures == frame.pictures) continue;  // it was late for this set
+    last_[frame.sensor].pictures = frame.pictures;
+    if (auto status = add_frame(frame); !status) return status;
+  }
+  return {};
+}
+
+Status FolderWriter::add_frame(const SetFrame& frame) {
+  Last& last = last_[frame.sensor];
+  const double seconds = std::max(0.0, std::chrono::duration<double>(frame.time).count());
+  captured_.index =
+      std::max(last.next_index, static_cast<std::uint64_t>(std::llround(seconds * fps_)));
+  last.next_index = captured_.index + 1;
+  captured_.depth_mm = frame.pictures->depth_mm;
+  captured_.color = frame.pictures->color;
+  if (auto status = writer_->add(frame.sensor, captured_, frame.time); !status) return status;
+  return groundtruth_ && frame.world_from_depth ? add_pose(frame) : Status();
+}
+
+Status FolderWriter::add_pose(const SetFrame& frame) const {
+  const Eigen::Quaterniond turn(frame.world_from_depth->rotation);
+  const Eigen::Vector3d& place = frame.world_from_depth->translation_m;
+  char line[240];
+  std::snprintf(line, sizeof(line), "%.9f %.6f %.6f %.6f %.8f %.8f %.8f %.8f",
+                std::chrono::duration<double>(frame.time).count(), place.x(), place.y(), place.z(),
+                turn.x(), turn.y(), turn.z(), turn.w());
+  return append_line(folder_ / sensors_[frame.sensor].name / "groundtruth.txt", line);
+}
+
+Status FolderWriter::finish() {
+  return writer_ ? writer_->finish() : Status();
+}
+
+}  // namespace roomcast

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frame sets into a rig folder (source/rig_json.h): what was recorded, as pictures, colour in the
+// depth grid. Timestamps are seconds since the recording began. On request each sensor's folder
+// also gets groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from camera).
+// Single-threaded.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "roomcast/recording/dataset/rig_writer.h"
+#include "roomcast/recording/export/set_writer.h"
+
+namespace roomcast {
+
+class FolderWriter final : public SetWriter {
+ public:
+  FolderWriter(std::filesystem::path folder, std::vector<SetSensor> sensors, bool groundtruth)
+      : folder_(std::move(folder)),
+        sensors_(std::move(sensors)),
+        last_(sensors_.size()),
+        groundtruth_(groundtruth) {}
+
+  /// The first makes the folder's files: sensors have the poses they have then.
+  Status add(const FrameSet& set) override;
+  Status finish() override;
+  ExportTotals totals() const override { return totals_; }
+
+ private:
+  struct Last {
+    std::shared_ptr<const codec::DecodedFrame> pictures;
+    std::uint64_t next_index = 0;
+  };
+  Status create(const FrameSet& set);
+  Status add_frame(const SetFrame& frame);
+  Status add_pose(const SetFrame& frame) const;
+
+  const std::filesystem::path folder_;
+  const std::vector<SetSensor> sensors_;
+  std::vector<Last> last_;
+  const bool groundtruth_;
+  double fps_ = 0;
+  std::optional<RigWriter> writer_;
+  CapturedFrame captured_;
+  ExportTotals totals_;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recorded room for Foxglove, Lichtblick and Rerun: an MCAP file of messages whose names those
+// programs know (https://docs.foxglove.dev/docs/visualization/message-schemas), in Protobuf:
+//   /points          foxglove.PointCloud         merged, in `world`
+//   /NAME/color      foxglove.CompressedVideo    VP9, in the depth grid
+//   /NAME/camera     foxglove.CameraCalibration
+//   /tf              foxglove.FrameTransform     world -> NAME, an optical frame
+// World is as everywhere here: y up, metres. Single-threaded.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "roomcast/codec/color/vp9_color_encoder.h"
+#include "roomcast/core/result.h"
+#include "roomcast/recording/export/point_cloud.h"
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/mcap/writer.h"
+
+namespace google::protobuf {
+class Message;
+}
+
+namespace roomcast {
+
+class FoxgloveWriter {
+ public:
+  static Result<FoxgloveWriter> create(const std::filesystem::path& path,
+                                       const std::vector<SetSensor>& sensors);
+
+  /// `cloud` is that of the set.
+  [[nodiscard]] Status add(const FrameSet& set, const PointCloud& cloud);
+  [[nodiscard]] Status finish() { return writer_.finish(); }
+
+ private:
+  struct SensorChannels {
+    SetSensor sensor;
+    mcap::ChannelId video{}, camera{};
+    std::unique_ptr<codec::Vp9ColorEncoder> encoder;  // made with its first colour picture
+    std::uint32_t pictures = 0;
+    std::shared_ptr<const codec::DecodedFrame> last;
+  };
+
+  explicit FoxgloveWriter(mcap::Writer writer) : writer_(std::move(writer)) {}
+  void add_channels(const std::vector<SetSensor>& sensors);
+  [[nodiscard]] Status add_sensor(const SetFrame& frame);
+  [[nodiscard]] Status add_video(SensorChannels& channels, const SetFrame& frame);
+  [[nodiscard]] Status write(mcap::ChannelId channel, const google::protobuf::Message& message,
+                             nanoseconds time);
+
+  mcap::Writer writer_;
+  std::vector<SensorChannels> sensors_;
+  mcap::ChannelId points_{}, transforms_{};
+  std::uint32_t sequence_ = 0;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// FilmWriter: a recorded room as the film of a camera that goes its way through it. Pictures come
+// at an even rate; each shows the newest frame set of its moment. Drawn without a window.
+// Single-threaded; has a GL context of its own, current on the thread that made it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "roomcast/core/result.h"
+#include "roomcast/recording/export/set_writer.h"
+#include "roomcast/recording/film/camera_path.h"
+#include "roomcast/render/gl/gl_context.h"
+#include "roomcast/render/room_renderer.h"
+#include "roomcast/render/view/offscreen_target.h"
+#include "roomcast/viewer/capture/video_sink.h"
+
+namespace roomcast {
+
+struct FilmOptions {
+  PictureSize size = {1280, 720};
+  int fps = 30;
+  double vertical_fov_rad = 1.047;
+  RenderMode mode = RenderMode::kBlend;
+  std::optional<CameraPath> path;  // nothing: a slow swing before what the first sensor sees
+  double length_s = 0;             // of the film, for the swing
+};
+
+class FilmWriter final : public SetWriter {
+ public:
+  /// kInvalidArgument for a size or an angle that is none; kUnavailable where there is no GL.
+  static Result<std::unique_ptr<FilmWriter>> create(const std::vector<SetSensor>& sensors,
+                                                    FilmOptions options,
+                                                    std::unique_ptr<VideoSink> sink);
+
+  Status add(const FrameSet& set) override;
+  /// Shows the last set for one picture, and ends the file.
+  Status finish() override;
+  [[nodiscard]] ExportTotals totals() const override { return totals_; }
+
+ private:
+  struct Stage {
+    EglContext context;
+    OffscreenTarget target;
+    RoomRenderer renderer;
+  };
+  FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options, ViewCamera camera,
+             Stage stage, std::unique_ptr<VideoSink> sink);
+  void begin(const FrameSet& set);
+  Status draw_before(double time_s);
+  Status draw();
+  Status show(const FrameSet& set);
+
+  const std::vector<SetSensor> sensors_;
+  const FilmOptions options_;
+  ViewCamera camera_;
+  Stage stage_;
+  std::unique_ptr<VideoSink> sink_;
+  std::optional<CameraPath> path_;
+  nanoseconds begin_{};  // of the film, in the recording
+  ExportTotals totals_;
+};
+
+/// OUT/film.mp4 by ffmpeg, or where that is not installed OUT/film/frame-NNNNNN.png. The file gets
+/// its name when it is whole. Makes the folder. kUnavailable when there is such a film already.
+[[nodiscard]] Result<std::unique_ptr<SetWriter>> make_film(const std::filesystem::path& out,
+                                                           const std::vector<SetSensor>& sensors,
+                                                           FilmOptions options);
+
+}  // namespace roomcast

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
+
+#include "roomcast/recording/frame_sets/recorded_sets.h"
+#include "roomcast/recording/frame_sets/rig_sets.h"
+
+namespace roomcast {
+
+Result<std::unique_ptr<FrameSetReader>> open_frame_sets(const std::filesystem::path& path,
+                                                        nanoseconds from) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return open_recorded_sets(path, from);
+  return open_folder_sets(path, from);
+}
+
+}  // namespace roomcast

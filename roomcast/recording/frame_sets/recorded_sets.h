@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame sets of a recording of `roomcast record`, as the hub sent them.
+#pragma once
+
+#include "roomcast/recording/frame_sets/frame_set_reader.h"
+
+namespace roomcast {
+
+/// Errors as RoomRecording::open.
+[[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_recorded_sets(
+    const std::filesystem::path& file, nanoseconds from);
+
+}  // namespace roomcast

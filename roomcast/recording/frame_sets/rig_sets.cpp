@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/frame_sets/rig_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "roomcast/geometry/registration.h"
+#include "roomcast/recording/playback/recording_source.h"
+
+namespace roomcast {
+namespace {
+
+/// One sensor's frames, the next one read ahead.
+class Track {
+ public:
+  static Result<Track> open(Result<std::unique_ptr<FrameSource>> source) {
+    if (!source) return source.error();
+    auto registration = Registration::create((*source)->description().calibration);
+    if (!registration) return registration.error();
+    Track track(std::move(*source), std::move(*registration));
+    if (auto status = track.advance(); !status) return status.error();
+    return track;
+  }
+
+  [[nodiscard]] const SensorDescription& description() const { return source_->description(); }
+  [[nodiscard]] bool ended() const { return ended_; }
+  [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
+
+  /// The frame that was read ahead, and reads the next.
+  Result<std::shared_ptr<const codec::DecodedFrame>> take() {
+    auto frame = std::make_shared<codec::DecodedFrame>();
+    if (!captured_.color.empty()) {
+      if (auto status = registration_.run(captured_.depth_mm, captured_.color, registered_);
+          !status)
+        return status.error();
+      frame->color = registered_.color;
+      frame->color_seen = registered_.seen;
+    }
+    frame->depth_mm = captured_.depth_mm;
+    if (auto status = advance(); !status) return status.error();
+    return std::shared_ptr<const codec::DecodedFrame>(std::move(frame));
+  }
+
+ private:
+  Track(std::unique_ptr<FrameSource> source, Registration registration)
+      : source_(std::move(source)), registration_(std::move(registration)) {}
+  Status advance() {
+    const auto more = source_->next(captured_, {});
+    if (!more) return more.error();
+    ended_ = !*more;
+    return {};
+  }
+
+  std::unique_ptr<FrameSource> source_;
+  Registration registration_;
+  RegisteredColor registered_;
+  CapturedFrame captured_;
+  bool ended_ = false;
+};
+
+class FolderSets final : public FrameSetReader {
+ public:
+  FolderSets(std::vector<Track> tracks, nanoseconds from)
+      : tracks_(std::move(tracks)), newest_(tracks_.size()), from_(from) {
+    for (const Track& track : tracks_) {
+      const SensorDescription& sensor = track.description();
+      sensors_.push_back({sensor.name, sensor.calibration.depth, sensor.fps, 0});
+      fps_ = std::max(fps_, sensor.fps);
+    }
+  }
+
+  const std::vector<SetSensor>& sensors() const override { return sensors_; }
+  nanoseconds length() const override { return {}; }
+
+  Result<bool> next(FrameSet& set) override {
+    for (;;) {
+      if (std::ranges::all_of(tracks_, &Track::ended)) return false;
+      auto taken = take_instant();
+      if (!taken) return taken.error();
+      if (*taken < from_) continue;
+      set.time = *taken;
+      set.number = count_++;
+      set.frames.clear();
+      for (const SetFrame& frame : newest_) {
+        if (frame.pictures && set.time - frame.time <= kOldestInSet) set.frames.push_back(frame);
+      }
+      return true;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::int64_t instant_of(const Track& track) const {
+    return std::llround(std::chrono::duration<double>(track.time()).count() * fps_);
+  }
+
+  /// Reads the frames of the next instant; its time.
+  Result<nanoseconds> take_instant() {
+    std::int64_t instant = std::numeric_limits<std::int64_t>::max();
+    for (const Track& track : tracks_) {
+      if (!track.ended()) instant = std::min(instant, instant_of(track));
+    }
+    nanoseconds time{};
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      Track& track = tracks_[i];
+      if (track.ended() || instant_of(track) != instant) continue;
+      const nanoseconds taken = track.time();
+      auto pictures = track.take();
+      if (!pictures) return pictures.error();
+      newest_[i] = {i, std::move(*pictures), track.description().world_from_depth, taken};
+      time = std::max(time, taken);
+    }
+    return time;
+  }
+
+  std::vector<Track> tracks_;
+  std::vector<SetFrame> newest_;
+  const nanoseconds from_;
+  std::vector<SetSensor> sensors_;
+  double fps_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
+  constexpr PlaybackOptions kOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+  std::error_code ignored;
+  std::vector<Track> tracks;
+  if (std::filesystem::exists(folder / "depth.txt", ignored)) {
+    auto track = Track::open(open_tum_source(folder.string(), kOnce));
+    if (!track) return track.error();
+    tracks.push_back(std::move(*track));
+    return tracks;
+  }
+  if (!std::filesystem::exists(folder / "rig.json", ignored)) {
+    return Error{ErrorCode::kNotFound,
+                 folder.string() + " is no recording: it has neither rig.json nor depth.txt"};
+  }
+  const auto names = rig_sensor_names(folder);
+  if (!names) return names.error();
+  for (const std::string& name : *names) {
+    auto track = Track::open(open_rig_source(folder.string(), name, kOnce));
+    if (!track) return track.error();
+    tracks.push_back(std::move(*track));
+  }
+  return tracks;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSetReader>> open_folder_sets(const std::filesystem::path& folder,
+                                                         nanoseconds from) {
+  auto tracks = open_tracks(folder);
+  if (!tracks) return tracks.error();
+  return std::unique_ptr<FrameSetReader>(std::make_unique<FolderSets>(std::move(*tracks), from));
+}
+
+}  // namespace roomcast

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// RecordingSource: plays a recorded sensor as if it were a live one. `device_time` is the
+// recording's own stamp; `capture_time` is when the frame is due on this host's clock
+// (playback_schedule.h). Pictures are decoded before they are due, then held until they are.
+// Single-threaded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "roomcast/io/depth_values.h"
+#include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/recording.h"
+#include "roomcast/recording/playback/playback_schedule.h"
+
+namespace roomcast {
+
+class RecordingSource final : public FrameSource {
+ public:
+  RecordingSource(Recording recording, const PlaybackOptions& options, HostTime opened);
+
+  [[nodiscard]] const SensorDescription& description() const override {
+    return recording_.description;
+  }
+  /// After an error (kNotFound, kMalformed, kTooLarge: a picture file is missing or damaged)
+  /// playback goes on with the next frame.
+  [[nodiscard]] Result<bool> next(CapturedFrame& frame, std::stop_token stop) override;
+
+ private:
+  [[nodiscard]] Status read_pictures(const RecordedFrame& recorded, CapturedFrame& frame);
+
+  Recording recording_;
+  PlaybackSchedule schedule_;
+  Pace pace_;
+  ImageFileReader reader_;
+  DepthValues depth_values_;
+};
+
+/// A sensor of a rig folder. Errors of read_rig_recording.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_rig_source(const std::string& directory,
+                                                                   const std::string& sensor,
+                                                                   const PlaybackOptions& options);
+/// A folder in TUM RGB-D layout. Errors of read_tum_recording.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_tum_source(const std::string& directory,
+                                                                   const PlaybackOptions& options);
+
+}  // namespace roomcast

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomPlayer: makes a recording a room again: joins a hub as the sensors that were recorded and
+// sends their frames, payloads bit for bit, at the distances at which they were taken. Recorded
+// frames cannot be made key frames: who joins sees a sensor from its next recorded one on, which
+// come every few seconds. Threading: run() on one thread; progress() from any.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "roomcast/client/publisher.h"
+#include "roomcast/client/room/frame_chain.h"
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+#include "roomcast/recording/room/room_recording.h"
+
+namespace roomcast {
+
+struct RoomPlayerOptions {
+  std::string hub_url;
+  std::string room;            // empty: the hub's only one
+  Credential credential = {};  // shown by every sensor
+  double from_s = 0;           // where in the recording to begin: with the key frames before that
+  double speed = 1;            // 2: twice as fast
+  bool loop = false;
+  LogSink log;
+
+  /// kInvalidArgument unless 0 <= from_s and 0.1 <= speed <= 10.
+  [[nodiscard]] Status check() const;
+};
+
+struct PlayProgress {
+  double position_s = 0;  // in the recording
+  std::uint64_t frames_sent = 0;
+};
+
+class RoomPlayer {
+ public:
+  /// Joins as every sensor of the recording, which outlives this. Errors as Publisher::open.
+  static Result<std::unique_ptr<RoomPlayer>> open(const recording::RoomRecording& recording,
+                                                  RoomPlayerOptions options);
+
+  /// Until the end, or `stop`. kMalformed at a place where the recording is damaged is only logged;
+  /// errors are those of the hub.
+  Status run(std::stop_token stop);
+
+  [[nodiscard]] PlayProgress progress() const;
+
+ private:
+  struct Sensor {
+    std::unique_ptr<Publisher> publisher;
+    FrameChain chain;  // of what was sent
+    std::uint64_t session = 0;
+  };
+
+  RoomPlayer(const recording::RoomRecording& recording, RoomPlayerOptions options)
+      : recording_(recording), options_(std::move(options)) {}
+  Status join();
+  void send_bundles();
+  /// Once from `from` to the end. False when stopped.
+  Result<bool> play_from(nanoseconds from, const std::stop_token& stop);
+  Status send(Sensor& sensor, const mcap::Message& message, HostTime capture_time,
+              const std::stop_token& stop);
+  void wait_until_sent(const std::stop_token& stop) const;
+
+  const recording::RoomRecording& recording_;
+  const RoomPlayerOptions options_;
+  std::map<mcap::ChannelId, Sensor> sensors_;
+  std::atomic<double> position_s_ = 0;
+  std::atomic<std::uint64_t> published_ = 0;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/room/room_recording_writer.h"
+
+#include <utility>
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/descriptor.pb.h>
+
+#include "roomcast/recording/room_channels.h"
+#include "roomcast/wire/frame_header.h"
+
+namespace roomcast::recording {
+namespace {
+
+/// With this any reader of Protobuf schemas understands the messages.
+mcap::SchemaId add_schema(mcap::Writer& writer, const google::protobuf::Descriptor& message) {
+  google::protobuf::FileDescriptorSet files;
+  message.file()->CopyTo(files.add_file());
+  const std::string bytes = files.SerializeAsString();
+  return writer.add_schema(message.full_name(), kProtobuf,
+                           {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+mcap::SchemaId add_clock_schema(mcap::Writer& writer) {
+  constexpr std::string_view kText =
+      R"({"type":"object","properties":{)"
+      R"("unix_minus_room_ns":{"type":"string"},"error_ns":{"type":"string"}}})";
+  return writer.add_schema("roomcast.Clock", "jsonschema",
+                           {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()});
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+RoomRecordingWriter::RoomRecordingWriter(mcap::Writer writer, std::string room)
+    : writer_(std::move(writer)),
+      about_{{"version", std::string(kFormatVersion)}, {"room", std::move(room)}} {
+  schemas_.frame = writer_.add_schema("roomcast.Frame", "", {});
+  schemas_.roster = add_schema(writer_, *wire::pb::Roster::descriptor());
+  schemas_.poses = add_schema(writer_, *wire::pb::ViewerPoses::descriptor());
+  schemas_.bundle = add_schema(writer_, *wire::pb::CalibrationBundle::descriptor());
+  schemas_.clock = add_clock_schema(writer_);
+}
+
+Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::path& path,
+                                                        const std::string& room) {
+  auto writer = mcap::Writer::create(path);
+  if (!writer) return writer.error();
+  RoomRecordingWriter recording(std::move(*writer), room);
+  if (auto status = recording.writer_.add_metadata(kMetadataName, recording.about_); !status)
+    return status.error();
+  return recording;
+}
+
+/// Of several such records the last one holds.
+Status RoomRecordingWriter::forbid_export() {
+  const auto [known, is_new] = about_.insert_or_assign(std::string(kExportKey), kForbidden);
+  return is_new ? writer_.add_metadata(kMetadataName, about_) : Status();
+}
+
+RoomRecordingWriter::Stream& RoomRecordingWriter::stream(std::string_view topic,
+                                                         mcap::SchemaId schema,
+                                                         std::string_view encoding,
+                                                         mcap::StringMap metadata) {
+  const auto [found, is_new] = streams_.try_emplace(std::string(topic));
+  if (is_new)
+    found->second.channel = writer_.add_channel(schema, topic, encoding, std::move(metadata));
+  return found->second;
+}
+
+Status RoomRecordingWriter::add(Stream& stream, std::span<const std::uint8_t> data,
+                                nanoseconds log_time, nanoseconds publish_time) {
+  if (writer_.chunk_is_empty()) chunk_began_ = log_time;
+  auto status = writer_.add_message({.channel = stream.channel,
+                                     .sequence = stream.next_sequence++,
+                                     .log_time = log_time,
+                                     .publish_time = publish_time,
+                                     .data = data});
+  return status ? close_old_chunk(log_time) : status;
+}
+
+Status RoomRecordingWriter::add(Stream& stream, const google::protobuf::MessageLite& message,
+                                nanoseconds log_time) {
+  message.SerializeToString(&scratch_);
+  return add(stream, bytes_of(scratch_), log_time, log_time);
+}
+
+Status RoomRecordingWriter::close_old_chunk(nanoseconds now) {
+  if (writer_.chunk_is_empty() || now - chunk_began_ < kLongestChunk) return {};
+  return writer_.close_chunk();
+}
+
+Status RoomRecordingWriter::add_clock(const RoomClock& clock, nanoseconds log_time) {
+  clock_ = clock;
+  scratch_ = "{\"unix_minus_room_ns\":\"" + std::to_string(clock.unix_minus_room.count()) +
+             "\",\"error_ns\":\"" + std::to_string(clock.error.count()) + "\"}";
+  return add(stream(kClockTopic, schemas_.clock, kJson), bytes_of(scratch_), log_time, log_time);
+}
+
+Status RoomRecordingWriter::add_roster(const wire::pb::Roster& roster, nanoseconds log_time) {
+  sensors_.clear();
+  frame_streams_.clear();
+  for (const auto& sensor : roster.sensors()) {
+    sensors_[sensor.id()] = sensor.name();
+    frame_streams_[sensor.id()] =
+        &stream(frame_topic(sensor.name()), schemas_.frame, kFrameEncoding,
+                {{std::string(kSensorKey), sensor.name()}});
+  }
+  return add(stream(kRosterTopic, schemas_.roster, kProtobuf), roster, log_time);
+}
+
+Status RoomRecordingWriter::add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time) {
+  return add(stream(kPosesTopic, schemas_.poses, kProtobuf), poses, log_time);
+}
+
+Status RoomRecordingWriter::add_bundle(const wire::pb::CalibrationBundle& bundle,
+                                       nanoseconds log_time) {
+  const auto sensor = sensors_.find(bundle.sensor_id());
+  if (sensor == sensors_.end()) return {};
+  return add(stream(bundle_topic(sensor->second), schemas_.bundle, kProtobuf,
+                    {{std::string(kSensorKey), sensor->second}}),
+             bundle, log_time);
+}
+
+Status RoomRecordingWriter::add_frame(std::span<const std::uint8_t> message, nanoseconds log_time) {
+  const auto header = wire::parse_frame(message);
+  if (!header) return {};
+  const auto sensor = frame_streams_.find(header->sensor.value);
+  if (sensor == frame_streams_.end()) return {};
+  ++frames_;
+  frame_bytes_ += message.size();
+  return add(*sensor->second, message, log_time,
+             header->capture_time.time_since_epoch() + clock_.unix_minus_room);
+}
+
+Status RoomRecordingWriter::finish() {
+  return writer_.finish();
+}
+
+}  // namespace roomcast::recording

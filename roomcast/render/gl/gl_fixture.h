@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests that draw: a GL context of their own, and a failure when the driver had anything to
+// complain about.
+#pragma once
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/render/gl/gl_context.h"
+
+namespace roomcast {
+
+class GlTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Result<EglContext> made = EglContext::create();
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    context_ = std::move(made).value();
+  }
+
+  void TearDown() override {
+    if (!context_) return;
+    EXPECT_EQ(context_->complaints().count, 0U);
+    for (const std::string& text : context_->complaints().texts) ADD_FAILURE() << text;
+  }
+
+  std::optional<EglContext> context_;  // destroyed after the members of the test
+};
+
+}  // namespace roomcast

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/surface/surface_mesh.h"
+
+#include <cmath>
+
+#include "roomcast/core/assert.h"
+#include "roomcast/render/gl/shader_sources.h"
+
+namespace roomcast {
+namespace {
+
+// As in shaders/surface_mesh.comp.
+enum UniformLocation : GLint { kGridStep = 4, kCells = 5, kMaxGap = 6 };
+constexpr GLuint kIndicesBinding = 0;
+constexpr int kGroupWidth = 16, kGroupHeight = 8;
+constexpr int kIndicesPerCell = 6;
+
+bool legal_gap(double gap) {
+  return gap >= 0 && std::isfinite(gap);
+}
+
+GLuint groups(int cells, int per_group) {
+  return static_cast<GLuint>((cells + per_group - 1) / per_group);
+}
+
+bool up_to_date(const SurfaceMesh& mesh, const SensorSurface& surface,
+                const SurfaceMeshOptions& options) {
+  return mesh.indices.name() != 0 && mesh.revision == surface.revision() && mesh.options == options;
+}
+
+void reserve(SurfaceMesh& mesh, GLsizei count) {
+  mesh.count = count;
+  if (count <= mesh.capacity) return;
+  mesh.indices = make_buffer(static_cast<GLsizeiptr>(count) * sizeof(GLuint));
+  mesh.capacity = count;
+}
+
+}  // namespace
+
+Status SurfaceMeshOptions::check() const {
+  if (!legal_gap(max_gap_m) || !legal_gap(max_gap_per_m)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "a mesh's largest gap must be finite and not negative"};
+  }
+  if (grid_step < 1 || grid_step > kMaxGridStep) {
+    return Error{ErrorCode::kInvalidArgument, "a mesh's grid step must be 1 to 16 depth pixels"};
+  }
+  return {};
+}
+static_assert(kMaxGridStep == 16, "the sentence above says so");
+
+Result<SurfaceMesher> SurfaceMesher::create() {
+  Result<GlProgram> program = make_program(
+      {{GL_COMPUTE_SHADER, {shaders::sensor_surface_glsl, shaders::surface_mesh_comp}}});
+  if (!program) return std::move(program).error();
+  return SurfaceMesher(std::move(program).value());
+}
+
+void SurfaceMesher::update(const SensorSurface& surface, const SurfaceMeshOptions& options,
+                           SurfaceMesh& mesh) const {
+  ROOMCAST_ASSERT(options.check().ok());
+  if (up_to_date(mesh, surface, options)) return;
+  const int cells_x = (surface.intrinsics().width - 1) / options.grid_step;
+  const int cells_y = (surface.intrinsics().height - 1) / options.grid_step;
+  reserve(mesh, cells_x * cells_y * kIndicesPerCell);
+  mesh.revision = surface.revision();
+  mesh.options = options;
+  if (mesh.count == 0) return;
+
+  glProgramUniform1i(program_.name(), kGridStep, options.grid_step);
+  glProgramUniform2i(program_.name(), kCells, cells_x, cells_y);
+  glProgramUniform2f(program_.name(), kMaxGap, static_cast<float>(options.max_gap_m),
+                     static_cast<float>(options.max_gap_per_m));
+  surface.bind();
+  glUseProgram(program_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kIndicesBinding, mesh.indices.name());
+  glDispatchCompute(groups(cells_x, kGroupWidth), groups(cells_y, kGroupHeight), 1);
+  glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
+}
+
+}  // namespace roomcast

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/render/view/surface_view.h"
+
+namespace roomcast {
+namespace {
+
+// As in shaders/.
+enum UniformLocation : GLint { kClipFromView = 0, kViewFromDepth = 2, kSensor = 4 };
+
+}  // namespace
+
+SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
+                         const Eyes& eyes) {
+  SurfaceView view{sensor, eyes, {}};
+  for (std::size_t eye = 0; eye < view.view_from_depth.size(); ++eye) {
+    // Multiplied in double: far from the world's origin, single precision would make surfaces
+    // tremble.
+    view.view_from_depth[eye] =
+        matrix_from_transform(eyes[eye].world_from_view.inverse() * world_from_depth);
+  }
+  return view;
+}
+
+void set_surface_view(const GlProgram& program, const SurfaceView& view) {
+  set_eyes(program, view.eyes);
+  set_matrices(program, kClipFromView,
+               {clip_from_view(view.eyes[0]), clip_from_view(view.eyes[1])});
+  set_matrices(program, kViewFromDepth, view.view_from_depth);
+  glProgramUniform1i(program.name(), kSensor, view.sensor.value);
+}
+
+Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform) {
+  Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+  matrix.topLeftCorner<3, 3>() = transform.rotation.cast<float>();
+  matrix.topRightCorner<3, 1>() = transform.translation_m.cast<float>();
+  return matrix;
+}
+
+}  // namespace roomcast

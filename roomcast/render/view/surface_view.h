@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How one sensor's surface is seen from one or two eyes: what the point and the mesh shaders need
+// besides the pictures.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/view/eyes.h"
+
+namespace roomcast {
+
+struct SurfaceView {
+  SensorId sensor;
+  Eyes eyes;
+  EyeMatrices view_from_depth;
+};
+
+[[nodiscard]] SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
+                                       const Eyes& eyes);
+
+/// Fills the uniforms that all surface shaders share (shaders/eyes.glsl,
+/// shaders/surface_view.glsl, `sensor`).
+void set_surface_view(const GlProgram& program, const SurfaceView& view);
+
+/// The OpenGL matrix of a transform.
+[[nodiscard]] Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform);
+
+}  // namespace roomcast

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/frame_log.h"
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "roomcast/core/crc32.h"
+
+namespace roomcast::cli {
+
+static_assert(std::endian::native == std::endian::little,
+              "depth rows are hashed as they lie in memory");
+
+std::uint32_t depth_crc32(DepthView depth_mm) {
+  std::uint32_t crc = 0;
+  for (int y = 0; y < depth_mm.height; ++y) {
+    crc = crc32(std::as_bytes(std::span(depth_mm.row(y), static_cast<std::size_t>(depth_mm.width))),
+                crc);
+  }
+  return crc;
+}
+
+Result<FrameLog> FrameLog::open(const std::filesystem::path& path) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) {
+    return Error{ErrorCode::kUnavailable,
+                 "cannot write " + path.string() + ": " + std::strerror(errno)};
+  }
+  return FrameLog(file);
+}
+
+void FrameLog::add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm) {
+  fmt::print(file_.get(), "{{\"seq\":{},\"capture_ns\":{},\"depth_crc32\":{}}}\n", seq,
+             capture_time.time_since_epoch().count(), depth_crc32(depth_mm));
+  std::fflush(file_.get());
+}
+
+}  // namespace roomcast::cli

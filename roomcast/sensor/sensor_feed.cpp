@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/sensor_feed.h"
+
+#include <mutex>
+#include <utility>
+
+#include "roomcast/client/publisher.h"
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/geometry/hole_registration.h"
+#include "roomcast/sensor/frame_log.h"
+#include "roomcast/sensor/lookout.h"
+#include "roomcast/sensor/preview.h"
+#include "roomcast/sensor/watched_bundle.h"
+
+namespace roomcast::cli {
+namespace {
+
+PublisherOptions publisher_options(const SensorDescription& sensor, const SensorFeedOptions& feed) {
+  PublisherOptions options;
+  options.hub_url = feed.hub_url;
+  options.room = feed.room;
+  options.credential = feed.credential;
+  options.name = feed.name.empty() ? sensor.name : feed.name;
+  options.calibration = sensor.calibration;
+  if (feed.tell_pose) options.world_from_depth = sensor.world_from_depth;
+  options.fps = sensor.fps;
+  options.wait_for_hub = feed.wait_for_hub;
+  options.log = feed.log;
+  return options;
+}
+
+codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
+                                           const SensorFeedOptions& feed) {
+  codec::FrameEncoderOptions options;
+  options.width = sensor.calibration.depth.width;
+  options.height = sensor.calibration.depth.height;
+  options.fps = sensor.fps;
+  options.depth_bound_mm = feed.codec.depth_bound_mm;
+  options.color_scale = feed.codec.color_scale;
+  options.color_kbit_per_s = feed.codec.color_kbit();
+  options.temporal_layers = feed.codec.layers;
+  options.depth_mode = feed.codec.depth_mode;
+  return options;
+}
+
+}  // namespace
+
+class SensorFeed::Worker {
+ public:
+  Worker(std::unique_ptr<FrameSource> source, HoleRegistration registration,
+         std::unique_ptr<codec::FrameEncoder> encoder, const SensorFeedOptions& options,
+         std::optional<FrameLog> frame_log)
+      : source_(std::move(source)),
+        log_(options.log),
+        bundle_(source_->description().name, source_->description().calibration),
+        registration_(std::move(registration)),
+        encoder_(std::move(encoder)),
+        full_color_kbit_per_s_(options.codec.color_kbit()),
+        frame_log_(std::move(frame_log)) {
+    if (!options.preview.empty()) preview_.emplace(options.preview);
+  }
+
+  void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
+
+  void run(const std::stop_token& stop) {
+    Status status;
+    while (status && !stop.stop_requested()) {
+      auto more = source_->next(captured_, stop);
+      if (!more) {
+        status = more.error();
+      } else if (!*more) {
+        break;
+      } else {
+        report_place();
+        status = send_captured();
+        if (status) show_preview();
+      }
+      if (auto failure = publisher_->failure()) status = *failure;
+    }
+    std::lock_guard lock(mutex_);
+    result_ = std::move(status);
+  }
+
+  SensorFeedStats stats() const {
+    const PublisherStats sent = publisher_->stats();
+    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health()};
+  }
+  std::optional<Status> result() const {
+    std::lock_guard lock(mutex_);
+    return result_;
+  }
+
+ private:
+  /// What the sensor can be placed by, and that it was moved.
+  void report_place() {
+    auto news = bundle_.add(captured_);
+    if (!news) return complain(news.error().message);
+    if (news->moved) {
+      publisher_->say_moved();
+      if (log_) log_(LogLevel::kInfo, "this sensor was moved");
+    }
+    if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));
+    if (news->moved || news->bundle) lookout_.stand(bundle_.bundle());
+    report_sightings();
+  }
+
+  void report_sightings() {
+    lookout_.want(publisher_->wanted_sightings());
+    const auto taken = publisher_->room_time(captured_.capture_time);
+    if (!taken) return;
+    if (auto sightings = lookout_.add(captured_, *taken))
+      publisher_->send_sightings(*std::move(sightings));
+  }
+
+  /// Once, until there is another reason.
+  void complain(const std::string& reason) {
+    if (reason == complaint_) return;
+    complaint_ = reason;
+    if (log_) log_(LogLevel::kWarning, "this sensor cannot be placed by what it sees: " + reason);
+  }
+
+  Status send_captured() {
+    const auto turn = publisher_->next_turn();
+    if (!turn) return {};
+    follow_network(turn->rate_share);
+    if (auto status = register_color(); !status) return status;
+    auto message = Publisher::begin_frame();
+    const auto info = encoder_->encode(captured_.depth_mm, registered_.color, known_colors(),
+                                       turn->want_key, message.appendable());
+    if (!info) return info.error();
+    const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
+    if (sent && frame_log_) {
+      frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
+    }
+    return {};
+  }
+
+  /// Of what was seen while it could be sent; while there is no hub, colour stays that of the last.
+  void show_preview() {
+    if (!preview_) return;
+    const Status shown = preview_->show(captured_.depth_mm, registered_.color, SteadyClock().now());
+    if (shown || preview_failed_) return;
+    preview_failed_ = true;
+    if (log_) log_(LogLevel::kWarning, "no preview: " + shown.error().message);
+  }
+
+  void follow_network(double rate_share) {
+    if (rate_share == rate_share_) return;
+    rate_share_ = rate_share;
+    encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
+  }
+
+  /// What of the registered colour is new.
+  MaskView known_colors() const {
+    return registered_.color.empty() ? MaskView{} : registration_.fresh();
+  }
+
+  Status register_color() {
+    if (!captured_.color.empty())
+      return registration_.run(captured_.depth_mm, captured_.color, registered_);
+    registered_.color.resize(0, 0);
+    registered_.seen.resize(0, 0);
+    return {};
+  }
+
+  std::unique_ptr<FrameSource> source_;
+  const LogSink log_;
+  aligner::WatchedBundle bundle_;
+  aligner::Lookout lookout_;
+  std::string complaint_;  // the last
+  HoleRegistration registration_;
+  std::unique_ptr<codec::FrameEncoder> encoder_;
+  const int full_color_kbit_per_s_;
+  double rate_share_ = 1;  // that the encoder was told
+  std::optional<FrameLog> frame_log_;
+  std::optional<Preview> preview_;
+  bool preview_failed_ = false;
+  std::unique_ptr<Publisher> publisher_;
+  CapturedFrame captured_;      // used again from frame to frame
+  RegisteredColor registered_;  // likewise
+
+  mutable std::mutex mutex_;
+  std::optional<Status> result_;
+};
+
+SensorFeed::SensorFeed(std::unique_ptr<Worker> worker) : worker_(std::move(worker)) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { worker_->run(stop); });
+}
+
+SensorFeed::~SensorFeed() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSource> source,
+                                                      SensorFeedOptions options) {
+  const SensorDescription sensor = source->description();
+  auto registration =
+      HoleRegistration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
+  if (!registration) return registration.error();
+  auto encoder = codec::FrameEncoder::create(encoder_options(sensor, options));
+  if (!encoder) return encoder.error();
+  std::optional<FrameLog> frame_log;
+  if (options.frame_log) {
+    auto opened = FrameLog::open(*options.frame_log);
+    if (!opened) return opened.error();
+    frame_log = std::move(*opened);
+  }
+  auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
+                                         std::move(*encoder), options, std::move(frame_log));
+  auto publisher = Publisher::open(publisher_options(sensor, options));
+  if (!publisher) return publisher.error();
+  worker->set_publisher(std::move(*publisher));
+  return std::unique_ptr<SensorFeed>(new SensorFeed(std::move(worker)));
+}
+
+SensorFeedStats SensorFeed::stats() const {
+  return worker_->stats();
+}
+std::optional<Status> SensorFeed::result() const {
+  return worker_->result();
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SensorFeed: a sensor at work, the paper's Algorithm 1 from end to end: capture, map colour into
+// the depth grid, compress, send. Threading: has a thread of its own for all of it; the methods are
+// thread-safe.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "roomcast/client/credential.h"
+#include "roomcast/core/log.h"
+#include "roomcast/core/result.h"
+#include "roomcast/sensor/codec_choice.h"
+#include "roomcast/source/frame_source.h"
+
+namespace roomcast::cli {
+
+struct SensorFeedOptions {
+  std::string hub_url;
+  std::string room;
+  Credential credential = {};
+  std::string name;  // empty: the source's own
+  CodecChoice codec;
+  bool wait_for_hub = false;
+  bool tell_pose = true;  // that the source knows; else the hub's aligner has to find it
+  std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
+  std::filesystem::path preview;                   // a picture, once a second; empty: none
+  LogSink log;
+};
+
+struct SensorFeedStats {
+  std::uint64_t frames_sent = 0;
+  std::uint64_t frames_skipped = 0;
+  std::uint64_t bytes_sent = 0;
+  SourceHealth source;
+};
+
+class SensorFeed {
+ public:
+  /// Joins the hub, then starts to send. Errors: those of registration, encoder and
+  /// Publisher::open.
+  static Result<std::unique_ptr<SensorFeed>> start(std::unique_ptr<FrameSource> source,
+                                                   SensorFeedOptions options);
+  /// Stops and leaves the hub.
+  ~SensorFeed();
+
+  [[nodiscard]] SensorFeedStats stats() const;
+  /// What became of it, once the source or the connection has ended; nothing while it runs.
+  [[nodiscard]] std::optional<Status> result() const;
+
+ private:
+  class Worker;
+  explicit SensorFeed(std::unique_ptr<Worker> worker);
+  std::unique_ptr<Worker> worker_;
+  std::jthread thread_;
+};
+
+}  // namespace roomcast::cli

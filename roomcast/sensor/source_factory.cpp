@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/source_factory.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "roomcast/recording/playback/recording_source.h"
+#include "roomcast/recording/playback/replay_source.h"
+#include "roomcast/sensor/calibrated_source.h"
+#include "roomcast/simulator/simulated_source.h"
+#include "roomcast/source/camera/camera_source.h"
+#include "roomcast/source/drivers/camera_kinds.h"
+
+namespace roomcast {
+namespace {
+
+constexpr const char* kKinds =
+    "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, mcap:FILE#sensor, or a "
+    "camera: freenect:0, openni2:[FILE.oni], realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; "
+    "for example sim:office,camera=d435#0, rig:house3#s0, tum:kitchen or mcap:lab.mcap#s0";
+
+/// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
+/// '#'.
+struct Spec {
+  std::string kind, place, sensor;
+};
+
+Spec split(const std::string& text) {
+  const std::size_t kind_end = std::min(text.find_first_of(":#"), text.size());
+  Spec spec{text.substr(0, kind_end), {}, {}};
+  std::string rest = text.substr(kind_end);
+  const bool has_sensors = spec.kind == "sim" || spec.kind == "rig" || spec.kind == "mcap";
+  const std::size_t hash = has_sensors ? rest.rfind('#') : std::string::npos;
+  if (hash != std::string::npos) {
+    spec.sensor = rest.substr(hash + 1);
+    rest.resize(hash);
+  }
+  if (!rest.empty()) spec.place = rest.substr(1);
+  return spec;
+}
+
+Error invalid(const std::string& text, const std::string& why) {
+  return {ErrorCode::kInvalidArgument, "\"" + text + "\" " + why + ": " + kKinds};
+}
+
+std::optional<int> sensor_index(const std::string& text) {
+  if (text.empty()) return 0;
+  int index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+Result<std::unique_ptr<FrameSource>> open_kind(const CameraKind& kind, const std::string& place,
+                                               const SourceOptions& options) {
+  if (kind.make == nullptr) {
+    return Error{ErrorCode::kUnsupported, "this roomcast was built without " +
+                                              std::string(kind.library) + ", which is needed for " +
+                                              std::string(kind.cameras) +
+                                              "; install it and build again"};
+  }
+  CameraSourceOptions camera;
+  camera.settings = options.camera;
+  camera.settings.loop = options.loop;
+  camera.log = options.log;
+  return CameraSource::open(kind.make(), place, camera);
+}
+
+SimulatedSourceOptions simulated(const SourceOptions& options) {
+  return {.pace = options.pace,
+          .fps = options.sim_fps,
+          .sensor_count = options.sim_sensor_count,
+          .seed = options.sim_seed};
+}
+
+Result<std::unique_ptr<FrameSource>> open_as_it_is(const std::string& text,
+                                                   const SourceOptions& options) {
+  const Spec spec = split(text);
+  if (spec.kind == "sim") {
+    const auto index = sensor_index(spec.sensor);
+    if (!index) return invalid(text, "numbers its sensor wrongly");
+    return open_simulated_source(spec.place, *index, simulated(options));
+  }
+  if (const CameraKind* kind = camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
+  const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
+  if (!is_recording) return invalid(text, "names no kind of source");
+  if (spec.place.empty()) return invalid(text, "names no recording");
+  const PlaybackOptions playback{.pace = options.pace, .loop = options.loop};
+  if (spec.kind == "mcap") return open_replay_source(spec.place, spec.sensor, playback);
+  if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, playback);
+  return open_tum_source(spec.place, playback);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
+                                                 const SourceOptions& options) {
+  auto source = open_as_it_is(text, options);
+  if (!source || options.calibration.empty()) return source;
+  return with_calibration(*std::move(source), options.calibration);
+}
+
+}  // namespace roomcast

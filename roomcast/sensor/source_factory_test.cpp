@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/source_factory.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/recording/dataset/recording_fixture.h"
+
+namespace roomcast {
+namespace {
+
+const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+
+void expect_opens(const std::string& spec, const std::string& name) {
+  auto source = open_source(spec, kFastOnce);
+  ASSERT_TRUE(source.ok()) << spec << ": " << source.error().message;
+  EXPECT_EQ((*source)->description().name, name);
+  CapturedFrame frame;
+  const auto more = (*source)->next(frame, {});
+  ASSERT_TRUE(more.ok()) << spec << ": " << more.error().message;
+  EXPECT_TRUE(*more) << spec;
+}
+
+TEST(SourceFactory, opens_a_sensor_of_a_rig) {
+  const TemporaryFolder folder;
+  expect_opens("rig:" + write_small_rig(folder).string() + "#s1", "s1");
+}
+
+TEST(SourceFactory, opens_a_single_recording) {
+  const TemporaryFolder folder;
+  const auto sensor = write_small_rig(folder) / "s0";  // a rig's sensor folder is a TUM folder too
+  expect_opens("tum:" + sensor.string(), "s0");
+}
+
+TEST(SourceFactory, a_kind_that_is_not_known_gets_the_list) {
+  for (const char* spec : {"", "camera", "foo:bar", ":", "#", "RIG:x"}) {
+    const auto source = open_source(spec);
+    ASSERT_FALSE(source.ok()) << spec;
+    EXPECT_EQ(source.error().code, ErrorCode::kInvalidArgument);
+    for (const char* kind : {"sim", "rig:DIR", "tum:DIR"}) {
+      EXPECT_NE(source.error().message.find(kind), std::string::npos) << source.error().message;
+    }
+  }
+}
+
+TEST(SourceFactory, a_folder_that_is_not_named_or_not_there_is_refused) {
+  EXPECT_EQ(open_source("rig:").error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(open_source("tum").error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(open_source("rig:/nowhere#s0").error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(open_source("tum:/nowhere").error().code, ErrorCode::kNotFound);
+  const auto recorded = open_source("mcap:/nowhere.mcap#s0");
+  ASSERT_FALSE(recorded.ok());
+  EXPECT_EQ(recorded.error().message.find('#'), std::string::npos) << recorded.error().message;
+}
+
+TEST(SourceFactory, lists_the_sensors_of_a_rig) {
+  const TemporaryFolder folder;
+  const auto names = rig_sensor_names(write_small_rig(folder).string());
+  ASSERT_TRUE(names.ok());
+  EXPECT_EQ(*names, (std::vector<std::string>{"s0", "s1"}));
+  EXPECT_EQ(rig_sensor_names(folder.path().string()).error().code, ErrorCode::kNotFound);
+}
+
+TEST(SourceFactory, a_simulated_sensor_is_numbered) {
+  EXPECT_EQ(open_source("sim:livingroom#x").error().code, ErrorCode::kInvalidArgument);
+  EXPECT_FALSE(open_source("sim:no-such-scene#0").ok());
+}
+
+TEST(SourceFactory, a_camera_that_is_not_there_or_not_built_in_says_so) {
+  for (const char* spec : {"freenect2:000012345", "k4a", "realsense:"}) {
+    const auto opened = open_source(spec);
+    ASSERT_FALSE(opened.ok()) << spec;
+    EXPECT_NE(opened.error().code, ErrorCode::kInvalidArgument) << opened.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace roomcast

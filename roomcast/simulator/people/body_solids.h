@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shapes of somebody's clothes, head, hair, hands and shoes about the bones of the cutting
+// pose. Each piece is worn over what is under it, so hems and cuffs are where a cloth ends. Metres.
+#pragma once
+
+#include <vector>
+
+#include "roomcast/simulator/people/skeleton.h"
+#include "roomcast/simulator/people/solid.h"
+
+namespace roomcast::sim {
+
+struct BodyPiece {
+  Solid solid;
+  SurfaceIndex surface = 0;
+  float cell_m = 0.02F;     // of the net it is meshed with
+  std::vector<Bone> bones;  // that it follows
+};
+
+/// From the outside in.
+[[nodiscard]] std::vector<BodyPiece> body_pieces(const Build& build, const Outfit& outfit,
+                                                 const Pose& cutting, const Measures& measures);
+
+}  // namespace roomcast::sim

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which foot stands where, and when each is lifted and set down, so that feet never slide: planned
+// once for a whole round of an itinerary. Steps alternate at a steady beat; a foot is set down
+// where the body will be above it half-way through its stance, and stays down where it is near that
+// already. Metres, seconds.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "roomcast/simulator/people/itinerary.h"
+#include "roomcast/simulator/people/skeleton.h"
+
+namespace roomcast::sim {
+
+class Footsteps {
+ public:
+  Footsteps(const Itinerary& itinerary, const Measures& measures);
+
+  struct Foot {
+    Eigen::Isometry3f ankle;  // world_from_foot
+    bool planted;             // heel or ball is on the floor and stays where it is
+    Eigen::Vector3f pivot_m;  // the point of the sole, in the foot's frame, that it rolls about
+  };
+  [[nodiscard]] Foot foot_at(float time_s, Side side) const;
+
+  /// Where the beat is: a turn per two steps, 0 when the left foot is lifted.
+  [[nodiscard]] float phase_at(float time_s) const;
+
+ private:
+  struct Placement {
+    Eigen::Vector2f at_m;
+    float heading_rad;
+  };
+  struct Step {
+    Placement from, to;
+    bool lifted = false;
+  };
+  [[nodiscard]] Placement wanted(const Itinerary& itinerary, float time_s, Side side) const;
+  [[nodiscard]] std::size_t last_slot(float time_s, Side side) const;
+  [[nodiscard]] float since_slot(float time_s, std::size_t slot) const;
+  [[nodiscard]] Eigen::Isometry3f rolled(const Placement& at, float lift_m, float roll_rad) const;
+
+  Measures measures_;
+  float period_s_;
+  float beat_s_;
+  std::vector<Step> steps_;  // even ones are the left foot's
+};
+
+}  // namespace roomcast::sim

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where somebody is on the floor at any time: they turn on the spot, walk along a smooth path,
+// turn, stay, and so on round all stops for ever. Speeds ramp up and down. A function of time
+// alone. Metres, seconds, radians.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/simulator/scene/person.h"
+
+namespace roomcast::sim {
+
+class Itinerary {
+ public:
+  /// Needs at least one stop.
+  Itinerary(std::span<const Stop> stops, float pace_m_s);
+
+  struct Place {
+    Eigen::Vector2f at_m;
+    float heading_rad;
+    float speed_m_s;
+  };
+  /// Any time; repeats with the period.
+  [[nodiscard]] Place place_at(float time_s) const;
+
+  /// A stop and how much of it is over; both large for somebody who has one stop only.
+  struct Stay {
+    std::size_t stop;
+    float since_s, left_s;
+  };
+  /// Nothing while turning or walking.
+  [[nodiscard]] std::optional<Stay> stay_at(float time_s) const;
+
+  /// The last stop that they have left, or are at.
+  [[nodiscard]] std::size_t last_stop(float time_s) const;
+
+  [[nodiscard]] float period_s() const { return period_s_; }
+
+ private:
+  struct Leg {
+    float begin_s = 0, end_s = 0;
+    std::size_t stop = 0;  // that it belongs to: the one before, for the way to the next
+    bool is_stay = false;
+    std::vector<Eigen::Vector2f> path;  // points close together; one: turning on the spot
+    float length_m = 0;
+    float turn_from_rad = 0, turn_to_rad = 0;
+  };
+  void add_turn(std::size_t stop, const Eigen::Vector2f& at_m, float to_rad);
+  void add_walk(std::size_t stop, std::vector<Eigen::Vector2f> path, float pace_m_s);
+  void add_stay(std::size_t number, const Stop& stop);
+  void add_leg(Leg leg, float duration_s);
+  [[nodiscard]] const Leg& leg_at(float time_s) const;
+  [[nodiscard]] float wrapped(float time_s) const;
+
+  std::vector<Leg> legs_;
+  float period_s_ = 0;
+  float heading_rad_ = 0;  // while being built
+  bool rests_for_ever_ = false;
+};
+
+}  // namespace roomcast::sim

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves, as one camera sees it: for each pixel the triangle in front, where on it, and how far
+// away. Every pixel's ray is intersected with the triangles' planes, so depths are those of a ray
+// caster, lens distortion included; only the pixels that a triangle may cover are looked at. Reused
+// from frame to frame; allocates when it meets a new crowd only. Depth z in metres along the
+// optical axis. Single-threaded. Ray-triangle test by signed volumes: Segura & Feito 2001.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/core/image.h"
+#include "roomcast/simulator/people/moving_things.h"
+#include "roomcast/simulator/people/picture_tiles.h"
+#include "roomcast/simulator/tracing/placed_camera.h"
+
+namespace roomcast::sim {
+
+class MovingLayer {
+ public:
+  static constexpr std::uint32_t kNoTriangle = ~0U;
+
+  MovingLayer(int width, int height);
+
+  /// With `wanted`: only what lies in those tiles is sure to be drawn.
+  void draw(const MovingThings& things, const PlacedCamera& camera,
+            const PictureTiles* wanted = nullptr);
+
+  /// Holds every pixel that shows something moving.
+  [[nodiscard]] const PixelBox& box() const { return box_; }
+  [[nodiscard]] ImageView<const float> z_m() const { return z_m_.view(); }  // infinity: nothing
+  [[nodiscard]] ImageView<const std::uint32_t> triangle() const { return triangle_.view(); }
+  /// Share of the triangle's second and third corner; the first has the rest.
+  [[nodiscard]] ImageView<const Eigen::Vector2f> corner_shares() const { return shares_.view(); }
+
+ private:
+  void clear();
+  void draw_part(const MovingThings& things, const MovingPart& part, const PlacedCamera& camera);
+  void draw_triangle(const TriangleMesh& mesh, std::uint32_t number, const PixelBox& limits,
+                     const PlacedCamera& camera);
+
+  Image<float> z_m_;
+  Image<std::uint32_t> triangle_;
+  Image<Eigen::Vector2f> shares_;
+  PixelBox box_;
+  const PictureTiles* wanted_ = nullptr;  // of the draw that is going on
+  struct Seen {
+    Eigen::Vector3f in_camera_m;
+    Eigen::Vector2f pixel;
+    bool is_projected;  // whether has_pixel and pixel are known: only front faces ask for them
+    bool has_pixel;     // in front of the camera, where its lens is defined
+  };
+  void project_vertex(std::uint32_t vertex, const PlacedCamera& camera);
+  std::vector<Seen> vertices_;
+};
+
+/// The surface point that pixel (x, y) of the layer sees.
+struct MovingPoint {
+  Eigen::Vector3f position_m;
+  Eigen::Vector3f normal;  // unit length
+  Eigen::Vector2f uv_m;
+  SurfaceIndex surface;
+  float facing;  // cosine between the normal and the way back to the camera
+};
+/// The layer has to show something there.
+[[nodiscard]] MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
+                                       const PlacedCamera& camera, int x, int y);
+/// The cosine alone.
+[[nodiscard]] inline float facing_at(const MovingThings& things, const MovingLayer& layer,
+                                     const PlacedCamera& camera, int x, int y) {
+  const auto& corner = things.mesh().triangles[layer.triangle().at(x, y)];
+  const auto& normals = things.mesh().normals;
+  const Eigen::Vector2f share = layer.corner_shares().at(x, y);
+  const float first = 1.0F - share.x() - share.y();
+  const Eigen::Vector3f normal =
+      first * normals[corner[0]] + share.x() * normals[corner[1]] + share.y() * normals[corner[2]];
+  const Eigen::Vector3f direction = camera.direction(x, y);
+  const float lengths = std::sqrt(normal.squaredNorm() * direction.squaredNorm());
+  return std::clamp(-normal.dot(direction) / lengths, 0.0F, 1.0F);
+}
+
+}  // namespace roomcast::sim

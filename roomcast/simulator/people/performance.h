@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What somebody does, worked out once, and their pose and burden at any time: the itinerary says
+// where they are, the footsteps where their feet are, the deeds what else they do. Hips are as high
+// as lets both feet stay where they are planned. A function of time alone. Metres, seconds.
+#pragma once
+
+#include <optional>
+
+#include "roomcast/simulator/people/deeds.h"
+#include "roomcast/simulator/people/footsteps.h"
+#include "roomcast/simulator/people/itinerary.h"
+#include "roomcast/simulator/people/skeleton.h"
+
+namespace roomcast::sim {
+
+class Performance {
+ public:
+  explicit Performance(const Person& person);
+
+  struct Instant {
+    Pose pose;
+    Eigen::Isometry3f world_from_burden = Eigen::Isometry3f::Identity();
+    float held = 0;  // share in which the hands are at the burden: 1 while it is carried
+  };
+  [[nodiscard]] Instant at(double time_s) const;
+
+  [[nodiscard]] const Measures& measures() const { return measures_; }
+  [[nodiscard]] const Footsteps& footsteps() const { return footsteps_; }
+  [[nodiscard]] const Itinerary& itinerary() const { return itinerary_; }
+  [[nodiscard]] float round_time(double time_s) const;
+
+  /// Where the palms hold a burden, in its frame.
+  [[nodiscard]] static Eigen::Vector3f grip(const Burden& burden, Side side);
+
+ private:
+  struct Moment;  // what is known about an instant on the way to its pose
+  [[nodiscard]] Lean lean_at(const Moment& moment) const;
+  [[nodiscard]] Eigen::Isometry3f pelvis_at(const Moment& moment) const;
+  void place_burden(Moment& moment) const;
+  void place_trunk(Moment& moment) const;
+  void bend_to_reach(Moment& moment) const;
+  [[nodiscard]] Eigen::Isometry3f resting(const Stop& stop) const;
+  [[nodiscard]] HandGoal hand_at(const Moment& moment, Side side) const;
+  [[nodiscard]] HandGoal hanging(const Moment& moment, Side side) const;
+  [[nodiscard]] Eigen::Quaternionf head_at(const Moment& moment) const;
+
+  Measures measures_;
+  std::vector<Stop> stops_;
+  std::optional<Burden> burden_;  // without its mesh
+  double begin_s_;
+  Itinerary itinerary_;
+  Footsteps footsteps_;
+};
+
+}  // namespace roomcast::sim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// RigTruth: writes what a simulated recording is to be judged by (layout: simulate_rig.h). Pictures
+// may be written by any threads, the rest by one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/recording/dataset/rig_writer.h"
+
+namespace roomcast {
+
+inline constexpr int kTruthJpegQuality = 97;
+
+class RigTruth {
+ public:
+  /// Makes `directory` with the exact calibrations and poses of `sensors`. kUnavailable when the
+  /// disk fails.
+  static Result<RigTruth> create(const std::filesystem::path& directory, double fps,
+                                 std::span<const RigSensor> sensors, const std::string& source,
+                                 bool with_color);
+
+  [[nodiscard]] Status write_depth(std::size_t sensor, std::uint64_t frame, DepthView depth_mm,
+                                   MaskView moving) const;
+  [[nodiscard]] Status write_color(std::size_t sensor, std::uint64_t frame, ColorView color) const;
+
+  /// When frame number `frame` was taken, and the gains of linear light, red first, that its colour
+  /// was taken with. In order.
+  [[nodiscard]] Status list(std::size_t sensor, std::uint64_t frame, nanoseconds true_time,
+                            const std::array<float, 3>& gains) const;
+
+ private:
+  RigTruth(const std::filesystem::path& directory, std::span<const RigSensor> sensors);
+  [[nodiscard]] Status make_folders(std::size_t sensor, const SensorCalibration& calibration,
+                                    bool with_color) const;
+
+  std::vector<std::filesystem::path> folders_;  // by sensor
+};
+
+}  // namespace roomcast

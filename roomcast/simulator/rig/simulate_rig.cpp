@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/rig/simulate_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "roomcast/core/ordered_parallel.h"
+#include "roomcast/core/parallel_rows.h"
+#include "roomcast/recording/dataset/rig_writer.h"
+#include "roomcast/simulator/rig/rig_truth.h"
+#include "roomcast/simulator/rig/rig_views.h"
+#include "roomcast/simulator/simulated_sensor.h"
+#include "roomcast/simulator/simulated_source.h"
+#include "roomcast/simulator/simulated_spec.h"
+
+namespace roomcast {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error invalid(const char* sentence) {
+  return {ErrorCode::kInvalidArgument, sentence};
+}
+
+Status check(const SimulateRigOptions& options) {
+  if (!(options.seconds > 0 && options.seconds <= kMaxSimulatedSeconds))
+    return invalid("A simulated recording lasts more than 0 and at most 3600 seconds.");
+  if (!(options.fps > 0 && options.fps <= kMaxSimulatedFps))
+    return invalid("A simulated recording has more than 0 and at most 120 frames per second.");
+  if (!(options.speed >= 0 && options.speed <= kMaxSimulatedSpeed))
+    return invalid("Things move at 0 to 10 times their natural speed.");
+  if (!(options.timing.lost_share >= 0 && options.timing.lost_share <= 0.5))
+    return invalid("At most half of the frames can be lost.");
+  if (options.views < 0 || options.views > kMaxSimulatedViews)
+    return invalid("There are 0 to 16 free viewpoints.");
+  if (options.view_side_px < 16 || options.view_side_px > kMaxSimulatedViewSide)
+    return invalid("Pictures from free viewpoints are 16 to 4096 pixels wide.");
+  return {};
+}
+
+/// One sensor of the recording: what it sees, when, and how its colour is exposed.
+struct Actor {
+  std::unique_ptr<SimulatedSensor> sensor;
+  sim::FrameClock clock;
+  std::vector<float> exposures;  // by frame
+};
+using Actors = std::vector<Actor>;
+
+void report(const SimulateWatcher& watcher, std::string_view doing, int done, int total) {
+  if (watcher) watcher({doing, done, total});
+}
+
+Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
+                           const SimulateRigOptions& options, const SimulateWatcher& watcher) {
+  Actors actors;
+  const int count = std::max(options.sensor_count, 1);
+  for (int i = 0; i < count; ++i) {
+    report(watcher, "looking at the empty room", i, count);
+    auto sensor = SimulatedSensor::open(room, {i, options.sensor_count, options.seed, options.speed,
+                                               options.threads, options.sensing});
+    if (!sensor) return std::move(sensor).error();
+    const sim::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
+    actors.push_back({*std::move(sensor), clock, {}});
+  }
+  return actors;
+}
+
+/// Exposure follows from frame to frame, so it is worked out before frames go to many threads.
+Status meter(Actors& actors, int frames, int threads) {
+  const auto meter_one = [&](int, int number) {
+    Actor& actor = actors[static_cast<std::size_t>(number)];
+    auto moment = actor.sensor->make_moment();
+    auto control = actor.sensor->auto_exposure();
+    for (int i = 0; i < frames; ++i) {
+      const nanoseconds time = actor.clock.true_time(static_cast<std::uint64_t>(i));
+      actor.exposures.push_back(actor.sensor->next_exposure(time, moment, control));
+    }
+    return Status();
+  };
+  return run_in_order(static_cast<int>(actors.size()), threads, meter_one,
+                      [](int) { return Status(); });
+}
+
+enum class Calibration { kReported, kExact };
+
+std::vector<RigSensor> rig_sensors(const Actors& actors, Calibration which) {
+  std::vector<RigSensor> rig;
+  for (const Actor& actor : actors) {
+    const SimulatedSensor& sensor = *actor.sensor;
+    RigSensor entry;
+    entry.description.name = "s" + std::to_string(rig.size());
+    entry.description.calibration =
+        which == Calibration::kExact ? sensor.exact_calibration() : sensor.calibration();
+    entry.description.world_from_depth = sensor.world_from_depth();
+    entry.clock_offset_s = actor.clock.clock_offset_s();
+    entry.rate_ppm = actor.clock.rate_ppm();
+    rig.push_back(std::move(entry));
+  }
+  return rig;
+}
+
+std::string provenance(const SimulateRigOptions& options, const sim::Room& room) {
+  return "simulated by roomcast: scene " + room.name + ", seed " + std::to_string(options.seed) +
+         ", camera " + std::string(sim::name_of(options.sensing.camera)) +
+         (options.sensing.noise ? "" : ", without noise");
+}
+
+/// Renders frames and writes them. One thread's share of the memory is a Desk.
+class Production {
+ public:
+  Production(const SimulateRigOptions& options, const Actors& actors, RigWriter& rig,
+             RigTruth& truth, int threads)
+      : options_(options), actors_(actors), rig_(rig), truth_(truth) {
+    desks_.resize(static_cast<std::size_t>(threads));
+  }
+
+  /// Tasks go through the sensors first, then on to the next frame.
+  [[nodiscard]] std::size_t sensor_of(int task) const {
+    return static_cast<std::size_t>(task) % actors_.size();
+  }
+  [[nodiscard]] std::uint64_t frame_of(int task) const {
+    return static_cast<std::uint64_t>(task) / actors_.size();
+  }
+
+  Status write_pictures(int thread, int task) {
+    Desk& desk = desks_[static_cast<std::size_t>(thread)];
+    while (desk.moments.size() < actors_.size())
+      desk.moments.push_back(actors_[desk.moments.size()].sensor->make_moment());
+    const std::size_t number = sensor_of(task);
+    const Actor& actor = actors_[number];
+    SimulatedSensor::Moment& moment = desk.moments[number];
+    actor.sensor->look(actor.clock.true_time(frame_of(task)), moment);
+    if (!actor.clock.is_lost(frame_of(task))) {
+      if (Status written = write_reported(number, frame_of(task), moment, desk); !written)
+        return written;
+    }
+    return write_truth(number, frame_of(task), moment, desk);
+  }
+
+  Status list(int task) {
+    const std::size_t number = sensor_of(task);
+    const std::uint64_t frame = frame_of(task);
+    const Actor& actor = actors_[number];
+    std::array<float, 3> gains = actor.sensor->unit().color_gain;
+    for (float& gain : gains) gain *= actor.exposures[frame];
+    const nanoseconds time = actor.clock.true_time(frame);
+    if (Status listed = truth_.list(number, frame, time, gains); !listed) return listed;
+    if (actor.clock.is_lost(frame)) return rig_.drop(number, frame);
+    return rig_.list(number, frame, true, actor.clock.stamp(frame));
+  }
+
+ private:
+  struct Desk {
+    std::vector<SimulatedSensor::Moment> moments;  // by sensor
+    CapturedFrame frame;
+    MaskImage moving;
+    ColorImage color;
+  };
+
+  Status write_reported(std::size_t number, std::uint64_t frame, SimulatedSensor::Moment& moment,
+                        Desk& desk) {
+    const Actor& actor = actors_[number];
+    desk.frame.index = frame;
+    actor.sensor->read_depth(frame, moment, desk.frame.depth_mm);
+    actor.sensor->read_color(frame, actor.exposures[frame], moment, desk.frame.color);
+    return rig_.write_pictures(number, desk.frame);
+  }
+
+  Status write_truth(std::size_t number, std::uint64_t frame, const SimulatedSensor::Moment& moment,
+                     Desk& desk) {
+    const Actor& actor = actors_[number];
+    if (options_.truth_color) {
+      actor.sensor->clean_color(actor.exposures[frame], moment, desk.color);
+      if (Status written = truth_.write_color(number, frame, desk.color); !written) return written;
+    }
+    actor.sensor->mark_moving(moment, desk.moving);
+    return truth_.write_depth(number, frame, actor.sensor->clean_depth_mm(moment), desk.moving);
+  }
+
+  const SimulateRigOptions& options_;
+  const Actors& actors_;
+  RigWriter& rig_;
+  RigTruth& truth_;
+  std::vector<Desk> desks_;
+};
+
+Status write_frames(const SimulateRigOptions& options, const Actors& actors, int frames,
+                    int threads, RigWriter& rig, RigTruth& truth, const SimulateWatcher& watcher,
+                    const std::stop_token& stop) {
+  Production production(options, actors, rig, truth, threads);
+  const int tasks = frames * static_cast<int>(actors.size());
+  return run_in_order(
+      tasks, threads, [&](int thread, int task) { return production.write_pictures(thread, task); },
+      [&](int task) -> Status {
+        if (Status listed = production.list(task); !listed) return listed;
+        report(watcher, "writing frames", task + 1, tasks);
+        if (stop.stop_requested() && production.sensor_of(task + 1) == 0)
+          return Error{ErrorCode::kClosed, "stopped; what was written until then can be played"};
+        return {};
+      });
+}
+
+Status write_views(const fs::path& folder, const SimulateRigOptions& options,
+                   const SimulatedRoom& room, const Actors& actors, int frames,
+                   const SimulateWatcher& watcher) {
+  if (options.views == 0) return {};
+  std::vector<const SimulatedSensor*> sensors;
+  std::vector<sim::FrameClock> clocks;
+  for (const Actor& actor : actors) {
+    sensors.push_back(actor.sensor.get());
+    clocks.push_back(actor.clock);
+  }
+  return write_rig_views(
+      folder, room, sensors, clocks,
+      {options.views, options.view_side_px, options.seed, options.speed, frames, options.threads},
+      [&](int done, int total) { report(watcher, "drawing free views", done, total); });
+}
+
+/// Takes away what a failure leaves behind: never what was there before.
+void remove_contents(const fs::path& directory) {
+  std::error_code ignored;
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(directory, ignored)) entries.push_back(entry);
+  for (const fs::path& entry : entries) fs::remove_all(entry, ignored);
+}
+
+Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
+                 const SimulatedRoom& room, Actors& actors, RigWriter& rig,
+                 const SimulateWatcher& watcher, const std::stop_token& stop) {
+  const std::string source = provenance(options, room.room());
+  const int threads = sim::thread_count(options.threads);
+  const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
+  auto truth =
+      RigTruth::create(directory / "truth", options.fps, rig_sensors(actors, Calibration::kExact),
+                       source, options.truth_color);
+  if (!truth) return std::move(truth).error();
+  if (Status metered = meter(actors, frames, threads); !metered) return metered;
+  Status written = write_frames(options, actors, frames, threads, rig, *truth, watcher, stop);
+  if (written) written = write_views(directory / "truth", options, room, actors, frames, watcher);
+  if (!written && written.error().code != ErrorCode::kClosed) return written;
+  if (Status finished = rig.finish(); !finished) return finished;
+  return written;
+}
+
+}  // namespace
+
+Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options,
+                    const SimulateWatcher& watcher, std::stop_token stop) {
+  if (Status legal = check(options); !legal) return legal;
+  auto room = SimulatedRoom::build(options.scene, options.seed);
+  if (!room) return std::move(room).error();
+  auto actors = open_actors(*room, options, watcher);
+  if (!actors) return std::move(actors).error();
+  auto rig = RigWriter::create(directory, options.fps, rig_sensors(*actors, Calibration::kReported),
+                               {provenance(options, (*room)->room()), 90});
+  if (!rig) return std::move(rig).error();
+  Status written = write_rig(directory, options, **room, *actors, *rig, watcher, stop);
+  if (!written && written.error().code != ErrorCode::kClosed) remove_contents(directory);
+  return written;
+}
+
+}  // namespace roomcast

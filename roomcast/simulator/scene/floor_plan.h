@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who has which place in a room: furniture on the floor, what hangs on the walls, the ways people
+// walk, what sensors look across. Places are drawn at random and taken when nothing is in the way,
+// so a seed makes a layout and nothing runs into anything. Metres, radians; world frame of room.h,
+// plan coordinates are (x, z). Single-threaded.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/scene/footprint.h"
+#include "roomcast/simulator/scene/room.h"
+
+namespace roomcast::sim {
+
+inline constexpr int kAnyWall = -1;
+
+class FloorPlan {
+ public:
+  FloorPlan(const Eigen::Vector3f& room_size_m, std::uint32_t seed);
+
+  /// Nothing will stand on the way between two points.
+  void keep_way(const Eigen::Vector2f& from_m, const Eigen::Vector2f& to_m, float half_width_m);
+  /// Nothing tall will stand about a sensor or close before it.
+  void keep_view(const SensorStand& stand);
+
+  /// A place of this size (width, height, depth), taken: a frame on the floor with its front
+  /// towards +z. `front_m`: what is kept free before it. Nothing when there is no room.
+  std::optional<Eigen::Affine3f> against_wall(const Eigen::Vector3f& size_m, float front_m,
+                                              int wall = kAnyWall);
+  std::optional<Eigen::Affine3f> in_corner(const Eigen::Vector3f& size_m);
+  std::optional<Eigen::Affine3f> in_the_open(const Eigen::Vector3f& size_m);
+  /// That very place, when it is free.
+  bool take(const Eigen::Affine3f& at, const Eigen::Vector3f& size_m);
+  [[nodiscard]] bool is_free(const Footprint& footprint) const;
+
+  /// A piece of wall of this size (width, height, depth), taken; the frame of furniture.h's
+  /// on_wall.
+  std::optional<Eigen::Affine3f> on_wall_at(const Eigen::Vector3f& size_m, float middle_height_m,
+                                            int wall = kAnyWall);
+
+  /// Everything that stands on the floor.
+  [[nodiscard]] const std::vector<Footprint>& taken() const { return taken_; }
+
+ private:
+  struct WallPatch {
+    int wall;
+    float left_m, right_m, bottom_m, top_m;
+  };
+  [[nodiscard]] float wall_length(int wall) const { return wall < 2 ? size_m_.z() : size_m_.x(); }
+  [[nodiscard]] bool wall_is_free(const WallPatch& patch) const;
+  [[nodiscard]] Eigen::Affine3f by_wall(int wall, float along_m, float out_m) const;
+  std::optional<Eigen::Affine3f> try_wall(const Eigen::Vector3f& size_m, float front_m, int wall,
+                                          float along_m);
+
+  Eigen::Vector3f size_m_;
+  Dice dice_;
+  std::vector<Footprint> taken_, ways_;
+  struct Clearing {
+    Footprint area;
+    float lowest_m;  // what is lower does not matter
+  };
+  std::vector<Clearing> views_;
+  std::vector<WallPatch> wall_patches_;
+};
+
+}  // namespace roomcast::sim

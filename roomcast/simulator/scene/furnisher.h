@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts pieces of furniture into a room where its floor plan has a place for them, in sizes and with
+// things on them drawn from dice. What finds no place is left out. Metres; single-threaded.
+#pragma once
+
+#include <optional>
+
+#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/scene/floor_plan.h"
+#include "roomcast/simulator/scene/furniture.h"
+#include "roomcast/simulator/scene/palette.h"
+
+namespace roomcast::sim {
+
+class Furnisher {
+ public:
+  using Place = std::optional<Eigen::Affine3f>;
+
+  /// All three have to outlive it.
+  Furnisher(Room& room, FloorPlan& plan, Dice& dice)
+      : room_(room), plan_(plan), dice_(dice), palette_(draw_palette(room, dice)) {}
+
+  [[nodiscard]] const Palette& palette() const { return palette_; }
+
+  // To live in. Frames are those of furniture.h.
+  Place sofa(float front_m);
+  Place coffee_table_before(const Eigen::Affine3f& sofa);
+  void rug_under(const Eigen::Vector2f& middle_m, const Eigen::Vector2f& size_m);
+  Place dining_table();
+  Place television();
+  Place sideboard();
+  Place bookshelf(float front_m = 0.0F);
+  Place wardrobe();
+  Place armchair();
+  void plant();
+  void floor_lamp();
+  void odds_and_ends(int count);  // crates, stools, balls, bins, a bicycle
+
+  // To work at.
+  /// The desk's frame; its chair stands before it, turned away from it unless `pulled_up`.
+  Place desk(bool pulled_up, float front_m = 0.0F);
+  Place rack();
+  Place lab_bench(float front_m, bool equipped);
+  Place cabinet();
+
+  // On walls and ceilings.
+  void window(int wall = kAnyWall);
+  void door();
+  void pictures(int count);
+  void clock();
+  Place whiteboard(float front_m);
+  Place wall_screen();
+  /// A lamp in the middle of the ceiling.
+  void pendant();
+  /// Glowing panels that light the room.
+  void panels();
+
+  /// Things on a top of `size_m` (width, depth) whose middle is the frame's origin.
+  void set_out(const Eigen::Affine3f& on_top, const Eigen::Vector2f& size_m, int count);
+  void monitor_and_keyboard(const Eigen::Affine3f& on_top);
+
+ private:
+  void picture_on(const Eigen::Affine3f& at, const Eigen::Vector2f& size_m);
+  void odd_end(int which);
+
+  Room& room_;
+  FloorPlan& plan_;
+  Dice& dice_;
+  Palette palette_;
+};
+
+/// The middle of a sofa's seat and where one stands before sitting down.
+struct Seat {
+  Eigen::Vector3f seat_m;
+  Eigen::Vector2f stand_m;
+  float heading_rad;
+};
+[[nodiscard]] Seat seat_of_sofa(const Eigen::Affine3f& sofa, float along_m);
+[[nodiscard]] Seat seat_of_chair(const Eigen::Affine3f& chair, float height_m);
+
+}  // namespace roomcast::sim

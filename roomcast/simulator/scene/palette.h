@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colours and cloths of one room, drawn from dice: surfaces that many things share.
+#pragma once
+
+#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/scene/furniture.h"
+#include "roomcast/simulator/scene/room.h"
+
+namespace roomcast::sim {
+
+struct Palette {
+  SurfaceIndex wood, dark_wood;  // of most furniture; of legs and frames
+  SurfaceIndex cloth, other_cloth;
+  SurfaceIndex metal, dark, white;
+  SurfaceIndex lampshade;
+};
+[[nodiscard]] Palette draw_palette(Room& room, Dice& dice);
+
+enum class FloorKind { kBoards, kCarpet, kTerrazzo, kConcrete };
+/// Floor, ceiling, skirting and walls with something to see in them: brick, wallpaper, plaster.
+void add_homely_shell(Room& room, FloorKind floor, Dice& dice);
+/// Painted walls, one of them in another colour.
+void add_plain_shell(Room& room, FloorKind floor, Dice& dice);
+
+/// A person in their own build, clothes, skin and hair, without anything to do yet.
+[[nodiscard]] Person draw_person(Room& room, Dice& dice);
+
+}  // namespace roomcast::sim

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/scene/room.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/simulator/people/moving_things.h"
+#include "roomcast/simulator/people/performance.h"
+
+namespace roomcast::sim {
+namespace {
+
+using testing::HasSubstr;
+
+class Rooms : public testing::TestWithParam<std::string_view> {
+ protected:
+  Room room_ = build_room(GetParam(), 1).value();
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, Rooms, testing::ValuesIn(kSceneNames), [](const auto& scene) {
+  std::string name(scene.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(Rooms, triangles_name_vertices_and_surfaces_that_exist) {
+  const TriangleMesh& mesh = room_.mesh;
+  ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
+  ASSERT_EQ(mesh.positions.size(), mesh.uv_m.size());
+  ASSERT_EQ(mesh.triangles.size(), mesh.surface.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (const auto corner : triangle) ASSERT_LT(corner, mesh.positions.size());
+  }
+  for (const auto surface : mesh.surface) ASSERT_LT(surface, room_.surfaces.size());
+}
+
+TEST_P(Rooms, everything_is_inside_the_walls) {
+  constexpr float kSlack_m = 0.06F;    // lamps go into the ceiling
+  constexpr float kTilted_m = 0.008F;  // ends of slanted bars
+  const Eigen::Vector3f half = 0.5F * room_.size_m + Eigen::Vector3f::Constant(kSlack_m);
+  for (const auto& point : room_.mesh.positions) {
+    ASSERT_TRUE(point.allFinite());
+    ASSERT_LE(std::abs(point.x()), half.x());
+    ASSERT_LE(std::abs(point.z()), half.z());
+    ASSERT_GE(point.y(), -kTilted_m);
+    ASSERT_LE(point.y(), room_.size_m.y() + kSlack_m);
+  }
+}
+
+/// Whether a point is near a seat that the person sits down on.
+bool near_own_seat(const Person& person, const Eigen::Vector3f& point) {
+  return std::any_of(person.stops.begin(), person.stops.end(), [&](const Stop& stop) {
+    return stop.deed == Deed::kSit && (stop.seat_m - point).norm() < 1.3F;
+  });
+}
+
+TEST_P(Rooms, people_keep_clear_of_the_furniture) {
+  constexpr float kHips_m = 0.2F;
+  constexpr float kRug_m = 0.02F, kHead_m = 1.8F;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Room room = build_room(GetParam(), seed).value();
+    for (const Person& person : room.people) {
+      if (person.stops.size() == 1) continue;  // they are where they are: on their chair
+      const Itinerary itinerary(person.stops, person.pace_m_s);
+      for (float time_s = 0; time_s < itinerary.period_s(); time_s += 0.25F) {
+        const Eigen::Vector2f at = itinerary.place_at(time_s).at_m;
+        for (const auto& point : room.mesh.positions) {
+          if (point.y() < kRug_m || point.y() > kHead_m || near_own_seat(person, point)) continue;
+          ASSERT_GT(std::hypot(point.x() - at.x(), point.z() - at.y()), kHips_m)
+              << point.transpose() << " at " << time_s << " seed " << seed;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Rooms, furniture_stands_on_places_of_its_own) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Room room = build_room(GetParam(), seed).value();
+    ASSERT_GE(room.footprints.size(), 3U);
+    for (std::size_t a = 0; a < room.footprints.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        ASSERT_FALSE(overlap(room.footprints[a], room.footprints[b], 0.0F)) << "seed " << seed;
+  }
+}
+
+TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
+  const Room again = build_room(GetParam(), 1).value();
+  EXPECT_EQ(room_.mesh.positions, again.mesh.positions);
+  EXPECT_EQ(room_.mesh.normals, again.mesh.normals);
+  EXPECT_EQ(room_.mesh.uv_m, again.mesh.uv_m);
+  EXPECT_EQ(room_.mesh.triangles, again.mesh.triangles);
+  EXPECT_EQ(room_.mesh.surface, again.mesh.surface);
+  const Room other = build_room(GetParam(), 2).value();
+  EXPECT_NE(room_.mesh.positions, other.mesh.positions);
+  EXPECT_NE(room_.stands[0].eye_m, other.stands[0].eye_m);
+  int elsewhere = 0;
+  for (std::size_t i = 0; i < std::min(room_.footprints.size(), other.footprints.size()); ++i) {
+    const Eigen::Vector2f moved = room_.footprints[i].centre_m - other.footprints[i].centre_m;
+    elsewhere += moved.norm() > 0.1F ? 1 : 0;
+  }
+  const bool rows = GetParam() == "mirror-tiles";  // chairs in rows stay in their rows
+  EXPECT_GE(elsewhere, rows ? 0 : 3);
+}
+
+TEST_P(Rooms, no_sensor_stands_in_something) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Room room = build_room(GetParam(), seed).value();
+    for (const SensorStand& stand : room.stands) {
+      for (const auto& point : room.mesh.positions)
+        ASSERT_GT((point - stand.eye_m).norm(), 0.12F) << "seed " << seed;
+      for (const Footprint& taken : room.footprints) {
+        if (taken.height_m < stand.eye_m.y()) continue;
+        ASSERT_FALSE(contains(taken, {stand.eye_m.x(), stand.eye_m.z()})) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST_P(Rooms, somebody_is_there_and_wears_surfaces_that_exist) {
+  ASSERT_FALSE(room_.people.empty());
+  for (const Person& person : room_.people) {
+    const Outfit& worn = person.outfit;
+    for (const auto surface :
+         {worn.shirt, worn.trousers, worn.shoes, worn.skin, worn.hair, worn.face})
+      EXPECT_LT(surface, room_.surfaces.size());
+    EXPECT_FALSE(person.stops.empty());
+  }
+}
+
+TEST_P(Rooms, sensors_stand_inside_at_sensible_heights) {
+  for (const SensorStand& stand : room_.stands) {
+    EXPECT_GE(stand.eye_m.y(), 1.2F);
+    EXPECT_LE(stand.eye_m.y(), 2.2F);
+    EXPECT_LT(std::abs(stand.eye_m.x()), 0.5F * room_.size_m.x());
+    EXPECT_LT(std::abs(stand.eye_m.z()), 0.5F * room_.size_m.z());
+  }
+}
+
+TEST(Room, the_floor_of_mirror_tiles_repeats_exactly_and_is_its_own_mirror_image) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Room room = build_room("mirror-tiles", seed).value();
+    const Surface& floor = room.surfaces[room.mesh.surface.front()];
+    ASSERT_EQ(floor.pattern, Pattern::kTiles);
+    const Eigen::Vector2f tile = floor.size_m;
+    const float columns = room.size_m.x() / tile.x();
+    EXPECT_NEAR(columns, std::round(columns), 1e-3F);
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector2f at(0.0137F * static_cast<float>(i), 0.0101F * static_cast<float>(i));
+      const auto here = albedo_at(floor, at, 0.004F);
+      const Eigen::Vector2f further = at + Eigen::Vector2f(3.0F * tile.x(), tile.y());
+      const Eigen::Vector2f mirrored(4.0F * tile.x() - at.x(), at.y());
+      EXPECT_LT((albedo_at(floor, further, 0.004F) - here).norm(), 1e-3F);
+      EXPECT_LT((albedo_at(floor, mirrored, 0.004F) - here).norm(), 1e-3F);
+    }
+  }
+}
+
+TEST(Room, mirror_tiles_without_anything_unique_is_its_own_half_turn) {
+  int symmetric = 0, with_something = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Room room = build_room("mirror-tiles", seed).value();
+    if (room.unique_things != 0) {
+      ++with_something;
+      continue;
+    }
+    ++symmetric;
+    const auto key = [](float x, float y, float z) {
+      const auto cell = [](float value) { return std::lround(value * 200.0F); };
+      return std::array<long, 3>{cell(x), cell(y), cell(z)};
+    };
+    std::set<std::array<long, 3>> cells;
+    for (const auto& p : room.mesh.positions) cells.insert(key(p.x(), p.y(), p.z()));
+    for (const auto& p : room.mesh.positions) {
+      bool found = false;
+      for (const float dx : {-0.002F, 0.0F, 0.002F})
+        for (const float dz : {-0.002F, 0.0F, 0.002F})
+          found = found || cells.count(key(-p.x() + dx, p.y(), -p.z() + dz)) > 0;
+      ASSERT_TRUE(found) << p.transpose();
+    }
+  }
+  EXPECT_GT(symmetric, 0);
+  EXPECT_GT(with_something, 0);
+}
+
+TEST(Room, no_name_is_the_living_room) {
+  EXPECT_EQ(build_room("", 1)->name, "livingroom");
+}
+
+TEST(Room, unknown_scene_is_refused_with_a_list_of_scenes) {
+  const auto room = build_room("kitchen", 1);
+  ASSERT_FALSE(room);
+  EXPECT_EQ(room.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(room.error().message, HasSubstr("kitchen"));
+  for (const auto name : kSceneNames)
+    EXPECT_THAT(room.error().message, HasSubstr(std::string(name)));
+}
+
+}  // namespace
+}  // namespace roomcast::sim

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/sensing/sensing_options.h"
+
+namespace roomcast::sim {
+
+std::optional<CameraModel> camera_model_named(std::string_view name) {
+  for (const CameraModel model : {CameraModel::kKinect2, CameraModel::kAzure, CameraModel::kD435}) {
+    if (name_of(model) == name) return model;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(CameraModel model) {
+  switch (model) {
+    case CameraModel::kKinect2:
+      return "kinect2";
+    case CameraModel::kAzure:
+      return "azure";
+    case CameraModel::kD435:
+      return "d435";
+  }
+  return "";
+}
+
+}  // namespace roomcast::sim

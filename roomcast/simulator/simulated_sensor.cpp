@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/simulated_sensor.h"
+
+#include <string>
+#include <utility>
+
+#include "roomcast/simulator/random/value_noise.h"
+
+namespace roomcast {
+namespace {
+
+Status check(const SimulatedSensor::Options& options) {
+  if (options.count < 1 || options.count > sim::kMaxSimulatedSensors) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "A simulated room has 1 to " + std::to_string(sim::kMaxSimulatedSensors) +
+                     " sensors, not " + std::to_string(options.count) + "."};
+  }
+  if (options.index < 0 || options.index >= options.count) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "There is no simulated sensor s" + std::to_string(options.index) +
+                     "; this room has s0 to s" + std::to_string(options.count - 1) + "."};
+  }
+  return {};
+}
+
+RigidTransform stand_pose(const sim::SensorStand& stand) {
+  return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
+}
+
+}  // namespace
+
+SimulatedSensor::Moment::Moment(const SimulatedSensor& sensor)
+    : things_(sensor.room_->room(), sensor.options_.speed),
+      depth_(sensor.depth_.make_work()),
+      color_(sensor.color_.make_work()) {}
+
+Result<std::unique_ptr<SimulatedSensor>> SimulatedSensor::open(
+    std::shared_ptr<const SimulatedRoom> room, const Options& options) {
+  if (Status legal = check(options); !legal) return std::move(legal).error();
+  return std::unique_ptr<SimulatedSensor>(new SimulatedSensor(std::move(room), options));
+}
+
+SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options)
+    : room_(std::move(room)),
+      options_(options),
+      unit_(sim::make_unit(options.sensing, options.seed, options.index)),
+      world_from_depth_(stand_pose(room_->room().stands[static_cast<std::size_t>(options.index)]) *
+                        options.stand_from_depth),
+      depth_(*room_, unit_, world_from_depth_, options.sensing, options.threads),
+      color_(*room_, unit_, world_from_depth_ * unit_.exact.color_from_depth.inverse(),
+             options.threads) {}
+
+std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
+  const auto key = sim::hash_of(unit_.key, 6);
+  return sim::hash_of(sim::hash_of(key, static_cast<std::uint32_t>(frame)),
+                      static_cast<std::uint32_t>(frame >> 32));
+}
+
+void SimulatedSensor::look(nanoseconds scene_time, Moment& moment) const {
+  moment.scene_time_ = scene_time;
+  moment.things_.move_to(scene_time);
+  depth_.draw(moment.things_, moment.depth_);
+  color_.draw(moment.things_, moment.color_);
+}
+
+const DepthImage& SimulatedSensor::clean_depth_mm(const Moment& moment) const {
+  return depth_.clean_mm(moment.depth_);
+}
+
+void SimulatedSensor::mark_moving(const Moment& moment, MaskImage& moving) const {
+  depth_.mark_moving(moment.depth_, moving);
+}
+
+void SimulatedSensor::clean_color(float exposure, const Moment& moment, ColorImage& color) const {
+  color_.expose(exposure, moment.color_, color);
+}
+
+void SimulatedSensor::read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const {
+  depth_.read(moment.things_, noise_key(frame), moment.scene_time_, moment.depth_, depth_mm);
+}
+
+void SimulatedSensor::expected_depth(const Moment& moment, DepthImage& depth_mm) const {
+  depth_.expect(moment.things_, moment.depth_, depth_mm);
+}
+
+void SimulatedSensor::read_color(std::uint64_t frame, float exposure, const Moment& moment,
+                                 ColorImage& color) const {
+  if (!options_.sensing.noise) return color_.expose(exposure, moment.color_, color);
+  color_.read(exposure, sim::hash_of(noise_key(frame), 1), moment.color_, color);
+}
+
+float SimulatedSensor::next_exposure(nanoseconds scene_time, Moment& moment,
+                                     sim::AutoExposure& control) const {
+  if (!options_.sensing.auto_exposure) return 1.0F;
+  const float gain = control.next(scene_time);
+  if (control.is_due(scene_time)) {
+    moment.things_.move_to(scene_time);
+    control.meter(scene_time, color_.brightness(moment.things_, moment.color_));
+  }
+  return gain;
+}
+
+}  // namespace roomcast

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// One simulated sensor in its room: what it sees at any instant, and what it reports of that. The
+// empty room is traced once at opening; a frame then costs what moves, and the noise. What it
+// reports is a function of (seed, index, frame, scene time, exposure): the same on any thread, in
+// any order. Metres; scene time starts at 0 and may be any instant. Const calls are thread-safe as
+// long as every thread brings its own Moment.
+#pragma once
+
+#include <memory>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/simulator/color_camera.h"
+#include "roomcast/simulator/depth_camera.h"
+#include "roomcast/simulator/sensing/sensing_options.h"
+#include "roomcast/simulator/simulated_room.h"
+
+namespace roomcast {
+
+class SimulatedSensor {
+ public:
+  struct Options {
+    int index = 0;
+    int count = 3;           // how many stand around the room, 1..sim::kMaxSimulatedSensors
+    std::uint64_t seed = 1;  // what differs between devices, and the noise
+    double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
+    int threads = 0;         // for tracing the empty room; 0: all cores
+    sim::SensingOptions sensing;
+    RigidTransform stand_from_depth = {};  // how it was pushed out of its place
+  };
+
+  /// An instant as the sensor sees it, and the memory of one thread for it.
+  class Moment {
+   public:
+    [[nodiscard]] nanoseconds scene_time() const { return scene_time_; }
+
+   private:
+    friend class SimulatedSensor;
+    Moment(const SimulatedSensor& sensor);
+    nanoseconds scene_time_{};
+    sim::MovingThings things_;
+    sim::DepthCamera::Work depth_;
+    sim::ColorCamera::Work color_;
+  };
+
+  /// kInvalidArgument for an index or count out of range.
+  static Result<std::unique_ptr<SimulatedSensor>> open(std::shared_ptr<const SimulatedRoom> room,
+                                                       const Options& options);
+
+  /// What the sensor says of its lenses, and what they are.
+  [[nodiscard]] const SensorCalibration& calibration() const { return unit_.reported; }
+  [[nodiscard]] const SensorCalibration& exact_calibration() const { return unit_.exact; }
+  [[nodiscard]] const RigidTransform& world_from_depth() const { return world_from_depth_; }
+  [[nodiscard]] const sim::SensorUnit& unit() const { return unit_; }
+  [[nodiscard]] const sim::DepthCamera& depth_camera() const { return depth_; }
+
+  [[nodiscard]] Moment make_moment() const { return Moment(*this); }
+
+  /// Looks at the room at an instant. First of all for everything below.
+  void look(nanoseconds scene_time, Moment& moment) const;
+
+  /// The truth: depth; 255 where it is that of something that can move; colour without noise, but
+  /// with the unit's own colours and exposure. The pictures keep their memory.
+  [[nodiscard]] const DepthImage& clean_depth_mm(const Moment& moment) const;
+  void mark_moving(const Moment& moment, MaskImage& moving) const;
+  void clean_color(float exposure, const Moment& moment, ColorImage& color) const;
+
+  /// What the sensor reports as its frame number `frame`.
+  void read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const;
+  /// What it would report without anything random.
+  void expected_depth(const Moment& moment, DepthImage& depth_mm) const;
+  void read_color(std::uint64_t frame, float exposure, const Moment& moment,
+                  ColorImage& color) const;
+
+  /// The exposure gains of consecutive frames: 1 where the unit has no exposure control. Needs no
+  /// look before.
+  [[nodiscard]] sim::AutoExposure auto_exposure() const { return color_.auto_exposure(); }
+  float next_exposure(nanoseconds scene_time, Moment& moment, sim::AutoExposure& control) const;
+
+ private:
+  SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);
+  [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame) const;
+
+  std::shared_ptr<const SimulatedRoom> room_;
+  Options options_;
+  sim::SensorUnit unit_;
+  RigidTransform world_from_depth_;
+  sim::DepthCamera depth_;
+  sim::ColorCamera color_;
+};
+
+}  // namespace roomcast

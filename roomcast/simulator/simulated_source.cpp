@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/simulated_source.h"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "roomcast/core/interruptible_wait.h"
+#include "roomcast/simulator/simulated_room.h"
+#include "roomcast/simulator/simulated_sensor.h"
+#include "roomcast/simulator/simulated_spec.h"
+
+namespace roomcast {
+namespace {
+
+constexpr nanoseconds kPhaseStep =
+    std::chrono::microseconds(2300);  // between sensors, real time only
+constexpr nanoseconds kDeviceOffset =
+    std::chrono::milliseconds(1250);  // between the sensors' clocks
+
+class SimulatedSource final : public FrameSource {
+ public:
+  SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index,
+                  const SimulatedSourceOptions& options)
+      : stand_(std::move(sensor)),
+        pace_(options.pace),
+        period_s_(1.0 / options.fps),
+        phase_(pace_ == Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
+        device_offset_(kDeviceOffset * (index + 1)) {
+    description_.name = "s" + std::to_string(index);
+    description_.calibration = stand_.sensor->calibration();
+    description_.world_from_depth = stand_.sensor->world_from_depth();
+    description_.fps = options.fps;
+    if (pace_ == Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
+  }
+
+  /// From then on it stands where `moved` does.
+  void bump_at(nanoseconds after_opening, std::unique_ptr<SimulatedSensor> moved) {
+    bump_ = Bump{time_of(next_instant_) + after_opening, Stand(std::move(moved))};
+  }
+
+  const SensorDescription& description() const override { return description_; }
+
+  Result<bool> next(CapturedFrame& frame, std::stop_token stop) override {
+    if (stop.stop_requested()) return false;
+    if (pace_ == Pace::kRealTime) {
+      skip_missed_instants();
+      if (!wait_until(HostTime(time_of(next_instant_)), stop)) return false;
+    }
+    const nanoseconds scene_time = time_of(next_instant_++);
+    frame.index = frame_count_++;
+    frame.capture_time = HostTime(scene_time);
+    frame.device_time = scene_time + device_offset_;
+    capture(bump_ && scene_time >= bump_->at ? bump_->stand : stand_, scene_time, frame);
+    return true;
+  }
+
+ private:
+  /// The sensor at a place, and what one thread remembers of it.
+  struct Stand {
+    explicit Stand(std::unique_ptr<SimulatedSensor> standing)
+        : sensor(std::move(standing)),
+          moment(sensor->make_moment()),
+          exposure(sensor->auto_exposure()) {}
+    std::unique_ptr<SimulatedSensor> sensor;
+    SimulatedSensor::Moment moment;
+    sim::AutoExposure exposure;
+  };
+  struct Bump {
+    nanoseconds at;  // scene time
+    Stand stand;
+  };
+
+  static void capture(Stand& stand, nanoseconds scene_time, CapturedFrame& frame) {
+    const SimulatedSensor& sensor = *stand.sensor;
+    sensor.look(scene_time, stand.moment);
+    sensor.read_depth(frame.index, stand.moment, frame.depth_mm);
+    const float exposure = sensor.next_exposure(scene_time, stand.moment, stand.exposure);
+    sensor.read_color(frame.index, exposure, stand.moment, frame.color);
+  }
+
+  [[nodiscard]] nanoseconds time_of(std::int64_t instant) const {
+    return phase_ + nanoseconds(std::llround(static_cast<double>(instant) * period_s_ * 1e9));
+  }
+  [[nodiscard]] std::int64_t first_instant_after(HostTime now) const {
+    const double since_phase_s =
+        std::chrono::duration<double>(now.time_since_epoch() - phase_).count();
+    return static_cast<std::int64_t>(std::ceil(since_phase_s / period_s_));
+  }
+  /// A caller that is late gets the newest instant that has passed, not all of them.
+  void skip_missed_instants() {
+    next_instant_ = std::max(next_instant_, first_instant_after(SteadyClock().now()) - 1);
+  }
+
+  Stand stand_;
+  std::optional<Bump> bump_;
+  Pace pace_;
+  double period_s_;
+  nanoseconds phase_;
+  nanoseconds device_offset_;
+  SensorDescription description_;
+  std::int64_t next_instant_ = 0;  // of the instants k / fps + phase
+  std::uint64_t frame_count_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& text,
+                                                           int sensor_index,
+                                                           const SimulatedSourceOptions& options) {
+  if (!(options.fps > 0.0 && options.fps <= kMaxSimulatedFps)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "A simulated source gives more than 0 and at most 120 frames per second."};
+  }
+  const auto spec = parse_simulated_spec(text);
+  if (!spec) return spec.error();
+  auto room = SimulatedRoom::build(spec->scene, options.seed,
+                                   spec->board ? Visitor::kBoardBearer : Visitor::kNone);
+  if (!room) return std::move(room).error();
+  SimulatedSensor::Options sensing;
+  sensing.index = sensor_index;
+  sensing.count = options.sensor_count;
+  sensing.seed = options.seed;
+  sensing.speed = spec->speed;
+  sensing.sensing = spec->sensing;
+  auto sensor = SimulatedSensor::open(*room, sensing);
+  if (!sensor) return std::move(sensor).error();
+  auto source = std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options);
+  if (spec->bump_at_s) {
+    sensing.stand_from_depth = spec->bump.stand_from_depth();
+    auto moved = SimulatedSensor::open(*room, sensing);
+    if (!moved) return std::move(moved).error();
+    source->bump_at(nanoseconds(std::llround(1e9 * *spec->bump_at_s)), *std::move(moved));
+  }
+  return std::unique_ptr<FrameSource>(std::move(source));
+}
+
+}  // namespace roomcast

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/simulator/simulated_spec.h"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <system_error>
+
+#include <Eigen/Geometry>
+
+namespace roomcast {
+namespace {
+
+constexpr std::string_view kOptions =
+    "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
+    "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,board]["
+    ",clean]"
+    "]";
+
+Error refused(std::string_view option) {
+  return {ErrorCode::kInvalidArgument,
+          "\"" + std::string(option) + "\" means nothing here" + std::string(kOptions)};
+}
+
+std::optional<double> number_up_to(std::string_view text, double largest) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || !(value >= 0 && value <= largest)) return std::nullopt;
+  return value;
+}
+
+struct NumberOption {
+  std::function<void(double)> set;
+  double largest = 0;
+};
+
+std::optional<NumberOption> number_named(std::string_view name, SimulatedSpec& spec) {
+  const auto into = [](auto& place, double largest) {
+    return NumberOption{[&place](double value) { place = value; }, largest};
+  };
+  if (name == "speed") return into(spec.speed, kMaxSimulatedSpeed);
+  if (name == "interference")
+    return into(spec.sensing.interference_per_minute, kMaxInterferencePerMinute);
+  if (name == "bump_at") return into(spec.bump_at_s, kMaxBumpAt_s);
+  if (name == "bump_cm") return into(spec.bump.shift_cm, kMaxBump_cm);
+  if (name == "bump_deg") return into(spec.bump.angle_deg, kMaxBump_deg);
+  return std::nullopt;
+}
+
+/// Whether the option is one, with a legal value; `spec` has it then.
+bool apply(std::string_view option, SimulatedSpec& spec) {
+  const std::size_t equals = std::min(option.find('='), option.size());
+  const std::string_view name = option.substr(0, equals);
+  const std::string_view value = option.substr(std::min(equals + 1, option.size()));
+  if (name == "camera") {
+    const auto model = sim::camera_model_named(value);
+    if (model) spec.sensing.camera = *model;
+    return model.has_value();
+  }
+  if (const auto place = number_named(name, spec)) {
+    const auto number = number_up_to(value, place->largest);
+    if (number) place->set(*number);
+    return number.has_value();
+  }
+  if (name == "color") {
+    spec.sensing.half_color = value == "half";
+    return value == "half" || value == "full";
+  }
+  if (option == "board") {
+    spec.board = true;
+    return true;
+  }
+  if (option == "clean") {
+    spec.sensing = spec.sensing.clean();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RigidTransform SimulatedBump::stand_from_depth() const {
+  RigidTransform bump;
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.4, 1, 0.2).normalized();
+  bump.rotation = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
+  bump.translation_m = 0.01 * shift_cm * Eigen::Vector3d(1, 0.3, -0.8).normalized();
+  return bump;
+}
+
+Result<SimulatedSpec> parse_simulated_spec(std::string_view text) {
+  SimulatedSpec spec;
+  spec.sensing.half_color = true;
+  std::size_t comma = std::min(text.find(','), text.size());
+  spec.scene = text.substr(0, comma);
+  while (comma < text.size()) {
+    const std::size_t begin = comma + 1;
+    comma = std::min(text.find(',', begin), text.size());
+    const std::string_view option = text.substr(begin, comma - begin);
+    if (!apply(option, spec)) return refused(option);
+  }
+  return spec;
+}
+
+}  // namespace roomcast

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What follows "sim:" on the command line: a scene and options, separated by commas.
+//   lab,camera=d435,speed=0.05,color=full,interference=2,bump_at=20,bump_cm=2,bump_deg=1,board,clean
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/simulator/sensing/sensing_options.h"
+
+namespace roomcast {
+
+inline constexpr double kMaxSimulatedSpeed = 10;
+inline constexpr double kMaxInterferencePerMinute = 60;
+
+inline constexpr double kMaxBumpAt_s = 86'400, kMaxBump_cm = 100, kMaxBump_deg = 90;
+
+/// Somebody knocks against the sensor.
+struct SimulatedBump {
+  double shift_cm = 5, angle_deg = 3;
+
+  /// Where the sensor stands then, in the frame it had: aside and back, turned left and down.
+  [[nodiscard]] RigidTransform stand_from_depth() const;
+};
+
+struct SimulatedSpec {
+  std::string scene;  // "": the first one
+  double speed = 1;   // of all motion: 0.05 is slow motion, 0 stands still
+  sim::SensingOptions sensing;
+  std::optional<double> bump_at_s;  // after opening
+  SimulatedBump bump;
+  bool board = false;  // somebody carries one about
+};
+
+/// Half-size colour unless color=full. kInvalidArgument, naming the option, for what is not as
+/// above.
+[[nodiscard]] Result<SimulatedSpec> parse_simulated_spec(std::string_view text);
+
+}  // namespace roomcast

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much light arrives at a point of the room. Linear light per channel; Lambert's cosine law,
+// inverse squares softened near the lamp, and an ambient term scaled by how open the surroundings
+// are. Thread-safe.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "roomcast/simulator/scene/room.h"
+#include "roomcast/simulator/tracing/ray_scene.h"
+
+namespace roomcast::sim {
+
+/// A point that is being lit.
+struct LitPoint {
+  Eigen::Vector3f position_m = Eigen::Vector3f::Zero();
+  Eigen::Vector3f normal = Eigen::Vector3f::UnitY();
+};
+
+/// As if nothing stood in between.
+[[nodiscard]] Eigen::Vector3f light_from(const Light& light, const LitPoint& at);
+[[nodiscard]] Eigen::Vector3f ambient_light(const Room& room, const LitPoint& at, float openness);
+
+/// Share of the lamp's face that can be seen from the point, by rays to `ray_count` places spread
+/// over it; the dither turns the spread. Asks fewer where the first four agree.
+[[nodiscard]] float share_of_lamp_seen(const RayScene& scene, const Light& light,
+                                       const LitPoint& at, int ray_count, std::uint32_t dither);
+
+/// The n-th of `count` unit vectors spread about the normal by the cosine law.
+[[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, int number,
+                                               int count);
+
+/// Share of the directions around the normal, weighted by their cosine, that are free for the first
+/// metre.
+[[nodiscard]] float openness_at(const RayScene& scene, const LitPoint& at);
+
+/// What leaves a surface that gets `arriving` light.
+[[nodiscard]] Eigen::Vector3f light_leaving(const Surface& surface, const Eigen::Vector3f& albedo,
+                                            const Eigen::Vector3f& arriving);
+
+}  // namespace roomcast::sim

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/source/drivers/openni2/openni2_backend.h"
+
+#include <filesystem>
+
+#include "roomcast/source/drivers/openni2/openni2_device.h"
+
+namespace roomcast {
+namespace {
+
+constexpr std::chrono::milliseconds kFileIsOver{500};
+
+class OpenNi2Camera final : public Camera {
+ public:
+  ~OpenNi2Camera() override {
+    on_openni2_thread([this] { device_.reset(); });
+  }
+
+  [[nodiscard]] Status open(const CameraInfo& info, bool loop) {
+    Status status;
+    on_openni2_thread([&] {
+      const OpenNi2Session session;
+      status = session.status();
+      if (!status) return;
+      device_ = std::make_unique<OpenNi2Device>(info);
+      status = device_->start(info.place, loop);
+    });
+    return status;
+  }
+
+  [[nodiscard]] const CameraDescription& description() const override {
+    return device_->description();
+  }
+
+  [[nodiscard]] Status wait(FramePairing& pictures, std::chrono::milliseconds patience) override {
+    if (device_->is_gone())
+      return Error{ErrorCode::kUnavailable, "OpenNI says that it was unplugged"};
+    const auto is_depth = device_->bell().wait(patience);
+    if (!is_depth) return after_silence(patience);
+    silence_ = silence_.zero();
+    on_openni2_thread([&] { device_->take(*is_depth, pictures); });
+    return {};
+  }
+
+  [[nodiscard]] Status lock_color(bool exposure, bool white_balance) override {
+    Status status;
+    on_openni2_thread([&] { status = device_->lock_color(exposure, white_balance); });
+    return status;
+  }
+
+ private:
+  /// OpenNI does not say that a file has ended.
+  [[nodiscard]] Status after_silence(std::chrono::milliseconds patience) {
+    silence_ += patience;
+    if (device_->plays_once() && silence_ >= kFileIsOver)
+      return Error{ErrorCode::kClosed, "the file has ended"};
+    return {};
+  }
+
+  std::unique_ptr<OpenNi2Device> device_;
+  std::chrono::milliseconds silence_{0};
+};
+
+/// Opens each for a moment: only an open device tells its serial number.
+Result<std::vector<CameraInfo>> list_cameras() {
+  const OpenNi2Session session;
+  if (Status status = session.status(); !status) return status.error();
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  std::vector<CameraInfo> cameras;
+  for (int i = 0; i < devices.getSize(); ++i) {
+    CameraInfo camera{devices[i].getUri(),
+                      std::string(devices[i].getVendor()) + " " + devices[i].getName(), ""};
+    openni::Device device;
+    if (device.open(devices[i].getUri()) == openni::STATUS_OK) {
+      camera.serial = openni2_serial(device);
+      device.close();
+    } else {
+      camera.obstacle = Error{ErrorCode::kUnavailable, openni::OpenNI::getExtendedError()};
+    }
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+class OpenNi2Backend final : public CameraBackend {
+ public:
+  [[nodiscard]] std::string kind() const override { return "openni2"; }
+  [[nodiscard]] std::string library() const override {
+    const openni::Version v = openni::OpenNI::getVersion();
+    return "OpenNI " + std::to_string(v.major) + "." + std::to_string(v.minor) + "." +
+           std::to_string(v.maintenance);
+  }
+  [[nodiscard]] CameraAbilities abilities() const override {
+    return {.lock_exposure = true, .lock_white_balance = true};
+  }
+  [[nodiscard]] bool plays(const std::string& place) const override {
+    return std::filesystem::path(place).extension() == ".oni";
+  }
+
+  [[nodiscard]] Result<std::vector<CameraInfo>> list() override {
+    Result<std::vector<CameraInfo>> cameras(std::vector<CameraInfo>{});
+    on_openni2_thread([&] { cameras = list_cameras(); });
+    return cameras;
+  }
+
+  [[nodiscard]] Result<std::unique_ptr<Camera>> open(const CameraInfo& info,
+                                                     const CameraSettings& settings) override {
+    std::error_code error;
+    if (plays(info.place) && !std::filesystem::is_regular_file(info.place, error))
+      return Error{ErrorCode::kNotFound, "there is no file " + info.place};
+    auto camera = std::make_unique<OpenNi2Camera>();
+    if (Status status = camera->open(info, settings.loop); !status) return status.error();
+    return std::unique_ptr<Camera>(std::move(camera));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<CameraBackend> openni2_backend() {
+  return std::make_unique<OpenNi2Backend>();
+}
+
+}  // namespace roomcast

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Through the API of OpenNI 2: a camera made by a driver of the tests (tests/virtual_openni2.cpp),
+// and files.
+#include "roomcast/source/drivers/openni2/openni2_backend.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <OpenNI.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/core/temporary_folder.h"
+#include "roomcast/source/camera/camera_source.h"
+#include "roomcast/source/drivers/openni2/openni2_session.h"
+#include "roomcast/source/drivers/openni2/openni2_streams.h"
+
+namespace roomcast {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OpenNi2 : public testing::Test {
+ protected:
+  OpenNi2() { ::setenv("ROOMCAST_VIRTUAL_CAMERAS", folder_.path().c_str(), 1); }
+  ~OpenNi2() override { ::unsetenv("ROOMCAST_VIRTUAL_CAMERAS"); }
+
+  void unplug() { std::ofstream(folder_ / "unplugged"); }
+  void plug_in() { fs::remove(folder_ / "unplugged"); }
+
+  std::unique_ptr<FrameSource> open(const std::string& place, bool loop = true) {
+    auto source = CameraSource::open(backend_, place, {.settings = {.loop = loop}});
+    EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
+    return source.ok() ? std::move(*source) : nullptr;
+  }
+
+  /// What the virtual camera shows, recorded by OpenNI itself.
+  fs::path record(int frames) {
+    fs::path file = folder_ / "recorded.oni";
+    on_openni2_thread([&] {
+      const OpenNi2Session session;
+      openni::Device device;
+      EXPECT_EQ(device.open("virtual://camera"), openni::STATUS_OK);
+      openni::VideoStream depth, color;
+      EXPECT_TRUE(make_openni2_stream(device, openni::SENSOR_DEPTH, depth).ok());
+      EXPECT_TRUE(make_openni2_stream(device, openni::SENSOR_COLOR, color).ok());
+      openni::Recorder recorder;
+      recorder.create(file.c_str());
+      recorder.attach(depth);
+      recorder.attach(color, false);
+      depth.start(), color.start(), recorder.start();
+      openni::VideoFrameRef frame;
+      for (int i = 0; i < frames; ++i) {
+        depth.readFrame(&frame);
+        color.readFrame(&frame);
+      }
+      frame.release();
+      recorder.stop();
+      recorder.destroy();
+      depth.destroy(), color.destroy();
+      device.close();
+    });
+    return file;
+  }
+
+  const TemporaryFolder folder_;
+  std::shared_ptr<CameraBackend> backend_ = openni2_backend();
+};
+
+void expect_virtual_camera(const CapturedFrame& frame) {
+  ASSERT_EQ(frame.depth_mm.width(), 320);
+  ASSERT_EQ(frame.color.width(), 320);
+  EXPECT_EQ(frame.depth_mm.at(0, 0), 1000);
+  EXPECT_EQ(frame.depth_mm.at(100, 50), 1200);
+  EXPECT_EQ(frame.color.at(100, 50), (Rgb8{50, 50, 77}));
+}
+
+TEST_F(OpenNi2, a_camera_is_listed_with_its_serial_number) {
+  const auto cameras = backend_->list();
+  ASSERT_TRUE(cameras.ok()) << cameras.error().message;
+  ASSERT_EQ(cameras->size(), 1U);
+  EXPECT_EQ(cameras->front().serial, "VIRTUAL-7");
+  EXPECT_EQ(cameras->front().model, "roomcast virtual camera");
+  EXPECT_FALSE(cameras->front().obstacle);
+}
+
+TEST_F(OpenNi2, a_camera_gives_depth_in_millimetres_and_colour) {
+  const auto source = open("VIRTUAL-7");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->description().name, "openni2-VIRTUAL-7");
+  CapturedFrame frame;
+  ASSERT_TRUE(*source->next(frame, {}));
+  expect_virtual_camera(frame);
+}
+
+TEST_F(OpenNi2, a_camera_that_lays_depth_over_colour_is_asked_to_and_its_lens_follows_its_view) {
+  const auto source = open("");
+  ASSERT_TRUE(source);
+  const SensorCalibration& cameras = source->description().calibration;
+  EXPECT_TRUE(cameras.color_is_registered);
+  EXPECT_NEAR(cameras.depth.fx, 160 / std::tan(0.5 * 1.0145), 0.01);
+  EXPECT_DOUBLE_EQ(cameras.depth.cx, 159.5);
+  EXPECT_DOUBLE_EQ(source->description().fps, 30);
+}
+
+TEST_F(OpenNi2, a_camera_that_is_unplugged_and_plugged_in_again_goes_on) {
+  const auto source = open("VIRTUAL-7");
+  ASSERT_TRUE(source);
+  CapturedFrame frame;
+  ASSERT_TRUE(*source->next(frame, {}));
+  unplug();
+  while (source->health().is_there) std::this_thread::yield();
+  plug_in();
+  ASSERT_TRUE(*source->next(frame, {}));
+  ASSERT_TRUE(*source->next(frame, {}));  // one may have been left from before
+  expect_virtual_camera(frame);
+  EXPECT_EQ(source->health().times_unplugged, 1U);
+}
+
+TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {
+  const fs::path file = record(6);
+  unplug();
+  const auto source = open(file, false);
+  ASSERT_TRUE(source);
+  CapturedFrame frame;
+  int frames = 0;
+  while (*source->next(frame, {})) {
+    expect_virtual_camera(frame);
+    ++frames;
+  }
+  EXPECT_GE(frames, 3);  // and more than were read, where the camera was quicker
+}
+
+TEST_F(OpenNi2, a_file_that_is_not_there_or_is_none_says_so) {
+  const auto open_file = [&](const fs::path& file) {
+    return CameraSource::open(backend_, file, {}).error();
+  };
+  EXPECT_EQ(open_file(folder_ / "absent.oni").code, ErrorCode::kNotFound);
+  std::ofstream(folder_ / "broken.oni") << "not a recording";
+  EXPECT_EQ(open_file(folder_ / "broken.oni").code, ErrorCode::kUnavailable);
+}
+
+TEST_F(OpenNi2, without_a_camera_there_is_none) {
+  unplug();
+  EXPECT_TRUE(backend_->list()->empty());
+  EXPECT_EQ(CameraSource::open(backend_, "", {}).error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(OpenNi2, a_recording_of_a_real_kinect_plays) {
+  const char* const data = std::getenv("ROOMCAST_DATA");
+  const fs::path file = fs::path(data != nullptr ? data : ROOMCAST_SOURCE_DIR "/../shared/data") /
+                        "kinect1_oni_fixed/test.oni";
+  if (!fs::exists(file))
+    GTEST_SKIP() << "no recording at " << file << "; set ROOMCAST_DATA to test with it";
+  const auto source = open(file);
+  ASSERT_TRUE(source);
+  CapturedFrame frame;
+  ASSERT_TRUE(*source->next(frame, {}));
+  EXPECT_EQ(frame.depth_mm.width(), 640);
+  EXPECT_EQ(frame.color.width(), 640);
+  int readings = 0;
+  for (int i = 0; i < 640 * 480; ++i) readings += frame.depth_mm.data()[i] > 0;
+  EXPECT_GT(readings, 640 * 480 / 2);
+  EXPECT_NEAR(source->description().calibration.depth.fx, 575.8, 0.2);
+  EXPECT_TRUE(source->description().calibration.color_is_registered);
+}
+
+}  // namespace
+}  // namespace roomcast

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// OpenNi2Device: an open device of OpenNI 2, or a file, and its two streams. Threading: everything
+// on OpenNI's thread (on_openni2_thread), construction and destruction too, but for those methods
+// that say otherwise.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <OpenNI.h>
+
+#include "roomcast/source/camera/camera.h"
+#include "roomcast/source/drivers/openni2/openni2_bell.h"
+#include "roomcast/source/drivers/openni2/openni2_session.h"
+
+namespace roomcast {
+
+class OpenNi2Device {
+ public:
+  explicit OpenNi2Device(const CameraInfo& info);
+  ~OpenNi2Device();
+
+  /// kUnavailable, kUnsupported: why it does not start.
+  [[nodiscard]] Status start(const std::string& uri, bool loop);
+  /// Puts the newest picture of a stream, if there is one, into `pictures`.
+  void take(bool is_depth, FramePairing& pictures);
+  [[nodiscard]] Status lock_color(bool exposure, bool white_balance);
+
+  // From any thread, once it has started.
+  [[nodiscard]] const CameraDescription& description() const { return description_; }
+  [[nodiscard]] bool plays_once() const { return plays_once_; }
+  [[nodiscard]] bool is_gone() const { return departure_.happened(); }
+  [[nodiscard]] OpenNi2Bell& bell() { return bell_; }
+
+ private:
+  void calibrate();
+  [[nodiscard]] bool tells_registration() const;
+
+  const OpenNi2Session session_;  // outlives everything below
+  OpenNi2Departure departure_;
+  openni::Device device_;
+  openni::VideoStream depth_, color_;
+  OpenNi2Bell bell_;
+  CameraDescription description_;
+  bool plays_once_ = false;
+  DepthImage depth_mm_;  // used again and again
+  ColorImage color_picture_;
+};
+
+}  // namespace roomcast

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomPicture: the picture that the room is drawn into for a ViewTarget: of the size that it asks
+// for, and measured. Needs the GL context it was made with.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/render/gl/gl_object.h"
+#include "roomcast/render/view/offscreen_target.h"
+#include "roomcast/viewer/view/room_view.h"
+#include "roomcast/viewer/view/view_target.h"
+
+namespace roomcast {
+
+struct GlQueryKind {
+  static GLuint create();  // GL_TIME_ELAPSED
+  static void destroy(GLuint name);
+};
+using GlQuery = GlObject<GlQueryKind>;
+
+/// How long the graphics card works on pictures, without waiting for it.
+class DrawTimer {
+ public:
+  void begin();
+  void end();
+  /// Of the newest picture that is known to be finished; nothing before the first.
+  [[nodiscard]] std::optional<nanoseconds> take();
+
+ private:
+  static constexpr std::size_t kInFlight = 4;
+  std::array<GlQuery, kInFlight> queries_ = {GlQuery::create(), GlQuery::create(),
+                                             GlQuery::create(), GlQuery::create()};
+  std::size_t begun_ = 0, taken_ = 0;  // counted up
+  bool measures_ = false;
+};
+
+class RoomPicture {
+ public:
+  /// Draws at the eyes' size. Errors as OffscreenTarget::create and RoomView::draw.
+  Status draw(RoomView& room, const Eyes& eyes, RenderMode mode);
+
+  /// Null before the first draw().
+  [[nodiscard]] const OffscreenTarget* target() const { return target_ ? &*target_ : nullptr; }
+  [[nodiscard]] std::optional<nanoseconds> take_drawing_time() { return timer_.take(); }
+
+ private:
+  std::optional<OffscreenTarget> target_;
+  DrawTimer timer_;
+};
+
+/// The surface at a pixel (from the top left) of a room that was drawn for `camera`; nothing where
+/// none is. Waits for the drawing to end.
+[[nodiscard]] std::optional<Eigen::Vector3d> surface_at(const OffscreenTarget& picture,
+                                                        const ViewCamera& camera, int x, int y);
+
+/// World frame, metres, at this depth of OpenGL (0 near to 1 far).
+[[nodiscard]] Eigen::Vector3d world_from_pixel(const ViewCamera& camera, double x, double y,
+                                               double depth);
+
+}  // namespace roomcast

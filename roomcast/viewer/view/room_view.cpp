@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/view/room_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast {
+
+Result<RoomView> RoomView::create() {
+  auto renderer = RoomRenderer::create();
+  if (!renderer) return renderer.error();
+  auto people = PeopleView::create();
+  if (!people) return people.error();
+  return RoomView(std::move(*renderer), std::move(*people));
+}
+
+// One sensor that cannot be drawn must not freeze the others.
+Status RoomView::show(const RoomSnapshot& room) {
+  Status first_fault;
+  people_.follow(room);
+  for (const RoomSensor& sensor : room.sensors) {
+    auto status = show_sensor(sensor);
+    if (!status && first_fault) first_fault = std::move(status);
+  }
+  return first_fault;
+}
+
+// A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
+// one.
+Status RoomView::show_sensor(const RoomSensor& sensor) {
+  if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
+    renderer_.remove(sensor.id);
+    uploaded_.erase(sensor.id);
+    return {};
+  }
+  if (auto status =
+          renderer_.set_sensor(sensor.id, sensor.calibration.depth, sensor.world_from_depth);
+      !status) {
+    return status;
+  }
+  renderer_.set_apart(sensor.id, !sensor.placed);
+  Uploaded& uploaded = uploaded_[sensor.id];
+  if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
+  const codec::DecodedFrame& frame = sensor.picture->frame;
+  if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen);
+      !status)
+    return status;
+  uploaded = {sensor.picture, sensor.calibration.depth};
+  return {};
+}
+
+Status RoomView::draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode) {
+  if (auto status = renderer_.draw(eyes, target, mode); !status) return status;
+  people_.draw(eyes, target);
+  return {};
+}
+
+RigidTransform world_from_start_view(const RoomSnapshot& room) {
+  return room.start_pose.value_or(world_from_view_looking_at({0, 1.6, 0}, {0, 1.2, -1}));
+}
+
+}  // namespace roomcast

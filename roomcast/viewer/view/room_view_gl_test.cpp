@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "roomcast/render/gl/gl_context.h"
+#include "roomcast/viewer/view/room_view.h"
+
+namespace roomcast {
+namespace {
+
+constexpr int kSide = 64;
+
+std::shared_ptr<const SensorPicture> wall(Rgb8 color) {
+  auto picture = std::make_shared<SensorPicture>();
+  picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
+  picture->frame.color = ColorImage(kSide, kSide, color);
+  picture->frame.color_seen = MaskImage(kSide, kSide, 255);
+  return picture;
+}
+
+RoomSnapshot room_with(std::shared_ptr<const SensorPicture> picture) {
+  RoomSensor sensor;
+  sensor.online = true;
+  sensor.calibration.depth = {
+      .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 31.5, .cy = 31.5};
+  sensor.world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -1});
+  sensor.picture = std::move(picture);
+  RoomSnapshot room;
+  room.sensors.push_back(sensor);
+  return room;
+}
+
+class RoomViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(context.ok()) << context.error().message;
+    auto created = RoomView::create();
+    ASSERT_TRUE(created.ok()) << created.error().message;
+    view.emplace(std::move(*created));
+  }
+
+  Rgb8 middle_of_picture() {
+    auto target = OffscreenTarget::create(kSide, kSide);
+    ViewCamera camera;
+    camera.width = camera.height = kSide;
+    camera.world_from_view = world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
+    EXPECT_TRUE(view->draw(camera, *target, RenderMode::kSplats).ok());
+    return target->read_color().at(kSide / 2, kSide / 2);
+  }
+
+  Result<EglContext> context = EglContext::create();
+  std::optional<RoomView> view;
+};
+
+TEST_F(RoomViewTest, the_newest_picture_is_drawn) {
+  ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10}));
+  ASSERT_TRUE(view->show(room_with(wall({10, 200, 10}))).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{10, 200, 10}));
+}
+
+TEST_F(RoomViewTest, a_sensor_that_left_is_not_drawn) {
+  auto room = room_with(wall({200, 10, 10}));
+  ASSERT_TRUE(view->show(room).ok());
+  room.sensors[0].online = false;
+  ASSERT_TRUE(view->show(room).ok());
+  EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
+}
+
+TEST_F(RoomViewTest, a_sensor_that_is_switched_off_is_not_drawn) {
+  view->hide({SensorId{0}});
+  ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
+  EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
+  view->hide({});
+  ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10}));
+}
+
+TEST_F(RoomViewTest, people_are_hidden_by_walls_and_hide_walls) {
+  RoomSnapshot room = room_with(wall({200, 10, 10}));
+  RoomPerson person{ViewerId{4}, "Ada", {10, 10, 250}, PersonPose{}};
+  person.pose->world_from_head.translation_m = {0, 1, -3};
+  room.people = {person};
+  ASSERT_TRUE(view->show(room).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10})) << "the wall is 2 m away";
+  room.people[0].pose->world_from_head.translation_m = {0, 1, -1};
+  room.people[0].pose->world_from_head.rotation =
+      Eigen::Vector3d(-1, 1, -1).asDiagonal();  // shows its back: the visor is dark
+  ASSERT_TRUE(view->show(room).ok());
+  while (view->people().advance(0.1)) {
+  }
+  const Rgb8 head = middle_of_picture();
+  EXPECT_GT(head.b, head.r);
+}
+
+TEST_F(RoomViewTest, a_sensor_without_a_picture_is_no_error) {
+  EXPECT_TRUE(view->show(room_with(nullptr)).ok());
+  EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
+}
+
+TEST(StartView, is_where_the_hub_says) {
+  RoomSnapshot room;
+  EXPECT_GT(world_from_start_view(room).translation_m.y(), 1);
+  room.start_pose = RigidTransform{Eigen::Matrix3d::Identity(), {1, 2, 3}};
+  EXPECT_EQ(world_from_start_view(room).translation_m, Eigen::Vector3d(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace roomcast

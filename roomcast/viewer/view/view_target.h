@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// ViewTarget: whatever people see the room in on a screen: a window, a picture in memory.
+// All of them are drawn the same way: the room is drawn into an OffscreenTarget of the size that
+// the target asks for, and the finished picture is shown.
+#pragma once
+
+#include "roomcast/core/image.h"
+#include "roomcast/render/view/offscreen_target.h"
+
+namespace roomcast {
+
+struct PictureSize {
+  int width = 0, height = 0;  // pixels
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+class ViewTarget {
+ public:
+  virtual ~ViewTarget() = default;
+  /// Of the picture to draw now; may change between frames.
+  [[nodiscard]] virtual PictureSize size() const = 0;
+  /// Copies the picture; needs the GL context in which it was drawn.
+  virtual void show(const OffscreenTarget& picture) = 0;
+};
+
+/// Keeps what was shown last.
+class PictureTarget final : public ViewTarget {
+ public:
+  explicit PictureTarget(PictureSize size) : size_(size) {}
+  [[nodiscard]] PictureSize size() const override { return size_; }
+  void show(const OffscreenTarget& picture) override { picture_ = picture.read_color(); }
+  [[nodiscard]] const ColorImage& picture() const { return picture_; }
+
+ private:
+  PictureSize size_;
+  ColorImage picture_;
+};
+
+}  // namespace roomcast
