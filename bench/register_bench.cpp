@@ -79,7 +79,7 @@ Result<std::vector<RegisterBenchRow>> measure(const RegisterBenchInput& input, d
 }
 
 /// Boxes before a wall and a floor: steps, slopes and occlusion in every part of the picture.
-std::uint16_t made_up_depth_mm(int x, int y) {
+std::uint16_t invented_depth_mm(int x, int y) {
   const bool box = (x / 60 + y / 50) % 4 == 0;
   if (box) return static_cast<std::uint16_t>(1200 + x / 8);
   const int floor_mm = y > 250 ? 1'100'000 / (y - 20) : 5000;
@@ -98,7 +98,7 @@ RegisterBenchInput synthetic_kinect_v2_input() {
   CapturedFrame frame;
   frame.depth_mm.resize(512, 424);
   for (int y = 0; y < 424; ++y) {
-    for (int x = 0; x < 512; ++x) frame.depth_mm.at(x, y) = made_up_depth_mm(x, y);
+    for (int x = 0; x < 512; ++x) frame.depth_mm.at(x, y) = invented_depth_mm(x, y);
   }
   frame.color.resize(1920, 1080);
   for (int v = 0; v < 1080; ++v) {

@@ -6,6 +6,9 @@
 #     LINK roomcast::core PkgConfig::VPX)
 #
 # Tests named *_gl_test.cpp need a GL 4.5 context; they get a program and the CTest label "gl" of their own.
+#
+# Sources of a library are compiled several at a time (ROOMCAST_UNITY_BUILD): most of a file's time is its headers'. So names in
+# their anonymous namespaces differ from file to file. SEPARATE leaves a library out of that.
 
 add_library(roomcast_flags INTERFACE)
 target_include_directories(roomcast_flags INTERFACE ${PROJECT_SOURCE_DIR})
@@ -23,16 +26,28 @@ if(ROOMCAST_SANITIZE)
   target_link_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE})
 endif()
 
+set(ROOMCAST_SOURCES_AT_A_TIME 10)
+set(ROOMCAST_TESTS_FOR_A_PRECOMPILED_HEADER 6)  # with fewer it costs more than it saves
+
 function(roomcast_test target label)
   add_executable(${target} ${ARGN})
+  list(LENGTH ARGN count)
+  if(count GREATER_EQUAL ROOMCAST_TESTS_FOR_A_PRECOMPILED_HEADER)
+    target_precompile_headers(${target} PRIVATE <algorithm> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory>
+      <optional> <span> <string> <vector> <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
   gtest_discover_tests(${target} TEST_PREFIX "${target}." DISCOVERY_TIMEOUT 30
     PROPERTIES LABELS ${label} TIMEOUT ${ROOMCAST_TEST_TIMEOUT_S})
 endfunction()
 
 function(roomcast_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SEPARATE" "" "SOURCES;TESTS;LINK" ${ARGN})
   if(ARG_SOURCES)
     add_library(roomcast_${name} STATIC ${ARG_SOURCES})
+    if(ROOMCAST_UNITY_BUILD AND NOT ARG_SEPARATE)
+      set_target_properties(roomcast_${name} PROPERTIES
+        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${ROOMCAST_SOURCES_AT_A_TIME})
+    endif()
     set(scope PUBLIC)
   else()
     add_library(roomcast_${name} INTERFACE)

@@ -12,7 +12,7 @@ namespace {
 using namespace roomcast;  // NOLINT: this file is nothing but glue
 
 constexpr int kWidth = 33, kHeight = 18;  // those of the golden frames live_random
-constexpr std::size_t kMostSections = 24;
+constexpr std::size_t kMaxSections = 24;
 
 void decode(codec::LiveDepthDecoder& decoder, std::span<const std::uint8_t> bytes,
             DepthImage& out) {
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   codec::LiveDepthDecoder decoder;
   DepthImage out(kWidth, kHeight);
   std::span<const std::uint8_t> rest(data, size);
-  for (std::size_t i = 0; i < kMostSections && rest.size() >= 2; ++i) {
+  for (std::size_t i = 0; i < kMaxSections && rest.size() >= 2; ++i) {
     const std::size_t length = std::min<std::size_t>(rest[0] | rest[1] << 8, rest.size() - 2);
     decode(decoder, rest.subspan(2, length), out);
     rest = rest.subspan(2 + length);

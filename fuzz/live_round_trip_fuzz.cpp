@@ -12,7 +12,7 @@ namespace {
 
 using namespace roomcast;  // NOLINT: this file is nothing but glue
 
-constexpr int kMostFrames = 40;
+constexpr int kMaxFrames = 40;
 
 /// Hands out the input, then zeros.
 class Bytes {
@@ -78,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   codec::LiveDepthDecoder decoder;
   DepthImage depth(width, height, 2000), shown(width, height);
   std::vector<std::uint8_t> section;
-  for (int i = 0; i < kMostFrames && !bytes.empty(); ++i) {
+  for (int i = 0; i < kMaxFrames && !bytes.empty(); ++i) {
     change(bytes, depth);
     section.clear();
     encoder.encode(depth, schedule.next(false), section);

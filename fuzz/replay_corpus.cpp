@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kDamagedCopies = 24, kMostDamage = 8;  // of each file; bytes of a copy
+constexpr int kDamagedCopies = 24, kMaxDamage = 8;  // of each file; bytes of a copy
 
 Bytes read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -28,7 +28,7 @@ Bytes read(const std::filesystem::path& path) {
 
 Bytes damaged(Bytes bytes, std::mt19937& random) {
   if (bytes.empty()) return bytes;
-  for (std::uint32_t n = random() % kMostDamage; n > 0; --n) {
+  for (std::uint32_t n = random() % kMaxDamage; n > 0; --n) {
     bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
   }
   if (random() % 3 == 0) bytes.resize(random() % bytes.size());

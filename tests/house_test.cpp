@@ -134,14 +134,14 @@ TEST(House, notices_who_asks_the_time_of_day) {
 }
 
 TEST(House, notices_a_missing_licence) {
-  EXPECT_FALSE(has_licence({"roomcast/core/made_up.h", "#pragma once\n"}));
+  EXPECT_FALSE(has_licence({"roomcast/core/example.h", "#pragma once\n"}));
 }
 
 TEST(House, notices_a_source_that_no_test_uses) {
-  const SourceFile source{"roomcast/core/made_up.cpp", "#include \"roomcast/core/made_up.h\"\n"};
+  const SourceFile source{"roomcast/core/example.cpp", "#include \"roomcast/core/example.h\"\n"};
   const SourceFile other{"roomcast/core/other_test.cpp", "#include \"roomcast/core/other.h\"\n"};
-  const SourceFile own{"roomcast/core/own_test.cpp", "#include \"roomcast/core/made_up.h\"\n"};
-  EXPECT_EQ(untested({source, other}), std::vector<std::string>{"roomcast/core/made_up.cpp"});
+  const SourceFile own{"roomcast/core/own_test.cpp", "#include \"roomcast/core/example.h\"\n"};
+  EXPECT_EQ(untested({source, other}), std::vector<std::string>{"roomcast/core/example.cpp"});
   EXPECT_TRUE(untested({source, other, own}).empty());
 }
 

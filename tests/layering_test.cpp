@@ -174,33 +174,33 @@ std::vector<std::string> arrows_of_snippet(const std::string& path, const std::s
 }
 
 TEST(Layering, finds_an_arrow_that_points_up) {
-  EXPECT_THAT(arrows_of_snippet("roomcast/codec/made_up.cpp",
+  EXPECT_THAT(arrows_of_snippet("roomcast/codec/example.cpp",
                                 "#include <vector>\n#include \"roomcast/core/result.h\"\n"
                                 "  #  include \"roomcast/net/http_server.h\"\n"),
               testing::ElementsAre(testing::HasSubstr("roomcast/codec may not use roomcast/net")));
 }
 
 TEST(Layering, finds_an_include_without_its_whole_path) {
-  EXPECT_THAT(arrows_of_snippet("roomcast/codec/made_up.h", "#include \"result.h\"\n"),
+  EXPECT_THAT(arrows_of_snippet("roomcast/codec/example.h", "#include \"result.h\"\n"),
               testing::ElementsAre(testing::HasSubstr("not a path from the top of the tree")));
 }
 
 TEST(Layering, finds_a_folder_without_a_row) {
-  EXPECT_THAT(arrows_of_snippet("roomcast/misc/made_up.h", ""),
+  EXPECT_THAT(arrows_of_snippet("roomcast/misc/example.h", ""),
               testing::ElementsAre(testing::HasSubstr("no row in the table")));
 }
 
 TEST(Layering, lets_the_simulator_see_the_interface_of_sources_but_not_other_sources) {
-  EXPECT_THAT(arrows_of_snippet("roomcast/source/simulator/made_up.h",
+  EXPECT_THAT(arrows_of_snippet("roomcast/source/simulator/provisional.h",
                                 "#include \"roomcast/source/frame_source.h\"\n"),
               testing::IsEmpty());
-  EXPECT_THAT(arrows_of_snippet("roomcast/source/simulator/made_up.h",
+  EXPECT_THAT(arrows_of_snippet("roomcast/source/simulator/provisional.h",
                                 "#include \"roomcast/source/rig/rig_source.h\"\n"),
               testing::SizeIs(1));
 }
 
 TEST(Layering, lets_nobody_use_the_command_line) {
-  EXPECT_THAT(arrows_of_snippet("bench/made_up.cpp", "#include \"roomcast/cli/demo.h\"\n"),
+  EXPECT_THAT(arrows_of_snippet("bench/provisional.cpp", "#include \"roomcast/cli/demo.h\"\n"),
               testing::SizeIs(1));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From sensors' clocks to frame sets: recorded sensors whose clocks are seconds apart, drift and
-// lose frames, each behind a network of its own, stamp room time by ClockSync, and FrameSetBuilder
-// puts what belongs together into one set. Nothing waits here: events are worked through in the
-// order of true time.
+// lose frames, each behind a network of its own, stamp room time by ClockSync, and
+// FrameSynchronizer puts what belongs together into one set. Nothing waits here: events are worked
+// through in the order of true time.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/client/clock_sync.h"
-#include "roomcast/client/ping_pace.h"
+#include "roomcast/client/ping_schedule.h"
 #include "roomcast/client/simulated_clocks.h"
-#include "roomcast/hub/room/frame_set_builder.h"
+#include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/wire/limits.h"
 
@@ -75,7 +75,7 @@ std::vector<SentFrame> send(SensorId sensor, const Host& host,
     return (true_s + host.clock_ahead_s) / (1 + host.drift);
   };
   ClockSync sync;
-  PingPace pace(PingPace::kOfSensor, sensor.value + 1U);
+  PingSchedule pace(PingSchedule::kOfSensor, sensor.value + 1U);
   double next_ping_s = host_s(captures.front()) - 3;
   std::vector<SentFrame> sent;
   for (const double captured_s : captures) {
@@ -133,7 +133,7 @@ class Hub {
     }
   }
 
-  hub::FrameSetBuilder builder_;
+  hub::FrameSynchronizer builder_;
   std::map<std::pair<std::uint16_t, std::uint32_t>, SentFrame> sent_;
   std::vector<ClosedSet> sets_;
 };

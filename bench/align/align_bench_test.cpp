@@ -9,7 +9,7 @@
 
 #include "bench/align/fpfh_ransac.h"
 #include "bench/align/sift_pnp.h"
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::bench {
@@ -58,8 +58,8 @@ TEST(AlignBench, reports_as_json_and_as_a_table) {
   EXPECT_THAT(table.str(), testing::HasSubstr("22 of 24"));
 }
 
-const align::MadeUpView& beside() {
-  static const align::MadeUpView view = align::made_up_view(
+const align::ViewFixture& beside() {
+  static const align::ViewFixture view = align::view_fixture(
       {}, "beside", world_from_optical_looking_at({1.9, 1.9, 1.4}, {0.3, 0.4, -0.3}));
   return view;
 }

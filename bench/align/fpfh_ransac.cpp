@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "roomcast/alignment/feature/shape_features.h"
+#include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/rigid_fit.h"
-#include "roomcast/alignment/pair/settling.h"
 
 namespace roomcast::bench {
 namespace {
@@ -18,7 +18,7 @@ using align::PointMatch;
 constexpr int kTrials = 20'000;
 constexpr float kInlier_m = 0.09F;  // one and a half times what points are thinned to
 constexpr float kEdgeRatio = 0.9F;  // of the same edge in both views
-constexpr std::size_t kLeastInliers = 5;
+constexpr std::size_t kMinInliers = 5;
 
 std::vector<PointMatch> shape_matches(const align::SensorView& a, const align::SensorView& b) {
   const auto of_a = align::shape_features(a.surface.samples);
@@ -60,7 +60,7 @@ std::optional<RigidTransform> fitted(std::span<const PointMatch> matches) {
 std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
                                                const align::SensorView& b) {
   const std::vector<PointMatch> matches = shape_matches(a, b);
-  if (matches.size() < kLeastInliers) return std::nullopt;
+  if (matches.size() < kMinInliers) return std::nullopt;
   std::mt19937 random(1);
   std::vector<PointMatch> best;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -72,10 +72,10 @@ std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
     auto agreeing = inliers(matches, *pose);
     if (agreeing.size() > best.size()) best = std::move(agreeing);
   }
-  if (best.size() < kLeastInliers) return std::nullopt;
+  if (best.size() < kMinInliers) return std::nullopt;
   const auto pose = fitted(best);
   if (!pose) return std::nullopt;
-  return align::settled_pose(a, b, {}, *pose).a_from_b;
+  return align::refined_pose(a, b, {}, *pose).a_from_b;
 }
 
 }  // namespace roomcast::bench

@@ -7,20 +7,20 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 
 namespace roomcast::bench {
 namespace {
 
-SimulatedView seen(const align::MadeUpView& view) {
+SimulatedView seen(const align::ViewFixture& view) {
   return {view.view, view.world_from_depth};
 }
 
 /// Two sensors of one room, and one of a room that looks different.
 FreshSuite align_two_and_a_stranger() {
-  align::MadeUpRoom elsewhere;
+  align::RoomFixture elsewhere;
   elsewhere.looks = 7;
-  const auto stranger = align::made_up_view(elsewhere, "far", align::corner_pose(-2, 1.5));
+  const auto stranger = align::view_fixture(elsewhere, "far", align::corner_pose(-2, 1.5));
   FreshSuite suite;
   suite.add({"made-up",
              {seen(align::first_corner()), seen(align::second_corner()), {nullptr, {}}},

@@ -15,7 +15,7 @@ constexpr float kRatio = 0.8F;  // Lowe 2004
 constexpr int kRansacTrials = 5000;
 constexpr float kInlier_px = 4;
 constexpr double kConfidence = 0.9999;
-constexpr std::size_t kLeastMatches = 6;
+constexpr std::size_t kMinMatches = 6;
 
 struct Matches {
   std::vector<cv::Point3d> b_m;
@@ -66,7 +66,7 @@ std::optional<RigidTransform> sift_pnp_pose(const align::SensorView& a,
                                             const align::SensorView& b) {
   cv::setNumThreads(1);
   const Matches matches = ratio_matches(a.picture_features, b.picture_features);
-  if (matches.b_m.size() < kLeastMatches) return std::nullopt;
+  if (matches.b_m.size() < kMinMatches) return std::nullopt;
   const auto& camera = a.picture.camera;
   const cv::Mat matrix =
       (cv::Mat_<double>(3, 3) << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
@@ -75,7 +75,7 @@ std::optional<RigidTransform> sift_pnp_pose(const align::SensorView& a,
   if (!cv::solvePnPRansac(matches.b_m, matches.a_pixel, matrix, cv::noArray(), rotation,
                           translation, false, kRansacTrials, kInlier_px, kConfidence, inliers,
                           cv::SOLVEPNP_AP3P) ||
-      inliers.size() < kLeastMatches) {
+      inliers.size() < kMinMatches) {
     return std::nullopt;
   }
   const RigidTransform color_from_depth{a.picture.color_from_depth_rotation.cast<double>(),

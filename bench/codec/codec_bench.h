@@ -36,8 +36,8 @@ struct DepthQuality {
   std::optional<double> rms_truth_mm, rms_truth_static_mm, rms_truth_slow_mm, rms_truth_moving_mm;
   // To what the sensor would have read without noise: what a codec could bring back.
   std::optional<double> rms_noise_free_static_mm, rms_noise_free_slow_mm, rms_noise_free_moving_mm;
-  double outliers_20mm = 0;      // per frame, against the truth where it is known, else the input
-  double lost = 0, made_up = 0;  // readings per frame that the input has and the output has not
+  double outliers_20mm = 0;  // per frame, against the truth where it is known, else the input
+  double lost = 0, provisional = 0;  // readings per frame that the input has and the output has not
 };
 
 struct CodecBenchRow {

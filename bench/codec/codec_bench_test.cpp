@@ -15,9 +15,9 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 
 /// A made-up sensor: `count` frames.
-class MadeUpInput final : public BenchInput {
+class InputFixture final : public BenchInput {
  public:
-  explicit MadeUpInput(int count) : count_(count) {}
+  explicit InputFixture(int count) : count_(count) {}
   std::string name() const override { return "made up"; }
   double fps() const override { return 30; }
   ColorReference color_reference() const override { return ColorReference::kInput; }
@@ -92,7 +92,7 @@ TEST(Candidate, is_refused_when_it_breaks_its_bound) {
 }
 
 TEST(CodecBench, counts_what_each_codec_sends) {
-  MadeUpInput input(3);
+  InputFixture input(3);
   input.with_color = true;
   const auto report = run_codec_bench(input);
   ASSERT_TRUE(report.ok()) << report.error().message;
@@ -119,7 +119,7 @@ TEST(CodecBench, counts_what_each_codec_sends) {
 
 TEST(CodecBench, colour_on_a_surface_that_was_not_measured_counts_apart) {
   // Behind what one frame shows for a moment, live depth and colour go on with what was there.
-  MadeUpInput input(4);
+  InputFixture input(4);
   input.with_color = true;
   const auto report = run_codec_bench(input, {.only = "live+color"});
   ASSERT_TRUE(report.ok()) << report.error().message;
@@ -130,14 +130,14 @@ TEST(CodecBench, colour_on_a_surface_that_was_not_measured_counts_apart) {
 }
 
 TEST(CodecBench, leaves_out_colour_codecs_where_there_is_no_colour) {
-  MadeUpInput input(2);
+  InputFixture input(2);
   const auto report = run_codec_bench(input);
   ASSERT_TRUE(report.ok());
   for (const CodecBenchRow& row : report->rows) EXPECT_EQ(row.color_bytes, 0) << row.codec;
 }
 
 TEST(CodecBench, compares_with_the_truth_where_it_is_known) {
-  MadeUpInput input(3);
+  InputFixture input(3);
   input.with_truth = true;
   const auto report = run_codec_bench(input);
   ASSERT_TRUE(report.ok());
@@ -150,7 +150,7 @@ TEST(CodecBench, compares_with_the_truth_where_it_is_known) {
 }
 
 TEST(CodecBench, runs_one_codec_or_one_mode_alone) {
-  MadeUpInput input(1), same_input(1), again(1);
+  InputFixture input(1), same_input(1), again(1);
   const auto codec = run_codec_bench(input, {.only = "rvl"});
   ASSERT_TRUE(codec.ok());
   EXPECT_EQ(codec->rows.size(), 1u);
@@ -161,7 +161,7 @@ TEST(CodecBench, runs_one_codec_or_one_mode_alone) {
 }
 
 TEST(CodecBench, prints_the_promised_keys) {
-  MadeUpInput input(1);
+  InputFixture input(1);
   input.with_color = true;
   std::ostringstream json_text, table;
   const auto report = run_codec_bench(input).value();
@@ -184,7 +184,7 @@ TEST(CodecBench, prints_the_promised_keys) {
 }
 
 TEST(CodecBench, refuses_no_frames_and_frames_of_two_sizes) {
-  MadeUpInput empty(0), growing(2);
+  InputFixture empty(0), growing(2);
   growing.growing = true;
   EXPECT_FALSE(run_codec_bench(empty).ok());
   EXPECT_FALSE(run_codec_bench(growing).ok());

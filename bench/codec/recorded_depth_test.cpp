@@ -17,7 +17,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kMostFrames = 4;  // of each recording; enough, and a second in all
+constexpr int kMaxFrames = 4;  // of each recording; enough, and a second in all
 
 std::filesystem::path data_folder() {
   const char* named = std::getenv("ROOMCAST_DATA");
@@ -55,7 +55,7 @@ void expect_within_bound(const DepthImage& depth, int bound_mm) {
   error.add(decoded, depth, {});
   EXPECT_LE(error.max_input_mm(), bound_mm);
   EXPECT_EQ(error.lost(), 0);
-  EXPECT_EQ(error.made_up(), 0);
+  EXPECT_EQ(error.provisional(), 0);
 }
 
 class RecordedDepth : public testing::TestWithParam<const char*> {};
@@ -70,7 +70,7 @@ TEST_P(RecordedDepth, is_bit_exact_and_smaller_than_rvl_and_within_every_bound) 
   ASSERT_TRUE(source.ok()) << source.error().message;
   CapturedFrame frame;
   Sizes sizes;
-  for (int i = 0; i < kMostFrames; ++i) {
+  for (int i = 0; i < kMaxFrames; ++i) {
     const auto more = (*source)->next(frame, {});
     ASSERT_TRUE(more.ok()) << more.error().message;
     if (!*more) break;

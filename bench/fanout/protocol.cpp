@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "bench/fanout/unit_counter.h"
-#include "bench/made_up_sensor.h"
+#include "bench/sensor_fixture.h"
+#include "roomcast/net/framed_message.h"
 #include "roomcast/net/message_buffer.h"
-#include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -121,8 +121,8 @@ std::string upgrade() {
 std::string sealed(const wire::pb::Control& control) {
   std::vector<std::uint8_t> message;
   wire::encode_control(control, message);
-  return std::string(
-      text(net::seal(net::MessageBuffer(message), net::Opcode::kBinary, kMask)->wire_bytes()));
+  return std::string(text(
+      net::frame_message(net::MessageBuffer(message), net::Opcode::kBinary, kMask)->wire_bytes()));
 }
 
 class RoomcastProtocol final : public Protocol {
@@ -137,7 +137,7 @@ class RoomcastProtocol final : public Protocol {
 
   std::string publisher_greeting(int index) const override {
     wire::pb::Control control;
-    *control.mutable_join() = made_up_sensor(fmt::format("s{}", index), fps_);
+    *control.mutable_join() = sensor_fixture(fmt::format("s{}", index), fps_);
     return upgrade() + sealed(control);
   }
 
@@ -146,7 +146,8 @@ class RoomcastProtocol final : public Protocol {
   }
 
   void publish(std::span<const std::uint8_t> frame, std::string& out) const override {
-    out += text(net::seal(net::MessageBuffer(frame), net::Opcode::kBinary, kMask)->wire_bytes());
+    out += text(
+        net::frame_message(net::MessageBuffer(frame), net::Opcode::kBinary, kMask)->wire_bytes());
   }
 
  private:

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/net/framed_message.h"
 #include "roomcast/net/message_buffer.h"
-#include "roomcast/net/sealed_message.h"
 
 namespace roomcast::bench {
 namespace {
@@ -22,7 +22,7 @@ std::string frame(std::uint32_t number) {
 }
 
 std::string sealed(const std::string& payload) {
-  const auto message = net::seal(net::MessageBuffer(
+  const auto message = net::frame_message(net::MessageBuffer(
       std::span(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size())));
   return {message->wire_bytes().begin(), message->wire_bytes().end()};
 }

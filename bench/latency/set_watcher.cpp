@@ -45,7 +45,7 @@ class SetWatcher::Link final : public HubLinkEvents {
     arrivals_.ages_ms.push_back(age.count());
     ++arrivals_.sets[header->set.value];
   }
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate& estimate) override {
     const std::chrono::duration<double, std::micro> error = estimate.room_minus_host;
     const std::lock_guard lock(mutex_);

@@ -10,7 +10,7 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "bench/latency/hub_address.h"
-#include "bench/made_up_sensor.h"
+#include "bench/sensor_fixture.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/wire/frame_header.h"
@@ -25,7 +25,7 @@ class TimedSensor::Link final : public HubLinkEvents {
             std::chrono::duration<double>(1 / options.fps))),
         timer_(network_.io()),
         link_(network_.io(), hub_address(options.hub_url),
-              made_up_sensor(options.name, options.fps), *this) {
+              sensor_fixture(options.name, options.fps), *this) {
     link_.start();
     network_.start();
   }
@@ -46,7 +46,7 @@ class TimedSensor::Link final : public HubLinkEvents {
   void on_frame(net::MessageBuffer) override {}
   void on_clock(const ClockEstimate&) override {}
   void on_down(const Error&, bool) override { timer_.cancel(); }
-  net::SealedMessagePtr next_frame() override {
+  net::FramedMessagePtr next_frame() override {
     if (frames_.empty()) return nullptr;
     auto frame = std::move(frames_.front());
     frames_.pop_front();
@@ -67,7 +67,7 @@ class TimedSensor::Link final : public HubLinkEvents {
   }
 
   // The hub runs on this machine's clock, so the stamp is exact whatever the clock sync believes.
-  net::SealedMessagePtr make_frame() {
+  net::FramedMessagePtr make_frame() {
     std::vector<std::uint8_t> bytes(options_.frame_bytes);
     const wire::FrameHeader header{
         .key = true,
@@ -79,7 +79,7 @@ class TimedSensor::Link final : public HubLinkEvents {
     wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
     ++seq_;
     ++frames_sent_;
-    return net::seal(net::MessageBuffer(bytes));
+    return net::frame_message(net::MessageBuffer(bytes));
   }
 
   const TimedSensorOptions options_;
@@ -87,7 +87,7 @@ class TimedSensor::Link final : public HubLinkEvents {
   std::atomic<std::uint64_t> frames_sent_ = 0;
   SensorId id_{};
   std::uint32_t seq_ = 0;
-  std::deque<net::SealedMessagePtr> frames_;
+  std::deque<net::FramedMessagePtr> frames_;
   NetworkThread network_;
   boost::asio::steady_timer timer_;
   HubLink link_;

@@ -6,7 +6,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "roomcast/alignment/board/board_match.h"
-#include "roomcast/alignment/board/tag_finder.h"
+#include "roomcast/alignment/board/tag_tracker.h"
 
 namespace roomcast::bench {
 namespace {
@@ -19,7 +19,7 @@ constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are no
 
 std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
                                             nanoseconds phase, double& look_ms) {
-  align::TagFinder tags(sensor.calibration());
+  align::TagTracker tags(sensor.calibration());
   std::vector<align::TagSighting> sightings;
   const int frames = static_cast<int>(options.seconds * options.fps);
   for (int i = 0; i < frames; ++i) {

@@ -14,7 +14,7 @@
 
 #include "bench/codec/cpu_stopwatch.h"
 #include "bench/live_align/filmed_sensor.h"
-#include "roomcast/alignment/watch/stand_watch.h"
+#include "roomcast/alignment/motion/pose_change_detector.h"
 
 namespace roomcast::bench {
 namespace {
@@ -74,7 +74,7 @@ class Scene {
   }
 
   void watch_unmoved(FilmedSensor& sensor, const align::CalibrationBundle& bundle, MovedRow& row) {
-    align::StandWatch watch(bundle);
+    align::PoseChangeDetector watch(bundle);
     double cpu = 0;
     const nanoseconds end(std::llround(60e9 * options_.minutes));
     for (nanoseconds time{}; time < end; time += align::kLookInterval) {
@@ -85,7 +85,7 @@ class Scene {
       ++row.looks;
       if (!alarm) continue;
       ++row.alarms;
-      watch = align::StandWatch(bundle);
+      watch = align::PoseChangeDetector(bundle);
     }
     row.look_ms = cpu / std::max(1, row.looks);
   }
@@ -95,7 +95,7 @@ class Scene {
                     const RigidTransform& push, PushTally& tally) {
     auto pushed = open(push);
     if (!pushed) return pushed.error();
-    align::StandWatch watch(bundle);
+    align::PoseChangeDetector watch(bundle);
     const nanoseconds begin =
         kWatchFrom + std::chrono::milliseconds(std::uniform_int_distribution(0, 60'000)(random_));
     (void)watch.moved(still.depth_mm(begin).view(), HostTime(begin));

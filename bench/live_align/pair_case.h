@@ -15,7 +15,7 @@
 
 #include "bench/live_align/filmed_sensor.h"
 #include "roomcast/alignment/feature/sensor_view.h"
-#include "roomcast/alignment/guess/settled_place.h"
+#include "roomcast/alignment/prior/refined_placement.h"
 
 namespace roomcast::bench {
 
@@ -51,10 +51,10 @@ using StillViews = std::pair<StillView, StillView>;
 [[nodiscard]] Result<StillViews> still_views(SensorPair& sensors);
 
 /// The second sensor was placed; the poses are of their depth frames.
-void place(const SensorPair& sensors, const align::FoundPlace& a_from_b, PairCase& result);
+void place(const SensorPair& sensors, const align::EstimatedPlacement& a_from_b, PairCase& result);
 /// ... and settles where it can.
 void place_settled(const SensorPair& sensors, const StillViews& views,
-                   const align::FoundPlace& a_from_b, PairCase& result);
+                   const align::EstimatedPlacement& a_from_b, PairCase& result);
 
 /// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
 /// somebody walks; rooms in which nobody does (kInvalidArgument) are passed over.

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bench/codec/cpu_stopwatch.h"
-#include "roomcast/alignment/walker/head_finder.h"
-#include "roomcast/alignment/walker/walk_match.h"
+#include "roomcast/alignment/person/head_detector.h"
+#include "roomcast/alignment/person/trajectory_match.h"
 
 namespace roomcast::bench {
 namespace {
@@ -24,7 +24,7 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
                         const WalkerSuiteOptions& options, nanoseconds phase) {
   const auto& floor = still.view.floor;
   if (!floor) return Error{ErrorCode::kUnavailable, "no floor is seen"};
-  align::HeadFinder heads(still.bundle, *floor);
+  align::HeadDetector heads(still.bundle, *floor);
   Walk walk{align::level_from_depth(*floor), {}, 0};
   const int frames = static_cast<int>(options.seconds * options.fps);
   for (int i = 0; i < frames; ++i) {

@@ -126,7 +126,7 @@ std::set<int> RenderBench::instants() const {
 Result<RoomRenderer> RenderBench::room_of(RenderMode mode) {
   auto room = RoomRenderer::create();
   if (!room) return room;
-  RoomLook look;
+  RenderOptions look;
   look.floor_grid = false;
   look.background = {};
   look.remember = remembers_background(mode);

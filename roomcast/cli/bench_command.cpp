@@ -76,8 +76,8 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
 Status run_register(const std::string& source, bool json) {
   std::vector<bench::RegisterBenchInput> inputs = {bench::synthetic_kinect_v2_input()};
   if (!source.empty()) {
-    constexpr int kMostFrames = 10;
-    auto recorded = bench::recorded_input(source, kMostFrames);
+    constexpr int kMaxFrames = 10;
+    auto recorded = bench::recorded_input(source, kMaxFrames);
     if (!recorded) return recorded.error();
     inputs.push_back(std::move(*recorded));
   }

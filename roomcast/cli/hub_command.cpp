@@ -160,7 +160,7 @@ std::shared_ptr<HubRecorders> make_recorders(const hub::HubConfig& config,
 hub::OpenBackplane backplane_of(const HubPlan& plan, HubAligners& aligners, const LogSink& log) {
   using Opened = Result<std::unique_ptr<hub::Backplane>>;
   if (plan.upstream) {
-    return [options = *plan.upstream, log](hub::BackplaneSeat seat) mutable -> Opened {
+    return [options = *plan.upstream, log](hub::BackplaneContext seat) mutable -> Opened {
       options.log = log;
       return std::unique_ptr<hub::Backplane>(
           std::make_unique<upstream::UpstreamHub>(options, std::move(seat)));
@@ -174,7 +174,7 @@ hub::OpenBackplane backplane_of(const HubPlan& plan, HubAligners& aligners, cons
       owns ? aligners.start(room) : aligners.stop(room);
     };
   }
-  return [options](hub::BackplaneSeat seat) -> Opened {
+  return [options](hub::BackplaneContext seat) -> Opened {
     auto opened = cluster::ClusterHub::open(options, std::move(seat));
     if (!opened) return opened.error();
     return std::unique_ptr<hub::Backplane>(*std::move(opened));

@@ -34,7 +34,7 @@ Result<std::vector<StaticSensor>> read_room(const MeasureOptions& options) {
   if (!reader) return reader.error();
   StatusLine line;
   return gather_static_room(**reader, [&line](std::size_t sets) {
-    line.show_progress("reading", static_cast<int>(sets), static_cast<int>(kMostStaticFrames));
+    line.show_progress("reading", static_cast<int>(sets), static_cast<int>(kMaxStaticFrames));
   });
 }
 

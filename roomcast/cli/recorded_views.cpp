@@ -7,10 +7,10 @@
 namespace roomcast::cli {
 namespace {
 
-constexpr std::size_t kMostDigits = 18;
+constexpr std::size_t kMaxDigits = 18;
 
 Result<std::uint64_t> frame_number(const std::string& name) {
-  if (!name.empty() && name.size() <= kMostDigits &&
+  if (!name.empty() && name.size() <= kMaxDigits &&
       name.find_first_not_of("0123456789") == std::string::npos) {
     return std::stoull(name);
   }

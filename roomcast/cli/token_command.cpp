@@ -16,7 +16,7 @@
 #include "roomcast/hub/admin/token_request.h"
 #include "roomcast/hub/daemon/data_folder.h"
 #include "roomcast/hub/daemon/hub_settings.h"
-#include "roomcast/hub/store/hub_book.h"
+#include "roomcast/hub/store/hub_store.h"
 
 namespace roomcast::cli {
 namespace {
@@ -49,20 +49,20 @@ bool has_secret(const std::filesystem::path& folder) {
 }
 
 /// With what a hub has kept there.
-Result<std::unique_ptr<hub::HubBook>> open_book(const std::filesystem::path& folder) {
-  if (has_secret(folder)) return hub::HubBook::open(folder);
+Result<std::unique_ptr<hub::HubStore>> open_book(const std::filesystem::path& folder) {
+  if (has_secret(folder)) return hub::HubStore::open(folder);
   return Error{ErrorCode::kNotFound, "no hub has its secret in " + folder.string() +
                                          ", so no token was made there; name the hub's folder with "
                                          "--data, or its configuration with --config"};
 }
 
 /// A token may be made before its hub has ever run.
-Result<std::unique_ptr<hub::HubBook>> open_or_begin_book(const std::filesystem::path& folder) {
+Result<std::unique_ptr<hub::HubStore>> open_or_begin_book(const std::filesystem::path& folder) {
   if (auto made = make_data_folder(folder); !made) return made.error();
-  return hub::HubBook::open(folder);
+  return hub::HubStore::open(folder);
 }
 
-Status list_tokens(const hub::HubBook& book, bool as_json) {
+Status list_tokens(const hub::HubStore& book, bool as_json) {
   const auto tokens = book.tokens(hub::kAllRooms);
   if (!tokens) return tokens.error();
   if (as_json) {
@@ -128,7 +128,7 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
     fmt::print(stderr,
                "Good for once, within {}; then for {}. In a program: --token {}\n"
                "Until it was used it is taken back with roomcast token --revoke {}\n",
-               format_time_span(hub::HubBook::kCodeTtl), format_time_span(request->ttl),
+               format_time_span(hub::HubStore::kCodeTtl), format_time_span(request->ttl),
                (*made)["code"].get<std::string>(), (*made)["id"].get<std::string>());
   }
   if (!command.qr) return {};

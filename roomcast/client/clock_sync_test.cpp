@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/ping_pace.h"
+#include "roomcast/client/ping_schedule.h"
 #include "roomcast/client/simulated_clocks.h"
 
 namespace roomcast {
@@ -89,7 +89,7 @@ TEST(ClockSync, the_error_bound_holds_on_a_network_that_is_slow_one_way) {
 /// Asks for `seconds`, at a sensor's pace, and looks at every frame how wrong the time is.
 std::vector<double> errors_s(ClockSync& sync, SimulatedClocks& clocks, double from_s,
                              double seconds) {
-  PingPace pace(PingPace::kOfSensor, 3);
+  PingSchedule pace(PingSchedule::kOfSensor, 3);
   std::vector<double> errors;
   for (double now_s = from_s; now_s < from_s + seconds;) {
     const double answered_s = clocks.ping(sync, now_s);
@@ -121,7 +121,7 @@ TEST(ClockSync, is_right_to_50_us_behind_frames_with_drift_and_outliers) {
 TEST(ClockSync, error_bound_holds_behind_frames_and_is_hardly_more_than_half_the_way) {
   SimulatedClocks clocks({}, -3.2, 20e-6);
   ClockSync sync;
-  PingPace pace(PingPace::kOfSensor, 3);
+  PingSchedule pace(PingSchedule::kOfSensor, 3);
   for (double now_s = 0; now_s < 100; now_s += std::chrono::duration<double>(pace.next()).count()) {
     clocks.ping(sync, now_s);
     const ClockEstimate estimate = *sync.estimate();
@@ -138,7 +138,7 @@ TEST(ClockSync, pings_in_step_with_the_frames_would_all_be_wrong) {
   SimulatedClocks clocks({.outlier_share = 0}, 0, 0);
   ClockSync sync;
   for (int i = 0; i < 300; ++i) clocks.ping(sync, i * 3 / 30.0 + 0.001);
-  EXPECT_GT(clocks.error_s(*sync.estimate(), 30), 0.003) << "why PingPace is random";
+  EXPECT_GT(clocks.error_s(*sync.estimate(), 30), 0.003) << "why PingSchedule is random";
 }
 
 TEST(ClockSync, a_clock_that_was_set_is_noticed_within_a_second) {

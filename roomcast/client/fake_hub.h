@@ -13,7 +13,7 @@
 #include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
-#include "roomcast/client/sealed_control.h"
+#include "roomcast/client/framed_control.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
@@ -37,16 +37,16 @@ class FakeHub {
   [[nodiscard]] std::string url() const { return "ws://127.0.0.1:" + std::to_string(port()); }
 
   /// To the client that came last.
-  void say(net::SealedMessagePtr message) {
+  void say(net::FramedMessagePtr message) {
     to_say_->push_back(std::move(message));
     connection_->wake();
   }
-  void say(const wire::pb::Control& control) { say(sealed_control(control)); }
+  void say(const wire::pb::Control& control) { say(framed_control(control)); }
   void refuse(wire::pb::ErrorCode code, const std::string& sentence) {
     wire::pb::Control control;
     control.mutable_error()->set_code(code);
     control.mutable_error()->set_sentence(sentence);
-    connection_->close_after(sealed_control(control), net::close_code::kPolicy, sentence);
+    connection_->close_after(framed_control(control), net::close_code::kPolicy, sentence);
   }
   void hang_up() { connection_->close(net::close_code::kGoingAway, "the hub stops"); }
 
@@ -61,14 +61,14 @@ class FakeHub {
   std::chrono::nanoseconds far_away{};     // that questions and answers seem to take
 
  private:
-  using Messages = std::deque<net::SealedMessagePtr>;
+  using Messages = std::deque<net::FramedMessagePtr>;
 
   class Handler final : public net::ConnectionHandler {
    public:
     Handler(FakeHub& hub, std::shared_ptr<Messages> to_say)
         : hub_(hub), to_say_(std::move(to_say)) {}
     void on_message(net::MessageBuffer message) override { hub_.take(message.payload()); }
-    net::SealedMessagePtr next_message() override {
+    net::FramedMessagePtr next_message() override {
       if (to_say_->empty()) return nullptr;
       auto message = to_say_->front();
       to_say_->pop_front();

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/core/retry_pace.h"
+#include "roomcast/core/backoff.h"
 #include "roomcast/net/hub_url.h"
 
 namespace roomcast {
@@ -49,7 +49,7 @@ class HubChoice {
   std::size_t current_ = 0;
   bool avoids_current_ = false;
   std::size_t failures_ = 0;  // in a row
-  RetryPace pace_;
+  Backoff pace_;
 };
 
 }  // namespace roomcast

@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-#include "roomcast/client/sealed_control.h"
+#include "roomcast/client/framed_control.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -43,7 +43,7 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void on_read_done() override {
     if (link_ != nullptr) link_->events_.on_frames_done();
   }
-  net::SealedMessagePtr next_message() override {
+  net::FramedMessagePtr next_message() override {
     if (!control_.empty()) {
       auto message = std::move(control_.front());
       control_.pop_front();
@@ -57,7 +57,7 @@ class HubLink::Connection final : public net::ConnectionHandler {
 
   void send(const pb::Control& control) {
     if (control_.size() >= wire::kMaxQueuedControlMessages) return;
-    control_.push_back(sealed_control(control));
+    control_.push_back(framed_control(control));
     wake();
   }
   void wake() {
@@ -74,7 +74,7 @@ class HubLink::Connection final : public net::ConnectionHandler {
  private:
   std::weak_ptr<net::WebSocketConnection> socket_;
   HubLink* link_;
-  std::deque<net::SealedMessagePtr> control_;
+  std::deque<net::FramedMessagePtr> control_;
 };
 
 HubLink::HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, pb::Join join,
@@ -86,9 +86,9 @@ HubLink::HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, pb:
       timings_(options.timings),
       retry_timer_(io),
       ping_timer_(io),
-      ping_pace_(
-          options.pings.value_or(join_.has_sensor() ? PingPace::kOfSensor : PingPace::kOfViewer),
-          std::random_device{}()) {}
+      ping_schedule_(options.pings.value_or(join_.has_sensor() ? PingSchedule::kOfSensor
+                                                               : PingSchedule::kOfViewer),
+                     std::random_device{}()) {}
 
 HubLink::~HubLink() {
   stop();
@@ -163,7 +163,7 @@ void HubLink::on_nobody(const Error& reason) {
 
 void HubLink::on_connected(const std::shared_ptr<net::WebSocketConnection>& connection) {
   clock_sync_ = {};
-  ping_pace_.start_anew();
+  ping_schedule_.start_anew();
   welcomed_at_.reset();
   refusal_.reset();
   connection_ = std::make_shared<Connection>(connection, *this);
@@ -210,7 +210,7 @@ void HubLink::connect_after(nanoseconds pause) {
 }
 
 void HubLink::ping_later() {
-  ping_timer_.expires_after(ping_pace_.next());
+  ping_timer_.expires_after(ping_schedule_.next());
   ping_timer_.async_wait([this](boost::system::error_code error) {
     if (!error && connection_) ping();
   });
@@ -240,7 +240,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
       welcomed_at_ = clock_.now();
       hubs_.welcomed();
       keep_token(control->welcome());
-      join_.clear_sent_on();
+      join_.clear_redirected();
       events_.on_welcome(control->welcome());
       return ping();
     case pb::Control::kClockPong:
@@ -248,7 +248,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     case pb::Control::kError:
       refusal_ = Error{ErrorCode::kClosed, control->error().sentence()};
       refusal_code_ = control->error().code();
-      if (refusal_code_ == pb::ERROR_BUSY) join_.set_sent_on(true);
+      if (refusal_code_ == pb::ERROR_BUSY) join_.set_redirected(true);
       return;
     case pb::Control::kOtherHubs:
       hubs_.learn({control->other_hubs().urls().begin(), control->other_hubs().urls().end()});

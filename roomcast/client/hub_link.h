@@ -18,7 +18,7 @@
 
 #include "roomcast/client/clock_sync.h"
 #include "roomcast/client/hub_choice.h"
-#include "roomcast/client/ping_pace.h"
+#include "roomcast/client/ping_schedule.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
@@ -38,7 +38,7 @@ class HubLinkEvents {
   /// Nothing more came with these frames.
   virtual void on_frames_done() {}
   /// The next frame to send, null for none; asked again after wake().
-  virtual net::SealedMessagePtr next_frame() = 0;
+  virtual net::FramedMessagePtr next_frame() = 0;
   /// A better idea of room time.
   virtual void on_clock(const ClockEstimate& estimate) = 0;
   /// No connection now. `final`: and there will be none, the hub said why; else the link goes on
@@ -53,15 +53,16 @@ class HubLink {
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
                                                    .give_up_after = std::chrono::seconds(8)};
   /// Where there is another hub to go on at, nobody has to wait long for one that hangs. A hub that
-  /// is there answers within milliseconds, also a busy one (who is inside is served first), and what
-  /// its answers take on a long way is added; who was wrong goes on elsewhere with a new key frame.
+  /// is there answers within milliseconds, also a busy one (who is inside is served first), and
+  /// what its answers take on a long way is added; who was wrong goes on elsewhere with a new key
+  /// frame.
   static constexpr net::ConnectionTimings kTimingsWithOthers{
       .ping_after = std::chrono::milliseconds(250),
       .give_up_after = std::chrono::milliseconds(700)};
 
   struct Options {
     std::optional<net::ConnectionTimings> timings = {};  // other ones than the above
-    std::optional<PingPace::Rhythm> pings = {};          // another one than goes with the role
+    std::optional<PingSchedule::Rhythm> pings = {};      // another one than goes with the role
   };
 
   /// At least one hub.
@@ -116,7 +117,7 @@ class HubLink {
   std::size_t unanswered_ = 0;                                  // of these
   boost::asio::steady_timer retry_timer_;
   boost::asio::steady_timer ping_timer_;
-  PingPace ping_pace_;
+  PingSchedule ping_schedule_;
   bool was_welcome_ = false;             // on any connection
   std::optional<HostTime> welcomed_at_;  // on this one
   std::optional<Error> refusal_;         // what the hub said before it closed

@@ -15,7 +15,7 @@ class Heard final : public HubLinkEvents {
   void on_welcome(const wire::pb::Welcome& welcome) override { welcomes.push_back(welcome); }
   void on_control(const wire::pb::Control& message) override { controls.push_back(message); }
   void on_frame(net::MessageBuffer message) override { frame_sizes.push_back(message.size()); }
-  net::SealedMessagePtr next_frame() override { return std::exchange(frame, nullptr); }
+  net::FramedMessagePtr next_frame() override { return std::exchange(frame, nullptr); }
   void on_clock(const ClockEstimate& estimate) override { clock = estimate; }
   void on_down(const Error& reason, bool final) override {
     down.push_back(reason.message);
@@ -25,7 +25,7 @@ class Heard final : public HubLinkEvents {
   std::vector<wire::pb::Welcome> welcomes;
   std::vector<wire::pb::Control> controls;
   std::vector<std::size_t> frame_sizes;
-  net::SealedMessagePtr frame;
+  net::FramedMessagePtr frame;
   std::optional<ClockEstimate> clock;
   std::vector<std::string> down;
   bool is_final = false;
@@ -212,7 +212,7 @@ TEST_F(HubLinkTest, goes_on_where_a_busy_hub_sends_it_and_says_that_it_was_sent)
   hub->lets_joins_wait = true;
   link.start();
   run_until([&] { return hub->heard.size() == 1; });
-  EXPECT_FALSE(hub->heard.at(0).join().sent_on());
+  EXPECT_FALSE(hub->heard.at(0).join().redirected());
   wire::pb::Control others;
   others.mutable_other_hubs()->add_urls(next.url());
   hub->say(others);
@@ -220,11 +220,11 @@ TEST_F(HubLinkTest, goes_on_where_a_busy_hub_sends_it_and_says_that_it_was_sent)
   run_until([&] { return heard.welcomes.size() == 1; });
   EXPECT_TRUE(heard.down.empty());
   ASSERT_FALSE(next.heard.empty());
-  EXPECT_TRUE(next.heard.at(0).join().sent_on());
+  EXPECT_TRUE(next.heard.at(0).join().redirected());
   next.hang_up();
   hub->lets_joins_wait = false;
   run_until([&] { return heard.welcomes.size() == 2; });
-  EXPECT_FALSE(hub->heard.back().join().sent_on()) << "it comes anew";
+  EXPECT_FALSE(hub->heard.back().join().redirected()) << "it comes anew";
 }
 
 TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {

@@ -49,7 +49,7 @@ class Asking final : public HubLinkEvents {
     if (message.has_roster()) take(message.roster());
   }
   void on_frame(net::MessageBuffer) override {}
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate&) override {}
   void on_down(const Error& reason, bool) override { answer(reason); }
 

@@ -12,7 +12,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/client/send_rate.h"
-#include "roomcast/net/sealed_message.h"
+#include "roomcast/net/framed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
@@ -127,7 +127,7 @@ class Publisher::Link final : public HubLinkEvents {
   void on_welcome(const wire::pb::Welcome& welcome) override;
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer) override {}  // a hub sends a sensor none
-  net::SealedMessagePtr next_frame() override;
+  net::FramedMessagePtr next_frame() override;
   void on_clock(const ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 
@@ -155,7 +155,7 @@ class Publisher::Link final : public HubLinkEvents {
                                                const codec::EncodedFrameInfo& info,
                                                HostTime capture_time);
   void leave_one_out();
-  void enqueue(std::uint64_t session, net::SealedMessagePtr message);
+  void enqueue(std::uint64_t session, net::FramedMessagePtr message);
 
   PublisherOptions options_;
   Sequence sequence_;
@@ -167,7 +167,7 @@ class Publisher::Link final : public HubLinkEvents {
 
   // The network thread's own.
   NetworkThread network_;
-  std::deque<net::SealedMessagePtr> unsent_;
+  std::deque<net::FramedMessagePtr> unsent_;
   std::optional<wire::pb::Control> bundle_;
   bool moved_ = false;  // ever
   HubLink link_;
@@ -201,7 +201,7 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
   if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
 }
 
-net::SealedMessagePtr Publisher::Link::next_frame() {
+net::FramedMessagePtr Publisher::Link::next_frame() {
   if (unsent_.empty()) return nullptr;
   auto message = std::move(unsent_.front());
   unsent_.pop_front();
@@ -276,13 +276,13 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
   header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
   wire::write_frame_header(*header, bytes.first<wire::kFrameHeaderBytes>());
   boost::asio::post(network_.io(), [this, session = turn.session,
-                                    sealed = net::seal(std::move(message))]() mutable {
+                                    sealed = net::frame_message(std::move(message))]() mutable {
     enqueue(session, std::move(sealed));
   });
   return Published{header->seq, header->capture_time};
 }
 
-void Publisher::Link::enqueue(std::uint64_t session, net::SealedMessagePtr message) {
+void Publisher::Link::enqueue(std::uint64_t session, net::FramedMessagePtr message) {
   {
     std::lock_guard lock(mutex_);
     if (session != shared_.session || !shared_.connected) return;

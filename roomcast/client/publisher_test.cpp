@@ -141,11 +141,11 @@ TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
   // The hub's thread stands still, so nothing is read and the socket fills.
   std::promise<void> go_on;
   boost::asio::post(network.io(), [future = go_on.get_future().share()] { future.wait(); });
-  constexpr std::size_t kMostFramesInSockets = 100;  // of 1 MiB: more than both socket buffers hold
+  constexpr std::size_t kMaxFramesInSockets = 100;  // of 1 MiB: more than both socket buffers hold
   std::size_t sent = 0;
   const auto give_up = std::chrono::steady_clock::now() + 5s;
   auto last_sent = std::chrono::steady_clock::now();
-  while (sent < kMostFramesInSockets && std::chrono::steady_clock::now() < give_up &&
+  while (sent < kMaxFramesInSockets && std::chrono::steady_clock::now() < give_up &&
          std::chrono::steady_clock::now() - last_sent < 300ms) {
     const auto turn = publisher->next_turn();
     if (!turn) {
@@ -157,7 +157,7 @@ TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
     last_sent = std::chrono::steady_clock::now();
   }
   EXPECT_GT(sent, 0u);
-  EXPECT_LT(sent, kMostFramesInSockets);
+  EXPECT_LT(sent, kMaxFramesInSockets);
   EXPECT_GT(publisher->stats().frames_skipped, 0u);
   go_on.set_value();
   EXPECT_EQ(wait_for_frames(sent).size(), sent) << "what was published arrives";

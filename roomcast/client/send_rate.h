@@ -15,7 +15,7 @@ namespace roomcast {
 
 class SendRate {
  public:
-  static constexpr double kLeastShare = 0.2;
+  static constexpr double kMinShare = 0.2;
   static constexpr double kCut = 0.7, kRaise = 0.05;
   static constexpr std::chrono::milliseconds kCutInterval{500};  // a cut takes time to show
   static constexpr std::chrono::seconds kRaiseInterval{1};
@@ -26,7 +26,7 @@ class SendRate {
       last_change_ = now;
       return;
     }
-    share_ = std::max(kLeastShare, share_ * kCut);
+    share_ = std::max(kMinShare, share_ * kCut);
     last_cut_ = last_change_ = now;
   }
 
@@ -37,7 +37,7 @@ class SendRate {
     last_change_ = now;
   }
 
-  /// Of the full rate, kLeastShare..1.
+  /// Of the full rate, kMinShare..1.
   [[nodiscard]] double share() const { return share_; }
 
  private:

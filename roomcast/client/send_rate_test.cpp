@@ -27,7 +27,7 @@ TEST(SendRate, is_cut_once_for_frames_that_pile_up_together) {
 TEST(SendRate, never_falls_below_its_least) {
   SendRate rate;
   for (int i = 0; i < 100; ++i) rate.piled_up(kStart + i * 1s);
-  EXPECT_EQ(rate.share(), SendRate::kLeastShare);
+  EXPECT_EQ(rate.share(), SendRate::kMinShare);
 }
 
 TEST(SendRate, is_raised_step_by_step_while_frames_flow) {

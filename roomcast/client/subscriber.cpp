@@ -71,7 +71,7 @@ class Subscriber::Link final : public HubLinkEvents {
   }
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate& estimate) override { state_.clock_is(estimate); }
   void on_down(const Error& reason, bool final) override;
 

@@ -30,7 +30,7 @@ wire::pb::Control roster_of_one() {
   return control;
 }
 
-net::SealedMessagePtr frame_message(bool key) {
+net::FramedMessagePtr frame_message(bool key) {
   codec::FrameEncoderOptions options;
   options.width = kWidth;
   options.height = kHeight;
@@ -48,7 +48,7 @@ net::SealedMessagePtr frame_message(bool key) {
   header.base_seq = key ? 7 : 6;
   header.payload_length = static_cast<std::uint32_t>(message.size() - wire::kFrameHeaderBytes);
   wire::write_frame_header(header, message.payload().first<wire::kFrameHeaderBytes>());
-  return net::seal(std::move(message));
+  return net::frame_message(std::move(message));
 }
 
 class SubscriberTest : public testing::Test {

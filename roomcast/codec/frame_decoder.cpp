@@ -51,7 +51,7 @@ class SectionFrameDecoder final : public FrameDecoder {
 };
 
 bool is_side(int side) {
-  return side >= kLeastGridSide && side <= kMostGridSide;
+  return side >= kMinGridSide && side <= kMaxGridSide;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomcast/codec/color/shown_surface.h"
+#include "roomcast/codec/color/color_validity.h"
 #include "roomcast/codec/color/vp9_color_encoder.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/codec/live/live_depth_encoder.h"
@@ -58,7 +58,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   }
 
   void set_color_rate(int kbit_per_s) override {
-    options_.color_kbit_per_s = std::clamp(kbit_per_s, kLeastKbit, kMostKbit);
+    options_.color_kbit_per_s = std::clamp(kbit_per_s, kMinKbit, kMaxKbit);
     // Should libvpx refuse, the stream goes on at the rate it has.
     if (color_) (void)color_->set_rate(options_.color_kbit_per_s);
   }
@@ -153,12 +153,12 @@ class SectionFrameEncoder final : public FrameEncoder {
     }
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
     const DepthView shown_mm = mode_ == DepthMode::kLive ? live_->shown_mm() : depth_mm;
-    shown_surface_.update(depth_mm, shown_mm, seen);
-    Status status = color_->encode(color, shown_surface_.colored(), role, out);
+    color_validity_.update(depth_mm, shown_mm, seen);
+    Status status = color_->encode(color, color_validity_.colored(), role, out);
     if (!status.ok()) return status;
     end_section(section, out);
     section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
-    append_mask(shown_surface_.seen(), role, out);
+    append_mask(color_validity_.seen(), role, out);
     end_section(section, out);
     return {};
   }
@@ -167,7 +167,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   // misses nothing in one frame.
   void append_mask(MaskView seen, FrameRole role, std::vector<std::uint8_t>& out) {
     const bool live = mode_ == DepthMode::kLive;
-    if (live) seen = steady_.update(seen, shown_surface_.depth_mm());
+    if (live) seen = steady_.update(seen, color_validity_.depth_mm());
     if (live && role.layer > 0) {
       ColorMaskEncoder::repeat(out);
     } else {
@@ -182,7 +182,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
-  ShownSurface shown_surface_;
+  ColorValidity color_validity_;
   SteadyMask steady_;  // in live mode
   ColorMaskEncoder mask_;
   DepthView input_depth_;       // of the newest frame; not owned

@@ -7,13 +7,13 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kSide = 8;            // of a block, pixels
-constexpr int kPixelStep = 2;       // of these every second is looked at, in both directions
-constexpr int kLeastReadings = 12;  // of 16
-constexpr int kRegions = 4;         // in a row, and in a column
-constexpr float kLeastChange_mm = 6, kLeastChangeShare = 0.004f;  // of the distance
-constexpr double kMovingBlocks = 0.25;                            // of a region's
-constexpr double kLeastKnown = 0.125;         // blocks of a region; with fewer it says nothing
+constexpr int kSide = 8;          // of a block, pixels
+constexpr int kPixelStep = 2;     // of these every second is looked at, in both directions
+constexpr int kMinReadings = 12;  // of 16
+constexpr int kRegions = 4;       // in a row, and in a column
+constexpr float kMinChange_mm = 6, kMinChangeShare = 0.004f;  // of the distance
+constexpr double kMovingBlocks = 0.25;                        // of a region's
+constexpr double kMinKnown = 0.125;           // blocks of a region; with fewer it says nothing
 constexpr double kBegins = 0.6, kEnds = 0.4;  // regions
 constexpr int kFramesToBegin = 3, kFramesToEnd = 12;
 
@@ -26,7 +26,7 @@ float mean_of_block(DepthView depth_mm, int x0, int y0) {
       count += row[x] != 0;
     }
   }
-  return count < kLeastReadings ? 0.0f : static_cast<float>(sum) / static_cast<float>(count);
+  return count < kMinReadings ? 0.0f : static_cast<float>(sum) / static_cast<float>(count);
 }
 
 /// Blocks of a region with readings in both frames, and those that moved.
@@ -35,7 +35,7 @@ struct Count {
   void add(float now_mm, float before_mm) {
     if (now_mm == 0 || before_mm == 0) return;
     ++known;
-    moved += std::abs(now_mm - before_mm) > kLeastChange_mm + kLeastChangeShare * now_mm;
+    moved += std::abs(now_mm - before_mm) > kMinChange_mm + kMinChangeShare * now_mm;
   }
 };
 
@@ -68,7 +68,7 @@ double SensorMotion::moving_share(const Means& before) const {
       regions[static_cast<std::size_t>(region)].add(now_[block], before[block]);
     }
   }
-  const double least = kLeastKnown * static_cast<double>(now_.size()) / regions.size();
+  const double least = kMinKnown * static_cast<double>(now_.size()) / regions.size();
   int known = 0, moving = 0;
   for (const Count& region : regions) {
     if (region.known == 0 || region.known < least) continue;

@@ -10,12 +10,12 @@
 
 namespace roomcast::sim {
 
-inline constexpr int kMostThreads = 64;
+inline constexpr int kMaxThreads = 64;
 
 /// `threads`; 0: as many as the machine has cores.
 [[nodiscard]] inline int thread_count(int threads) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(threads > 0 ? threads : cores, 1, kMostThreads);
+  return std::clamp(threads > 0 ? threads : cores, 1, kMaxThreads);
 }
 
 template <class RowFunction>

@@ -27,6 +27,16 @@ struct Error {
   std::string message;
 };
 
+[[nodiscard]] inline Error invalid_argument(std::string sentence) {
+  return {ErrorCode::kInvalidArgument, std::move(sentence)};
+}
+[[nodiscard]] inline Error malformed(std::string sentence) {
+  return {ErrorCode::kMalformed, std::move(sentence)};
+}
+[[nodiscard]] inline Error unavailable(std::string sentence) {
+  return {ErrorCode::kUnavailable, std::move(sentence)};
+}
+
 /// A value of type T or an Error. `T` may be `void` (see Status).
 template <class T>
 class [[nodiscard]] Result {

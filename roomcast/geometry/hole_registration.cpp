@@ -9,11 +9,11 @@ namespace roomcast {
 namespace {
 
 constexpr int kReadingsOfFarther = 3;
-constexpr int kKeep = 7, kOf = 8;              // of what is known, when a reading is added to it
-constexpr int kClearChange = 12;               // levels of a channel
-constexpr int kReach = 2, kLeastInPatch = 13;  // of the 25 pixels around
-constexpr int kCell = 5;                       // pixels
-constexpr int kCorners = 3;                    // of 4
+constexpr int kKeep = 7, kOf = 8;            // of what is known, when a reading is added to it
+constexpr int kClearChange = 12;             // levels of a channel
+constexpr int kReach = 2, kMinInPatch = 13;  // of the 25 pixels around
+constexpr int kCell = 5;                     // pixels
+constexpr int kCorners = 3;                  // of 4
 
 /// More than noise puts between two readings of one surface.
 int same_surface_mm(int depth_mm) {
@@ -158,7 +158,7 @@ bool HoleRegistration::is_in_patch(int x, int y) const {
   for (int j = std::max(y - kReach, 0); j <= bottom; ++j) {
     for (int i = std::max(x - kReach, 0); i <= right; ++i) count += changed_.at(i, j) != 0 ? 1 : 0;
   }
-  return count >= kLeastInPatch;
+  return count >= kMinInPatch;
 }
 
 void HoleRegistration::keep_colors(DepthView depth_mm, RegisteredColor& out) {

@@ -38,7 +38,7 @@ class RecordingHandler : public ConnectionHandler {
     EXPECT_FALSE(closed) << "asked after on_closed()";
     messages_when_read_done.push_back(messages.size());
   }
-  SealedMessagePtr next_message() override {
+  FramedMessagePtr next_message() override {
     EXPECT_FALSE(closed) << "asked after on_closed()";
     ++times_asked;
     if (to_send.empty()) return nullptr;
@@ -55,14 +55,14 @@ class RecordingHandler : public ConnectionHandler {
   std::vector<std::vector<std::uint8_t>> messages;
   std::function<void()> when_message;
   std::vector<std::size_t> messages_when_read_done;
-  std::deque<SealedMessagePtr> to_send;
+  std::deque<FramedMessagePtr> to_send;
   int times_asked = 0;
   int times_given = 0;
   std::optional<CloseReason> closed;
 };
 
-inline SealedMessagePtr message_of(std::string_view text) {
-  return seal(
+inline FramedMessagePtr message_of(std::string_view text) {
+  return frame_message(
       MessageBuffer(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())));
 }
 

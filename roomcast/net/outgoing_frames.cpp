@@ -8,7 +8,7 @@
 
 namespace roomcast::net {
 
-void OutgoingFrames::push(SealedMessagePtr frame) {
+void OutgoingFrames::push(FramedMessagePtr frame) {
   unwritten_bytes_ += frame->wire_bytes().size();
   frames_.push_back(std::move(frame));
 }

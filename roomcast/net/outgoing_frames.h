@@ -9,7 +9,7 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/container/static_vector.hpp>
 
-#include "roomcast/net/sealed_message.h"
+#include "roomcast/net/framed_message.h"
 
 namespace roomcast::net {
 
@@ -18,7 +18,7 @@ class OutgoingFrames {
   /// Frames of one gather write. More gains nothing: the kernel is called rarely enough.
   static constexpr std::size_t kMaxGather = 16;
 
-  void push(SealedMessagePtr frame);
+  void push(FramedMessagePtr frame);
 
   [[nodiscard]] bool empty() const { return frames_.empty(); }
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
@@ -34,7 +34,7 @@ class OutgoingFrames {
   void clear();
 
  private:
-  boost::container::small_vector<SealedMessagePtr, 4> frames_;
+  boost::container::small_vector<FramedMessagePtr, 4> frames_;
   std::size_t front_written_ = 0;
   std::size_t unwritten_bytes_ = 0;
 };

@@ -11,8 +11,8 @@ namespace roomcast::net {
 namespace {
 
 /// A frame of `size` bytes on the wire.
-SealedMessagePtr frame_of(std::size_t size) {
-  return seal(MessageBuffer(std::vector<std::uint8_t>(size - 2)));
+FramedMessagePtr frame_of(std::size_t size) {
+  return frame_message(MessageBuffer(std::vector<std::uint8_t>(size - 2)));
 }
 
 TEST(OutgoingFrames, gathers_all_frames_of_one_write) {
@@ -50,7 +50,7 @@ TEST(OutgoingFrames, goes_on_where_a_partial_write_ended) {
 TEST(OutgoingFrames, lets_go_of_a_frame_as_soon_as_it_is_written) {
   OutgoingFrames frames;
   auto frame = frame_of(10);
-  const std::weak_ptr<const SealedMessage> watched = frame;
+  const std::weak_ptr<const FramedMessage> watched = frame;
   frames.push(std::move(frame));
   EXPECT_FALSE(watched.expired());
   frames.wrote(10);

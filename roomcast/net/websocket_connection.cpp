@@ -87,7 +87,7 @@ void WebSocketConnection::close(std::uint16_t code, std::string sentence) {
   close_after(nullptr, code, std::move(sentence));
 }
 
-void WebSocketConnection::close_after(SealedMessagePtr last, std::uint16_t code,
+void WebSocketConnection::close_after(FramedMessagePtr last, std::uint16_t code,
                                       std::string sentence) {
   if (stage_ != Stage::kOpen) return;
   stage_ = Stage::kClosing;
@@ -203,7 +203,7 @@ void WebSocketConnection::pull() {
          outgoing_.unwritten_bytes() < pull_limit_bytes_) {
     handler_is_dry_ = true;  // before the call, which may call wake()
     pulling_ = true;
-    SealedMessagePtr message = handler_->next_message();
+    FramedMessagePtr message = handler_->next_message();
     pulling_ = false;
     if (message == nullptr) {
       pull_limit_bytes_ = kMaxPull;
@@ -239,10 +239,10 @@ void WebSocketConnection::wait_until_writable() {
 void WebSocketConnection::push_control(Opcode opcode, std::span<const std::uint8_t> payload) {
   std::optional<MaskKey> mask;
   if (options_.role == WebSocketRole::kClient) fill_with_random_bytes(mask.emplace());
-  outgoing_.push(seal(MessageBuffer(payload), opcode, mask));
+  outgoing_.push(frame_message(MessageBuffer(payload), opcode, mask));
 }
 
-void WebSocketConnection::push_message(SealedMessagePtr message) {
+void WebSocketConnection::push_message(FramedMessagePtr message) {
   ++counters_.messages_out;
   if (options_.role == WebSocketRole::kServer) return outgoing_.push(std::move(message));
   MaskKey mask{};

@@ -23,8 +23,8 @@
 
 #include <boost/asio/steady_timer.hpp>
 
+#include "roomcast/net/framed_message.h"
 #include "roomcast/net/outgoing_frames.h"
-#include "roomcast/net/sealed_message.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_frame.h"
 #include "roomcast/net/websocket_reader.h"
@@ -54,7 +54,7 @@ class ConnectionHandler {
   /// The socket can take more: the next message (sealed without a mask), or null when there is
   /// nothing to say now; then call wake() when there is. Not called once close() or on_closed() has
   /// been called; may be called from within wake().
-  virtual SealedMessagePtr next_message() = 0;
+  virtual FramedMessagePtr next_message() = 0;
 
   /// It is over. Called once, never from within a call to the connection; nothing is called after
   /// it.
@@ -107,7 +107,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   /// more than ConnectionTimings::close_within is spent on it. The reason is cut to kMaxCloseReason
   /// bytes. Only the first call counts; no effect on a connection that the peer has closed.
   void close(std::uint16_t code, std::string sentence);
-  void close_after(SealedMessagePtr last, std::uint16_t code, std::string sentence);
+  void close_after(FramedMessagePtr last, std::uint16_t code, std::string sentence);
 
   /// The peer has shown what it is here for: see HttpServerOptions::max_unsettled_per_peer.
   void settle() { options_.place.reset(); }
@@ -156,7 +156,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   void on_wrote(std::size_t size, std::size_t offered);
   void wait_until_writable();
   void push_control(Opcode opcode, std::span<const std::uint8_t> payload);
-  void push_message(SealedMessagePtr message);
+  void push_message(FramedMessagePtr message);
   void push_close(std::uint16_t code, std::string_view reason);
 
   void watch_silence();

@@ -111,7 +111,7 @@ TEST_F(WebSocketConnectionEnd, closing_is_bounded_when_the_peer_does_not_answer)
 
 TEST_F(WebSocketConnectionEnd, closing_is_bounded_when_the_peer_does_not_read) {
   open_server({.close_within = 50ms});
-  for (int i = 0; i < 20; ++i) server_.send(seal(MessageBuffer(pattern(kTwoMiB))));
+  for (int i = 0; i < 20; ++i) server_.send(frame_message(MessageBuffer(pattern(kTwoMiB))));
   run_ready();
   ASSERT_GT(server_.connection->unwritten_bytes(), 0U);
   server_.connection->close(close_code::kNormal, "bye");
@@ -153,7 +153,7 @@ TEST_F(WebSocketConnectionEnd, what_the_peer_said_before_it_vanished_is_still_he
   open_both();
   // The server says why and cuts the line at once; the client is just writing when that happens.
   server_.connection->close_after(message_of("why"), close_code::kPolicy, "because");
-  for (int i = 0; i < 50; ++i) client_.send(seal(MessageBuffer(pattern(100'000))));
+  for (int i = 0; i < 50; ++i) client_.send(frame_message(MessageBuffer(pattern(100'000))));
   ASSERT_TRUE(run_until([&] { return client_.closed(); }));
   EXPECT_THAT(client_.handler->messages, ElementsAre(bytes_of("why")));
   EXPECT_EQ(client_.handler->closed->code, close_code::kPolicy);
@@ -195,13 +195,13 @@ TEST_F(WebSocketConnectionEnd, two_quiet_ends_keep_each_other_open) {
 
 TEST_F(WebSocketConnectionEnd, a_peer_that_takes_nothing_and_says_nothing_is_ended) {
   open_server({.ping_after = 20ms, .give_up_after = 60ms});
-  for (int i = 0; i < 20; ++i) server_.send(seal(MessageBuffer(pattern(kTwoMiB))));
+  for (int i = 0; i < 20; ++i) server_.send(frame_message(MessageBuffer(pattern(kTwoMiB))));
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));
   EXPECT_EQ(server_.handler->closed->code, close_code::kAbnormal);
 }
 
 TEST_F(WebSocketConnectionEnd, a_peer_that_only_reads_a_long_message_is_alive) {
-  const auto large = seal(MessageBuffer(pattern(kTwoMiB)));
+  const auto large = frame_message(MessageBuffer(pattern(kTwoMiB)));
   std::vector<char> sink(512 * 1024);
   open_server({.ping_after = 20ms, .give_up_after = 200ms});
   for (int i = 0; i < 100; ++i) server_.handler->to_send.push_back(large);

@@ -36,7 +36,8 @@ TEST_F(WebSocketConnectionTest, carries_messages_both_ways_in_order) {
 
 TEST_F(WebSocketConnectionTest, says_when_all_that_came_with_a_read_was_handed_over) {
   open_server();
-  const auto message = seal(MessageBuffer(bytes_of("part")), Opcode::kBinary, MaskKey{1, 2, 3, 4});
+  const auto message =
+      frame_message(MessageBuffer(bytes_of("part")), Opcode::kBinary, MaskKey{1, 2, 3, 4});
   Bytes three;
   for (int i = 0; i < 3; ++i) {
     three.insert(three.end(), message->wire_bytes().begin(), message->wire_bytes().end());
@@ -52,15 +53,15 @@ TEST_F(WebSocketConnectionTest, says_when_all_that_came_with_a_read_was_handed_o
 TEST_F(WebSocketConnectionTest, carries_messages_of_two_mebibytes_unharmed) {
   open_both();
   const Bytes payload = pattern(kTwoMiB);
-  client_.send(seal(MessageBuffer(payload)));
-  server_.send(seal(MessageBuffer(payload)));
+  client_.send(frame_message(MessageBuffer(payload)));
+  server_.send(frame_message(MessageBuffer(payload)));
   ASSERT_TRUE(run_until(
       [&] { return !server_.handler->messages.empty() && !client_.handler->messages.empty(); }));
   EXPECT_EQ(server_.handler->messages[0], payload);
   EXPECT_EQ(client_.handler->messages[0], payload);
 }
 
-TEST_F(WebSocketConnectionTest, one_sealed_message_goes_to_many_without_a_copy) {
+TEST_F(WebSocketConnectionTest, one_framed_message_goes_to_many_without_a_copy) {
   open_both();
   const auto message = message_of("shared");
   server_.send(message);
@@ -81,7 +82,7 @@ TEST_F(WebSocketConnectionTest, bytes_that_came_with_the_handshake_are_not_lost)
 
 TEST_F(WebSocketConnectionTest, a_peer_that_does_not_read_stops_the_asking_not_the_program) {
   open_server();
-  const auto large = seal(MessageBuffer(pattern(64 * 1024)));
+  const auto large = frame_message(MessageBuffer(pattern(64 * 1024)));
   constexpr int kOffered = 1000;  // 64 MB: more than any socket buffer takes
   for (int i = 0; i < kOffered; ++i) server_.handler->to_send.push_back(large);
   server_.connection->wake();
@@ -104,7 +105,7 @@ TEST_F(WebSocketConnectionTest, a_peer_that_does_not_read_stops_the_asking_not_t
 
 TEST_F(WebSocketConnectionTest, a_congested_socket_is_offered_little_at_a_time) {
   open_server();
-  const auto message = seal(MessageBuffer(pattern(16 * 1024)));
+  const auto message = frame_message(MessageBuffer(pattern(16 * 1024)));
   for (int i = 0; i < 4000; ++i) server_.handler->to_send.push_back(message);
   server_.connection->wake();
   int given_before = -1;
@@ -127,7 +128,7 @@ TEST_F(WebSocketConnectionTest, a_congested_socket_is_offered_little_at_a_time) 
 
 TEST_F(WebSocketConnectionTest, a_pong_waits_for_the_end_of_the_message_being_written) {
   open_server();
-  server_.send(seal(MessageBuffer(pattern(kTwoMiB))));
+  server_.send(frame_message(MessageBuffer(pattern(kTwoMiB))));
   run_ready();
   ASSERT_GT(server_.connection->unwritten_bytes(), 0U) << "the message must still be on its way";
   peer_sends(Opcode::kPing, "now?");
@@ -137,7 +138,7 @@ TEST_F(WebSocketConnectionTest, a_pong_waits_for_the_end_of_the_message_being_wr
 
 TEST_F(WebSocketConnectionTest, many_pings_of_a_peer_that_does_not_read_cost_one_pong) {
   open_server();
-  server_.send(seal(MessageBuffer(pattern(kTwoMiB))));
+  server_.send(frame_message(MessageBuffer(pattern(kTwoMiB))));
   run_ready();
   ASSERT_GT(server_.connection->unwritten_bytes(), 0U);
   const std::size_t before = server_.connection->unwritten_bytes();

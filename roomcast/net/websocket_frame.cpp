@@ -10,9 +10,6 @@ namespace roomcast::net {
 
 namespace {
 
-constexpr std::uint8_t kFinBit = 0x80;
-constexpr std::uint8_t kMaskBit = 0x80;
-
 void put_big_endian(FrameHeader& header, std::uint64_t value, int bytes) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) {
     header.bytes[header.size++] = static_cast<std::uint8_t>(value >> shift);

@@ -24,6 +24,14 @@ enum class Opcode : std::uint8_t {
   kPong = 0xA,
 };
 
+/// First byte: the message ends with this frame. Second byte: the payload is masked.
+inline constexpr std::uint8_t kFinBit = 0x80, kMaskBit = 0x80;
+
+/// Close, ping or pong.
+[[nodiscard]] constexpr bool is_control(Opcode opcode) {
+  return static_cast<std::uint8_t>(opcode) >= 0x8;
+}
+
 namespace close_code {
 inline constexpr std::uint16_t kNormal = 1000;
 inline constexpr std::uint16_t kGoingAway = 1001;

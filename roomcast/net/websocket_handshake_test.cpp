@@ -94,7 +94,7 @@ TEST(WebSocketHandshake, refuses_a_missing_or_other_subprotocol) {
   EXPECT_EQ(refusal_of(request), 400);
 }
 
-TEST(WebSocketHandshake, refuses_pages_of_other_sites) {
+TEST(WebSocketHandshake, refuses_pages_of_peer_origins) {
   auto request = good_request();
   request.set(http::field::origin, "http://hub.example:7600");
   EXPECT_EQ(refusal_of(request), 0);

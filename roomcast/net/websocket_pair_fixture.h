@@ -38,7 +38,7 @@ class WebSocketPairTest : public LoopbackTest {
     std::shared_ptr<WebSocketConnection> connection;
     std::shared_ptr<RecordingHandler> handler = std::make_shared<RecordingHandler>();
 
-    void send(SealedMessagePtr message) {
+    void send(FramedMessagePtr message) {
       handler->to_send.push_back(std::move(message));
       connection->wake();
     }
@@ -77,7 +77,7 @@ class WebSocketPairTest : public LoopbackTest {
   }
 
   void peer_sends(Opcode opcode, std::string_view payload = "") {
-    const auto frame = seal(MessageBuffer(bytes_of(payload)), opcode, MaskKey{1, 2, 3, 4});
+    const auto frame = frame_message(MessageBuffer(bytes_of(payload)), opcode, MaskKey{1, 2, 3, 4});
     boost::asio::write(*peer_,
                        boost::asio::buffer(frame->wire_bytes().data(), frame->wire_bytes().size()));
   }

@@ -10,17 +10,11 @@ namespace roomcast::net {
 
 namespace {
 
-constexpr std::uint8_t kFinBit = 0x80;
 constexpr std::uint8_t kReservedBits = 0x70;
 constexpr std::uint8_t kOpcodeBits = 0x0F;
-constexpr std::uint8_t kMaskBit = 0x80;
 constexpr std::uint8_t kLengthBits = 0x7F;
 constexpr std::uint8_t kLength16 = 126;
 constexpr std::uint8_t kLength64 = 127;
-
-bool is_control(Opcode opcode) {
-  return static_cast<std::uint8_t>(opcode) >= 0x8;
-}
 
 bool is_known(Opcode opcode) {
   switch (opcode) {

@@ -18,7 +18,7 @@ namespace {
 class TurnedAway final : public ConnectionHandler {
  public:
   void on_message(MessageBuffer) override {}
-  SealedMessagePtr next_message() override { return nullptr; }
+  FramedMessagePtr next_message() override { return nullptr; }
   void on_closed(const CloseReason&) override {}
 };
 

@@ -55,7 +55,7 @@ class RoomTest : public GlTest {
   }
 
   std::optional<RoomRenderer> room_;
-  RoomLook look_;
+  RenderOptions look_;
 };
 
 /// The eye of an ideal pinhole camera: same place, same picture.

@@ -17,7 +17,7 @@ Result<RoomRenderer> RoomRenderer::create() {
   if (!meshes) return std::move(meshes).error();
   Result<FloorGrid> floor = FloorGrid::create();
   if (!floor) return std::move(floor).error();
-  Result<MemoryKeeper> memories = MemoryKeeper::create();
+  Result<BackgroundUpdater> memories = BackgroundUpdater::create();
   if (!memories) return std::move(memories).error();
   Result<AdaptiveRenderer> adaptive = AdaptiveRenderer::create();
   if (!adaptive) return std::move(adaptive).error();
@@ -49,8 +49,8 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   }
   Result<SensorSurface> surface = SensorSurface::create(depth);
   if (!surface) return std::move(surface).error();
-  sensors_.insert_or_assign(id,
-                            Sensor{*std::move(surface), world_from_depth, {}, SensorMemory(depth)});
+  sensors_.insert_or_assign(
+      id, Sensor{*std::move(surface), world_from_depth, {}, BackgroundModel(depth)});
   return {};
 }
 static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
@@ -82,7 +82,7 @@ void RoomRenderer::remove(SensorId id) {
   colors_.forget(id);
 }
 
-Status RoomRenderer::set_look(const RoomLook& look) {
+Status RoomRenderer::set_look(const RenderOptions& look) {
   Status legal = look.check();
   if (legal) look_ = look;
   return legal;

@@ -9,9 +9,9 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/render/blend/adaptive_renderer.h"
+#include "roomcast/render/blend/background_model.h"
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/blend/color_matching.h"
-#include "roomcast/render/blend/sensor_memory.h"
 #include "roomcast/render/render_mode.h"
 #include "roomcast/render/surface/floor_grid.h"
 #include "roomcast/render/surface/mesh_renderer.h"
@@ -23,7 +23,7 @@
 
 namespace roomcast {
 
-struct RoomLook {
+struct RenderOptions {
   Rgb8 background = {24, 26, 30};
   bool floor_grid = true;
   Rgb8 floor_line = {150, 160, 175};
@@ -62,8 +62,8 @@ class RoomRenderer {
   /// Nothing happens when there is no such sensor.
   void remove(SensorId id);
 
-  /// Fails as RoomLook::check does, changing nothing.
-  Status set_look(const RoomLook& look);
+  /// Fails as RenderOptions::check does, changing nothing.
+  Status set_look(const RenderOptions& look);
 
   /// A new picture in all of `target`, for as many eyes as it has room for: each sensor's surface
   /// is drawn once for all of them. kInvalidArgument when an eye is not legal, as Eyes::check, or
@@ -75,7 +75,7 @@ class RoomRenderer {
     SensorSurface surface;
     RigidTransform world_from_depth;
     SurfaceMesh mesh;
-    SensorMemory memory;
+    BackgroundModel memory;
     bool memory_is_fresh = false;
     bool is_apart = false;
   };
@@ -84,7 +84,7 @@ class RoomRenderer {
     SurfaceMesher mesher;
     MeshRenderer meshes;
     FloorGrid floor;
-    MemoryKeeper memories;
+    BackgroundUpdater memories;
     AdaptiveRenderer adaptive;
     BlendRenderer blend;
   };
@@ -98,7 +98,7 @@ class RoomRenderer {
 
   Parts parts_;
   ColorMatching colors_;
-  RoomLook look_;
+  RenderOptions look_;
   std::vector<SurfaceLayer> layers_;  // of the newest picture
   std::map<SensorId, Sensor>
       sensors_;  // in order, so that the same room always gives the same picture

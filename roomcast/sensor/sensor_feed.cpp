@@ -7,10 +7,10 @@
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/geometry/hole_registration.h"
+#include "roomcast/sensor/bundle_monitor.h"
 #include "roomcast/sensor/frame_log.h"
-#include "roomcast/sensor/lookout.h"
 #include "roomcast/sensor/preview.h"
-#include "roomcast/sensor/watched_bundle.h"
+#include "roomcast/sensor/sighting_detector.h"
 
 namespace roomcast::cli {
 namespace {
@@ -100,15 +100,15 @@ class SensorFeed::Worker {
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
     if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));
-    if (news->moved || news->bundle) lookout_.stand(bundle_.bundle());
+    if (news->moved || news->bundle) sighting_detector_.stand(bundle_.bundle());
     report_sightings();
   }
 
   void report_sightings() {
-    lookout_.want(publisher_->wanted_sightings());
+    sighting_detector_.want(publisher_->wanted_sightings());
     const auto taken = publisher_->room_time(captured_.capture_time);
     if (!taken) return;
-    if (auto sightings = lookout_.add(captured_, *taken))
+    if (auto sightings = sighting_detector_.add(captured_, *taken))
       publisher_->send_sightings(*std::move(sightings));
   }
 
@@ -165,8 +165,8 @@ class SensorFeed::Worker {
 
   std::unique_ptr<FrameSource> source_;
   const LogSink log_;
-  aligner::WatchedBundle bundle_;
-  aligner::Lookout lookout_;
+  aligner::BundleMonitor bundle_;
+  aligner::SightingDetector sighting_detector_;
   std::string complaint_;  // the last
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;

@@ -131,7 +131,7 @@ void FreeView::look(const sim::MovingThings& things) {
 
 MaskImage FreeView::seen_by(std::span<const SimulatedSensor* const> sensors,
                             std::span<const DepthImage> sensor_depths) const {
-  ROOMCAST_ASSERT(sensors.size() == sensor_depths.size() && sensors.size() <= kMostSeeingSensors);
+  ROOMCAST_ASSERT(sensors.size() == sensor_depths.size() && sensors.size() <= kMaxSeeingSensors);
   MaskImage seen(depth_mm_.width(), depth_mm_.height());
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) {

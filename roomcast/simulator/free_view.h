@@ -14,7 +14,7 @@
 namespace roomcast {
 
 /// At most so many sensors fit into a mask of who sees a point.
-inline constexpr std::size_t kMostSeeingSensors = 8;
+inline constexpr std::size_t kMaxSeeingSensors = 8;
 
 class FreeView {
  public:

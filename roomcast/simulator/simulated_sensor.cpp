@@ -23,7 +23,7 @@ Status check(const SimulatedSensor::Options& options) {
   return {};
 }
 
-RigidTransform stand_pose(const sim::SensorStand& stand) {
+RigidTransform stand_pose(const sim::SensorMount& stand) {
   return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
 }
 
@@ -44,8 +44,9 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
     : room_(std::move(room)),
       options_(options),
       unit_(sim::make_unit(options.sensing, options.seed, options.index)),
-      world_from_depth_(stand_pose(room_->room().stands[static_cast<std::size_t>(options.index)]) *
-                        options.stand_from_depth),
+      world_from_depth_(
+          stand_pose(room_->room().sensor_mounts[static_cast<std::size_t>(options.index)]) *
+          options.stand_from_depth),
       depth_(*room_, unit_, world_from_depth_, options.sensing, options.threads),
       color_(*room_, unit_, world_from_depth_ * unit_.exact.color_from_depth.inverse(),
              options.threads) {}

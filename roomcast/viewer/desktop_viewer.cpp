@@ -86,7 +86,7 @@ bool DesktopViewer::step() {
   } else {
     SDL_WaitEventTimeout(nullptr, kIdle_ms);
   }
-  hub_report_.tell(own_pose(), latency_.median(now()), now());
+  hub_report_.tell(pose_publisher(), latency_.median(now()), now());
   return !wants_to_leave_;
 }
 
@@ -166,7 +166,7 @@ void DesktopViewer::advance(HostTime at) {
 }
 
 void DesktopViewer::apply_settings() {
-  RoomLook look;
+  RenderOptions look;
   look.unseen = settings_.unseen;
   look.floor_grid = settings_.floor_grid;
   if (auto status = room_view_.set_look(look); !status)
@@ -211,7 +211,7 @@ ViewState DesktopViewer::start_view() const {
 ViewCamera DesktopViewer::camera() const {
   const PictureSize window = window_->size();
   const double scale =
-      settings_.automatic_scale ? automatic_scale_.scale() : settings_.picture_scale;
+      settings_.automatic_scale ? automatic_scale_.scale() : settings_.render_scale;
   ViewCamera camera;
   camera.width = scaled(window.width, scale);
   camera.height = scaled(window.height, scale);
@@ -220,7 +220,7 @@ ViewCamera DesktopViewer::camera() const {
   return camera;
 }
 
-PersonPose DesktopViewer::own_pose() const {
+PersonPose DesktopViewer::pose_publisher() const {
   if (is_in_headset()) return headset_->pose();
   PersonPose pose;
   pose.world_from_head = world_from_view(navigation_.view());
@@ -253,7 +253,7 @@ bool DesktopViewer::must_draw() const {
 
 void DesktopViewer::draw_room(HostTime begin) {
   point();
-  room_view_.people().set_own(pointer_ ? std::optional(own_pose()) : std::nullopt);
+  room_view_.people().set_own(pointer_ ? std::optional(pose_publisher()) : std::nullopt);
   const ViewCamera eye = camera();
   if (auto status = picture_.draw(room_view_, eye, settings_.mode); !status) {
     toasts_.say(Toast::Kind::kError, status.error().message, begin);

@@ -11,14 +11,14 @@
 #include <string>
 
 #include "roomcast/client/subscriber.h"
-#include "roomcast/io/picture_files.h"
-#include "roomcast/viewer/capture/picture_keeper.h"
+#include "roomcast/io/numbered_files.h"
+#include "roomcast/viewer/capture/capture_writer.h"
 #include "roomcast/viewer/hub_report.h"
 #include "roomcast/viewer/panel/panel.h"
 #include "roomcast/viewer/panel/panel_layer.h"
 #include "roomcast/viewer/report/room_report.h"
 #include "roomcast/viewer/report/toasts.h"
-#include "roomcast/viewer/view/picture_scale.h"
+#include "roomcast/viewer/view/render_scale.h"
 #include "roomcast/viewer/view/room_picture.h"
 #include "roomcast/viewer/view/room_view.h"
 #include "roomcast/viewer/view/view_settings.h"
@@ -76,7 +76,7 @@ class DesktopViewer {
   void draw_window();
   [[nodiscard]] PanelFacts facts(HostTime now) const;
   [[nodiscard]] ViewCamera camera() const;
-  [[nodiscard]] PersonPose own_pose() const;
+  [[nodiscard]] PersonPose pose_publisher() const;
   [[nodiscard]] bool may_keep_pictures();
   void save_screenshot();
   void start_or_stop_video();
@@ -109,9 +109,9 @@ class DesktopViewer {
   RoomReport report_;
   LatencyBudget latency_;
   HubReport hub_report_;
-  PictureKeeper keeper_;
+  CaptureWriter keeper_;
   Toasts toasts_;
-  PictureScale automatic_scale_;
+  RenderScale automatic_scale_;
 
   bool wants_to_leave_ = false;
   bool has_start_ = false;      // the view is where it should be at first, or where the person went

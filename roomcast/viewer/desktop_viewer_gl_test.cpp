@@ -107,7 +107,7 @@ TEST_F(DesktopViewerTest, draws_an_empty_room_and_says_that_it_is_empty) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor is in the room yet."); }));
   const ColorImage picture = viewer->window_picture();
   EXPECT_EQ(picture.width(), kSize.width);
-  EXPECT_EQ(picture.at(160, 5), RoomLook{}.background);
+  EXPECT_EQ(picture.at(160, 5), RenderOptions{}.background);
 }
 
 TEST_F(DesktopViewerTest, walks_and_tells_the_hub_where_it_is) {

@@ -6,7 +6,7 @@
 #include "roomcast/client/subscriber.h"
 #include "roomcast/viewer/report/latency_budget.h"
 #include "roomcast/viewer/report/rate_meter.h"
-#include "roomcast/viewer/walk/own_pose.h"
+#include "roomcast/viewer/walk/pose_publisher.h"
 
 namespace roomcast {
 
@@ -26,7 +26,7 @@ class HubReport {
 
  private:
   Subscriber& hub_;
-  OwnPose own_;
+  PosePublisher own_;
   ViewerId self_{};
   std::size_t people_ = 0;
   bool connected_ = false;

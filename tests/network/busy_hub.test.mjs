@@ -64,7 +64,7 @@ test('who_knocks_at_a_busy_hub_is_sent_on_to_one_that_is_not', { skip }, async (
 test('who_was_sent_on_may_stay', { skip }, async (t) => {
   const { first } = await startPair(t, 1);
   const guest = await RoomClient.open(t, first.url);
-  guest.send(writeJoin({ name: 'guest', sentOn: true }));
+  guest.send(writeJoin({ name: 'guest', redirected: true }));
   await guest.until('the welcome', () => guest.welcome);
 });
 

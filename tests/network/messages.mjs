@@ -72,12 +72,12 @@ function control(number, write) {
 }
 
 /** As a viewer, as `sensor` {fps, worldFromDepth}, or as who says where sensors stand. */
-export function writeJoin({ room, name, sensor, aligner, token, sentOn }) {
+export function writeJoin({ room, name, sensor, aligner, token, redirected }) {
   return control(controls.join, (join) => {
     if (room) join.tag(1, WireType.LengthDelimited).string(room);
     join.tag(2, WireType.LengthDelimited).string(name);
     if (token) join.tag(6, WireType.LengthDelimited).string(token);
-    if (sentOn) join.tag(8, WireType.Varint).bool(true);
+    if (redirected) join.tag(8, WireType.Varint).bool(true);
     join.tag(sensor ? 3 : aligner ? 5 : 4, WireType.LengthDelimited).fork();
     if (sensor) writeSensorRole(join, sensor);
     join.join();

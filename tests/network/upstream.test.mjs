@@ -67,11 +67,11 @@ async function chain(t) {
   const edge = await startEdge(t, first, second);
   const viewer = await RoomClient.join(t, edge.url);
   await viewer.moreSets(30);
-  return { viewer, onTheWay: await servesOn(t, first) ? first : second };
+  return { viewer, onTheWay: await relays(t, first) ? first : second };
 }
 
 /** Is it a hub that watches there? */
-async function servesOn(t, hub) {
+async function relays(t, hub) {
   const witness = await RoomClient.join(t, hub.url);
   await witness.until('who is there', () => witness.rosters.length > 0);
   witness.socket.terminate();

@@ -15,7 +15,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kBits = 12, kMostValue = (1 << kBits) - 1;
+constexpr int kBits = 12, kMaxValue = (1 << kBits) - 1;
 constexpr int kSpeed = 8;     // as fast as a live picture needs
 constexpr int kQuality = 10;  // of 0..63, finest first; finer ones still smear edges
 constexpr int kMaskLevel = 3;
@@ -118,7 +118,7 @@ class Av1Depth final : public CodecUnderTest {
       auto* row = reinterpret_cast<std::uint16_t*>(image_->planes[0] + y * image_->stride[0]);
       for (int x = 0; x < depth_mm.width(); ++x) {
         const int steps = (depth_mm.at(x, y) + mm_per_step_ / 2) / mm_per_step_;
-        if (depth_mm.at(x, y)) row[x] = static_cast<std::uint16_t>(std::min(steps, kMostValue));
+        if (depth_mm.at(x, y)) row[x] = static_cast<std::uint16_t>(std::min(steps, kMaxValue));
       }
     }
   }
@@ -126,7 +126,7 @@ class Av1Depth final : public CodecUnderTest {
   void choose_scale(const DepthImage& depth_mm) {
     const int farthest =
         *std::max_element(depth_mm.data(), depth_mm.data() + depth_mm.view().pixel_count());
-    mm_per_step_ = 1 + farthest * 6 / 5 / (kMostValue + 1);
+    mm_per_step_ = 1 + farthest * 6 / 5 / (kMaxValue + 1);
   }
 
   bool encode(bool want_key) {

@@ -15,14 +15,14 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kWidestGap_s = 0.35;   // between sightings of b, to be joined by a line
-constexpr double kMostMotion_m = 0.06;  // of a corner meanwhile: held still, more or less
+constexpr double kMaxSightingGap_s = 0.35;  // between sightings of b, to be joined by a line
+constexpr double kMaxMotion_m = 0.06;       // of a corner meanwhile: held still, more or less
 constexpr double kAnotherPlace_m = 0.15;
-constexpr double kAgree_m = 0.05;
-constexpr std::size_t kLeastPlaces = 4;
-constexpr double kLeastSpread_m = 0.3;   // of the places, root mean square
+constexpr double kMaxCornerDistance_m = 0.05;
+constexpr std::size_t kMinPlaces = 4;
+constexpr double kMinSpread_m = 0.3;     // of the places, root mean square
 constexpr double kCornerSigma_m = 0.01;  // of depth on a tag: all four err together
-constexpr double kMostExpectedError_mm = 40;
+constexpr double kMaxBoardError_mm = 40;
 
 /// The tag at one time, seen by both.
 struct Pose {
@@ -46,12 +46,12 @@ std::optional<std::array<Eigen::Vector3d, 4>> seen_at(std::span<const TagSightin
   }
   if (before == nullptr || after == nullptr) return std::nullopt;
   const double gap_s = after->time_s - before->time_s;
-  if (gap_s > kWidestGap_s) return std::nullopt;
+  if (gap_s > kMaxSightingGap_s) return std::nullopt;
   const double part = gap_s > 0 ? (time_s - before->time_s) / gap_s : 0;
   std::array<Eigen::Vector3d, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     const Eigen::Vector3d step = after->corners_m[i] - before->corners_m[i];
-    if (step.norm() > kMostMotion_m) return std::nullopt;
+    if (step.norm() > kMaxMotion_m) return std::nullopt;
     corners[i] = before->corners_m[i] + part * step;
   }
   return corners;
@@ -84,7 +84,7 @@ std::vector<const Pose*> agreeing(std::span<const Pose> poses, const RigidTransf
     double worst = 0;
     for (std::size_t i = 0; i < 4; ++i)
       worst = std::max(worst, (a_from_b * pose.b_m[i] - pose.a_m[i]).norm());
-    if (worst < kAgree_m) agree.push_back(&pose);
+    if (worst < kMaxCornerDistance_m) agree.push_back(&pose);
   }
   return agree;
 }
@@ -124,16 +124,12 @@ double expected_error_ahead_m(std::span<const Pose* const> poses, const RigidTra
   return expected_error_m(information, a_from_b * Eigen::Vector3d(0, 0, 2.5));
 }
 
-Error refused(std::string sentence) {
-  return {ErrorCode::kUnavailable, std::move(sentence)};
-}
-
 }  // namespace
 
 Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const TagSighting> b) {
   const auto poses = common_poses(a, b);
   if (poses.empty())
-    return refused("no board was held still where it and another sensor see it yet");
+    return unavailable("no board was held still where it and another sensor see it yet");
   std::vector<const Pose*> best;
   constexpr std::size_t kTried = 40;
   const std::size_t step = std::max<std::size_t>(1, poses.size() / kTried);
@@ -150,19 +146,21 @@ Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const 
   RigidTransform a_from_b;
   for (int round = 0; round < 3; ++round) {
     const auto better = best.size() < 2 ? std::nullopt : fit(best);
-    if (!better) return refused("hold the board still at four places or more, well apart");
+    if (!better) return unavailable("hold the board still at four places or more, well apart");
     a_from_b = *better;
     best = agreeing(poses, a_from_b);
   }
   const Places places = places_of(best);
-  if (places.count < kLeastPlaces || places.spread_m < kLeastSpread_m)
-    return refused("hold the board still at four places or more, well apart");
+  if (places.count < kMinPlaces || places.spread_m < kMinSpread_m)
+    return unavailable("hold the board still at four places or more, well apart");
   if (2 * best.size() < poses.size())
-    return refused("the board's places do not fit together; is it flat, and is there only one?");
+    return unavailable(
+        "the board's places do not fit together; is it flat, and is there only one?");
   const BoardMatch match{a_from_b, 1000 * expected_error_ahead_m(best, a_from_b, places),
                          static_cast<int>(best.size())};
-  if (match.expected_error_mm > kMostExpectedError_mm)
-    return refused("the board's places were too close together; hold it nearer and further away");
+  if (match.expected_error_mm > kMaxBoardError_mm)
+    return unavailable(
+        "the board's places were too close together; hold it nearer and further away");
   return match;
 }
 

@@ -81,11 +81,11 @@ Status check(const CalibrationBundle& bundle) {
   if (bundle.up && !(std::abs(bundle.up->norm() - 1) < 1e-3)) {
     return invalid(bundle, "gave a direction of gravity that is no unit vector");
   }
-  if (share_with_depth(bundle.depth_mm) < kLeastDepthShare) {
+  if (share_with_depth(bundle.depth_mm) < kMinDepthShare) {
     return invalid(bundle,
                    "sees almost no depth; look whether something covers it, or stands too near");
   }
-  if (contrast(bundle.color) < kLeastContrast) {
+  if (contrast(bundle.color) < kMinContrast) {
     return invalid(bundle,
                    "gave a colour picture without contrast; uncover its lens or turn on the light");
   }

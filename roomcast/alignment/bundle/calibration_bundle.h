@@ -27,9 +27,9 @@ struct CalibrationBundle {
 };
 
 /// The least share of a depth picture that must hold readings for it to be of any use.
-inline constexpr double kLeastDepthShare = 0.02;
+inline constexpr double kMinDepthShare = 0.02;
 /// The least spread of grey values (standard deviation, of 255) of a colour picture.
-inline constexpr double kLeastContrast = 2;
+inline constexpr double kMinContrast = 2;
 
 /// kInvalidArgument with a sentence that says what to do about it: cameras that are none, pictures
 /// of other sizes than their cameras', hardly any depth, colour without contrast (a covered lens, a

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/alignment/bundle/bundle_capture.h"
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 
 namespace roomcast::align {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 CalibrationBundle good_bundle() {
-  static const CalibrationBundle bundle = made_up_bundle({}, "s1", corner_pose(2, 1.5));
+  static const CalibrationBundle bundle = bundle_fixture({}, "s1", corner_pose(2, 1.5));
   return bundle;
 }
 
@@ -113,12 +113,12 @@ TEST(BundleCapture, colour_is_of_all_the_time_that_it_watched) {
 }
 
 TEST(BundleCapture, has_nothing_to_give_before_the_first_frame) {
-  EXPECT_EQ(BundleCapture("s1", made_up_calibration()).finish().error().code,
+  EXPECT_EQ(BundleCapture("s1", calibration_fixture()).finish().error().code,
             ErrorCode::kUnavailable);
 }
 
 TEST(BundleCapture, refuses_frames_of_another_size) {
-  BundleCapture capture("s1", made_up_calibration());
+  BundleCapture capture("s1", calibration_fixture());
   EXPECT_FALSE(capture.add(DepthImage(2, 2), {}).ok());
   EXPECT_FALSE(capture.add(good_bundle().depth_mm, ColorImage(2, 2)).ok());
 }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/calibration/made_up_views.h"
+#include "roomcast/alignment/calibration/views_fixture.h"
 
 namespace roomcast::calibration {
 namespace {
@@ -22,7 +22,7 @@ double degrees_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 class RenderedBoards : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    MadeUpSensor sensor(made_up_kinect(), board());
+    SensorFixture sensor(kinect_fixture(), board());
     CharucoFinder finder(board());
     for (const RigidTransform& pose : held_about(board(), kViews)) {
       CapturedFrame frame = sensor.see(pose);
@@ -44,7 +44,7 @@ class RenderedBoards : public testing::Test {
   /// Nominal: what a camera without memory is taken for.
   static SensorCalibration start() {
     SensorCalibration nominal;
-    nominal.depth = made_up_kinect().calibration.depth;
+    nominal.depth = kinect_fixture().calibration.depth;
     nominal.color = {640, 480, 525, 525, 319.5, 239.5};
     nominal.color_from_depth.translation_m.x() = -0.025;
     return nominal;
@@ -52,7 +52,7 @@ class RenderedBoards : public testing::Test {
 };
 
 TEST_F(RenderedBoards, corners_are_found_to_a_tenth_of_a_pixel) {
-  const CameraIntrinsics color = made_up_kinect().calibration.color;
+  const CameraIntrinsics color = kinect_fixture().calibration.color;
   std::vector<double> errors;
   for (std::size_t i = 0; i < views().size(); ++i) {
     EXPECT_GE(views()[i].corners.size(), 15U) << i;
@@ -68,7 +68,7 @@ TEST_F(RenderedBoards, corners_are_found_to_a_tenth_of_a_pixel) {
 }
 
 TEST_F(RenderedBoards, lens_pose_and_depth_are_found) {
-  const RecordedCamera truth = made_up_kinect();
+  const RecordedCamera truth = kinect_fixture();
   const auto report = calibrate(board(), views(), start(), false);
   ASSERT_TRUE(report.ok()) << report.error().message;
   const SensorCalibration& found = report->camera.calibration;
@@ -115,12 +115,12 @@ TEST_F(RenderedBoards, the_report_says_what_became_better) {
 
 TEST_F(RenderedBoards, a_lens_that_is_known_is_kept) {
   SensorCalibration known = start();
-  known.color = made_up_kinect().calibration.color;
+  known.color = kinect_fixture().calibration.color;
   const auto report = calibrate(board(), views(), known, true);
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(report->camera.calibration.color, known.color);
   const double shift_mm = 1000 * (report->camera.calibration.color_from_depth.translation_m -
-                                  made_up_kinect().calibration.color_from_depth.translation_m)
+                                  kinect_fixture().calibration.color_from_depth.translation_m)
                                      .norm();
   EXPECT_LT(shift_mm, 2);
 }
@@ -138,7 +138,7 @@ TEST_F(RenderedBoards, a_board_of_another_size_shows_in_the_depth_not_in_the_len
   larger.square_m *= 1.02;
   const auto report = calibrate(larger, views(), start(), false);
   ASSERT_TRUE(report.ok());
-  EXPECT_NEAR(report->camera.depth_scale_to_metre / made_up_kinect().depth_scale_to_metre, 1.02,
+  EXPECT_NEAR(report->camera.depth_scale_to_metre / kinect_fixture().depth_scale_to_metre, 1.02,
               0.004);
 }
 

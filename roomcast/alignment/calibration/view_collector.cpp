@@ -27,7 +27,7 @@ ViewCollector::ViewCollector(const CharucoBoard& board) : finder_(board) {}
 
 ViewCollector::Verdict ViewCollector::add(const CapturedFrame& frame) {
   const auto before = std::exchange(last_, finder_.find(frame.color));
-  if (last_.size() < kLeastCorners) return Verdict::kNoBoard;
+  if (last_.size() < kMinCorners) return Verdict::kNoBoard;
   const auto moved = way_px(before, last_);
   if (!moved || *moved > kStill_px) return Verdict::kMoving;
   const double elsewhere_px = kElsewhere * frame.color.width();

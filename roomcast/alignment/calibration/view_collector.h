@@ -23,7 +23,7 @@ class ViewCollector {
   /// Of the last frame.
   [[nodiscard]] const std::vector<SeenCorner>& corners() const { return last_; }
 
-  static constexpr std::size_t kLeastCorners = 10;
+  static constexpr std::size_t kMinCorners = 10;
   static constexpr double kStill_px = 0.7;
   static constexpr double kElsewhere = 0.05;  // of the picture's width, the corners' mean way
 

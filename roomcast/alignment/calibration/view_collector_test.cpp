@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/calibration/made_up_views.h"
+#include "roomcast/alignment/calibration/views_fixture.h"
 
 namespace roomcast::calibration {
 namespace {
@@ -23,7 +23,7 @@ TEST(WayOfCorners, needs_four_that_both_hold) {
 
 TEST(ViewCollector, takes_a_board_once_it_is_held_still_somewhere_new) {
   const CharucoBoard board;
-  MadeUpSensor sensor(made_up_kinect(), board);
+  SensorFixture sensor(kinect_fixture(), board);
   ViewCollector collector(board);
   CapturedFrame nothing;
   nothing.color.resize(640, 480);

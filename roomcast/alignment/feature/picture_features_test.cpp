@@ -9,8 +9,8 @@
 
 #include "roomcast/alignment/feature/affine_features.h"
 #include "roomcast/alignment/feature/feature_comparison.h"
-#include "roomcast/alignment/feature/made_up_room.h"
 #include "roomcast/alignment/feature/rectified_features.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/feature/sift_detector.h"
 #include "roomcast/alignment/view/planes.h"
 
@@ -18,9 +18,9 @@ namespace roomcast::align {
 namespace {
 
 struct Seen {
-  explicit Seen(const RigidTransform& pose, const MadeUpRoom& room = {})
+  explicit Seen(const RigidTransform& pose, const RoomFixture& room = {})
       : world_from_depth(pose),
-        bundle(made_up_bundle(room, "s", pose)),
+        bundle(bundle_fixture(room, "s", pose)),
         surface(depth_surface(bundle.depth_mm, bundle.calibration.depth)),
         picture(color_picture(bundle.color, bundle.calibration, surface)) {}
   RigidTransform world_from_depth;
@@ -150,7 +150,7 @@ TEST(RectifiedFeatures, match_between_views_far_aside) {
 }
 
 TEST(RectifiedFeatures, of_a_rug_lie_on_the_rug) {
-  MadeUpRoom room;
+  RoomFixture room;
   room.boxes = {{Eigen::Vector3d(-1, 0, -0.8), Eigen::Vector3d(1, 0.02, 0.8)}};
   const Seen here(kHere, room);
   const auto set =

@@ -11,14 +11,14 @@ namespace {
 
 constexpr float kCell_m = 0.04F;  // heights are means over 3x3 of them
 constexpr float kHighest_m = 0.05F, kHighestPerDepth = 0.01F;
-constexpr float kAlike = 0.85F;  // cosine between normals
-constexpr int kLeastSamples = 3;
-constexpr int kMostCells = 1024;  // along either axis: 40 m
+constexpr float kReliefCosine = 0.85F;  // cosine between normals
+constexpr int kMinReliefSamples = 3;
+constexpr int kMaxCells = 1024;  // along either axis: 40 m
 
 bool is_near(const Plane& plane, const SurfacePoint& sample) {
   return std::abs(plane.height_m(sample.point_m)) <
              kHighest_m + kHighestPerDepth * sample.point_m.z() &&
-         sample.normal.dot(plane.normal) > kAlike;
+         sample.normal.dot(plane.normal) > kReliefCosine;
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ PlaneRelief::PlaneRelief(const Plane& plane, std::span<const SurfacePoint> sampl
     heights_m.emplace_back(place, plane.height_m(sample.point_m));
   }
   if (heights_m.empty()) return;
-  columns_ = std::min(kMostCells, last.column - first_.column + 1);
-  rows_ = std::min(kMostCells, last.row - first_.row + 1);
+  columns_ = std::min(kMaxCells, last.column - first_.column + 1);
+  rows_ = std::min(kMaxCells, last.row - first_.row + 1);
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (const auto& [place, height_m] : heights_m) {
     const int x = place.column - first_.column, y = place.row - first_.row;
@@ -68,7 +68,7 @@ PlaneRelief::Cell PlaneRelief::around(const Place& place) const {
 
 std::optional<float> PlaneRelief::height_m(const Eigen::Vector3f& on_plane_m) const {
   const Cell found = around(place_of(on_plane_m));
-  if (found.count < kLeastSamples) return std::nullopt;
+  if (found.count < kMinReliefSamples) return std::nullopt;
   return found.sum_m / static_cast<float>(found.count);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kElsewhere_m = 0.12F;
 constexpr float kRepeats = 0.62F;  // descriptors nearer than this to a look-alike are repeats
-constexpr float kLeastWeight = 0.05F;
+constexpr float kMinWeight = 0.05F;
 constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of the ratio to the nearest look-alike
 // However well two repeats match each other, they do not say which of the repeats is meant.
 constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike's distance
@@ -47,7 +47,7 @@ float uniqueness(float distance, float look_alike_a, float look_alike_b) {
   const float look_alike = std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
   const float by_ratio = (kWorthless - distance / look_alike) / kWorthRange;
   const float by_itself = (look_alike - kSurelyRepeats) / kRepeatRange;
-  return std::clamp(std::min(by_ratio, by_itself), kLeastWeight, 1.F);
+  return std::clamp(std::min(by_ratio, by_itself), kMinWeight, 1.F);
 }
 
 }  // namespace roomcast::align

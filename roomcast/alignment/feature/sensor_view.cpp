@@ -12,7 +12,7 @@
 namespace roomcast::align {
 namespace {
 
-constexpr std::size_t kLeastSamples = 200;
+constexpr std::size_t kMinSurfaceSamples = 200;
 constexpr double kAllOnOnePlane = 0.97;  // of the samples: then nothing holds it along the plane
 
 bool sees_one_plane_only(const std::vector<Plane>& planes, std::size_t samples) {
@@ -25,7 +25,7 @@ bool sees_one_plane_only(const std::vector<Plane>& planes, std::size_t samples) 
 Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
   if (const Status status = check(bundle); !status) return status.error();
   DepthSurface surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
-  if (surface.samples.size() < kLeastSamples) {
+  if (surface.samples.size() < kMinSurfaceSamples) {
     return Error{ErrorCode::kInvalidArgument,
                  "sensor " + bundle.name +
                      " sees no surface to hold on to; turn it towards walls, floor or furniture "

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 
 namespace roomcast::align {
 namespace {
@@ -19,19 +19,19 @@ TEST(SensorView, sees_features_planes_and_floor) {
 }
 
 TEST(SensorView, of_a_bundle_that_is_none_says_why) {
-  CalibrationBundle bundle = made_up_bundle({}, "s7", corner_pose(2, 1.5));
+  CalibrationBundle bundle = bundle_fixture({}, "s7", corner_pose(2, 1.5));
   bundle.color = {};
   EXPECT_THAT(make_sensor_view(bundle).error().message, testing::HasSubstr("s7"));
 }
 
 TEST(SensorView, of_one_flat_wall_says_what_to_do) {
   const RigidTransform facing = world_from_optical_looking_at({0, 1.3, 1.2}, {0, 1.3, 2});
-  EXPECT_THAT(make_sensor_view(made_up_bundle({}, "s7", facing)).error().message,
+  EXPECT_THAT(make_sensor_view(bundle_fixture({}, "s7", facing)).error().message,
               testing::HasSubstr("one flat surface"));
 }
 
 TEST(SensorView, of_readings_without_any_surface_says_what_to_do) {
-  CalibrationBundle bundle = made_up_bundle({}, "s7", corner_pose(2, 1.5));
+  CalibrationBundle bundle = bundle_fixture({}, "s7", corner_pose(2, 1.5));
   for (int y = 0; y < bundle.depth_mm.height(); ++y) {
     for (int x = 0; x < bundle.depth_mm.width(); ++x) {
       bundle.depth_mm.at(x, y) = (x + y) % 2 == 0 ? 800 : 4000;

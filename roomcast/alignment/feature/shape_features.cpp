@@ -17,7 +17,7 @@ namespace {
 constexpr float kThinning_m = 0.06F;  // one point for each cell of this size
 constexpr float kRadius_m = 0.25F;    // of what belongs to a point's surroundings
 constexpr float kBends = 0.15F;       // 1 - length of the mean normal around a point
-constexpr std::size_t kLeastNeighbours = 8;
+constexpr std::size_t kMinNeighbours = 8;
 constexpr std::size_t kPartners = 3;
 
 using Cell = std::tuple<int, int, int>;
@@ -147,7 +147,7 @@ std::vector<ShapeFeature> shape_features(std::span<const SurfacePoint> samples) 
   const std::vector<ShapeHistogram> simple = simple_histograms(points, neighbours);
   std::vector<ShapeFeature> features;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (neighbours[i].size() < kLeastNeighbours || !surroundings_bend(points, neighbours[i]))
+    if (neighbours[i].size() < kMinNeighbours || !surroundings_bend(points, neighbours[i]))
       continue;
     features.push_back({points[i].point_m, full_histogram(points, simple, neighbours[i], i)});
   }

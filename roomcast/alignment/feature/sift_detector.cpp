@@ -15,8 +15,8 @@ namespace {
 constexpr int kOctaveLayers = 3;
 constexpr double kClaheLimit = 2;
 constexpr int kClaheTiles = 8;
-constexpr int kLeastTilt = 0, kMostTilt = 3;  // of affine SIFT: a factor sqrt(2) each
-constexpr int kLeastSide = 16;                // pixels; nothing is found in smaller pictures
+constexpr int kMinTilt = 0, kMaxTilt = 3;  // of affine SIFT: a factor sqrt(2) each
+constexpr int kMinSide = 16;               // pixels; nothing is found in smaller pictures
 // OpenCV seeks in a picture of twice the size, whose pixel 2x lies at x - 0.25, and calls it x.
 constexpr float kTooFar_px = 0.25F;
 
@@ -70,7 +70,7 @@ cv::Ptr<cv::SIFT> sift_of(const SiftOptions& options) {
 }
 
 bool is_large_enough(ImageView<const std::uint8_t> grey) {
-  return grey.width >= kLeastSide && grey.height >= kLeastSide;
+  return grey.width >= kMinSide && grey.height >= kMinSide;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
                                             const SiftOptions& options) {
   if (!is_large_enough(grey)) return {};
   cv::setNumThreads(1);
-  return detect(*cv::AffineFeature::create(sift_of(options), kMostTilt, kLeastTilt), grey, {});
+  return detect(*cv::AffineFeature::create(sift_of(options), kMaxTilt, kMinTilt), grey, {});
 }
 
 std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,

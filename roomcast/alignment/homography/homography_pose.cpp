@@ -17,12 +17,12 @@
 namespace roomcast::align {
 namespace {
 
-constexpr int kMostCorners = 800, kPatchReach = 5, kLeastMatches = 8;
-constexpr double kLeastQuality = 0.002, kLeastApart_px = 5, kHarrisK = 0.04;
-constexpr float kLeastCorrelation = 0.8F;
+constexpr int kMaxCorners = 800, kPatchReach = 5, kMinMatches = 8;
+constexpr double kMinQuality = 0.002, kMinApart_px = 5, kHarrisK = 0.04;
+constexpr float kMinCorrelation = 0.8F;
 constexpr double kInlier_px = 3, kConfidence = 0.999;
 constexpr int kRansacTrials = 5000;
-constexpr std::size_t kLeastLifted = 3;
+constexpr std::size_t kMinLifted = 3;
 
 /// Corners, and the patches around them with mean 0 and length 1, one a row.
 struct Corners {
@@ -34,8 +34,8 @@ Corners find_corners(const Image<std::uint8_t>& grey) {
   const cv::Mat picture(grey.height(), grey.width(), CV_8UC1,
                         const_cast<std::uint8_t*>(grey.data()));
   std::vector<cv::Point2f> found;
-  cv::goodFeaturesToTrack(picture, found, kMostCorners, kLeastQuality, kLeastApart_px,
-                          cv::noArray(), 3, true, kHarrisK);
+  cv::goodFeaturesToTrack(picture, found, kMaxCorners, kMinQuality, kMinApart_px, cv::noArray(), 3,
+                          true, kHarrisK);
   Corners corners;
   for (const cv::Point2f& pixel : found) {
     const int x = cvRound(pixel.x), y = cvRound(pixel.y);
@@ -71,7 +71,7 @@ CornerMatches match_corners(const Corners& a, const Corners& b) {
   for (int i = 0; i < products.rows; ++i) {
     const int j = best_in(products.ptr<float>(i), products.cols, 1);
     const auto stride = static_cast<std::ptrdiff_t>(products.step1());
-    if (products.at<float>(i, j) < kLeastCorrelation) continue;
+    if (products.at<float>(i, j) < kMinCorrelation) continue;
     if (best_in(products.ptr<float>(0) + j, products.rows, stride) != i) continue;
     matches.a.push_back(a.pixels[static_cast<std::size_t>(i)]);
     matches.b.push_back(b.pixels[static_cast<std::size_t>(j)]);
@@ -162,13 +162,13 @@ std::optional<HomographyPose> homography_pose(const SensorView& a, const SensorV
   cv::setNumThreads(1);
   const CornerMatches matches =
       match_corners(find_corners(a.picture.grey), find_corners(b.picture.grey));
-  if (matches.a.size() < kLeastMatches) return std::nullopt;
+  if (matches.a.size() < kMinMatches) return std::nullopt;
   cv::Mat inliers;
   const cv::Mat homography = cv::findHomography(matches.b, matches.a, cv::RANSAC, kInlier_px,
                                                 inliers, kRansacTrials, kConfidence);
   if (homography.empty()) return std::nullopt;
   const LiftedMatches lifted = lift(a, b, matches, inliers);
-  if (lifted.a.size() < kLeastLifted) return std::nullopt;
+  if (lifted.a.size() < kMinLifted) return std::nullopt;
   // Both pictures are taken as one camera's; where they are not, b is brought to a's.
   const cv::Mat camera_a = matrix_of(a.picture.camera), camera_b = matrix_of(b.picture.camera);
   std::vector<cv::Mat> rotations, directions, normals;

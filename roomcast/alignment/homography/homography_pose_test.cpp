@@ -5,22 +5,22 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::align {
 namespace {
 
 /// Facing a wall, so that most of what is seen is one plane; a little aside from each other.
-MadeUpView facing_wall(const char* name, double aside_m) {
-  MadeUpRoom room;
+ViewFixture facing_wall(const char* name, double aside_m) {
+  RoomFixture room;
   room.boxes = {{Eigen::Vector3d(-1.1, 0, -2), Eigen::Vector3d(-0.3, 1, -1.5)}};
-  return made_up_view(room, name,
+  return view_fixture(room, name,
                       world_from_optical_looking_at({aside_m, 1.4, 0.6}, {aside_m, 1.2, -2}));
 }
 
 TEST(HomographyPose, is_right_for_a_wall_seen_from_almost_the_same_place) {
-  const MadeUpView a = facing_wall("a", 0), b = facing_wall("b", 0.08);
+  const ViewFixture a = facing_wall("a", 0), b = facing_wall("b", 0.08);
   const auto pose = homography_pose(*a.view, *b.view);
   ASSERT_TRUE(pose.has_value());
   EXPECT_LT(difference(pose->a_from_b, true_pose(a, b)).angle_rad, 0.05);
@@ -29,14 +29,14 @@ TEST(HomographyPose, is_right_for_a_wall_seen_from_almost_the_same_place) {
 }
 
 TEST(HomographyPose, is_the_same_every_time) {
-  const MadeUpView a = facing_wall("a", 0), b = facing_wall("b", 0.08);
+  const ViewFixture a = facing_wall("a", 0), b = facing_wall("b", 0.08);
   const auto one = homography_pose(*a.view, *b.view), other = homography_pose(*a.view, *b.view);
   ASSERT_TRUE(one && other);
   EXPECT_EQ(one->a_from_b.rotation, other->a_from_b.rotation);
 }
 
 TEST(AlignByHomography, puts_the_first_sensor_into_the_origin) {
-  const MadeUpView a = facing_wall("a", 0), b = facing_wall("b", 0.08);
+  const ViewFixture a = facing_wall("a", 0), b = facing_wall("b", 0.08);
   const std::vector<std::shared_ptr<const SensorView>> views = {a.view, b.view};
   const AlignmentReport report = align_by_homography(views);
   ASSERT_EQ(report.sensors.size(), 2u);

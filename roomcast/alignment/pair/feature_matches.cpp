@@ -48,22 +48,22 @@ ViewComparison compare_views(const SensorView& a, const SensorView& b) {
           compare_features(a.rectified_features, b.rectified_features, kLargestDescriptorDistance)};
 }
 
-LookAlikes own_look_alikes(const SensorView& view) {
+DescriptorAmbiguity own_look_alikes(const SensorView& view) {
   return {look_alikes(view.picture_features), look_alikes(view.rectified_features)};
 }
 
-void add_repeats_of_b(const ViewComparison& comparison, LookAlikes& of_a) {
+void add_repeats_of_b(const ViewComparison& comparison, DescriptorAmbiguity& of_a) {
   lower(of_a.of_picture_features, comparison.in_pictures.a_to_repeat);
   lower(of_a.of_rectified_features, comparison.on_planes.a_to_repeat);
 }
 
-void add_repeats_of_a(const ViewComparison& comparison, LookAlikes& of_b) {
+void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_b) {
   lower(of_b.of_picture_features, comparison.in_pictures.b_to_repeat);
   lower(of_b.of_rectified_features, comparison.on_planes.b_to_repeat);
 }
 
-std::vector<PointMatch> weighed_matches(const SensorView& a, const LookAlikes& of_a,
-                                        const SensorView& b, const LookAlikes& of_b,
+std::vector<PointMatch> weighed_matches(const SensorView& a, const DescriptorAmbiguity& of_a,
+                                        const SensorView& b, const DescriptorAmbiguity& of_b,
                                         const ViewComparison& comparison) {
   std::vector<PointMatch> matches;
   add_matches(a.picture_features, of_a.of_picture_features, b.picture_features,

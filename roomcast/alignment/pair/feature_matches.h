@@ -22,19 +22,21 @@ struct ViewComparison {
 [[nodiscard]] ViewComparison compare_views(const SensorView& a, const SensorView& b);
 
 /// For every feature of a view the distance to its nearest look-alike (feature/repeats.h).
-struct LookAlikes {
+struct DescriptorAmbiguity {
   std::vector<float> of_picture_features, of_rectified_features;
 };
 
 /// Within the view itself.
-[[nodiscard]] LookAlikes own_look_alikes(const SensorView& view);
+[[nodiscard]] DescriptorAmbiguity own_look_alikes(const SensorView& view);
 
 /// What a comparison with another view adds: what repeats there is known to both.
-void add_repeats_of_b(const ViewComparison& comparison, LookAlikes& of_a);
-void add_repeats_of_a(const ViewComparison& comparison, LookAlikes& of_b);
+void add_repeats_of_b(const ViewComparison& comparison, DescriptorAmbiguity& of_a);
+void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_b);
 
-[[nodiscard]] std::vector<PointMatch> weighed_matches(const SensorView& a, const LookAlikes& of_a,
-                                                      const SensorView& b, const LookAlikes& of_b,
+[[nodiscard]] std::vector<PointMatch> weighed_matches(const SensorView& a,
+                                                      const DescriptorAmbiguity& of_a,
+                                                      const SensorView& b,
+                                                      const DescriptorAmbiguity& of_b,
                                                       const ViewComparison& comparison);
 
 /// Of features that have their look-alikes, of which there are so many that what repeats in other

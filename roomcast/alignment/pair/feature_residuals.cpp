@@ -8,7 +8,7 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kLeastSigma_px = 0.6, kMostSigma_px = 3;
+constexpr double kMinSigma_px = 0.6, kMaxSigma_px = 3;
 constexpr double kMedianOfRayleigh = 1.1774;  // of the distance, in sigmas of each coordinate
 constexpr double kFurthest_px = 25;
 constexpr double kNearest_m = 0.2;
@@ -156,10 +156,10 @@ double feature_sigma_px(const ColorPicture& a, const ColorPicture& b, const Pair
     if (in_a) away_px.push_back(in_a->residual_px.norm());
     if (in_b) away_px.push_back(in_b->residual_px.norm());
   }
-  if (away_px.empty()) return kMostSigma_px;
+  if (away_px.empty()) return kMaxSigma_px;
   const auto middle = away_px.begin() + static_cast<std::ptrdiff_t>(away_px.size() / 2);
   std::nth_element(away_px.begin(), middle, away_px.end());
-  return std::clamp(*middle / kMedianOfRayleigh, kLeastSigma_px, kMostSigma_px);
+  return std::clamp(*middle / kMedianOfRayleigh, kMinSigma_px, kMaxSigma_px);
 }
 
 }  // namespace roomcast::align

@@ -15,7 +15,7 @@ constexpr float kSameSurface_m = 0.02F;  // seen from both sides only if it is p
 constexpr float kFromBehind = -0.3F;     // cosine
 constexpr int kBorder = 4;               // pixels
 constexpr int kPointsAcross = 170;       // of a picture, about, in blocks of 4 x 4
-constexpr int kBlockPoints = 4, kMostOfBlock = 12;
+constexpr int kBlockPoints = 4, kMaxOfBlock = 12;
 
 struct Counts {
   std::size_t consistent = 0, violating = 0, occluded = 0, tested = 0;
@@ -79,8 +79,8 @@ Verdict judge_block(const DepthSurface& source, const DepthSurface& target,
       consistent += verdict == Verdict::kConsistent;
     }
   }
-  if (violating >= kMostOfBlock) return Verdict::kViolating;
-  return consistent >= kMostOfBlock ? Verdict::kConsistent : Verdict::kNothing;
+  if (violating >= kMaxOfBlock) return Verdict::kViolating;
+  return consistent >= kMaxOfBlock ? Verdict::kConsistent : Verdict::kNothing;
 }
 
 void add_blocks(const DepthSurface& source, const DepthSurface& target,

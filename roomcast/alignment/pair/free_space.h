@@ -30,6 +30,9 @@ struct SolidConflict {
 [[nodiscard]] SolidConflict check_solid_conflict(const DepthSurface& a, const DepthSurface& b,
                                                  const RigidTransform& a_from_b);
 
+/// How many points of each view alignment tests.
+inline constexpr std::size_t kTestedPoints = 1500;
+
 /// `points`: how many of each view are tested, at most.
 [[nodiscard]] FreeSpaceCheck check_free_space(const DepthSurface& a, const DepthSurface& b,
                                               const RigidTransform& a_from_b, std::size_t points);

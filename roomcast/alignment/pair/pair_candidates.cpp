@@ -12,19 +12,18 @@ namespace roomcast::align {
 namespace {
 
 constexpr float kInlier_m = 0.07F;
-constexpr std::size_t kTestedPoints = 1500;
-constexpr std::size_t kMostCandidates = 12;
+constexpr std::size_t kMaxCandidates = 12;
 
 // The score. Its unit is the weight of one unique match.
-constexpr double kMostMatchScore = 60;
+constexpr double kMaxMatchScore = 60;
 constexpr double kViolationScore = 300, kForgivenConflict = 0.03;
 constexpr double kSolidScore = 1;  // each block in the way
-constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMostPhotoScore = 60;
+constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMaxPhotoScore = 60;
 
 // Gates: what is beyond them is refuted, whatever the matches say.
-constexpr double kMostConflict = 0.12, kNegligibleViolation = 0.01;
+constexpr double kMaxConflict = 0.12, kNegligibleViolation = 0.01;
 constexpr double kRefuted = -15;
-constexpr double kLeastTextured = 0.01;
+constexpr double kMinTextured = 0.01;
 
 constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
 // From far aside few features match well; then many places that agree a little count as well, if
@@ -38,11 +37,11 @@ constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
 /// match is right. It finds rivals, too, so it is for pairs that say nothing otherwise.
 constexpr VoteOptions kCoarseVote{4000, 400, 24, 0.1F, 0.04F};
 
-constexpr double kLeastSupportKept = 0.5;  // by which settling may lose matches
+constexpr double kMinSupportKept = 0.5;  // by which pose_refinement may lose matches
 constexpr double kFurthestSettled_m = 0.3;
 
 bool violates_space(const FreeSpaceCheck& space) {
-  return space.conflict() > kMostConflict && space.violating > kNegligibleViolation;
+  return space.conflict() > kMaxConflict && space.violating > kNegligibleViolation;
 }
 
 double photo_score(const PhotoConsistency& photo) {
@@ -52,15 +51,15 @@ double photo_score(const PhotoConsistency& photo) {
 double score_of(const PoseEvidence& evidence) {
   const FreeSpaceCheck& space = evidence.space;
   const PhotoConsistency& photo = evidence.photo;
-  double score = std::min(evidence.matches.weight, kMostMatchScore);
+  double score = std::min(evidence.matches.weight, kMaxMatchScore);
   score -=
       kViolationScore *
       std::max(0.0, space.violating - kForgivenConflict * (space.consistent + space.violating));
   score -= kSolidScore * static_cast<double>(evidence.solid.violating);
-  score += std::clamp(photo_score(photo), -kMostPhotoScore, kMostPhotoScore);
+  score += std::clamp(photo_score(photo), -kMaxPhotoScore, kMaxPhotoScore);
   if (violates_space(space)) score = std::min(score, 0.0) + kRefuted;
   const bool looks_different =
-      photo.textured > kLeastTextured && photo.correlation < kNeutralCorrelation;
+      photo.textured > kMinTextured && photo.correlation < kNeutralCorrelation;
   return looks_different ? std::min(score, 0.0) : score;
 }
 
@@ -71,7 +70,7 @@ bool is_strong(const PoseEvidence& evidence) {
                                  evidence.matches.cells >= kFaintCells &&
                                  evidence.score >= kFaintScore;
   return (evidence.matches.weight >= kStrongSupport || faintly_supported) &&
-         evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMostConflict &&
+         evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMaxConflict &&
          evidence.photo.correlation > kStrongCorrelation &&
          evidence.photo.textured > kStrongTextured;
 }
@@ -79,7 +78,7 @@ bool is_strong(const PoseEvidence& evidence) {
 bool fits_better(const PoseEvidence& one, const PoseEvidence& other) {
   if (one.score <= 0 || other.score <= 0) return one.score > other.score;
   const auto beyond = [](const PoseEvidence& evidence) {
-    return std::max(0.0, photo_score(evidence.photo) - kMostPhotoScore);
+    return std::max(0.0, photo_score(evidence.photo) - kMaxPhotoScore);
   };
   return one.score + beyond(one) > other.score + beyond(other);
 }
@@ -102,25 +101,24 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
                                std::vector<PointMatch> matches)
     : a_(&a), b_(&b), matches_(std::move(matches)) {
   if (same_pictures()) return;
-  rank(vote_for_poses(matches_), ColorPlace::kAsCalibrated);
-  if (!convinces()) rank(hypotheses_by_shape(a_->surface, b_->surface), ColorPlace::kAsCalibrated);
-  if (!any_can_be_believed())
-    rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
+  rank(vote_for_poses(matches_), ColorCalibration::kAsCalibrated);
+  if (!is_conclusive())
+    rank(hypotheses_by_shape(a_->surface, b_->surface), ColorCalibration::kAsCalibrated);
+  if (!has_plausible()) rank(vote_for_poses(matches_, kCoarseVote), ColorCalibration::kUncertain);
 }
 
-void PairCandidates::look_closer(const std::vector<PointMatch>& more) {
+void PairCandidates::add_affine_matches(const std::vector<PointMatch>& more) {
   matches_.insert(matches_.end(), more.begin(), more.end());
   std::vector<PoseEvidence> known;
   for (const PoseEvidence& each : ranked_)
     known.push_back(examine({each.a_from_b, each.correction_a, each.correction_b}));
   keep_best(std::move(known));
-  rank(vote_for_poses(matches_), ColorPlace::kAsCalibrated);
-  if (!any_can_be_believed())
-    rank(vote_for_poses(matches_, kCoarseVote), ColorPlace::kPerhapsAside);
+  rank(vote_for_poses(matches_), ColorCalibration::kAsCalibrated);
+  if (!has_plausible()) rank(vote_for_poses(matches_, kCoarseVote), ColorCalibration::kUncertain);
 }
 
 /// Judges hypotheses and puts them among those ranked before.
-void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color) {
+void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses, ColorCalibration color) {
   std::vector<PoseEvidence> found = ranked_;
   for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis, color));
   keep_best(std::move(found));
@@ -135,17 +133,17 @@ void PairCandidates::keep_best(std::vector<PoseEvidence> found) {
         std::all_of(ranked_.begin(), ranked_.end(), [&](const PoseEvidence& better) {
           return are_rivals(candidate.a_from_b, better.a_from_b);
         });
-    if (is_new && ranked_.size() < kMostCandidates) ranked_.push_back(candidate);
+    if (is_new && ranked_.size() < kMaxCandidates) ranked_.push_back(candidate);
   }
 }
 
-bool PairCandidates::convinces() const {
-  return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kLeastMargin;
+bool PairCandidates::is_conclusive() const {
+  return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kMinMargin;
 }
 
-bool PairCandidates::any_can_be_believed() const {
+bool PairCandidates::has_plausible() const {
   return std::ranges::any_of(ranked_, [](const PoseEvidence& each) {
-    return is_strong(each) && each.score > kPoseCost + kLeastMargin;
+    return is_strong(each) && each.score > kPoseCost + kMinMargin;
   });
 }
 
@@ -186,14 +184,15 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
 }
 
 /// Surfaces alone would let it slide along floors and walls, so whichever explains more is kept.
-PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis, ColorPlace color) const {
+PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis,
+                                     ColorCalibration color) const {
   const RigidTransform& start = hypothesis.a_from_b;
-  const PairState moved = settled_pose(*a_, *b_, matches_, start, color);
+  const PairState moved = refined_pose(*a_, *b_, matches_, start, color);
   const PoseEvidence before = examine(start);
   if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m > kFurthestSettled_m)
     return before;
   const PoseEvidence after = examine(moved);
-  if (after.matches.weight < kLeastSupportKept * before.matches.weight) return before;
+  if (after.matches.weight < kMinSupportKept * before.matches.weight) return before;
   return fits_better(after, before) ? after : before;
 }
 

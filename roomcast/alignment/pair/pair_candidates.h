@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/photo_consistency.h"
-#include "roomcast/alignment/pair/settling.h"
+#include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/spatial_vote.h"
 
 namespace roomcast::align {
@@ -48,7 +48,7 @@ struct PooledEvidence {
 [[nodiscard]] bool is_strong(const PooledEvidence& evidence);
 
 /// By this much an answer must be ahead of its best rival.
-inline constexpr double kLeastMargin = 6;
+inline constexpr double kMinMargin = 6;
 
 /// What an answer pays for every pose that it takes on trust; each must explain more.
 inline constexpr double kPoseCost = 6;
@@ -59,10 +59,10 @@ class PairCandidates {
   PairCandidates(const SensorView& a, const SensorView& b, std::vector<PointMatch> matches);
 
   /// Judges all anew with more matches, found by a closer look (feature/affine_features.h).
-  void look_closer(const std::vector<PointMatch>& more);
+  void add_affine_matches(const std::vector<PointMatch>& more);
 
   /// Whether one of them, at least, might be the answer.
-  [[nodiscard]] bool any_can_be_believed() const;
+  [[nodiscard]] bool has_plausible() const;
 
   /// Best first; no two of them say the same.
   [[nodiscard]] const std::vector<PoseEvidence>& ranked() const { return ranked_; }
@@ -83,10 +83,11 @@ class PairCandidates {
   [[nodiscard]] const std::vector<PointMatch>& matches() const { return matches_; }
 
  private:
-  void rank(const std::vector<PoseHypothesis>& hypotheses, ColorPlace color);
+  void rank(const std::vector<PoseHypothesis>& hypotheses, ColorCalibration color);
   void keep_best(std::vector<PoseEvidence> found);
-  [[nodiscard]] bool convinces() const;
-  [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis, ColorPlace color) const;
+  [[nodiscard]] bool is_conclusive() const;
+  [[nodiscard]] PoseEvidence settled(const PoseHypothesis& hypothesis,
+                                     ColorCalibration color) const;
 
   const SensorView* a_;
   const SensorView* b_;

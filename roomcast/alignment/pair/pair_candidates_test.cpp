@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::align {
@@ -14,7 +14,7 @@ const RigidTransform& truth() {
   return pose;
 }
 
-PairCandidates candidates_of(const MadeUpView& a, const MadeUpView& b) {
+PairCandidates candidates_of(const ViewFixture& a, const ViewFixture& b) {
   const ViewComparison comparison = compare_views(*a.view, *b.view);
   return {*a.view, *b.view,
           weighed_matches(*a.view, own_look_alikes(*a.view), *b.view, own_look_alikes(*b.view),
@@ -37,7 +37,7 @@ TEST(PairCandidates, the_truth_comes_first_and_is_strong) {
   EXPECT_LT(difference(ranked[0].a_from_b, truth()).angle_rad, 0.01);
   EXPECT_LT(difference(ranked[0].a_from_b, truth()).distance_m, 0.03);
   EXPECT_TRUE(is_strong(ranked[0]));
-  EXPECT_GT(corners().margin(), kLeastMargin);
+  EXPECT_GT(corners().margin(), kMinMargin);
 }
 
 TEST(PairCandidates, are_ranked_and_different) {
@@ -55,12 +55,12 @@ TEST(PairCandidates, are_never_strong_without_matches) {
 
 TEST(PairCandidates, are_judged_anew_with_the_matches_of_a_closer_look) {
   PairCandidates candidates(*first_corner().view, *second_corner().view, {});
-  ASSERT_FALSE(candidates.any_can_be_believed());
-  candidates.look_closer(corners().matches());
-  EXPECT_TRUE(candidates.any_can_be_believed());
+  ASSERT_FALSE(candidates.has_plausible());
+  candidates.add_affine_matches(corners().matches());
+  EXPECT_TRUE(candidates.has_plausible());
   EXPECT_TRUE(is_strong(candidates.ranked()[0]));
   EXPECT_LT(difference(candidates.ranked()[0].a_from_b, truth()).distance_m, 0.03);
-  EXPECT_GT(candidates.margin(), kLeastMargin);
+  EXPECT_GT(candidates.margin(), kMinMargin);
 }
 
 PoseEvidence evidence_of(double score, double correlation) {
@@ -166,7 +166,7 @@ TEST(PhotoConsistency, colours_agree_at_the_truth_and_not_beside_it) {
 }
 
 TEST(PhotoConsistency, does_not_mind_another_exposure) {
-  CalibrationBundle dark = made_up_bundle({}, "dark", second_corner().world_from_depth);
+  CalibrationBundle dark = bundle_fixture({}, "dark", second_corner().world_from_depth);
   for (int y = 0; y < dark.color.height(); ++y) {
     for (int x = 0; x < dark.color.width(); ++x) {
       auto& pixel = dark.color.at(x, y);
@@ -180,7 +180,7 @@ TEST(PhotoConsistency, does_not_mind_another_exposure) {
 
 /// The second corner with a colour picture that lies aside.
 CalibrationBundle bundle_with_color_aside(int right_px) {
-  CalibrationBundle bundle = made_up_bundle({}, "aside", second_corner().world_from_depth);
+  CalibrationBundle bundle = bundle_fixture({}, "aside", second_corner().world_from_depth);
   for (int y = 0; y < bundle.color.height(); ++y) {
     for (int x = bundle.color.width() - 1; x >= 0; --x)
       bundle.color.at(x, y) = bundle.color.at(std::max(0, x - right_px), y);
@@ -202,10 +202,10 @@ TEST(PhotoConsistency, colours_that_lie_aside_agree_once_they_are_corrected) {
 }
 
 TEST(FeatureMatches, weigh_less_where_the_pattern_repeats) {
-  MadeUpRoom tiled;
+  RoomFixture tiled;
   tiled.period_m = 0.8;
-  const auto a = made_up_view(tiled, "s0", corner_pose(2, 1.5));
-  const auto b = made_up_view(tiled, "s1", corner_pose(-2, 1.5));
+  const auto a = view_fixture(tiled, "s0", corner_pose(2, 1.5));
+  const auto b = view_fixture(tiled, "s1", corner_pose(-2, 1.5));
   const auto mean_weight = [](const std::vector<PointMatch>& matches) {
     double sum = 0;
     for (const PointMatch& match : matches) sum += double(match.weight);

@@ -10,7 +10,7 @@
 namespace roomcast::align {
 namespace {
 
-constexpr double kLeastTrace = 1e-6;
+constexpr double kMinTrace = 1e-6;
 constexpr double kDamping = 1e-9;  // of the trace: what nothing holds on to stays where it is
 constexpr double kHeld = 1e12;     // information on what is not to move
 
@@ -48,14 +48,14 @@ double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point
 Vector6 solve_motion(const PairEquations& equations) {
   Matrix6 information = equations.information.topLeftCorner<6, 6>();
   const double trace = information.trace();
-  if (!(trace > kLeastTrace)) return Vector6::Zero();
+  if (!(trace > kMinTrace)) return Vector6::Zero();
   information.diagonal().array() += kDamping * trace;
   return information.ldlt().solve(-equations.gradient.head<6>());
 }
 
 PairVector solve_state(PairEquations equations, const PairState& at) {
   const double trace = equations.information.topLeftCorner<6, 6>().trace();
-  if (!(trace > kLeastTrace)) return PairVector::Zero();
+  if (!(trace > kMinTrace)) return PairVector::Zero();
   add_expectation(at.a, kOfA, equations);
   add_expectation(at.b, kOfB, equations);
   equations.information.diagonal().head<6>().array() += kDamping * trace;

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/corrected_matches.h"
 #include "roomcast/alignment/pair/feature_residuals.h"
 #include "roomcast/alignment/pair/pose_difference.h"
-#include "roomcast/alignment/pair/settling.h"
+#include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
 namespace roomcast::align {
@@ -24,7 +24,7 @@ RigidTransform nudged(const RigidTransform& pose, double angle_rad, double shift
 }
 
 /// Matches of the room's own surface: exact in space and in both pictures.
-std::vector<PointMatch> exact_matches(const MadeUpView& a, const MadeUpView& b) {
+std::vector<PointMatch> exact_matches(const ViewFixture& a, const ViewFixture& b) {
   const RigidTransform a_from_b = true_pose(a, b);
   std::vector<PointMatch> matches;
   for (std::size_t i = 0; i < b.view->surface.samples.size(); i += 20) {
@@ -61,7 +61,7 @@ TEST(RobustWeight, lets_outliers_fade) {
 TEST(SurfaceEquations, lead_back_to_the_true_pose) {
   const auto& a = first_corner();
   const auto b =
-      made_up_view({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
+      view_fixture({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
   PairState state{nudged(true_pose(a, b), 0.01, 0.02), {}, {}};
   for (int i = 0; i < 12; ++i) {
     const auto partners =
@@ -136,7 +136,7 @@ TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
 }
 
 /// The sum of squares that the equations are the derivative of, as long as nothing is an outlier.
-double cost(const MadeUpView& a, const MadeUpView& b, const PairState& state,
+double cost(const ViewFixture& a, const ViewFixture& b, const PairState& state,
             const std::vector<PointMatch>& matches, const Eigen::Vector2d& depth_a,
             const Eigen::Vector2d& depth_b) {
   double sum = 0;
@@ -212,12 +212,12 @@ TEST(Settling, brings_a_hypothesis_to_where_surfaces_and_features_agree) {
   const auto& b = second_corner();
   const RigidTransform start = nudged(true_pose(a, b), 0.015, 0.03);
   const RigidTransform settled =
-      settled_pose(*a.view, *b.view, exact_matches(a, b), start).a_from_b;
+      refined_pose(*a.view, *b.view, exact_matches(a, b), start).a_from_b;
   EXPECT_LT(difference(settled, true_pose(a, b)).distance_m, 5 * kMillimetre);
 }
 
 /// Matches as b has them when its colour picture lies so far right of its depth.
-std::vector<PointMatch> matches_with_color_aside(const MadeUpView& a, const MadeUpView& b,
+std::vector<PointMatch> matches_with_color_aside(const ViewFixture& a, const ViewFixture& b,
                                                  float right_px) {
   const PairState state{true_pose(a, b), {}, {Eigen::Vector2d(double(right_px), 0)}};
   auto matches = corrected_matches(exact_matches(a, b), a.view->picture, b.view->picture, state);
@@ -231,11 +231,11 @@ TEST(Settling, finds_colour_that_lies_aside_where_it_is_asked_to) {
   constexpr float kAside_px = 12;
   const auto matches = matches_with_color_aside(a, b, kAside_px);
   const PairState found =
-      settled_pose(*a.view, *b.view, matches, true_pose(a, b), ColorPlace::kPerhapsAside);
+      refined_pose(*a.view, *b.view, matches, true_pose(a, b), ColorCalibration::kUncertain);
   // Two pixels, which places of features are trusted to, are a centimetre.
   EXPECT_LT(difference(found.a_from_b, true_pose(a, b)).distance_m, 10 * kMillimetre);
   EXPECT_NEAR(found.b.color_shift_px.x(), -double(kAside_px), 3);
-  const PairState believed = settled_pose(*a.view, *b.view, matches, true_pose(a, b));
+  const PairState believed = refined_pose(*a.view, *b.view, matches, true_pose(a, b));
   EXPECT_TRUE(believed.b.color_shift_px.isZero());
 }
 

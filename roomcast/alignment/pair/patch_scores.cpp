@@ -8,17 +8,17 @@ namespace roomcast::align {
 namespace {
 
 constexpr double kPatchTangent = 0.35;
-constexpr int kMostAside = 8;  // patches on either side of the axis
+constexpr int kMaxAside = 8;  // patches on either side of the axis
 
 int along(double tangent) {
   const double patch = std::floor(tangent / kPatchTangent);
-  return static_cast<int>(std::clamp<double>(patch, -kMostAside, kMostAside - 1)) + kMostAside;
+  return static_cast<int>(std::clamp<double>(patch, -kMaxAside, kMaxAside - 1)) + kMaxAside;
 }
 
 }  // namespace
 
 int patch_of(const Eigen::Vector3d& point_m) {
-  return along(point_m.y() / point_m.z()) * 2 * kMostAside + along(point_m.x() / point_m.z());
+  return along(point_m.y() / point_m.z()) * 2 * kMaxAside + along(point_m.x() / point_m.z());
 }
 
 void PairScores::add(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m,

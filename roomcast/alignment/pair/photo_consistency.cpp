@@ -3,34 +3,34 @@
 
 #include <algorithm>
 
-#include "roomcast/alignment/pair/overlay.h"
+#include "roomcast/alignment/pair/reprojected_views.h"
 
 namespace roomcast::align {
 namespace {
 
-constexpr int kReach = 5;             // windows of 11 x 11 grid points
-constexpr double kLeastFilled = 0.5;  // of a window
-constexpr double kLeastContrast = 4;  // grey levels (standard deviation) in either view
+constexpr int kReach = 5;           // windows of 11 x 11 grid points
+constexpr double kMinFilled = 0.5;  // of a window
+constexpr double kMinContrast = 4;  // grey levels (standard deviation) in either view
 constexpr double kFullContrast = 25;
-constexpr std::size_t kLeastPoints = 50;
+constexpr std::size_t kMinPoints = 50;
 
 struct Agreement {
   double weight = 0, correlation = 0;  // of one window; the correlation times the weight
 };
 
-Agreement agreement(const OverlaySums& sums) {
-  if (sums[0] < kLeastFilled * (2 * kReach + 1) * (2 * kReach + 1)) return {};
+Agreement agreement(const ReprojectionSums& sums) {
+  if (sums[0] < kMinFilled * (2 * kReach + 1) * (2 * kReach + 1)) return {};
   const WindowContrast contrast(sums);
   const double higher = std::max(contrast.mine, contrast.theirs);
-  if (higher < kLeastContrast) return {};
+  if (higher < kMinContrast) return {};
   const double weight = std::min(higher, kFullContrast) / kFullContrast;
   return {weight, weight * contrast.correlation()};
 }
 
 Agreement agreement_seen_from(const SeenPicture& from, const SeenPicture& other,
                               const RigidTransform& other_from_view) {
-  const Overlay common = overlay(from, other, other_from_view);
-  if (common.count < kLeastPoints) return {};
+  const ReprojectedViews common = reprojected_views(from, other, other_from_view);
+  if (common.count < kMinPoints) return {};
   const WindowSums sums(common);
   Agreement total;
   for (const TexturedPoint& point : from.view().texture.points) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 

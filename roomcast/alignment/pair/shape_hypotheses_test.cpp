@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::align {
 namespace {
 
-const MadeUpView& beside() {
-  static const MadeUpView view =
-      made_up_view({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
+const ViewFixture& beside() {
+  static const ViewFixture view =
+      view_fixture({}, "beside", world_from_optical_looking_at({1.2, 1.9, 1.6}, {-0.3, 0.4, -0.3}));
   return view;
 }
 

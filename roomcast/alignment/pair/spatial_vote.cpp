@@ -15,11 +15,11 @@ namespace roomcast::align {
 namespace {
 
 constexpr float kTolerancePerMetre = 0.012F;
-constexpr float kLeastApart_m = 0.06F;  // nearer points say nothing about rotation
+constexpr float kMinApart_m = 0.06F;  // nearer points say nothing about rotation
 constexpr std::size_t kSeedNeighbours = 25;
 constexpr int kSeedRefinements = 4;
 constexpr float kSoftening_m = 0.02F;  // residual at which a match still has half its weight
-constexpr double kLeastSupport = 1.5;
+constexpr double kMinSupport = 1.5;
 constexpr double kSameAngle_rad = 3 * std::numbers::pi / 180, kSameDistance_m = 0.15;
 
 std::vector<PointMatch> heaviest(std::span<const PointMatch> matches, std::size_t most) {
@@ -32,7 +32,7 @@ std::vector<PointMatch> heaviest(std::span<const PointMatch> matches, std::size_
 
 bool are_compatible(const PointMatch& one, const PointMatch& other, float tolerance_m) {
   const float in_a = (one.a_m - other.a_m).norm(), in_b = (one.b_m - other.b_m).norm();
-  return in_a > kLeastApart_m && in_b > kLeastApart_m &&
+  return in_a > kMinApart_m && in_b > kMinApart_m &&
          std::abs(in_a - in_b) < tolerance_m + kTolerancePerMetre * 0.5F * (in_a + in_b);
 }
 
@@ -142,7 +142,7 @@ std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found, st
       [](const PoseHypothesis& x, const PoseHypothesis& y) { return x.support > y.support; });
   std::vector<PoseHypothesis> kept;
   for (const PoseHypothesis& hypothesis : found) {
-    if (kept.size() == most || hypothesis.support < kLeastSupport) break;
+    if (kept.size() == most || hypothesis.support < kMinSupport) break;
     if (is_new(hypothesis, kept)) kept.push_back(hypothesis);
   }
   return kept;

@@ -12,11 +12,11 @@
 namespace roomcast::align {
 namespace {
 
-constexpr float kAlike = 0.8F;       // cosine between normals
-constexpr float kSlidePerReach = 4;  // along the surface a partner may lie further away
-constexpr double kMostIndependent = 1500;
+constexpr float kPartnerCosine = 0.8F;  // cosine between normals
+constexpr float kSlidePerReach = 4;     // along the surface a partner may lie further away
+constexpr double kMaxIndependent = 1500;
 constexpr double kMedianOfNormal = 0.6745;  // of the absolute value, in sigmas
-constexpr double kLeastNoise = 0.2, kMostNoise = 1.5;
+constexpr double kMinNoise = 0.2, kMaxNoise = 1.5;
 
 /// One direction of a pair: points of `source` are looked up in `target`.
 struct Direction {
@@ -46,7 +46,7 @@ void for_each_partner(const Direction& way, const SurfaceReach& options, Visit v
     const int v = static_cast<int>(std::lround(pixel.y()));
     if (u < 0 || v < 0 || u >= way.target.at.width() || v >= way.target.at.height()) continue;
     const SurfacePoint& seen = way.target.at.at(u, v);
-    if (seen.normal.dot(way.rotation * samples[i].normal) < kAlike) continue;
+    if (seen.normal.dot(way.rotation * samples[i].normal) < kPartnerCosine) continue;
     const Eigen::Vector3f apart = point - seen.point_m;
     const float residual = seen.normal.dot(apart);
     if (std::abs(residual) > options.reach_m || apart.squaredNorm() > slide * slide) continue;
@@ -104,9 +104,9 @@ double weight_of(const SurfacePartner& partner, double noise) {
   return robust_weight(double(partner.residual_m) / std::sqrt(variance)) / variance;
 }
 
-/// By which all count as no more than kMostIndependent.
+/// By which all count as no more than kMaxIndependent.
 double share_that_counts(std::size_t partners) {
-  return std::min(1.0, kMostIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
+  return std::min(1.0, kMaxIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
 }
 
 }  // namespace
@@ -154,13 +154,13 @@ void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTra
 }
 
 double surface_noise(std::span<const SurfacePartner> partners) {
-  if (partners.empty()) return kMostNoise;
+  if (partners.empty()) return kMaxNoise;
   std::vector<double> sigmas;
   for (const SurfacePartner& partner : partners)
     sigmas.push_back(double(std::abs(partner.residual_m) / std::sqrt(partner.variance_m2)));
   const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
   std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return std::clamp(*middle / kMedianOfNormal, kLeastNoise, kMostNoise);
+  return std::clamp(*middle / kMedianOfNormal, kMinNoise, kMaxNoise);
 }
 
 }  // namespace roomcast::align

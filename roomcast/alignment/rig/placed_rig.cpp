@@ -38,8 +38,8 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) {
     placed[i] = i != selection.origin && selection.best.together(i, selection.origin) &&
-                selection.margin_to_rival[i] > kLeastMargin &&
-                selection.margin_to_unplaced[i] > kLeastMargin;
+                selection.margin_to_rival[i] > kMinMargin &&
+                selection.margin_to_unplaced[i] > kMinMargin;
     any = any || placed[i];
   }
   placed[selection.origin] = any || count == 1;

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_check.h"
 
@@ -16,11 +16,11 @@ namespace {
 
 /// One of two sensors that look past a pillar from either side. They share no surface that faces
 /// sideways, so there only matches hold them; but both see where the pillar ends.
-MadeUpView beside_pillar(const char* name, double x) {
-  MadeUpRoom room;
+ViewFixture beside_pillar(const char* name, double x) {
+  RoomFixture room;
   room.coarser = 5;
   room.boxes = {{Eigen::Vector3d(-0.25, 0, -2), Eigen::Vector3d(0.25, 1, -1)}};
-  return made_up_view(room, name, world_from_optical_looking_at({x, 1.3, -0.1}, {0, 0.9, -1}));
+  return view_fixture(room, name, world_from_optical_looking_at({x, 1.3, -0.1}, {0, 0.9, -1}));
 }
 
 Eigen::Vector2f pixel_of(const SensorView& view, const Eigen::Vector3f& point_m) {
@@ -34,7 +34,7 @@ struct Group {
   float weight;
 };
 
-std::vector<PointMatch> matches_of(const MadeUpView& a, const MadeUpView& b, const Group& group) {
+std::vector<PointMatch> matches_of(const ViewFixture& a, const ViewFixture& b, const Group& group) {
   const RigidTransform b_from_a = true_pose(a, b).inverse();
   const Eigen::Vector3d aside_m =
       group.aside_m * a.world_from_depth.rotation.transpose() * Eigen::Vector3d::UnitX();
@@ -50,7 +50,7 @@ std::vector<PointMatch> matches_of(const MadeUpView& a, const MadeUpView& b, con
 }
 
 TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
-  const MadeUpView a = beside_pillar("a", -0.45), b = beside_pillar("b", 0.45);
+  const ViewFixture a = beside_pillar("a", -0.45), b = beside_pillar("b", 0.45);
   // What weighs most is furthest off, and what is right so far from there that steps reach it only
   // when they are begun again from where the others have led them.
   std::vector<PointMatch> matches;

@@ -33,14 +33,14 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
     return fmt::format("{} sees hardly any texture; put something with a pattern into its view",
                        view->name);
   }
-  if (pair.ranked().empty() || pair.ranked()[0].score < kLeastMargin) {
+  if (pair.ranked().empty() || pair.ranked()[0].score < kMinMargin) {
     return fmt::format(
         "nothing that {} both see could be found; turn them towards each other's view until at "
         "least a tenth is common, or {}",
         names(pair), kWithoutSharing);
   }
   const PoseEvidence& best = pair.ranked()[0];
-  if (pair.margin() < kLeastMargin) {
+  if (pair.margin() < kMinMargin) {
     return fmt::format(
         "several poses of {} fit about as well (something repeats); put something unmistakable "
         "where both see it",

@@ -69,10 +69,11 @@ bool RigAligner::look_closer_at_refused(const AlignmentReport& report,
     Pair& pair = pairs_.at({a.name, b.name});
     const bool is_settled = report.sensors[i].placed && report.sensors[j].placed;
     if (is_settled || pair.is_looked_at_closer || pair.candidates->same_pictures() ||
-        pair.candidates->any_can_be_believed())
+        pair.candidates->has_plausible())
       return;
     if (progress) progress(fmt::format("looking closer at {} and {}", a.name, b.name), kPlacing);
-    pair.candidates->look_closer(affine_matches(affine_features_of(a), affine_features_of(b)));
+    pair.candidates->add_affine_matches(
+        affine_matches(affine_features_of(a), affine_features_of(b)));
     any = pair.is_looked_at_closer = true;
   });
   return any;
@@ -94,7 +95,7 @@ void RigAligner::compare_new_pairs(const AlignProgress& progress) {
 }
 
 void RigAligner::find_new_candidates(const AlignProgress& progress) {
-  const std::vector<LookAlikes> look_alikes = look_alikes_in_rig();
+  const std::vector<DescriptorAmbiguity> look_alikes = look_alikes_in_rig();
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
     const SensorView &a = *views_[i], &b = *views_[j];
     if (progress) {
@@ -109,8 +110,8 @@ void RigAligner::find_new_candidates(const AlignProgress& progress) {
   });
 }
 
-std::vector<LookAlikes> RigAligner::look_alikes_in_rig() const {
-  std::vector<LookAlikes> look_alikes;
+std::vector<DescriptorAmbiguity> RigAligner::look_alikes_in_rig() const {
+  std::vector<DescriptorAmbiguity> look_alikes;
   for (const auto& view : views_) look_alikes.push_back(own_look_alikes(*view));
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
     const ViewComparison& comparison = pairs_.at({views_[i]->name, views_[j]->name}).comparison;

@@ -50,7 +50,7 @@ class RigAligner {
                                             const AlignProgress& progress);
   [[nodiscard]] const FeatureSet& affine_features_of(const SensorView& view);
   [[nodiscard]] AlignmentReport placed() const;
-  [[nodiscard]] std::vector<LookAlikes> look_alikes_in_rig() const;
+  [[nodiscard]] std::vector<DescriptorAmbiguity> look_alikes_in_rig() const;
   [[nodiscard]] std::vector<RigPair> pairs() const;
 
   std::vector<std::shared_ptr<const SensorView>> views_;

@@ -6,23 +6,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::align {
 namespace {
 
-constexpr double kMostAngle_rad = 0.3 * M_PI / 180, kMost_m = 0.015;
+constexpr double kMaxAngle_rad = 0.3 * M_PI / 180, kMost_m = 0.015;
 
-const std::vector<const MadeUpView*>& corner_views() {
-  static const std::vector<const MadeUpView*> views = {&first_corner(), &second_corner(),
-                                                       &third_corner()};
+const std::vector<const ViewFixture*>& corner_views() {
+  static const std::vector<const ViewFixture*> views = {&first_corner(), &second_corner(),
+                                                        &third_corner()};
   return views;
 }
 
 AlignmentReport align_corners() {
   RigAligner aligner;
-  for (const MadeUpView* view : corner_views()) aligner.add(view->view);
+  for (const ViewFixture* view : corner_views()) aligner.add(view->view);
   return aligner.solve();
 }
 
@@ -42,7 +42,7 @@ TEST(RigAligner, places_three_corners_of_a_room) {
         report.sensors[0].world_from_depth->inverse() * *report.sensors[i].world_from_depth;
     const PoseDifference error =
         difference(found, true_pose(*corner_views()[0], *corner_views()[i]));
-    EXPECT_LT(error.angle_rad, kMostAngle_rad) << report.sensors[i].id;
+    EXPECT_LT(error.angle_rad, kMaxAngle_rad) << report.sensors[i].id;
     EXPECT_LT(error.distance_m, kMost_m) << report.sensors[i].id;
   }
 }
@@ -54,7 +54,7 @@ TEST(RigAligner, puts_the_floor_at_zero_and_y_up) {
     const RigidTransform& found = *report.sensors[i].world_from_depth;
     const RigidTransform& truth = corner_views()[i]->world_from_depth;
     EXPECT_NEAR(found.translation_m.y(), truth.translation_m.y(), kMost_m);
-    EXPECT_GT(found.rotation.row(1).dot(truth.rotation.row(1)), std::cos(kMostAngle_rad));
+    EXPECT_GT(found.rotation.row(1).dot(truth.rotation.row(1)), std::cos(kMaxAngle_rad));
   }
   EXPECT_NEAR(report.sensors[0].world_from_depth->translation_m.x(), 0, 1e-9);
   EXPECT_LT((report.sensors[0].world_from_depth->rotation * Eigen::Vector3d::UnitZ()).z(), 0);
@@ -90,10 +90,10 @@ TEST(RigAligner, gives_the_same_bits_every_time) {
 }
 
 TEST(RigAligner, does_not_place_a_sensor_of_another_room) {
-  MadeUpRoom elsewhere;
+  RoomFixture elsewhere;
   elsewhere.looks = 7;
   elsewhere.boxes = {{Eigen::Vector3d(0.5, 0, -1), Eigen::Vector3d(1.5, 1.2, 0)}};
-  const MadeUpView stranger = made_up_view(elsewhere, "far", corner_pose(-2, 1.5));
+  const ViewFixture stranger = view_fixture(elsewhere, "far", corner_pose(-2, 1.5));
   RigAligner aligner;
   aligner.add(first_corner().view);
   aligner.add(second_corner().view);
@@ -110,8 +110,8 @@ TEST(RigAligner, sensors_that_share_nothing_stay_apart) {
   const RigidTransform one_way = world_from_optical_looking_at({0, 2, 1}, {2.5, 1.8, 1.9});
   const RigidTransform other_way = world_from_optical_looking_at({0, 2, -1}, {-2.5, 1.8, -1.9});
   RigAligner aligner;
-  aligner.add(made_up_view({}, "east", one_way).view);
-  aligner.add(made_up_view({}, "west", other_way).view);
+  aligner.add(view_fixture({}, "east", one_way).view);
+  aligner.add(view_fixture({}, "west", other_way).view);
   const AlignmentReport report = aligner.solve();
   EXPECT_FALSE(report.sensors[0].placed);
   EXPECT_FALSE(report.sensors[1].placed);
@@ -126,14 +126,14 @@ TEST(RigAligner, is_not_fooled_by_a_room_that_looks_the_same_turned_by_half) {
   const auto b_from_a = aligner.solve().pairs[0].b_from_a;
   if (!b_from_a) return;  // unsure, and says so
   const PoseDifference error = difference(b_from_a->inverse(), true_pose(one_side(), other_side()));
-  EXPECT_LT(error.angle_rad, kMostAngle_rad);
+  EXPECT_LT(error.angle_rad, kMaxAngle_rad);
   EXPECT_LT(error.distance_m, kMost_m);
 }
 
 /// Readings that are off by a smooth wave over the picture, another one for every unit.
-std::shared_ptr<const SensorView> view_of_flawed_unit(const MadeUpView& exact, double phase) {
+std::shared_ptr<const SensorView> view_of_flawed_unit(const ViewFixture& exact, double phase) {
   constexpr double kWave_mm = 5;
-  CalibrationBundle bundle = made_up_bundle({}, exact.view->name, exact.world_from_depth);
+  CalibrationBundle bundle = bundle_fixture({}, exact.view->name, exact.world_from_depth);
   for (int y = 0; y < bundle.depth_mm.height(); ++y) {
     for (int x = 0; x < bundle.depth_mm.width(); ++x) {
       const double wave = std::sin(0.04 * x + phase) * std::cos(0.05 * y + 2 * phase);
@@ -148,7 +148,8 @@ std::shared_ptr<const SensorView> view_of_flawed_unit(const MadeUpView& exact, d
 TEST(RigAligner, expects_about_the_errors_that_flawed_depth_makes) {
   RigAligner aligner;
   double phase = 0;
-  for (const MadeUpView* view : corner_views()) aligner.add(view_of_flawed_unit(*view, phase += 1));
+  for (const ViewFixture* view : corner_views())
+    aligner.add(view_of_flawed_unit(*view, phase += 1));
   const AlignmentReport report = aligner.solve();
   EXPECT_EQ(report.sensors[0].expected_error_mm, 0) << "stands at the origin";
   for (std::size_t i = 1; i < 3; ++i) {
@@ -166,7 +167,7 @@ TEST(RigAligner, expects_about_the_errors_that_flawed_depth_makes) {
 TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
   RigAligner aligner;
   aligner.add(first_corner().view);
-  aligner.add(made_up_view({}, "copy", first_corner().world_from_depth).view);
+  aligner.add(view_fixture({}, "copy", first_corner().world_from_depth).view);
   const AlignmentReport report = aligner.solve();
   EXPECT_FALSE(report.sensors[1].placed);
   EXPECT_THAT(report.sensors[1].reason, testing::HasSubstr("very same pictures"));
@@ -174,12 +175,12 @@ TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
 
 /// A sensor beside two of a room that has another poster on a wall.
 AlignmentReport with_a_stranger(const Eigen::AlignedBox3d& poster) {
-  MadeUpRoom other_room;
+  RoomFixture other_room;
   other_room.repainted = poster;
   RigAligner aligner;
   aligner.add(first_corner().view);
   aligner.add(second_corner().view);
-  aligner.add(made_up_view(other_room, "stranger", corner_pose(1.6, 1.5)).view);
+  aligner.add(view_fixture(other_room, "stranger", corner_pose(1.6, 1.5)).view);
   return aligner.solve();
 }
 
@@ -208,7 +209,7 @@ TEST(RigAligner, a_sensor_can_leave_and_another_join) {
 
 TEST(RigAligner, tells_how_far_it_is) {
   RigAligner aligner;
-  for (const MadeUpView* view : corner_views()) aligner.add(view->view);
+  for (const ViewFixture* view : corner_views()) aligner.add(view->view);
   std::vector<double> done;
   (void)aligner.solve([&](std::string_view step, double share) {
     EXPECT_FALSE(step.empty());
@@ -219,7 +220,7 @@ TEST(RigAligner, tells_how_far_it_is) {
 }
 
 TEST(RigAligner, looks_closer_at_pairs_of_sensors_that_would_be_refused_and_once_only) {
-  MadeUpRoom elsewhere;
+  RoomFixture elsewhere;
   elsewhere.looks = 7;
   RigAligner aligner;
   aligner.add(first_corner().view);
@@ -230,7 +231,7 @@ TEST(RigAligner, looks_closer_at_pairs_of_sensors_that_would_be_refused_and_once
   };
   (void)aligner.solve(listen);
   EXPECT_THAT(closer, testing::IsEmpty());
-  aligner.add(made_up_view(elsewhere, "far", corner_pose(-2, 1.5)).view);
+  aligner.add(view_fixture(elsewhere, "far", corner_pose(-2, 1.5)).view);
   (void)aligner.solve(listen);
   EXPECT_THAT(closer,
               testing::ElementsAre("looking closer at s0 and far", "looking closer at s1 and far"));

@@ -4,26 +4,26 @@
 #include <algorithm>
 #include <tuple>
 
-#include "roomcast/alignment/pair/plane_prints.h"
+#include "roomcast/alignment/pair/planar_texture.h"
 
 namespace roomcast::align {
 namespace {
 
-constexpr double kRefinedConflict = 0.0275, kNegligibleViolation = 0.004;
+constexpr double kRefinedConflict = 0.0275, kNegligibleRefinedViolation = 0.004;
 constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
 // Prints that differ, of those that can be judged: true rooms leave a tenth of it at most. Two
 // strangers of a tiled room with the same greys and hues left 0.5 and 0.9 %, which was no more than
 // 0.2 and 0.4 % of a view.
 constexpr double kPrintConflict = 0.003, kNegligiblePrints = 0.0015;  // shares of a view
 constexpr double kHueConflict = 0.3;  // of prints that are alike in grey
-constexpr double kExactColors = 0.8, kLeastPrints = 0.04;
+constexpr double kExactColors = 0.8, kMinPrints = 0.04;
 constexpr std::ptrdiff_t kMajority = 3;
 
 /// What all others see where a sensor is said to stand.
 struct SeenByOthers {
   double consistent = 0, violating = 0;              // shares of views
   double solid_consistent = 0, solid_violating = 0;  // blocks
-  PlanePrints prints;
+  PlanarTexture prints;
 
   void add(const PoseEvidence& evidence) {
     consistent += evidence.space.consistent;
@@ -37,12 +37,13 @@ struct SeenByOthers {
     const double conflict = violating / (consistent + violating + 1e-3);
     const double solid_conflict = solid_violating / (solid_consistent + solid_violating + 1);
     double worst = 0;
-    if (violating > kNegligibleViolation) worst = std::max(worst, conflict / kRefinedConflict);
+    if (violating > kNegligibleRefinedViolation)
+      worst = std::max(worst, conflict / kRefinedConflict);
     if (solid_violating > kNegligibleSolid)
       worst = std::max(worst, solid_conflict / kRefinedSolidConflict);
     if (prints.contradicting > kNegligiblePrints)
       worst = std::max(worst, prints.conflict() / kPrintConflict);
-    if (prints.alike > kLeastPrints) worst = std::max(worst, prints.hue_conflict() / kHueConflict);
+    if (prints.alike > kMinPrints) worst = std::max(worst, prints.hue_conflict() / kHueConflict);
     return worst;
   }
 };
@@ -50,13 +51,13 @@ struct SeenByOthers {
 /// What both sensors of a placed pair see of each other's walls and floors.
 struct SeenPrints {
   const RigPair* pair;
-  PlanePrints prints;
+  PlanarTexture prints;
 };
 
 /// Colours that agree with another sensor's lie where they are thought to.
 void find_exact_colors(std::span<const SeenPrints> all, std::vector<bool>& exact) {
   for (const SeenPrints& seen : all) {
-    if (seen.prints.judged < kLeastPrints || seen.prints.correlation() < kExactColors) continue;
+    if (seen.prints.judged < kMinPrints || seen.prints.correlation() < kExactColors) continue;
     exact[seen.pair->first] = exact[seen.pair->second] = true;
   }
 }
@@ -83,8 +84,8 @@ std::vector<SeenByOthers> seen_by_others(std::span<const RigPair> pairs, const R
     const PoseEvidence evidence = pair.candidates->examine(answer.relative(pair));
     seen[pair.first].add(evidence);
     seen[pair.second].add(evidence);
-    prints.push_back({&pair, compare_plane_prints(pair.candidates->a(), pair.candidates->b(),
-                                                  answer.state(pair))});
+    prints.push_back({&pair, compare_planar_texture(pair.candidates->a(), pair.candidates->b(),
+                                                    answer.state(pair))});
   }
   find_exact_colors(prints, exact_colors);
   add_prints(prints, exact_colors, seen);

@@ -14,15 +14,14 @@ namespace {
 
 constexpr int kSteps = 16;
 constexpr std::size_t kPoints = 8000;
-constexpr float kReach_m = 0.08F, kLeastReach_m = 0.03F, kShrink = 0.75F;
+constexpr float kReach_m = 0.08F, kMinReach_m = 0.03F, kShrink = 0.75F;
 constexpr float kFeatureReach_m = 0.08F;
 // Features are found to a quarter of a pixel, but neighbouring ones err alike, by what calibrations
 // and depth leave over: however many there are, they tell no more than so many of which each errs
 // for itself.
 constexpr double kIndependentFeatures = 30;
 constexpr double kStill = 3e-5;  // metres and radians
-constexpr double kLeastEvidenceKept = 0.5, kLeastMatchesKept = 0.5, kLeastCommonKept = 0.95;
-constexpr std::size_t kTestedPoints = 1500;
+constexpr double kMinEvidenceKept = 0.5, kMinMatchesKept = 0.5, kMinCommonKept = 0.95;
 
 /// A pair and the matches that agreed with it when refinement began.
 struct HeldPair {
@@ -148,8 +147,8 @@ void settle(std::span<const HeldPair> held, std::size_t origin,
   float reach_m = kReach_m;
   for (int i = 0; i < kSteps; ++i) {
     const double largest = move(sensors, rig_equations(held, sensors, origin, reach_m));
-    if (reach_m == kLeastReach_m && largest < kStill) break;
-    reach_m = std::max(kLeastReach_m, kShrink * reach_m);
+    if (reach_m == kMinReach_m && largest < kStill) break;
+    reach_m = std::max(kMinReach_m, kShrink * reach_m);
   }
 }
 
@@ -167,7 +166,7 @@ struct Hold {
     }
   }
   [[nodiscard]] bool is_lost_from(const Hold& start) const {
-    return common < kLeastCommonKept * start.common || matches < kLeastMatchesKept * start.matches;
+    return common < kMinCommonKept * start.common || matches < kMinMatchesKept * start.matches;
   }
 };
 
@@ -184,13 +183,13 @@ double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSenso
 bool slid(std::span<const HeldPair> held, std::span<const RefinedSensor> start,
           std::span<const RefinedSensor> refined) {
   return Hold(held, refined).is_lost_from(Hold(held, start)) &&
-         evidence_for(held, refined) < kLeastEvidenceKept * evidence_for(held, start);
+         evidence_for(held, refined) < kMinEvidenceKept * evidence_for(held, start);
 }
 
 void add_covariance(std::span<const HeldPair> held, std::size_t origin,
                     std::vector<RefinedSensor>& sensors) {
-  const RigScatter scatter = rig_scatter(held, sensors, kLeastReach_m);
-  const auto covariance = rig_equations(held, sensors, origin, kLeastReach_m)
+  const RigScatter scatter = rig_scatter(held, sensors, kMinReach_m);
+  const auto covariance = rig_equations(held, sensors, origin, kMinReach_m)
                               .motion_covariance(scatter, doubt_of(scatter));
   for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
 }

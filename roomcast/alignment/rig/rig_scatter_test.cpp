@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_views.h"
+#include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
 namespace roomcast::align {
@@ -13,7 +13,7 @@ namespace {
 
 /// The left half of what the second corner sees is `bias_m` too far.
 std::shared_ptr<const SensorView> biased_view(double bias_m) {
-  CalibrationBundle bundle = made_up_bundle({}, "s1", second_corner().world_from_depth);
+  CalibrationBundle bundle = bundle_fixture({}, "s1", second_corner().world_from_depth);
   for (int y = 0; y < bundle.depth_mm.height(); ++y) {
     for (int x = 0; x < bundle.depth_mm.width() / 2; ++x)
       bundle.depth_mm.at(x, y) += static_cast<std::uint16_t>(std::lround(1000 * bias_m));

@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::aligner {
 namespace {
 
 align::CalibrationBundle some_bundle() {
-  auto bundle = align::made_up_bundle({}, "s0", align::corner_pose(2, 1.5));
+  auto bundle = align::bundle_fixture({}, "s0", align::corner_pose(2, 1.5));
   bundle.moving = MaskImage(bundle.depth_mm.width(), bundle.depth_mm.height());
   bundle.moving.at(7, 5) = 255;
   bundle.up.emplace(0, -1, 0);

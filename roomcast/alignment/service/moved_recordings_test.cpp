@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/alignment/bundle/steady_depth.h"
-#include "roomcast/alignment/watch/stand_watch.h"
+#include "roomcast/alignment/motion/pose_change_detector.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/sensor/source_factory.h"
 

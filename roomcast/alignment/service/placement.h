@@ -33,7 +33,7 @@ struct KnownRoom {
   KnownPoses given;            // they hold whatever is found
   KnownPoses found;            // by what sensors see
   KnownPoses remembered;       // found once; who was away since may have been moved
-  KnownPoses made_up;          // of those that nobody could place yet
+  KnownPoses provisional;      // of those that nobody could place yet
   std::set<std::string> away;  // of all of them those that are not here now
 };
 

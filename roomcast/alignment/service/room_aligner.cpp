@@ -8,7 +8,7 @@
 
 #include <boost/asio/post.hpp>
 
-#include "roomcast/alignment/service/thinker.h"
+#include "roomcast/alignment/service/alignment_worker.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
@@ -31,7 +31,7 @@ pb::Join join_message(const RoomAlignerOptions& options) {
 
 /// Those that are known as well as this one.
 KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
-  if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.made_up;
+  if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.provisional;
   if (entry.placement() == pb::PLACEMENT_GIVEN) return entry.online() ? known.given : known.found;
   return entry.unverified() ? known.remembered : known.found;
 }
@@ -43,7 +43,7 @@ class RoomAligner::Link final : public HubLinkEvents {
   Link(std::vector<net::HubUrl> hubs, RoomAlignerOptions options)
       : options_(std::move(options)),
         link_(network_.io(), std::move(hubs), join_message(options_), *this),
-        thinker_([this](Thought thought) { tell(std::move(thought)); }) {
+        alignment_worker_([this](AlignmentUpdate thought) { tell(std::move(thought)); }) {
     link_.start();
     network_.start();
   }
@@ -59,7 +59,7 @@ class RoomAligner::Link final : public HubLinkEvents {
     if (message.has_nudge()) take_nudge(message.nudge());
   }
   void on_frame(net::MessageBuffer) override {}  // a hub sends an aligner none
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate&) override {}
   void on_down(const Error& reason, bool final) override {
     sensors_.clear();  // a hub that starts again knows nobody yet: that is not to forget them
@@ -75,18 +75,17 @@ class RoomAligner::Link final : public HubLinkEvents {
 
   void take_roster(const pb::Roster& roster) {
     KnownRoom known;
-    bool somebody_is_lost = false;
+    bool has_unplaced = false;
     const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
       auto calibration = calibration_from_message(entry.calibration());
       const auto pose = read_transform(entry.world_from_depth());
       if (!calibration || !pose) continue;
       sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
-      somebody_is_lost |=
-          entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
+      has_unplaced |= entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
       if (entry.moved()) {
         const auto then = before.find(entry.id());
-        if (then != before.end() && !then->second.moved) thinker_.forget(entry.name());
+        if (then != before.end() && !then->second.moved) alignment_worker_.forget(entry.name());
         continue;
       }
       poses_like(entry, known)[entry.name()] = *pose;
@@ -94,30 +93,30 @@ class RoomAligner::Link final : public HubLinkEvents {
     }
     for (const auto& [id, sensor] : before) {
       const auto same_name = [&](const auto& entry) { return entry.second.name == sensor.name; };
-      if (std::ranges::none_of(sensors_, same_name)) thinker_.forget(sensor.name);
+      if (std::ranges::none_of(sensors_, same_name)) alignment_worker_.forget(sensor.name);
     }
-    thinker_.set_known(std::move(known), somebody_is_lost);
+    alignment_worker_.set_known(std::move(known), has_unplaced);
   }
 
   void take_bundle(const pb::CalibrationBundle& message) {
     const auto sensor = sensors_.find(message.sensor_id());
     if (sensor == sensors_.end()) return;
-    thinker_.add(sensor->second.name, sensor->second.calibration, message);
+    alignment_worker_.add(sensor->second.name, sensor->second.calibration, message);
   }
 
   void take_sightings(const pb::Sightings& sightings) {
     const auto sensor = sensors_.find(sightings.sensor_id());
-    if (sensor != sensors_.end()) thinker_.see(sensor->second.name, sightings);
+    if (sensor != sensors_.end()) alignment_worker_.see(sensor->second.name, sightings);
   }
 
   void take_nudge(const pb::Nudge& nudge) {
     const auto sensor = sensors_.find(nudge.sensor_id());
     const auto pose = read_transform(nudge.world_from_depth());
-    if (sensor != sensors_.end() && pose) thinker_.nudge(sensor->second.name, *pose);
+    if (sensor != sensors_.end() && pose) alignment_worker_.nudge(sensor->second.name, *pose);
   }
 
-  /// From the thinker's thread.
-  void tell(Thought thought) {
+  /// From the alignment_worker's thread.
+  void tell(AlignmentUpdate thought) {
     boost::asio::post(network_.io(), [this, thought = std::move(thought)] {
       send(thought.placements);
       ask_for_sightings(thought.wants_sightings);
@@ -171,7 +170,7 @@ class RoomAligner::Link final : public HubLinkEvents {
   bool asked_for_sightings_ = false;
   NetworkThread network_;
   HubLink link_;
-  Thinker thinker_;  // last: ends first, and tells nobody after that
+  AlignmentWorker alignment_worker_;  // last: ends first, and tells nobody after that
 };
 
 RoomAligner::RoomAligner(std::unique_ptr<Link> link) : link_(std::move(link)) {}

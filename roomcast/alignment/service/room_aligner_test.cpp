@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/service/bundle_message.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/client/subscriber.h"
@@ -22,7 +22,7 @@ class RoomAlignerTest : public testing::Test {
  protected:
   std::unique_ptr<Publisher> add_sensor(const std::string& name,
                                         const RigidTransform& world_from_depth) {
-    const auto bundle = align::made_up_bundle({}, name, world_from_depth);
+    const auto bundle = align::bundle_fixture({}, name, world_from_depth);
     PublisherOptions options;
     options.hub_url = hub_.url();
     options.name = name;

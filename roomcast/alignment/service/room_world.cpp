@@ -69,14 +69,14 @@ auto count_here(const KnownPoses& poses, const std::set<std::string>& away) {
 
 /// How the report lies in the room; nothing where nobody knows.
 std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
-                                const align::AlignmentReport& report, LoneMemory lone) {
+                                const align::AlignmentReport& report, LoneStoredPose lone) {
   constexpr int kAgree = 2;
   for (const KnownPoses& poses : {known.given, found}) {
     if (const Anchor anchor = anchor_of(report, poses); anchor.votes > 0) return anchor;
   }
   const bool is_settled = !known.given.empty() || count_here(found, known.away) > 0;
   const Anchor remembered = anchor_of(report, known.remembered);
-  const bool needs_others = is_settled || lone == LoneMemory::kDoubted;
+  const bool needs_others = is_settled || lone == LoneStoredPose::kDoubted;
   if (remembered.votes >= (needs_others ? kAgree : 1)) return remembered;
   if (is_settled || count_here(known.remembered, known.away) > 0) return std::nullopt;
   return Anchor{};  // a world of its own
@@ -93,7 +93,7 @@ void leave_lone_memory(const KnownPoses& remembered, std::vector<Placement>& pla
 }  // namespace
 
 std::vector<Placement> RoomWorld::place(const align::AlignmentReport& report,
-                                        const KnownRoom& known, LoneMemory lone_memory) {
+                                        const KnownRoom& known, LoneStoredPose lone_memory) {
   KnownPoses found = settled(known);
   const auto lone = lone_world(report, known);
   if (lone) found.erase(*lone);
@@ -103,16 +103,16 @@ std::vector<Placement> RoomWorld::place(const align::AlignmentReport& report,
   }
   auto placements = placements_of(report, anchor_in(known, found, report, lone_memory), keep);
   leave_lone_memory(known.remembered, placements);
-  const bool is_made_up =
-      known.given.empty() && known.remembered.empty() && (known.found.empty() || !made_up_.empty());
+  const bool is_provisional = known.given.empty() && known.remembered.empty() &&
+                              (known.found.empty() || !provisional_.empty());
   for (Placement& placement : placements) {
     if (!placement.world_from_depth) {
-      placement.withdrawn =
-          placement.sensor == lone || (made_up_.contains(placement.sensor) && !known.given.empty());
-    } else if (is_made_up) {
-      made_up_.insert(placement.sensor);
+      placement.withdrawn = placement.sensor == lone ||
+                            (provisional_.contains(placement.sensor) && !known.given.empty());
+    } else if (is_provisional) {
+      provisional_.insert(placement.sensor);
     } else {
-      made_up_.erase(placement.sensor);
+      provisional_.erase(placement.sensor);
     }
   }
   return placements;
@@ -124,7 +124,7 @@ std::optional<std::string> RoomWorld::lone_world(const align::AlignmentReport& r
   std::optional<std::string> lone;
   for (const auto& [sensor, pose] : known.found) {
     if (known.away.contains(sensor)) continue;
-    if (lone || !made_up_.contains(sensor)) return std::nullopt;
+    if (lone || !provisional_.contains(sensor)) return std::nullopt;
     lone = sensor;
   }
   const auto says = std::ranges::find(report.sensors, lone.value_or(""), &align::SensorReport::id);
@@ -136,7 +136,7 @@ std::optional<std::string> RoomWorld::lone_world(const align::AlignmentReport& r
 KnownPoses RoomWorld::settled(const KnownRoom& known) const {
   KnownPoses poses = known.found;
   if (!known.given.empty())
-    std::erase_if(poses, [&](const auto& pose) { return made_up_.contains(pose.first); });
+    std::erase_if(poses, [&](const auto& pose) { return provisional_.contains(pose.first); });
   return poses;
 }
 

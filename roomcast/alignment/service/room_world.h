@@ -18,7 +18,7 @@
 namespace roomcast::aligner {
 
 /// Whether a single remembered pose may be what the world holds on to, when nothing better is here.
-enum class LoneMemory { kDoubted, kTrusted };
+enum class LoneStoredPose { kDoubted, kTrusted };
 
 class RoomWorld {
  public:
@@ -29,7 +29,7 @@ class RoomWorld {
   /// Whom the report places alone it says nothing of: a remembered one is not placed by it.
   [[nodiscard]] std::vector<Placement> place(const align::AlignmentReport& report,
                                              const KnownRoom& known,
-                                             LoneMemory lone = LoneMemory::kTrusted);
+                                             LoneStoredPose lone = LoneStoredPose::kTrusted);
 
   /// Of the poses that were found those in the world of those that were given, if there are any.
   [[nodiscard]] KnownPoses settled(const KnownRoom& known) const;
@@ -40,7 +40,7 @@ class RoomWorld {
   [[nodiscard]] std::optional<std::string> lone_world(const align::AlignmentReport& report,
                                                       const KnownRoom& known) const;
 
-  std::set<std::string> made_up_;  // the sensors that were placed in a world that was made up
+  std::set<std::string> provisional_;  // the sensors that were placed in a world that was made up
 };
 
 }  // namespace roomcast::aligner

@@ -84,23 +84,22 @@ TEST(RoomWorld, one_that_was_moved_unnoticed_does_not_take_the_room_along) {
 }
 
 /// With "a" in a world that was made up for it.
-RoomWorld made_up_world() {
+RoomWorld provisional_world() {
   RoomWorld world;
   EXPECT_EQ(x_of(world.place(report_of({placed("a", 1)}), {})[0]), 1);
   return world;
 }
 
-TEST(RoomWorld, one_that_was_made_up_stays_while_nobody_gives_another) {
-  RoomWorld world = made_up_world();
+TEST(RoomWorld, a_provisional_one_stays_while_nobody_gives_another) {
+  RoomWorld world = provisional_world();
   const auto placements =
       world.place(report_of({placed("a", 0), placed("b", 2)}), found({{"a", at(1)}}));
   EXPECT_EQ(x_of(placements[0]), 1);
   EXPECT_EQ(x_of(placements[1]), 3);
 }
 
-TEST(RoomWorld,
-     one_that_was_made_up_ends_when_somebody_gives_a_place_that_nothing_connects_with_it) {
-  RoomWorld world = made_up_world();
+TEST(RoomWorld, a_provisional_one_ends_when_somebody_gives_a_place_that_nothing_connects_with_it) {
+  RoomWorld world = provisional_world();
   const KnownRoom room = known({{"b", at(20)}}, {{"a", at(1)}});
   const auto placements = world.place(report_of({lost("a"), lost("b")}), room);
   EXPECT_FALSE(placements[0].world_from_depth);
@@ -110,7 +109,7 @@ TEST(RoomWorld,
 }
 
 TEST(RoomWorld, who_is_placed_without_those_whose_places_are_given_has_no_place) {
-  RoomWorld world = made_up_world();
+  RoomWorld world = provisional_world();
   const auto placements =
       world.place(report_of({placed("a", 1)}), known({{"b", at(20)}}, {{"a", at(1)}}));
   EXPECT_FALSE(placements[0].world_from_depth);
@@ -118,8 +117,8 @@ TEST(RoomWorld, who_is_placed_without_those_whose_places_are_given_has_no_place)
   EXPECT_FALSE(placements[0].note.empty());
 }
 
-TEST(RoomWorld, one_that_was_made_up_joins_the_given_one_where_something_connects_them) {
-  RoomWorld world = made_up_world();
+TEST(RoomWorld, a_provisional_one_joins_the_given_one_where_something_connects_them) {
+  RoomWorld world = provisional_world();
   const KnownPoses given = {{"b", at(20)}};
   const auto placements =
       world.place(report_of({placed("a", 1), placed("b", 3)}), known(given, {{"a", at(1)}}));
@@ -181,7 +180,7 @@ TEST(RoomWorld, beside_one_that_is_remembered_others_are_placed_where_nothing_be
 }
 
 TEST(RoomWorld, one_that_stood_alone_gives_way_to_others_who_stand_together) {
-  RoomWorld world = made_up_world();
+  RoomWorld world = provisional_world();
   const auto placements =
       world.place(report_of({lost("a"), placed("b", 2), placed("c", 3)}), found({{"a", at(1)}}));
   EXPECT_TRUE(placements[0].withdrawn);

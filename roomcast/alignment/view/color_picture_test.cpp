@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/seen_corner_fixture.h"
 #include "roomcast/alignment/view/texture.h"
 

@@ -15,7 +15,7 @@ constexpr int kSmoothReach = 2;          // pixels, of the bilateral filter
 constexpr int kNormalReach = 3;          // pixels between a point and those its normal is made of
 constexpr float kSmoothSigmas = 4;       // readings that differ by more are another surface
 constexpr float kSteepestRange = 0.06F;  // of depth: a larger step inside a window is an edge
-constexpr float kLeastIncidence = 0.2F;  // cosine; flatter views measure nothing well
+constexpr float kMinIncidence = 0.2F;    // cosine; flatter views measure nothing well
 
 Image<float> metres_of(DepthView depth_mm) {
   Image<float> z_m(depth_mm.width, depth_mm.height);
@@ -74,7 +74,7 @@ Eigen::Vector3f normal_at(const DepthSurface& surface, int x, int y) {
       at.at(x, y + kNormalReach).point_m - at.at(x, y - kNormalReach).point_m;
   const Eigen::Vector3f normal = down.cross(across).normalized();  // towards the camera
   const Eigen::Vector3f view = at.at(x, y).point_m.normalized();
-  return -normal.dot(view) > kLeastIncidence ? normal : Eigen::Vector3f::Zero();
+  return -normal.dot(view) > kMinIncidence ? normal : Eigen::Vector3f::Zero();
 }
 
 void place_normals(DepthSurface& surface) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/floor.h"
 #include "roomcast/alignment/view/planes.h"
 
@@ -15,8 +15,8 @@ namespace {
 const RigidTransform kPose = corner_pose(2, 1.5);
 
 DepthSurface corner_surface() {
-  const SensorCalibration calibration = made_up_calibration();
-  return depth_surface(made_up_depth({}, calibration.depth, kPose), calibration.depth);
+  const SensorCalibration calibration = calibration_fixture();
+  return depth_surface(invented_depth({}, calibration.depth, kPose), calibration.depth);
 }
 
 TEST(DepthSurface, samples_lie_on_the_rooms_surfaces_with_normals_towards_the_camera) {
@@ -46,13 +46,13 @@ TEST(DepthSurface, leaves_out_points_at_depth_edges) {
   for (int y = 0; y < 160; ++y) {
     for (int x = 100; x < 200; ++x) step.at(x, y) = 3000;
   }
-  const DepthSurface surface = depth_surface(step, made_up_calibration().depth);
+  const DepthSurface surface = depth_surface(step, calibration_fixture().depth);
   EXPECT_EQ(surface.at.at(101, 80).normal.norm(), 0);
   EXPECT_NEAR(surface.at.at(90, 80).normal.norm(), 1, 1e-4);
 }
 
 TEST(DepthSurface, of_nothing_is_empty) {
-  EXPECT_TRUE(depth_surface(DepthImage(200, 160), made_up_calibration().depth).samples.empty());
+  EXPECT_TRUE(depth_surface(DepthImage(200, 160), calibration_fixture().depth).samples.empty());
 }
 
 TEST(Planes, finds_floor_and_walls) {

@@ -8,14 +8,14 @@
 namespace roomcast::align {
 namespace {
 
-constexpr float kThickness_m = 0.02F;  // and the depth noise
-constexpr float kAlike = 0.98F;        // cosine: what is tilted by more is tilted
+constexpr float kFlatThickness_m = 0.02F;  // and the depth noise
+constexpr float kFlatCosine = 0.98F;       // cosine: what is tilted by more is tilted
 
 void flatten(std::span<const Plane> planes, SurfacePoint& point) {
   if (point.normal.isZero()) return;
-  const float thickness_m = kThickness_m + depth_sigma_m(point.point_m.z());
+  const float thickness_m = kFlatThickness_m + depth_sigma_m(point.point_m.z());
   for (const Plane& plane : planes) {
-    if (point.normal.dot(plane.normal) < kAlike) continue;
+    if (point.normal.dot(plane.normal) < kFlatCosine) continue;
     if (std::abs(plane.height_m(point.point_m)) > thickness_m) continue;
     point.normal = plane.normal;
     return;

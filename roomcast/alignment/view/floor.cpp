@@ -5,10 +5,10 @@ namespace roomcast::align {
 namespace {
 
 constexpr float kBelow_m = -0.08F;
-constexpr float kMostBelow = 0.03F;        // share of the samples
+constexpr float kMaxBelow = 0.03F;         // share of the samples
 constexpr float kUprightByPicture = 0.5F;  // cosine: a camera may look down by 60 degrees
 constexpr float kUprightByGravity = 0.97F;
-constexpr float kLeastHeight_m = 0.3F;  // of the camera above its floor
+constexpr float kMinHeight_m = 0.3F;  // of the camera above its floor
 
 bool faces_up(const Plane& plane, const std::optional<Eigen::Vector3d>& up) {
   if (up) return plane.normal.dot(up->cast<float>()) > kUprightByGravity;
@@ -18,7 +18,7 @@ bool faces_up(const Plane& plane, const std::optional<Eigen::Vector3d>& up) {
 bool has_nothing_below(const Plane& plane, std::span<const SurfacePoint> samples) {
   std::size_t below = 0;
   for (const SurfacePoint& sample : samples) below += plane.height_m(sample.point_m) < kBelow_m;
-  return static_cast<float>(below) < kMostBelow * static_cast<float>(samples.size());
+  return static_cast<float>(below) < kMaxBelow * static_cast<float>(samples.size());
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ std::optional<Plane> find_floor(std::span<const Plane> planes,
                                 const std::optional<Eigen::Vector3d>& up) {
   const Plane* largest = nullptr;
   for (const Plane& plane : planes) {
-    if (!faces_up(plane, up) || plane.offset_m < kLeastHeight_m) continue;
+    if (!faces_up(plane, up) || plane.offset_m < kMinHeight_m) continue;
     if (!has_nothing_below(plane, samples)) continue;
     if (!largest || plane.points_m.size() > largest->points_m.size()) largest = &plane;
   }

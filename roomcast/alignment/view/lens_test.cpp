@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 
 namespace roomcast::align {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr float kSinglePrecision_px = 1e-3F;
 
 TEST(Lens, projects_as_the_camera_model_does) {
-  const CameraIntrinsics camera = made_up_calibration().depth;
+  const CameraIntrinsics camera = calibration_fixture().depth;
   const Lens lens(camera);
   for (const Eigen::Vector3d& point :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.5, -0.3, 1.4), Eigen::Vector3d(-0.6, 0.5, 1)}) {
@@ -22,7 +22,7 @@ TEST(Lens, projects_as_the_camera_model_does) {
 }
 
 TEST(Lens, projects_nothing_from_behind_or_far_outside) {
-  const Lens lens(made_up_calibration().depth);
+  const Lens lens(calibration_fixture().depth);
   Eigen::Vector2f pixel;
   EXPECT_FALSE(lens.project({0, 0, -1}, pixel));
   EXPECT_FALSE(lens.project({0, 0, 0}, pixel));

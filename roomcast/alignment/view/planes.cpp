@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kTrials = 60;
 constexpr std::size_t kTested = 2000;  // samples that a trial is judged on
-constexpr float kThickness_m = 0.025F;
-constexpr float kAlike = 0.85F;  // cosine between normals
+constexpr float kPlaneThickness_m = 0.025F;
+constexpr float kPlaneCosine = 0.85F;  // cosine between normals
 constexpr int kRefinements = 3;
-constexpr std::size_t kLeastPoints = 50;
+constexpr std::size_t kMinPoints = 50;
 
 struct Flat {
   Eigen::Vector3f normal;
@@ -24,8 +24,8 @@ struct Flat {
 };
 
 bool lies_on(const Flat& plane, const SurfacePoint& sample) {
-  return std::abs(plane.normal.dot(sample.point_m) + plane.offset_m) < kThickness_m &&
-         sample.normal.dot(plane.normal) > kAlike;
+  return std::abs(plane.normal.dot(sample.point_m) + plane.offset_m) < kPlaneThickness_m &&
+         sample.normal.dot(plane.normal) > kPlaneCosine;
 }
 
 /// The largest of some planes through single points.
@@ -55,7 +55,7 @@ Flat fitted(const Flat& plane, std::span<const SurfacePoint> samples) {
     moments += point * point.transpose();
     ++count;
   }
-  if (count < double(kLeastPoints)) return plane;
+  if (count < double(kMinPoints)) return plane;
   mean /= count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments / count -
                                                             mean * mean.transpose());
@@ -71,9 +71,8 @@ std::vector<Plane> find_planes(std::span<const SurfacePoint> samples) {
   std::vector<SurfacePoint> rest(samples.begin(), samples.end());
   const auto least = static_cast<std::size_t>(kSmallestPlaneShare * float(samples.size()));
   std::vector<Plane> planes;
-  for (std::size_t attempt = 0; attempt < 2 * kMostPlanes && planes.size() < kMostPlanes;
-       ++attempt) {
-    if (rest.size() < std::max(least, kLeastPoints)) break;
+  for (std::size_t attempt = 0; attempt < 2 * kMaxPlanes && planes.size() < kMaxPlanes; ++attempt) {
+    if (rest.size() < std::max(least, kMinPoints)) break;
     Flat flat = best_trial(rest, random);
     for (int i = 0; i < kRefinements; ++i) flat = fitted(flat, rest);
     Plane plane{flat.normal, flat.offset_m, {}};
@@ -85,7 +84,7 @@ std::vector<Plane> find_planes(std::span<const SurfacePoint> samples) {
         left.push_back(sample);
       }
     }
-    if (plane.points_m.size() < kLeastPoints) break;
+    if (plane.points_m.size() < kMinPoints) break;
     if (plane.points_m.size() > least) planes.push_back(std::move(plane));
     rest = std::move(left);
   }

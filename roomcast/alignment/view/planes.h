@@ -24,7 +24,7 @@ struct Plane {
   }
 };
 
-inline constexpr std::size_t kMostPlanes = 8;
+inline constexpr std::size_t kMaxPlanes = 8;
 /// Of the samples; what is smaller is no plane worth having.
 inline constexpr float kSmallestPlaneShare = 0.03F;
 

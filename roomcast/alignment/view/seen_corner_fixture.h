@@ -2,7 +2,7 @@
 // For tests: the made-up room as one sensor in its corner sees it.
 #pragma once
 
-#include "roomcast/alignment/feature/made_up_room.h"
+#include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/color_picture.h"
 
 namespace roomcast::align {
@@ -10,7 +10,7 @@ namespace roomcast::align {
 inline const RigidTransform kPose = corner_pose(2, 1.5);
 
 struct Seen {
-  CalibrationBundle bundle = made_up_bundle({}, "s", kPose);
+  CalibrationBundle bundle = bundle_fixture({}, "s", kPose);
   DepthSurface surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
   ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
 };

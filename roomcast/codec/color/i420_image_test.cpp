@@ -36,7 +36,7 @@ TEST(I420Image, gives_the_values_of_bt_709) {
 }
 
 TEST(I420Image, gives_back_colours_to_a_rounding_of_each_plane) {
-  constexpr int kMostError = 3;  // 1/2 in Y is 0.6, 1/2 in Cb is 1.1 of blue; both, and rounding
+  constexpr int kMaxError = 3;  // 1/2 in Y is 0.6, 1/2 in Cb is 1.1 of blue; both, and rounding
   for (int i = 0; i < 4096; ++i) {
     const Rgb8 color{static_cast<std::uint8_t>((i & 15) * 17),
                      static_cast<std::uint8_t>((i >> 4 & 15) * 17),
@@ -44,9 +44,9 @@ TEST(I420Image, gives_back_colours_to_a_rounding_of_each_plane) {
     const I420Image image = of_one_color(color);
     ColorImage back(2, 2);
     convert_to_rgb({image.y, image.cb, image.cr}, back.view());
-    EXPECT_LE(std::abs(back.at(0, 0).r - color.r), kMostError);
-    EXPECT_LE(std::abs(back.at(0, 0).g - color.g), kMostError);
-    EXPECT_LE(std::abs(back.at(0, 0).b - color.b), kMostError);
+    EXPECT_LE(std::abs(back.at(0, 0).r - color.r), kMaxError);
+    EXPECT_LE(std::abs(back.at(0, 0).g - color.g), kMaxError);
+    EXPECT_LE(std::abs(back.at(0, 0).b - color.b), kMaxError);
   }
 }
 

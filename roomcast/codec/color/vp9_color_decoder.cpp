@@ -82,7 +82,7 @@ bool Vp9ColorDecoder::take_size(const Vp9Header& header) {
     return header.width == width && header.height == height;
   };
   if (is(width_, height_)) return true;
-  const int scale = is(grid_width_, grid_height_) ? 1 : kMostColorScale;
+  const int scale = is(grid_width_, grid_height_) ? 1 : kMaxColorScale;
   const int width = scale * grid_width_, height = scale * grid_height_;
   if (!header.key || !is(width, height) || !is_color_size(width, height)) return false;
   width_ = width;

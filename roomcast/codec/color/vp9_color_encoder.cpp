@@ -13,14 +13,14 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kSpeed = 5;
-constexpr unsigned kMostQuantizer = 56;
+constexpr unsigned kMaxQuantizer = 56;
 // Of key frames. Fine ones pay: the camera does not move, so that what is shown well once stays so
 // for a small part of what motion takes. In a room where next to nothing moves they are most of the
 // stream; there they are coarser, and no frame between them is finer.
 constexpr unsigned kFineQuantizer = 10, kCalmQuantizer = 20;
-constexpr double kCalmShare = 0.5;        // of the rate that a calm room uses between key frames
-constexpr int kCyclicRefresh = 3;         // spreads the quality of still parts over frames
-constexpr int kMostKeyFrameShare = 4000;  // percent of the bits of a mean frame
+constexpr double kCalmShare = 0.5;       // of the rate that a calm room uses between key frames
+constexpr int kCyclicRefresh = 3;        // spreads the quality of still parts over frames
+constexpr int kMaxKeyFrameShare = 4000;  // percent of the bits of a mean frame
 constexpr unsigned kBaseLayerPercent = 70;
 
 // A frame builds on the layer-0 frame before it and on the key frame, which knows what is behind
@@ -63,7 +63,7 @@ bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config
   config.kf_mode = VPX_KF_DISABLED;  // key frames come when asked for
   config.rc_end_usage = VPX_CBR;
   config.rc_min_quantizer = kCalmQuantizer;
-  config.rc_max_quantizer = kMostQuantizer;
+  config.rc_max_quantizer = kMaxQuantizer;
   config.rc_dropframe_thresh = 0;  // depth goes out anyway
   config.rc_resize_allowed = 0;
   set_layers(options, config);
@@ -78,7 +78,7 @@ bool apply_controls(vpx_codec_ctx_t& context, bool layered) {
   ok &= vpx_codec_control(&context, VP9E_SET_TUNE_CONTENT, VP9E_CONTENT_SCREEN) == VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_AQ_MODE, kCyclicRefresh) == VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_TILE_COLUMNS, 0) == VPX_CODEC_OK;
-  ok &= vpx_codec_control(&context, VP8E_SET_MAX_INTRA_BITRATE_PCT, kMostKeyFrameShare) ==
+  ok &= vpx_codec_control(&context, VP8E_SET_MAX_INTRA_BITRATE_PCT, kMaxKeyFrameShare) ==
         VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_COLOR_SPACE, VPX_CS_BT_709) == VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_COLOR_RANGE, VPX_CR_STUDIO_RANGE) == VPX_CODEC_OK;
@@ -207,7 +207,7 @@ void Vp9ColorEncoder::choose_quality() {
 
 bool Vp9ColorEncoder::limit_quantizer(FrameRole role) {
   const unsigned least = role.key ? key_quantizer_ : kCalmQuantizer;
-  const unsigned most = role.key ? key_quantizer_ : kMostQuantizer;
+  const unsigned most = role.key ? key_quantizer_ : kMaxQuantizer;
   vpx_codec_enc_cfg_t& config = codec_->config;
   if (config.rc_min_quantizer == least && config.rc_max_quantizer == most) return true;
   config.rc_min_quantizer = least;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "roomcast/codec/color/color_activity.h"
-#include "roomcast/codec/color/color_hold.h"
 #include "roomcast/codec/color/hole_fill.h"
 #include "roomcast/codec/color/i420_image.h"
+#include "roomcast/codec/color/temporal_denoiser.h"
 #include "roomcast/codec/payload/encoder_options.h"
 #include "roomcast/codec/payload/layer_schedule.h"
 
@@ -47,7 +47,7 @@ class Vp9ColorEncoder {
   FrameEncoderOptions options_;
   std::unique_ptr<Codec> codec_;
   I420Image input_;
-  ColorHold hold_;
+  TemporalDenoiser hold_;
   ColorActivity activity_;
   MaskImage seen_;  // of the newest frame, of colour's size
   MaskImage ever_seen_, chroma_ever_seen_;

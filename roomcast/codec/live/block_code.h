@@ -11,15 +11,15 @@
 namespace roomcast::codec {
 
 enum class BlockMode : std::uint8_t {
-  kSkip,     // stays as it is in the reference
-  kRefine,   // readings move by a smooth amount
-  kLabels,   // each pixel says where its value comes from
-  kReadings  // each pixel's own value: when nothing else keeps the bound
+  kSkip,    // stays as it is in the reference
+  kRefine,  // readings move by a smooth amount
+  kLabels,  // each pixel says where its value comes from
+  kRaw      // each pixel's own value: when nothing else keeps the bound
 };
 
 /// Where a pixel's value comes from.
 enum class PixelLabel : std::uint8_t {
-  kStay,        // the reference
+  kUnchanged,   // the reference
   kBackground,  // the background memory
   kVanished,    // no reading any more
   kFirst,       // the block's first surface
@@ -30,7 +30,7 @@ enum class PixelLabel : std::uint8_t {
 }
 
 /// Divides the quantiser step of surfaces with fine relief: 1, 2 or 4.
-inline constexpr int kMostFiner = 2;
+inline constexpr int kMaxFiner = 2;
 
 struct SurfaceCode {
   std::uint8_t candidate = 0;  // which neighbour predicts it

@@ -12,12 +12,12 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPersistentUrgency = 3;
-constexpr int kLeastMoved = 24;  // pixels; fewer that are coded are not taken for another surface
-constexpr int kLeastUrgency = 10, kLeastPassingUrgency = 9;  // of 64
-constexpr int kLeastUrgencyInMotion = 3;                     // when the sensor itself moves
+constexpr int kMinMoved = 24;  // pixels; fewer that are coded are not taken for another surface
+constexpr int kMinUrgency = 10, kMinPassingUrgency = 9;  // of 64
+constexpr int kMinUrgencyInMotion = 3;                   // when the sensor itself moves
 constexpr int kSameSurface = 2;  // standard deviations between a reading and what is there already
 constexpr int kReach = 6 * kLevelsPerSigma;
-constexpr int kMostPatience = 9;  // frames; with the base a change waits half a second at most
+constexpr int kMaxPatience = 9;  // frames; with the base a change waits half a second at most
 
 constexpr int kRefinementsPerFrame = 200;
 constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
@@ -114,8 +114,8 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
 }
 
 int BlockPlanner::least_urgency() const {
-  if (sensor_moves_) return kLeastUrgencyInMotion;
-  return reference_ ? kLeastUrgency : kLeastPassingUrgency;
+  if (sensor_moves_) return kMinUrgencyInMotion;
+  return reference_ ? kMinUrgency : kMinPassingUrgency;
 }
 
 int BlockPlanner::urgency(const Area& here, bool drifts) const {
@@ -126,7 +126,7 @@ int BlockPlanner::urgency(const Area& here, bool drifts) const {
     const std::uint16_t* close = &change_.close[pixel(here, 0, y)];
     for (int x = 0; x < here.columns; ++x) {
       if (flags[x] & kPersistent) {
-        if (reference_) urgency += flags[x] & kOverdue ? kLeastUrgency : kPersistentUrgency;
+        if (reference_) urgency += flags[x] & kOverdue ? kMinUrgency : kPersistentUrgency;
       } else {
         urgency += flags[x] != 0 || (drifts && close[x]);
       }
@@ -137,7 +137,7 @@ int BlockPlanner::urgency(const Area& here, bool drifts) const {
 
 bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
                                BlockTarget& target) {
-  code.labels.fill(PixelLabel::kStay);
+  code.labels.fill(PixelLabel::kUnchanged);
   target.fill(0);
   for (int y = 0; y < here.rows; ++y) {
     for (int x = 0; x < here.columns; ++x) {
@@ -152,7 +152,7 @@ bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
   for (int round = 0; round < kRounds && smooth_labels(here, code, target); ++round) {
   }
   return std::any_of(code.labels.begin(), code.labels.end(),
-                     [](PixelLabel label) { return label != PixelLabel::kStay; });
+                     [](PixelLabel label) { return label != PixelLabel::kUnchanged; });
 }
 
 PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) const {
@@ -162,7 +162,7 @@ PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) con
   const auto near = [same, reading](int value) {
     return value != 0 && std::abs(reading - value) <= same;
   };
-  if (near(old) && !biased) return PixelLabel::kStay;
+  if (near(old) && !biased) return PixelLabel::kUnchanged;
   const bool back_is_old = std::abs(back - old) < 4 * kLevelsPerSigma;
   if (near(back) && !(biased && back_is_old)) return PixelLabel::kBackground;
   return PixelLabel::kFirst;
@@ -170,7 +170,7 @@ PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) con
 
 PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
   const int old = state_.picture[at], back = state_.background[at];
-  if (old == 0) return PixelLabel::kStay;
+  if (old == 0) return PixelLabel::kUnchanged;
   if (history_.missing[at] >= kHoldFrames) return PixelLabel::kVanished;
   int readings = 0, like_old = 0, like_back = 0;
   for (int yy = std::max(0, y - 2); yy <= std::min(state_.height - 1, y + 2); ++yy) {
@@ -185,7 +185,7 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
     }
   }
   const bool unsupported = like_old == 0 || (change_.flags[at] & kUnsupported);
-  if (readings < 4 || !unsupported) return PixelLabel::kStay;
+  if (readings < 4 || !unsupported) return PixelLabel::kUnchanged;
   const int enough = like_old == 0 ? 1 : readings / 2 + 1;
   return like_back >= enough ? PixelLabel::kBackground : PixelLabel::kVanished;
 }
@@ -204,7 +204,7 @@ bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
       const float all = static_cast<float>(neighbours_in_block(x, y));
       const float fresh = around.count[k];
       PixelLabel& label = code.labels[k];
-      if (label == PixelLabel::kStay && fresh > 0) {
+      if (label == PixelLabel::kUnchanged && fresh > 0) {
         const bool joins = target[k] > 0
                                ? fresh * 3 >= all && std::abs(target[k] * fresh - around.value[k]) <
                                                          static_cast<float>(kReach) * fresh
@@ -213,7 +213,7 @@ bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
         any |= joins;
       } else if (label == PixelLabel::kFirst && fresh <= 1 && all >= 5 && state_.picture[at] != 0 &&
                  !(change_.flags[at] & kPersistent)) {
-        label = PixelLabel::kStay;
+        label = PixelLabel::kUnchanged;
         any = true;
       }
     }
@@ -262,8 +262,7 @@ bool BlockPlanner::coded(int bx, int by, const BlockCode& code,
   const Area here = area(bx, by);
   const bool refined = code.mode == BlockMode::kRefine;
 
-  const bool moved =
-      std::count_if(code.labels.begin(), code.labels.end(), on_surface) >= kLeastMoved;
+  const bool moved = std::count_if(code.labels.begin(), code.labels.end(), on_surface) >= kMinMoved;
   refined_[static_cast<std::size_t>(by * state_.blocks_wide + bx)] = refined;
   for (int y = 0; y < here.rows; ++y) {
     for (int x = 0; x < here.columns; ++x) {
@@ -275,11 +274,11 @@ bool BlockPlanner::coded(int bx, int by, const BlockCode& code,
             std::clamp(history_.sum[at] - shift * history_.count[at], -8000, 8000));
         continue;
       }
-      if (code.labels[k] == PixelLabel::kStay) continue;
+      if (code.labels[k] == PixelLabel::kUnchanged) continue;
       const unsigned flags = change_.flags[at];
       if (flags & kPersistent) {
         history_.patience[at] =
-            static_cast<std::uint16_t>(std::min(history_.patience[at] * 2 + 4, kMostPatience));
+            static_cast<std::uint16_t>(std::min(history_.patience[at] * 2 + 4, kMaxPatience));
         history_.persistence[at] = 0;
       } else if (flags != 0) {
         history_.patience[at] /= 2;

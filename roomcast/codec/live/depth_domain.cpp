@@ -60,14 +60,14 @@ void DepthDomain::build() {
     const std::uint64_t step = kSteepness / sigma_at(codes_, z, knot);
     const std::uint64_t level = 1 + (position + kOneLevel / 2) / kOneLevel;
     level_of_mm_[static_cast<std::size_t>(z)] =
-        static_cast<std::uint16_t>(std::min<std::uint64_t>(level, kMostLevel));
+        static_cast<std::uint16_t>(std::min<std::uint64_t>(level, kMaxLevel));
     const std::uint64_t half_way = position + step / 2;
-    for (; next_level <= kMostLevel && (next_level - 1) * kOneLevel <= half_way; ++next_level) {
+    for (; next_level <= kMaxLevel && (next_level - 1) * kOneLevel <= half_way; ++next_level) {
       mm_of_level_[next_level] = static_cast<std::uint16_t>(z);
     }
     position += step;
   }
-  for (; next_level <= kMostLevel; ++next_level) mm_of_level_[next_level] = kValueCount - 1;
+  for (; next_level <= kMaxLevel; ++next_level) mm_of_level_[next_level] = kValueCount - 1;
 }
 
 }  // namespace roomcast::codec

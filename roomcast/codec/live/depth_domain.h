@@ -14,7 +14,7 @@ namespace roomcast::codec {
 
 inline constexpr int kLevelsPerSigma = 8;
 inline constexpr int kSigmaKnotCount = 33;
-inline constexpr int kMostLevel = 65535;
+inline constexpr int kMaxLevel = 65535;
 
 /// Noise at distances kSigmaKnots_mm, as coded: see sigma_of_code.
 using SigmaCodes = std::array<std::uint8_t, kSigmaKnotCount>;

@@ -10,11 +10,11 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPatchSide = 4;
-constexpr int kLeastSamples = 10;       // of 16 pixels
+constexpr int kMinSamples = 10;         // of 16 pixels
 constexpr float kNewest = 0.3f;         // weight of the newest frame
 constexpr float kNewestLately = 0.45f;  // of a block that moved lately: what moves goes on moving
 constexpr std::uint8_t kLately_frames = 4;
-constexpr float kMostPatchOffset = 0.9f, kMostBlockOffset = 0.3f;  // of the noise of one pixel
+constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;  // of the noise of one pixel
 
 struct Columns {
   std::int16_t* off;
@@ -81,7 +81,7 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
     close += column_close_[i];
     deviation += column_deviation_[i];
   }
-  if (close < kLeastSamples) return;
+  if (close < kMinSamples) return;
   const std::size_t block =
       static_cast<std::size_t>(patch_y / 2) * static_cast<std::size_t>(blocks_wide_) +
       static_cast<std::size_t>(patch_x / 2);
@@ -99,7 +99,7 @@ bool DriftDetector::drifts(std::size_t block) const {
     sum += offset_[patch];
     largest = std::max(largest, std::abs(offset_[patch]));
   }
-  return largest > kMostPatchOffset || std::abs(sum) > 4 * kMostBlockOffset;
+  return largest > kMaxPatchOffset || std::abs(sum) > 4 * kMaxBlockOffset;
 }
 
 void DriftDetector::reset(std::size_t block) {

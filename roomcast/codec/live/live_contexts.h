@@ -16,10 +16,10 @@ namespace roomcast::codec {
 /// length, then its bits.
 template <int Steps>
 struct NumberModel {
-  static constexpr int kMostLength = 19;
+  static constexpr int kMaxLength = 19;
   std::array<AdaptiveBit, Steps> steps;
-  std::array<AdaptiveBit, kMostLength> longer;
-  std::array<AdaptiveBit, kMostLength + 1> second;
+  std::array<AdaptiveBit, kMaxLength> longer;
+  std::array<AdaptiveBit, kMaxLength + 1> second;
 };
 
 /// Of a block's coefficients.
@@ -90,7 +90,7 @@ std::uint32_t code_number(Coder& coder, NumberModel<Steps>& model, std::uint32_t
   const std::uint32_t rest = value - Steps + 1;  // at least 1
   const int length = Coder::kWrites ? std::bit_width(rest) - 1 : 0;
   int n = 0;
-  while (n < NumberModel<Steps>::kMostLength &&
+  while (n < NumberModel<Steps>::kMaxLength &&
          coder.bit(model.longer[static_cast<std::size_t>(n)], n < length)) {
     ++n;
   }

@@ -33,7 +33,7 @@ Status LiveDepthDecoder::decode(std::span<const std::uint8_t> section,
   in_step_ = in_step_ && !head->reference;
   LiveReader reader(section);
   if (!head->reference) {
-    if (decode_passing(reader, *head, depth_mm) == expected_hash) return {};
+    if (decode_non_reference(reader, *head, depth_mm) == expected_hash) return {};
     return malformed("The frame is damaged, or builds on one that is missing.");
   }
   const std::uint32_t hash = head->key
@@ -54,8 +54,9 @@ std::uint32_t LiveDepthDecoder::decode_key(LiveReader& reader, const LiveSection
   return decode_pass(reader, state_.contexts, head.step, true, nullptr);
 }
 
-std::uint32_t LiveDepthDecoder::decode_passing(LiveReader& reader, const LiveSectionHead& head,
-                                               ImageView<std::uint16_t> depth_mm) {
+std::uint32_t LiveDepthDecoder::decode_non_reference(LiveReader& reader,
+                                                     const LiveSectionHead& head,
+                                                     ImageView<std::uint16_t> depth_mm) {
   passing_contexts_ = state_.contexts;
   scratch_.shown_mm = state_.picture_mm;
   const std::uint32_t hash =

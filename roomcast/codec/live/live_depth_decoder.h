@@ -31,8 +31,8 @@ class LiveDepthDecoder {
   std::uint32_t decode_pass(LiveReader& reader, LiveContexts& contexts, int step, bool reference,
                             std::uint16_t* shown_mm);
   std::uint32_t decode_key(LiveReader& reader, const LiveSectionHead& head);
-  std::uint32_t decode_passing(LiveReader& reader, const LiveSectionHead& head,
-                               ImageView<std::uint16_t> depth_mm);
+  std::uint32_t decode_non_reference(LiveReader& reader, const LiveSectionHead& head,
+                                     ImageView<std::uint16_t> depth_mm);
 
   LiveState state_;
   PassScratch scratch_;

@@ -14,7 +14,7 @@ namespace {
 /// Levels of a pixel as the block's labels and target say.
 std::uint16_t wanted_level(PixelLabel label, float target, std::uint16_t old, std::uint16_t back) {
   switch (label) {
-    case PixelLabel::kStay:
+    case PixelLabel::kUnchanged:
       return old;
     case PixelLabel::kBackground:
       return back;
@@ -93,7 +93,7 @@ void LiveDepthEncoder::choose_memory() {
       memory_[i] = old;
     } else {
       memory_[i] = static_cast<std::uint16_t>(
-          std::clamp(old + history_.sum[i] / history_.count[i], 1, kMostLevel));
+          std::clamp(old + history_.sum[i] / history_.count[i], 1, kMaxLevel));
     }
   }
 }
@@ -109,7 +109,7 @@ void LiveDepthEncoder::encode_memory(LiveWriter& writer) {
 
 void LiveDepthEncoder::encode_memory_block(Pass& pass, int bx, int by) {
   code_.mode = BlockMode::kSkip;
-  code_.labels.fill(PixelLabel::kStay);
+  code_.labels.fill(PixelLabel::kUnchanged);
   target_.fill(0);
   for (int y = by * kBlockSide; y < std::min(state_.height, (by + 1) * kBlockSide); ++y) {
     for (int x = bx * kBlockSide; x < std::min(state_.width, (bx + 1) * kBlockSide); ++x) {
@@ -140,7 +140,7 @@ void LiveDepthEncoder::prepare_surfaces(Pass& pass, int bx, int by, int step, Bl
         encode_surface(candidates, label, step, code, target, code.surfaces[which]) && bounded;
   }
   if (bounded) return;
-  code.mode = BlockMode::kReadings;
+  code.mode = BlockMode::kRaw;
   for (int y = by * kBlockSide; y < std::min(state_.height, (by + 1) * kBlockSide); ++y) {
     for (int x = bx * kBlockSide; x < std::min(state_.width, (bx + 1) * kBlockSide); ++x) {
       const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +

@@ -42,7 +42,7 @@ std::vector<CodedFrame> coded(const SyntheticMotion& scene, int frames, int laye
 
 bool same_state(const LiveState& a, const LiveState& b) {
   return a.picture == b.picture && a.picture_mm == b.picture_mm && a.background == b.background &&
-         a.calm == b.calm && a.hash == b.hash;
+         a.static_age == b.static_age && a.hash == b.hash;
 }
 
 class LiveLayers : public testing::TestWithParam<int> {};

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kKeyFlag = 1, kReferenceFlag = 2;
 constexpr std::size_t kHeadLength = 6;
 constexpr std::size_t kKeyHeadLength = kHeadLength + 1 + kSigmaKnotCount;
-constexpr std::uint8_t kLeastStep = 4;  // divided by 4 it must still be 1
+constexpr std::uint8_t kMinStep = 4;  // divided by 4 it must still be 1
 
 Error cut_short() {
   return {ErrorCode::kMalformed, "The live depth section is cut short."};
@@ -35,7 +35,7 @@ Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std
     head.key_step = bytes[kHeadLength];
     std::copy_n(bytes.begin() + kHeadLength + 1, kSigmaKnotCount, head.sigma.begin());
   }
-  if (head.step < kLeastStep || (head.key && (!head.reference || head.key_step < kLeastStep))) {
+  if (head.step < kMinStep || (head.key && (!head.reference || head.key_step < kMinStep))) {
     return Error{ErrorCode::kMalformed, "The head of the live depth section is damaged."};
   }
   bytes = bytes.subspan(head.key ? kKeyHeadLength : kHeadLength);

@@ -14,7 +14,7 @@ void LiveState::resize(int new_width, int new_height) {
   blocks_high = (height + kBlockSide - 1) / kBlockSide;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   for (auto* plane : {&picture, &picture_mm, &background}) plane->resize(pixels);
-  calm.resize(block_count());
+  static_age.resize(block_count());
   trace.resize(block_count());
   begin_anew({});
 }
@@ -23,7 +23,7 @@ void LiveState::begin_anew(const SigmaCodes& sigma) {
   for (auto* plane : {&picture, &picture_mm, &background}) {
     std::fill(plane->begin(), plane->end(), std::uint16_t{0});
   }
-  std::fill(calm.begin(), calm.end(), std::uint8_t{0});
+  std::fill(static_age.begin(), static_age.end(), std::uint8_t{0});
   std::fill(trace.begin(), trace.end(), BlockTrace{});
   contexts = LiveContexts{};
   domain.set(sigma);

@@ -34,7 +34,7 @@ struct LiveState {
   std::vector<std::uint16_t> picture;     // levels, 0 = no reading
   std::vector<std::uint16_t> picture_mm;  // the same in millimetres
   std::vector<std::uint16_t> background;  // levels, what was there before
-  std::vector<std::uint8_t> calm;         // per block: reference frames in a row without a change
+  std::vector<std::uint8_t> static_age;   // per block: reference frames in a row without a change
   std::vector<BlockTrace> trace;          // per block: of the newest reference frame
   LiveContexts contexts;
   std::uint32_t hash = 0;

@@ -40,7 +40,7 @@ class PicturePass {
         reference_(reference),
         shown_mm_(shown_mm),
         hash_(state.hash) {
-    std::fill(scratch.labels.begin(), scratch.labels.end(), PixelLabel::kStay);
+    std::fill(scratch.labels.begin(), scratch.labels.end(), PixelLabel::kUnchanged);
   }
 
   /// Blocks in raster order, each once. Reading fills `code` in.
@@ -52,7 +52,7 @@ class PicturePass {
     trace.activity = BlockActivity::kMixed;
     if (code.mode == BlockMode::kRefine) {
       code_refinement(code);
-    } else if (code.mode == BlockMode::kReadings) {
+    } else if (code.mode == BlockMode::kRaw) {
       code_readings(code);
     } else {
       code_surfaces(code, trace);
@@ -62,7 +62,7 @@ class PicturePass {
         code_labels(code);
       resolve_labels(code);
     }
-    if (reference_ && code.mode != BlockMode::kRefine) state_.calm[block_] = 0;
+    if (reference_ && code.mode != BlockMode::kRefine) state_.static_age[block_] = 0;
     store();
   }
 
@@ -121,8 +121,8 @@ class PicturePass {
     }
     if (coder_.bit(contexts_.labelled, code.mode == BlockMode::kLabels)) {
       code.mode = BlockMode::kLabels;
-    } else if (coder_.bit(contexts_.raw, code.mode == BlockMode::kReadings)) {
-      code.mode = BlockMode::kReadings;
+    } else if (coder_.bit(contexts_.raw, code.mode == BlockMode::kRaw)) {
+      code.mode = BlockMode::kRaw;
     } else {
       code.mode = BlockMode::kRefine;
     }
@@ -132,8 +132,8 @@ class PicturePass {
   void skip() {
     scratch_.trace[block_] = {};
     if (!reference_) return;
-    std::uint8_t& calm = state_.calm[block_];
-    if (calm == kCalmFrames || ++calm != kCalmFrames) return;
+    std::uint8_t& static_age = state_.static_age[block_];
+    if (static_age == kCalmFrames || ++static_age != kCalmFrames) return;
     const std::size_t bytes = static_cast<std::size_t>(columns_) * sizeof(std::uint16_t);
     for (int y = 0; y < rows_; ++y) {
       std::memcpy(&state_.background[pixel(0, y)], &state_.picture[pixel(0, y)], bytes);
@@ -294,12 +294,12 @@ class PicturePass {
         return PixelLabel::kBackground;
       }
     }
-    if (old == 0) return PixelLabel::kStay;
+    if (old == 0) return PixelLabel::kUnchanged;
     const std::size_t context =
         static_cast<std::size_t>((w == PixelLabel::kVanished) + 2 * (n == PixelLabel::kVanished));
     return coder_.bit(contexts_.vanished[context], wanted == PixelLabel::kVanished)
                ? PixelLabel::kVanished
-               : PixelLabel::kStay;
+               : PixelLabel::kUnchanged;
   }
 
   /// How the reference lies to the surfaces at this pixel and its right and
@@ -334,7 +334,7 @@ class PicturePass {
   void resolve_labels(const BlockCode& code) {
     for_each_pixel([&](std::size_t k, std::size_t at) {
       switch (code.labels[k]) {
-        case PixelLabel::kStay:
+        case PixelLabel::kUnchanged:
           levels_[k] = state_.picture[at];
           break;
         case PixelLabel::kBackground:
@@ -353,7 +353,7 @@ class PicturePass {
     });
   }
   [[nodiscard]] static std::uint16_t level(std::int64_t value) {
-    return static_cast<std::uint16_t>(std::clamp<std::int64_t>(value, 1, kMostLevel));
+    return static_cast<std::uint16_t>(std::clamp<std::int64_t>(value, 1, kMaxLevel));
   }
 
   void store() {

@@ -14,15 +14,15 @@ using u16 = std::uint16_t;
 using s16 = std::int16_t;
 
 constexpr int kSupportReach = 6 * kLevelsPerSigma + 4;  // neighbours this near are the same surface
-constexpr int kLeastSupport = 2;                        // of eight
+constexpr int kMinSupport = 2;                          // of eight
 constexpr u16 kHeld = 64;  // first_flags_: kept without a reading, support not looked at yet
 constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
 constexpr u16 kCalming = 6;  // frames of a difference that one without it makes up for
-constexpr int kMostPersistence = 200;
+constexpr int kMaxPersistence = 200;
 constexpr int kOverdueFrames = 14;
 constexpr int kHoldReach = 2;         // pixels around one without a reading that may support it
-constexpr int kLeastCluster = 4;      // changed pixels of 3x3
+constexpr int kMinCluster = 4;        // changed pixels of 3x3
 constexpr u16 kMoreIfRestless = 2;    // where a pixel is known to flicker
 constexpr int kMovingNeighbours = 6;  // of 5x5: an outline passes here
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
@@ -48,7 +48,7 @@ void drop_flying_row(const u16* above, const u16* here, const u16* below, int wi
     const u16 support = static_cast<u16>(near(above[x - 1]) + near(above[x]) + near(above[x + 1]) +
                                          near(here[x - 1]) + near(here[x + 1]) +
                                          near(below[x - 1]) + near(below[x]) + near(below[x + 1]));
-    out[x] = support >= kLeastSupport ? v : static_cast<u16>(0);
+    out[x] = support >= kMinSupport ? v : static_cast<u16>(0);
   }
 }
 
@@ -88,7 +88,7 @@ void compare_pixels(const ComparedRow& row, int n) {
     const s16 learn = static_cast<s16>(
         static_cast<s16>(static_cast<u16>(apart << kNoiseShift) - deviation[i]) >> 5);
     deviation[i] = static_cast<u16>(deviation[i] + (learn & static_cast<s16>(sample)));
-    const u16 full = mask(count[i] >= kMostSamples);
+    const u16 full = mask(count[i] >= kMaxSamples);
     const s16 kept_sum = static_cast<s16>((full & (sum[i] >> 1)) | (~full & sum[i]));
     const u16 kept_count = static_cast<u16>((full & (count[i] >> 1)) | (~full & count[i]));
     sum[i] = static_cast<s16>(kept_sum + (difference & static_cast<s16>(sample)));
@@ -160,12 +160,12 @@ void settle_row(const SettledRow& row, int width) {
     const u16 calmer =
         static_cast<u16>(before - (std::min<u16>(before, kCalming) & mask(reading[x] != 0)));
     const u16 lasting = std::min<u16>(
-        static_cast<u16>((changed & (before + 1)) | (~changed & calmer)), kMostPersistence);
+        static_cast<u16>((changed & (before + 1)) | (~changed & calmer)), kMaxPersistence);
     persistence[x] = lasting;
     const u16 persists =
         changed & mask(lasting >= static_cast<u16>(kBasePersistence + patience[x]));
     const u16 least_cluster =
-        static_cast<u16>(kLeastCluster + (mask(patience[x] != 0) & kMoreIfRestless));
+        static_cast<u16>(kMinCluster + (mask(patience[x] != 0) & kMoreIfRestless));
     const u16 counts = changed & (mask(cluster >= least_cluster) | persists);
     flags[x] = static_cast<u16>((counts & change) | (persists & kPersistent) |
                                 (changed & mask(lasting >= kOverdueFrames) & kOverdue) |
@@ -249,7 +249,7 @@ void ChangeAnalysis::drop_unsupported_holds(const LiveState& reference, const Fr
 
 bool ChangeAnalysis::held_without_support(const LiveState& reference, const FrameChange& change,
                                           int x, int y) const {
-  constexpr int kLeastReadings = 4;
+  constexpr int kMinReadings = 4;
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width_ + x;
   const int old = reference.picture[static_cast<std::size_t>(at)];
   int readings = 0, like_old = 0, moved = 0;
@@ -264,7 +264,7 @@ bool ChangeAnalysis::held_without_support(const LiveState& reference, const Fram
       ++readings;
     }
   }
-  return readings >= kLeastReadings && (like_old == 0 || moved >= kMovingNeighbours);
+  return readings >= kMinReadings && (like_old == 0 || moved >= kMovingNeighbours);
 }
 
 void ChangeAnalysis::sum_rows(const FrameChange& change) {

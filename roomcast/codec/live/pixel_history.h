@@ -23,9 +23,9 @@ enum ChangeFlag : std::uint16_t {
   kOverdue = 32      // and has been for too long: code it even if it is alone
 };
 
-inline constexpr int kHoldFrames = 6;    // that a reading is kept when it vanishes
-inline constexpr int kNoiseShift = 4;    // of PixelHistory::deviation
-inline constexpr int kMostSamples = 64;  // then sum and count are halved
+inline constexpr int kHoldFrames = 6;   // that a reading is kept when it vanishes
+inline constexpr int kNoiseShift = 4;   // of PixelHistory::deviation
+inline constexpr int kMaxSamples = 64;  // then sum and count are halved
 inline constexpr int kSampleReach =
     8 * kLevelsPerSigma;  // further off is no sample of the reference
 

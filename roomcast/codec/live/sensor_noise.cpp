@@ -9,10 +9,10 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint32_t kLeastSamples = 100;  // fewer say nothing about a distance
-constexpr int kHalfLife_frames = 45;          // a sensor warms up, or is set anew
-constexpr double kTrim = 3.5;                 // standard deviations
-constexpr double kLeastSigma_mm = 0.25;
+constexpr std::uint32_t kMinSamples = 100;  // fewer say nothing about a distance
+constexpr int kHalfLife_frames = 45;        // a sensor warms up, or is set anew
+constexpr double kTrim = 3.5;               // standard deviations
+constexpr double kMinSigma_mm = 0.25;
 constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane comes as stairs
 
 /// The knot nearest below; readings nearer than the first knot count to it.
@@ -54,8 +54,8 @@ double levels_needed(const Sigmas& sigma) {
 /// Where a sensor has hardly any noise it would need more levels than there are: then each covers
 /// more.
 void fit_into_levels(Sigmas& sigma) {
-  constexpr double kMostLevels = 50000;  // leaves some for the rounding of codes
-  for (double least = kLeastSigma_mm; levels_needed(sigma) > kMostLevels; least *= 1.1) {
+  constexpr double kMaxLevels = 50000;  // leaves some for the rounding of codes
+  for (double least = kMinSigma_mm; levels_needed(sigma) > kMaxLevels; least *= 1.1) {
     for (double& value : sigma) value = std::max(value, least);
   }
 }
@@ -98,14 +98,14 @@ void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* bef
     seen_mm_[static_cast<std::size_t>(z)] = 1;
     if (before[x] != 0) {
       const auto change = static_cast<std::size_t>(std::abs(z - before[x]));
-      if (change < kMostChange_mm) {
+      if (change < kMaxChange_mm) {
         ++in_time_[knot][change];
         ++time_samples_[knot];
       }
     }
     if (row[x - 1] != 0 && row[x + 1] != 0) {
       const auto bend = static_cast<std::size_t>(std::abs(2 * z - row[x - 1] - row[x + 1]));
-      if (bend < kMostChange_mm) {
+      if (bend < kMaxChange_mm) {
         ++in_space_[knot][bend];
         ++space_samples_[knot];
       }
@@ -144,16 +144,16 @@ double SensorNoise::step_at(int knot) const {
 double SensorNoise::sigma_at(int knot) const {
   const auto k = static_cast<std::size_t>(knot);
   double noise = 0;
-  if (time_samples_[k] >= kLeastSamples) {
+  if (time_samples_[k] >= kMinSamples) {
     noise = trimmed_deviation(in_time_[k]) / std::sqrt(2.0);
-  } else if (space_samples_[k] >= kLeastSamples) {
+  } else if (space_samples_[k] >= kMinSamples) {
     noise = trimmed_deviation(in_space_[k]) / std::sqrt(6.0);
   } else {
     return 0;
   }
   const double step = step_at(knot);
   const double stairs = step > 1.5 ? kStepWeight * step : 0;
-  return std::max(kLeastSigma_mm, std::hypot(noise, stairs));
+  return std::max(kMinSigma_mm, std::hypot(noise, stairs));
 }
 
 SigmaCodes SensorNoise::table() const {

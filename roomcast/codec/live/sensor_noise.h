@@ -25,9 +25,9 @@ class SensorNoise {
   [[nodiscard]] SigmaCodes table() const;
 
  private:
-  static constexpr int kMostChange_mm = 512;
+  static constexpr int kMaxChange_mm = 512;
   static constexpr int kRowsApart = 8;  // that each frame looks at
-  using Histogram = std::array<std::uint32_t, kMostChange_mm>;
+  using Histogram = std::array<std::uint32_t, kMaxChange_mm>;
 
   void observe_row(const std::uint16_t* row, const std::uint16_t* before, int width);
   void forget_half();

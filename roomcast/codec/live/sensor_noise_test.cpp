@@ -106,7 +106,7 @@ TEST(SensorNoise, without_noise_there_are_still_levels_for_every_distance) {
   for (int frame = 0; frame < 4; ++frame) noise.observe(depth);
   DepthDomain domain;
   domain.set(noise.table());
-  EXPECT_LT(domain.level_of(65535), kMostLevel);
+  EXPECT_LT(domain.level_of(65535), kMaxLevel);
 }
 
 TEST(SensorNoise, is_sane_before_anything_was_seen) {

@@ -9,7 +9,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr float kLeastGap = 10 * kLevelsPerSigma;
+constexpr float kMinGap = 10 * kLevelsPerSigma;
 constexpr float kLowRounding = 0.45f, kHighRounding = 0.10f;
 constexpr float kWorthCoding = 3.5f;  // standard deviations of noise in a coefficient
 
@@ -219,13 +219,14 @@ void split_surfaces(BlockCode& code, BlockTarget& target) {
   const Range range = range_of(on_it, target);
   code.surface_count = 0;
   if (range.most < range.least) {
-    std::replace(code.labels.begin(), code.labels.end(), PixelLabel::kFirst, PixelLabel::kStay);
+    std::replace(code.labels.begin(), code.labels.end(), PixelLabel::kFirst,
+                 PixelLabel::kUnchanged);
     return;
   }
   code.surface_count = 1;
-  if (range.most - range.least <= kLeastGap) return;  // most blocks
+  if (range.most - range.least <= kMinGap) return;  // most blocks
   const Gap gap = largest_gap(on_it, target, range);
-  if (gap.size <= kLeastGap) return;
+  if (gap.size <= kMinGap) return;
   code.surface_count = 2;
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
     if (code.labels[k] == PixelLabel::kFirst && target[k] > gap.middle) {
@@ -255,7 +256,7 @@ bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int s
         surface_coefficients(surface.steps, step >> surface.finer, prediction, coefficients);
     inverse_transform(coefficients, rows, values);
     const bool bounded = largest_error(on_it, target, values) <= static_cast<float>(kErrorBound);
-    if (bounded || surface.finer == kMostFiner) return bounded;
+    if (bounded || surface.finer == kMaxFiner) return bounded;
   }
 }
 

@@ -10,10 +10,10 @@
 
 namespace roomcast::codec {
 
-inline constexpr std::int32_t kMostCoefficient = 1 << 20;
+inline constexpr std::int32_t kMaxCoefficient = 1 << 20;
 [[nodiscard]] constexpr std::int32_t limited(std::int64_t coefficient) {
   return static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(coefficient, -kMostCoefficient, kMostCoefficient));
+      std::clamp<std::int64_t>(coefficient, -kMaxCoefficient, kMaxCoefficient));
 }
 
 /// The surface as it would go on one block to the right or further down.

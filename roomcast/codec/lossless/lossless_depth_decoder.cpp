@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kHeaderLength = 8;
 constexpr std::uint32_t kStateLow = 1u << 16;
 // A pixel takes at most two words (one after its token, one after its plain bits).
-constexpr std::size_t kMostBytesPerPixel = 4;
+constexpr std::size_t kMaxBytesPerPixel = 4;
 
 Error malformed(const char* message) {
   return Error{ErrorCode::kMalformed, message};
@@ -67,7 +67,7 @@ class WordReader {
 std::size_t padded_copy(std::span<const std::uint8_t> bytes, int width,
                         std::vector<std::uint8_t>& out) {
   const std::size_t length = std::max<std::size_t>(4, bytes.size());
-  out.assign(length + kMostBytesPerPixel * static_cast<std::size_t>(width) + 2, 0);
+  out.assign(length + kMaxBytesPerPixel * static_cast<std::size_t>(width) + 2, 0);
   if (!bytes.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
   return length;
 }
@@ -109,7 +109,7 @@ Status LosslessDepthDecoder::decode_near_lossless(std::span<const std::uint8_t> 
   if (section.empty()) return malformed("The depth section is cut short.");
   const int bound = section[0];
   if (bound == 0) return decode(section.subspan(1), depth_mm);
-  if (bound > kMostBound_mm) return malformed("The depth section's bound is beyond 63.");
+  if (bound > kMaxBound_mm) return malformed("The depth section's bound is beyond 63.");
   const auto slices = read_side_information(section.subspan(1));
   if (!slices.ok()) return slices.error();
   if (side_.mapped) return malformed("The depth section has both a bound and a value table.");

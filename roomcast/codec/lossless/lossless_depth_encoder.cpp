@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kHeaderLength = 8;
 constexpr std::uint32_t kStateLow = 1u << 16;
 // At most two words: one before its token, one before its plain bits.
-constexpr std::size_t kMostBytesPerSymbol = 4;
+constexpr std::size_t kMaxBytesPerSymbol = 4;
 
 // A symbol: token, context, number of plain bits, the bits.
 constexpr int kContextShift = 7, kExtraCountShift = 13, kExtraShift = 17;
@@ -172,8 +172,8 @@ void LosslessDepthEncoder::build_codes() {
 std::size_t LosslessDepthEncoder::append_slices(std::size_t top_pixels,
                                                 std::vector<std::uint8_t>& out) {
   const std::size_t bottom_pixels = symbols_.size() - top_pixels;
-  top_words_.resize(kMostBytesPerSymbol * top_pixels + 4);
-  bottom_words_.resize(kMostBytesPerSymbol * bottom_pixels + 4);
+  top_words_.resize(kMaxBytesPerSymbol * top_pixels + 4);
+  bottom_words_.resize(kMaxBytesPerSymbol * bottom_pixels + 4);
   std::array<const TokenCode*, kContextCount> codes;
   for (std::size_t c = 0; c < kContextCount; ++c)
     codes[c] = codes_[side_.table_of_context[c]].data();

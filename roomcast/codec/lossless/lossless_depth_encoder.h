@@ -30,7 +30,7 @@ class LosslessDepthEncoder {
   void encode(DepthView depth_mm, std::vector<std::uint8_t>& out);
 
   /// The same for a section of codec 3: every reading decodes to at most `bound_mm`
-  /// (1..kMostBound_mm) from what it is, and what has none stays without.
+  /// (1..kMaxBound_mm) from what it is, and what has none stays without.
   void encode_near_lossless(DepthView depth_mm, int bound_mm, std::vector<std::uint8_t>& out);
 
   /// What the newest near-lossless section decodes to. Valid until the next call.

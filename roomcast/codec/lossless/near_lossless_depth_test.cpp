@@ -94,7 +94,7 @@ TEST(NearLosslessDepth, decode_refuses_a_section_cut_anywhere) {
 TEST(NearLosslessDepth, decode_refuses_a_bound_out_of_range_and_one_beside_a_table) {
   DepthImage out(48, 32);
   auto section = encoded(synthetic_room(48, 32, 1), 2);
-  section[0] = kMostBound_mm + 1;
+  section[0] = kMaxBound_mm + 1;
   EXPECT_FALSE(LosslessDepthDecoder().decode_near_lossless(section, out.view()).ok());
   auto mapped = encoded(synthetic_disparity_room(48, 32), 1);
   ASSERT_EQ(mapped[0], 0);

@@ -8,7 +8,7 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kRowStep = 8;
-constexpr int kLeastSamples = 64;  // of a class; below, the median is good enough
+constexpr int kMinSamples = 64;  // of a class; below, the median is good enough
 constexpr int kLargestError =
     60;  // of the median; beyond it is an edge, which says nothing of surfaces
 constexpr double kRidge = 0.05;  // per sample; keeps weights small where neighbours hardly differ
@@ -111,7 +111,7 @@ Predictors fit_predictors(ImageView<const std::uint16_t> plane) {
   const Fits fits = gather(plane);
   Predictors predictors{};
   for (int c = 0; c < kLinearClassCount; ++c) {
-    if (fits[c].samples >= kLeastSamples) predictors[c] = rounded(solve(fits[c]));
+    if (fits[c].samples >= kMinSamples) predictors[c] = rounded(solve(fits[c]));
   }
   keep_the_better(plane, predictors);
   return predictors;

@@ -10,7 +10,7 @@
 
 namespace roomcast::codec {
 
-inline constexpr int kMostBound_mm = 63;
+inline constexpr int kMaxBound_mm = 63;
 
 /// Modulo 65536: every difference fits 16 bits.
 struct ExactResidual {
@@ -25,7 +25,7 @@ struct ExactResidual {
 /// Of readings only: a value never becomes 0.
 class BoundedResidual {
  public:
-  /// `bound` 1..kMostBound_mm.
+  /// `bound` 1..kMaxBound_mm.
   explicit BoundedResidual(int bound)
       : bound_(bound),
         step_(2 * bound + 1),

@@ -22,7 +22,7 @@ template <class Coder>
 class MaskWalk {
  public:
   MaskWalk(Coder& coder, DepthView depth) : coder_(coder), depth_(depth) {
-    ROOMCAST_ASSERT(depth.width <= kMostGridSide);
+    ROOMCAST_ASSERT(depth.width <= kMaxGridSide);
     for (Row& row : rows_) row.fill(1);
   }
 
@@ -41,7 +41,7 @@ class MaskWalk {
   }
 
  private:
-  using Row = std::array<std::uint8_t, kMostGridSide + 2>;
+  using Row = std::array<std::uint8_t, kMaxGridSide + 2>;
 
   void code_group(int y, int begin, int end, const std::uint8_t* above, std::uint8_t* row) {
     const std::uint16_t* depth = depth_.row(y);

@@ -20,7 +20,7 @@ class ChangeWalk {
  public:
   ChangeWalk(Coder& coder, DepthView depth, ImageView<std::uint8_t> known)
       : coder_(coder), depth_(depth), known_(known) {
-    ROOMCAST_ASSERT(depth.width <= kMostGridSide);
+    ROOMCAST_ASSERT(depth.width <= kMaxGridSide);
   }
 
   void run() {
@@ -81,7 +81,7 @@ class ChangeWalk {
   ImageView<std::uint8_t> known_;
   std::array<AdaptiveBit, 4> group_bits_;
   std::array<AdaptiveBit, 128> pixel_bits_;
-  std::array<std::uint8_t, kMostGridSide / kGroupSide> changed_above_{};
+  std::array<std::uint8_t, kMaxGridSide / kGroupSide> changed_above_{};
 };
 
 struct ChangeWriter {

@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint8_t kLeastNeeded = 6, kMostToHide = 32, kMostToShow = 4;
+constexpr std::uint8_t kMinNeeded = 6, kMaxToHide = 32, kMaxToShow = 4;
 constexpr std::uint8_t kCalmFrames = 120;
 
 }  // namespace
@@ -38,16 +38,16 @@ void SteadyMask::step(Pixel& pixel, bool seen, std::uint8_t& shown) {
     pixel.against = 0;
     if (++pixel.agreeing == kCalmFrames) {
       pixel.agreeing = 0;
-      pixel.needed = std::max<std::uint8_t>(kLeastNeeded, pixel.needed / 2);
+      pixel.needed = std::max<std::uint8_t>(kMinNeeded, pixel.needed / 2);
     }
     return;
   }
   pixel.agreeing = 0;
-  const std::uint8_t needed = seen ? std::min(pixel.needed, kMostToShow) : pixel.needed;
+  const std::uint8_t needed = seen ? std::min(pixel.needed, kMaxToShow) : pixel.needed;
   if (++pixel.against < needed) return;
   shown = seen ? 255 : 0;
   pixel.against = 0;
-  pixel.needed = std::min<std::uint8_t>(kMostToHide, static_cast<std::uint8_t>(2 * pixel.needed));
+  pixel.needed = std::min<std::uint8_t>(kMaxToHide, static_cast<std::uint8_t>(2 * pixel.needed));
 }
 
 }  // namespace roomcast::codec

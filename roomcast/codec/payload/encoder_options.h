@@ -20,7 +20,7 @@ inline constexpr int kUsualColorKbit = 790;
 inline constexpr int kUsualFineColorKbit = 1000;
 
 /// What a colour stream may be asked for, kbit/s.
-inline constexpr int kLeastKbit = 50, kMostKbit = 100000;
+inline constexpr int kMinKbit = 50, kMaxKbit = 100000;
 
 struct FrameEncoderOptions {
   int width = 0, height = 0;               // of the depth grid; both 16..4096

@@ -17,12 +17,12 @@ inline constexpr std::uint8_t kVp9Color = 1;
 inline constexpr std::uint8_t kIntraMask = 1, kMaskChange = 2;
 
 inline constexpr std::size_t kSectionHeaderLength = 8;
-inline constexpr int kLeastGridSide = 16, kMostGridSide = 4096;
+inline constexpr int kMinGridSide = 16, kMaxGridSide = 4096;
 /// Colour has so many pixels for each pixel of depth and direction, at most; and its picture is no
 /// larger than a depth grid may be, which bounds a decoder's memory.
-inline constexpr int kMostColorScale = 2;
+inline constexpr int kMaxColorScale = 2;
 [[nodiscard]] constexpr bool is_color_size(int width, int height) {
-  return width <= kMostGridSide && height <= kMostGridSide;
+  return width <= kMaxGridSide && height <= kMaxGridSide;
 }
 
 /// Longer payloads are refused. Depth noise of 16 bits takes 2.5 bytes a pixel.

@@ -67,7 +67,7 @@ class RandomLiveStream {
     code.mode = dice < 4   ? BlockMode::kSkip
                 : dice < 8 ? BlockMode::kLabels
                 : dice < 9 ? BlockMode::kRefine
-                           : BlockMode::kReadings;
+                           : BlockMode::kRaw;
     fill_steps(code.refinement);
     std::uint16_t reading = 1000;
     for (std::uint16_t& level : code.readings) {
@@ -106,7 +106,7 @@ class RandomLiveStream {
   PixelLabel any_label(int bx, int by, std::size_t k, const BlockCode& code) {
     const int x = bx * kBlockSide + static_cast<int>(k % 8),
               y = by * kBlockSide + static_cast<int>(k / 8);
-    if (x >= state_.width || y >= state_.height) return PixelLabel::kStay;
+    if (x >= state_.width || y >= state_.height) return PixelLabel::kUnchanged;
     const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
                            static_cast<std::size_t>(x);
     const int old = state_.picture[at], back = state_.background[at];
@@ -115,7 +115,7 @@ class RandomLiveStream {
     if (dice == 2 && code.surface_count > 1) return PixelLabel::kSecond;
     if (dice == 3 && back != 0 && back != old) return PixelLabel::kBackground;
     if (dice == 4 && old != 0) return PixelLabel::kVanished;
-    return PixelLabel::kStay;
+    return PixelLabel::kUnchanged;
   }
 
   std::mt19937 random_;

@@ -37,30 +37,31 @@ bool meets(Who who, const Claims* claims, std::optional<TokenRole> role = std::n
   return false;
 }
 
-struct Wish {
+struct RequiredAccess {
   Who who = Who::kAdmin;  // may have it
   TokenRole role = TokenRole::kAdmin;
   const char* what = "";  // of a sentence
 };
 
-Wish wish_of(const pb::Join& join, const RoomSettings& room) {
+RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {
   switch (join.role_case()) {
     case pb::Join::kSensor:
       return {room.send, TokenRole::kSensor, "send"};
     case pb::Join::kViewer:
-      if (join.viewer().serves_on()) return {room.view, TokenRole::kHub, "serve on"};
+      if (join.viewer().relays()) return {room.view, TokenRole::kHub, "serve on"};
       return {room.view, TokenRole::kViewer, "view"};
     default:
       return {Who::kAdmin, TokenRole::kAdmin, "place sensors in"};
   }
 }
 
-Refusal refuse(const Wish& wish, const Claims* claims) {
-  const std::string what = wish.what;
-  if (wish.who == Who::kNobody) {
+Refusal refuse(const RequiredAccess& required, const Claims* claims) {
+  const std::string what = required.what;
+  if (required.who == Who::kNobody) {
     return {pb::ERROR_NOT_ALLOWED, "nobody may " + what + " this room"};
   }
-  const std::string needed(name_of(wish.who == Who::kAdmin ? TokenRole::kAdmin : wish.role));
+  const std::string needed(
+      name_of(required.who == Who::kAdmin ? TokenRole::kAdmin : required.role));
   if (claims == nullptr) {
     return {pb::ERROR_UNAUTHENTICATED, "to " + what + " this room takes a token for role " +
                                            needed + "; ask its owner for one"};
@@ -104,9 +105,9 @@ Verdict<Entry> decide_entry(const pb::Join& join, const Claims* claims, const Fi
   }
   const RoomSettings* room = find_room(name);
   if (room == nullptr) return no_such_room();
-  const Wish wish = wish_of(join, *room);
-  if (!meets(wish.who, claims, wish.role)) {
-    return may_know_of(*room, claims) ? refuse(wish, claims) : no_such_room();
+  const RequiredAccess required = required_of(join, *room);
+  if (!meets(required.who, claims, required.role)) {
+    return may_know_of(*room, claims) ? refuse(required, claims) : no_such_room();
   }
   if (is_another_sensors(join, claims)) {
     return Refusal{pb::ERROR_WRONG_ROLE,

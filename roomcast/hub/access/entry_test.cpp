@@ -93,7 +93,7 @@ TEST_F(EntryTest, a_token_for_another_role_is_refused) {
 
 TEST_F(EntryTest, to_serve_a_room_on_takes_a_hubs_token_where_looking_takes_a_viewers) {
   pb::Join hub = viewer("lab");
-  hub.mutable_viewer()->set_serves_on(true);
+  hub.mutable_viewer()->set_relays(true);
   EXPECT_EQ(fault(hub), pb::ERROR_UNAUTHENTICATED);
   EXPECT_EQ(fault(hub, claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
   EXPECT_EQ(fault(hub, claims("lab", TokenRole::kHub)), pb::ERROR_UNSPECIFIED);

@@ -12,7 +12,7 @@
 #include "roomcast/hub/config/room_settings.h"
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/runtime/room_recordings.h"
-#include "roomcast/hub/store/hub_book.h"
+#include "roomcast/hub/store/hub_store.h"
 #include "roomcast/net/http_response.h"
 
 namespace roomcast::hub {

@@ -51,25 +51,25 @@ net::HttpResponse no_object() {
 
 }  // namespace
 
-AdminApi::AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings,
-                   LogSink log)
+AdminApi::AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
+                   RoomRecordings* recordings, LogSink log)
     : hall_(hall),
-      desk_(desk),
+      store_worker_(store_worker),
       version_(std::move(version)),
       recordings_(recordings),
-      door_(hall, desk, std::move(log)) {}
+      auth_(hall, store_worker, std::move(log)) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
   if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
   const auto& match = std::get<MatchedRoute>(found);
-  door_.admit(request, match.route.needs_token, std::move(respond),
+  auth_.admit(request, match.route.needs_token, std::move(respond),
               [this, match, body = request.body](Caller caller) {
-                carry_out({std::move(caller), match, body});
+                apply({std::move(caller), match, body});
               });
 }
 
-void AdminApi::carry_out(const Call& call) {
+void AdminApi::apply(const Call& call) {
   switch (call.match.route.call) {
     case AdminCall::kStatus:
       return status(call);
@@ -203,19 +203,19 @@ void AdminApi::change_room(const Call& call) {
 }
 
 void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is_new) {
-  desk_.ask([settings](HubBook& book) { return book.rooms().save(settings); },
-            [this, call, settings, is_new](const Status& kept) {
-              if (!kept) return call.respond(error_answer(kept.error()));
-              const bool is_there = hall_.find(settings.name) != nullptr;
-              if (!is_there && !is_new) return call.respond(no_such_room());
-              if (is_there) {
-                hall_.change(settings);
-              } else {
-                hall_.open(settings, {});
-              }
-              call.respond(json_answer(is_new ? 201 : 200,
-                                       whole_room(settings, *hall_.stats(settings.name))));
-            });
+  store_worker_.ask([settings](HubStore& book) { return book.rooms().save(settings); },
+                    [this, call, settings, is_new](const Status& kept) {
+                      if (!kept) return call.respond(error_answer(kept.error()));
+                      const bool is_there = hall_.find(settings.name) != nullptr;
+                      if (!is_there && !is_new) return call.respond(no_such_room());
+                      if (is_there) {
+                        hall_.change(settings);
+                      } else {
+                        hall_.open(settings, {});
+                      }
+                      call.respond(json_answer(is_new ? 201 : 200,
+                                               whole_room(settings, *hall_.stats(settings.name))));
+                    });
 }
 
 void AdminApi::close_room(const Call& call) {
@@ -226,13 +226,13 @@ void AdminApi::close_room(const Call& call) {
         "this room is in the hub's configuration and would be back with its next start; take it "
         "out there"));
   }
-  desk_.ask([name = call.parameter(0)](HubBook& book) { return book.forget_room(name); },
-            [this, call](const Status& forgotten) {
-              if (!forgotten) return call.respond(error_answer(forgotten.error()));
-              if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
-              hall_.tell_revoked();
-              call.respond(no_content());
-            });
+  store_worker_.ask([name = call.parameter(0)](HubStore& book) { return book.forget_room(name); },
+                    [this, call](const Status& forgotten) {
+                      if (!forgotten) return call.respond(error_answer(forgotten.error()));
+                      if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
+                      hall_.tell_revoked();
+                      call.respond(no_content());
+                    });
 }
 
 // ---- who is in a room
@@ -268,10 +268,10 @@ void AdminApi::end_sensor(const Call& call) {
 void AdminApi::forget_sensor(const Call& call) {
   const std::string &room = call.parameter(0), &sensor = call.parameter(1);
   hall_.forget_sensor(room, sensor);
-  desk_.ask([room, sensor](HubBook& book) { return book.sensors().forget(room, sensor); },
-            [call](const Status& forgotten) {
-              call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
-            });
+  store_worker_.ask([room, sensor](HubStore& book) { return book.sensors().forget(room, sensor); },
+                    [call](const Status& forgotten) {
+                      call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
+                    });
 }
 
 void AdminApi::end_viewer(const Call& call) {
@@ -321,13 +321,13 @@ void AdminApi::stop_recording(const Call& call) {
 
 void AdminApi::list_tokens(const Call& call) {
   if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
-  desk_.ask([room = call.claims->grant.room](HubBook& book) { return book.tokens(room); },
-            [call](const Result<std::vector<IssuedToken>>& tokens) {
-              if (!tokens) return call.respond(error_answer(tokens.error()));
-              Json list = Json::array();
-              for (const IssuedToken& token : *tokens) list.push_back(token_json(token));
-              call.respond(json_answer(200, {{"tokens", std::move(list)}}));
-            });
+  store_worker_.ask([room = call.claims->grant.room](HubStore& book) { return book.tokens(room); },
+                    [call](const Result<std::vector<IssuedToken>>& tokens) {
+                      if (!tokens) return call.respond(error_answer(tokens.error()));
+                      Json list = Json::array();
+                      for (const IssuedToken& token : *tokens) list.push_back(token_json(token));
+                      call.respond(json_answer(200, {{"tokens", std::move(list)}}));
+                    });
 }
 
 void AdminApi::make_token(const Call& call) {
@@ -336,17 +336,17 @@ void AdminApi::make_token(const Call& call) {
   const auto wanted = read_token_request(*json);
   if (!wanted) return call.respond(error_answer(wanted.error()));
   if (!call.is_admin_of(wanted->grant.room)) return call.respond(not_yours());
-  desk_.ask([wanted = *wanted](HubBook& book) { return make_token_for(wanted, book); },
-            [call](const Result<Json>& made) {
-              call.respond(made ? json_answer(201, *made) : error_answer(made.error()));
-            });
+  store_worker_.ask([wanted = *wanted](HubStore& book) { return make_token_for(wanted, book); },
+                    [call](const Result<Json>& made) {
+                      call.respond(made ? json_answer(201, *made) : error_answer(made.error()));
+                    });
 }
 
 void AdminApi::revoke_token(const Call& call) {
   if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
   const std::string& id = call.parameter(0);
-  desk_.ask(
-      [id, grant = call.claims->grant](HubBook& book) -> Status {
+  store_worker_.ask(
+      [id, grant = call.claims->grant](HubStore& book) -> Status {
         const auto token = book.token(id);
         if (!token) return token.error();
         if (!covers(grant, token->claims.grant.room)) {  // another room's: as if there were none

@@ -11,11 +11,11 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "roomcast/core/clock.h"
-#include "roomcast/hub/admin/admin_door.h"
+#include "roomcast/hub/admin/admin_auth.h"
 #include "roomcast/hub/admin/admin_routes.h"
-#include "roomcast/hub/runtime/room_hall.h"
 #include "roomcast/hub/runtime/room_recordings.h"
-#include "roomcast/hub/store/desk.h"
+#include "roomcast/hub/runtime/room_registry.h"
+#include "roomcast/hub/store/store_worker.h"
 #include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {
@@ -23,8 +23,8 @@ namespace roomcast::hub {
 class AdminApi {
  public:
   /// `recordings` is null where rooms are not kept.
-  AdminApi(RoomHall& hall, Desk& desk, std::string version, RoomRecordings* recordings,
-           LogSink log = {});
+  AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
+           RoomRecordings* recordings, LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
@@ -37,7 +37,7 @@ class AdminApi {
     [[nodiscard]] const std::string& parameter(std::size_t i) const { return match.parameters[i]; }
   };
 
-  void carry_out(const Call& call);
+  void apply(const Call& call);
   void carry_out_in_room(const Call& call);
   void status(const Call& call) const;
   void list_hubs(const Call& call) const;
@@ -59,11 +59,11 @@ class AdminApi {
   void make_token(const Call& call);
   void revoke_token(const Call& call);
 
-  RoomHall& hall_;
-  Desk& desk_;
+  RoomRegistry& hall_;
+  StoreWorker& store_worker_;
   const std::string version_;
   RoomRecordings* const recordings_;
-  AdminDoor door_;
+  AdminAuth auth_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();
 };

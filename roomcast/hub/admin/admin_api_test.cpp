@@ -74,14 +74,14 @@ class AdminApiTest : public testing::Test {
   }
 
   boost::asio::io_context io;
-  std::unique_ptr<HubBook> book = *HubBook::open(std::nullopt);
+  std::unique_ptr<HubStore> book = *HubStore::open(std::nullopt);
   const std::string hub_admin = book->sign_own();
-  Desk desk{std::move(book), io};
+  StoreWorker store_worker{std::move(book), io};
   std::vector<std::unique_ptr<Shard>> shards;
-  RoomHall hall{{.hub_version = "test", .configured_rooms = {"lab"}}, io, desk, shards};
+  RoomRegistry hall{{.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
   FakeRecordings recordings;
   std::map<std::string, std::string, std::less<>> logged;  // of the last line that had fields
-  AdminApi api{hall, desk, "test", &recordings,
+  AdminApi api{hall, store_worker, "test", &recordings,
                [this](LogLevel, std::string_view, LogFields fields) {
                  for (const auto& [key, value] : fields) logged[std::string(key)] = value;
                }};
@@ -242,8 +242,8 @@ TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
 TEST_F(AdminApiTest, a_sensor_that_is_gone_is_forgotten) {
   ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
   std::optional<Status> kept;
-  desk.ask(
-      [](HubBook& kept_in) {
+  store_worker.ask(
+      [](HubStore& kept_in) {
         return kept_in.sensors().save("hall", std::vector{KnownSensor{"left", SensorId{0}}});
       },
       [&](const Status& status) { kept = status; });
@@ -272,7 +272,7 @@ TEST_F(AdminApiTest, a_room_that_nobody_may_record_is_not_recorded) {
 }
 
 TEST_F(AdminApiTest, a_hub_that_keeps_no_rooms_says_so) {
-  AdminApi without{hall, desk, "test", nullptr};
+  AdminApi without{hall, store_worker, "test", nullptr};
   asked = &without;
   EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
   EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");

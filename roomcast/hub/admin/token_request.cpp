@@ -9,10 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Error wrong(const std::string& sentence) {
-  return {ErrorCode::kInvalidArgument, sentence};
-}
-
 std::string percent_encoded(const std::string& text) {
   constexpr char kHex[] = "0123456789ABCDEF";
   std::string out;
@@ -36,7 +32,7 @@ Result<TokenRequest> read_token_request(const Json& json) {
       request.grant.room = value.get<std::string>();
     } else if (key == "role" && value.is_string()) {
       const auto role = token_role(value.get<std::string>());
-      if (!role) return wrong("a token's role is sensor, viewer, hub or admin");
+      if (!role) return invalid_argument("a token's role is sensor, viewer, hub or admin");
       request.grant.role = *role;
     } else if (key == "name" && value.is_string()) {
       request.grant.name = value.get<std::string>();
@@ -45,14 +41,15 @@ Result<TokenRequest> read_token_request(const Json& json) {
     } else if (key == "once" && value.is_boolean()) {
       request.once = value.get<bool>();
     } else {
-      return wrong("a token has no \"" + key + "\", or not with this value");
+      return invalid_argument("a token has no \"" + key + "\", or not with this value");
     }
   }
-  if (!json.contains("room") || !json.contains("role")) return wrong("say for which room and role");
+  if (!json.contains("room") || !json.contains("role"))
+    return invalid_argument("say for which room and role");
   return request;
 }
 
-Result<Json> make_token_for(const TokenRequest& request, HubBook& book) {
+Result<Json> make_token_for(const TokenRequest& request, HubStore& book) {
   if (request.once) {
     const auto made = book.issue_code(request.grant, request.ttl);
     if (!made) return made.error();

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/store/hub_book.h"
+#include "roomcast/hub/store/hub_store.h"
 
 namespace roomcast::hub {
 
@@ -21,8 +21,8 @@ struct TokenRequest {
 /// kInvalidArgument, and which field.
 [[nodiscard]] Result<TokenRequest> read_token_request(const nlohmann::json& json);
 
-/// A NewToken. Errors of HubBook::issue.
-[[nodiscard]] Result<nlohmann::json> make_token_for(const TokenRequest& request, HubBook& book);
+/// A NewToken. Errors of HubStore::issue.
+[[nodiscard]] Result<nlohmann::json> make_token_for(const TokenRequest& request, HubStore& book);
 
 /// "#room=R&code=C", what follows a page's address: browsers keep it to themselves.
 [[nodiscard]] std::string link_fragment(const std::string& room, const std::string& code);

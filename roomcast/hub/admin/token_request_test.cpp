@@ -34,7 +34,7 @@ TEST(TokenRequest, what_is_wrong_is_named) {
 }
 
 TEST(TokenRequest, becomes_a_token_or_a_code_with_a_link) {
-  const auto book = *HubBook::open(std::nullopt);
+  const auto book = *HubStore::open(std::nullopt);
   const auto token = make_token_for({.grant = {.room = "my lab"}}, *book);
   EXPECT_EQ(refusal(book->check((*token)["token"])), nullptr);
   const auto code = make_token_for({.grant = {.room = "my lab"}, .once = true}, *book);

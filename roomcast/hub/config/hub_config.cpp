@@ -72,10 +72,6 @@ const Field* find_field(std::string_view name) {
   return found == fields().end() ? nullptr : &found->field;
 }
 
-Error wrong(std::string sentence) {
-  return {ErrorCode::kInvalidArgument, std::move(sentence)};
-}
-
 std::string in_line(const toml::node& node) {
   return " (line " + std::to_string(node.source().begin.line) + ")";
 }
@@ -163,12 +159,12 @@ Json as_json(const toml::node& node) {
 
 Status read_rooms(const toml::node& node, HubConfig& config) {
   const toml::array* rooms = node.as_array();
-  if (rooms == nullptr) return wrong("rooms are written as [[room]]" + in_line(node));
+  if (rooms == nullptr) return invalid_argument("rooms are written as [[room]]" + in_line(node));
   for (const auto& room : *rooms) {
     const Json json = as_json(room);
     const auto settings = changed({}, json);
-    if (!settings) return wrong(settings.error().message + in_line(room));
-    if (!json.contains("name")) return wrong("a room needs a name" + in_line(room));
+    if (!settings) return invalid_argument(settings.error().message + in_line(room));
+    if (!json.contains("name")) return invalid_argument("a room needs a name" + in_line(room));
     config.rooms.push_back(json.dump());
   }
   return {};
@@ -186,9 +182,10 @@ Status read_table(const toml::table& table, const std::string& prefix, HubConfig
       if (auto status = read_table(*node.as_table(), name + ".", config); !status) return status;
       continue;
     }
-    if (field == nullptr) return wrong("there is no field \"" + name + "\"" + in_line(node));
+    if (field == nullptr)
+      return invalid_argument("there is no field \"" + name + "\"" + in_line(node));
     if (!read_into(node, *field, config)) {
-      return wrong("this is no value for \"" + name + "\"" + in_line(node));
+      return invalid_argument("this is no value for \"" + name + "\"" + in_line(node));
     }
   }
   return {};
@@ -210,22 +207,22 @@ bool is_host_name(std::string_view text) {
 Status check_names(const HubConfig& config) {
   for (const std::string& origin : config.origins) {
     if (is_origin(origin)) continue;
-    return wrong("access.origins: \"" + origin +
-                 "\" is no web site; write https://rooms.example.org, without a path");
+    return invalid_argument("access.origins: \"" + origin +
+                            "\" is no web site; write https://rooms.example.org, without a path");
   }
   for (const std::string& host : config.hosts) {
     if (is_host_name(host)) continue;
-    return wrong("access.hosts: \"" + host +
-                 "\" is no name; write hub.example.org, without a port");
+    return invalid_argument("access.hosts: \"" + host +
+                            "\" is no name; write hub.example.org, without a port");
   }
   for (const std::string& proxy : config.proxies) {
     if (net::parse_peer_name(proxy)) continue;
-    return wrong("access.proxies: \"" + proxy +
-                 "\" is no numeric address; a network is written 2001:db8::/64");
+    return invalid_argument("access.proxies: \"" + proxy +
+                            "\" is no numeric address; a network is written 2001:db8::/64");
   }
   if (config.public_url.empty()) return {};
   const auto url = net::parse_hub_url(config.public_url);
-  return url ? Status() : wrong("public_url: " + url.error().message);
+  return url ? Status() : invalid_argument("public_url: " + url.error().message);
 }
 
 }  // namespace
@@ -247,8 +244,8 @@ std::vector<std::string> config_fields() {
 Result<HubConfig> read_config(HubConfig config, std::string_view text) {
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
-    return wrong(std::string(parsed.error().description()) + " (line " +
-                 std::to_string(parsed.error().source().begin.line) + ")");
+    return invalid_argument(std::string(parsed.error().description()) + " (line " +
+                            std::to_string(parsed.error().source().begin.line) + ")");
   }
   if (auto status = read_table(parsed.table(), "", config); !status) return status.error();
   if (auto status = check(config); !status) return status.error();
@@ -262,7 +259,7 @@ Result<HubConfig> read_environment(HubConfig config,
     const char* value = get(variable.c_str());
     if (value == nullptr) continue;
     if (!read_into(std::string_view(value), field, config)) {
-      return wrong(variable + " cannot be \"" + value + "\"");
+      return invalid_argument(variable + " cannot be \"" + value + "\"");
     }
   }
   if (auto status = check(config); !status) return status.error();
@@ -277,7 +274,7 @@ Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, Who access) 
     auto room = changed(open_ends, Json::parse(text));
     if (!room) return room.error();
     if (!names.insert(room->name).second) {
-      return wrong("there are two rooms \"" + room->name + "\"");
+      return invalid_argument("there are two rooms \"" + room->name + "\"");
     }
     rooms.push_back(*std::move(room));
   }
@@ -289,24 +286,26 @@ Status check(const HubConfig& config) {
   const auto is_one_of = [](const std::string& text, std::initializer_list<const char*> words) {
     return std::ranges::find(words, text) != words.end();
   };
-  if (!is_one_of(config.log, {"text", "json"})) return wrong("log is \"text\" or \"json\"");
+  if (!is_one_of(config.log, {"text", "json"}))
+    return invalid_argument("log is \"text\" or \"json\"");
   if (!is_one_of(config.metrics, {"auto", "anyone", "token"})) {
-    return wrong("metrics is \"auto\", \"anyone\" or \"token\"");
+    return invalid_argument("metrics is \"auto\", \"anyone\" or \"token\"");
   }
   if (!is_one_of(config.access, {"auto", "anyone", "token"})) {
-    return wrong("access.default is \"auto\", \"anyone\" or \"token\"");
+    return invalid_argument("access.default is \"auto\", \"anyone\" or \"token\"");
   }
   if (!config.nats_servers.empty() && !config.upstream_hubs.empty()) {
-    return wrong("upstream.hubs and nats.servers exclude each other");
+    return invalid_argument("upstream.hubs and nats.servers exclude each other");
   }
   if (auto status = check_names(config); !status) return status;
-  if (config.threads < 0 || config.threads > 64) return wrong("threads is 0 to 64");
+  if (config.threads < 0 || config.threads > 64) return invalid_argument("threads is 0 to 64");
   for (const auto& [name, field] : fields()) {
     const auto* count = std::get_if<std::int64_t HubConfig::*>(&field);
     if (count == nullptr || !name.starts_with("limits.")) continue;
     const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent";  // never
     if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > 1'000'000) {
-      return wrong(std::string(name) + " is " + (may_be_zero ? "0" : "1") + " to 1000000");
+      return invalid_argument(std::string(name) + " is " + (may_be_zero ? "0" : "1") +
+                              " to 1000000");
     }
   }
   return {};

@@ -24,10 +24,6 @@ constexpr std::array<std::pair<Who, std::string_view>, 4> kWho = {{{Who::kAnyone
                                                                    {Who::kNobody, "nobody"}}};
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
-Error wrong(std::string sentence) {
-  return {ErrorCode::kInvalidArgument, std::move(sentence)};
-}
-
 // Readers of one value each: false for a value of another kind.
 
 bool read(const Json& json, std::string& text) {
@@ -134,18 +130,20 @@ Matrix4 world_from_viewer(const StartPosition& position) {
 
 Status check(const RoomSettings& settings) {
   if (settings.name.empty() || settings.name == "*") {
-    return wrong("a room needs a name, and \"*\" is none");
+    return invalid_argument("a room needs a name, and \"*\" is none");
   }
-  if (auto s = wire::check_name(settings.name, "room"); !s) return wrong(s.error().message);
-  if (auto s = wire::check_name(settings.title, "room"); !s) return wrong(s.error().message);
+  if (auto s = wire::check_name(settings.name, "room"); !s)
+    return invalid_argument(s.error().message);
+  if (auto s = wire::check_name(settings.title, "room"); !s)
+    return invalid_argument(s.error().message);
   const auto within = [](std::size_t count, std::size_t most) {
     return count >= 1 && count <= most;
   };
   if (!within(settings.max_sensors, wire::kMaxSensors)) {
-    return wrong("max_sensors is 1 to " + std::to_string(wire::kMaxSensors));
+    return invalid_argument("max_sensors is 1 to " + std::to_string(wire::kMaxSensors));
   }
   if (!within(settings.max_viewers, wire::kMaxViewers)) {
-    return wrong("max_viewers is 1 to " + std::to_string(wire::kMaxViewers));
+    return invalid_argument("max_viewers is 1 to " + std::to_string(wire::kMaxViewers));
   }
   return {};
 }
@@ -166,12 +164,13 @@ Json to_json(const RoomSettings& settings) {
 }
 
 Result<RoomSettings> changed(RoomSettings settings, const Json& changes) {
-  if (!changes.is_object()) return wrong("a room's settings are an object");
+  if (!changes.is_object()) return invalid_argument("a room's settings are an object");
   const auto readers = readers_into(settings);
   for (const auto& [key, value] : changes.items()) {
     const auto reader = readers.find(key);
-    if (reader == readers.end()) return wrong("a room has no setting \"" + key + "\"");
-    if (!reader->second(value)) return wrong("this is no value for a room's \"" + key + "\"");
+    if (reader == readers.end()) return invalid_argument("a room has no setting \"" + key + "\"");
+    if (!reader->second(value))
+      return invalid_argument("this is no value for a room's \"" + key + "\"");
   }
   if (auto status = check(settings); !status) return status.error();
   return settings;

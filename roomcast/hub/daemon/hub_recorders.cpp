@@ -5,7 +5,7 @@
 
 #include <boost/asio/post.hpp>
 
-#include "roomcast/io/picture_files.h"
+#include "roomcast/io/numbered_files.h"
 
 namespace roomcast::cli {
 

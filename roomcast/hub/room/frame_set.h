@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/net/framed_message.h"
 #include "roomcast/net/message_buffer.h"
-#include "roomcast/net/sealed_message.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::hub {
@@ -22,12 +22,13 @@ struct IncomingFrame {
 
 struct SetFrame {
   wire::FrameHeader header;
-  net::SealedMessagePtr message;  // header and payload, WebSocket header included
+  net::FramedMessagePtr message;  // header and payload, WebSocket header included
 };
 
 struct FrameSet {
   SetId id;
-  std::vector<SetFrame> frames;  // in order of arrival; of a sensor that catches up more than one
+  std::vector<SetFrame>
+      frames;  // in order of connection_info; of a sensor that catches up more than one
 };
 
 using FrameSetPtr = std::shared_ptr<const FrameSet>;

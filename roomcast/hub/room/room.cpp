@@ -164,11 +164,11 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     poses_.forget(viewer->second.id);
     viewers_.erase(viewer);
-    forget_people(people_elsewhere_.forget(from));
+    forget_people(remote_presence_.forget(from));
     announce_in_time(now, out);
   } else {
     std::erase(aligners_, from);
-    if (forget_people(people_elsewhere_.forget(from))) announce_in_time(now, out);
+    if (forget_people(remote_presence_.forget(from))) announce_in_time(now, out);
     if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
       ask_for_sightings({}, out);
   }
@@ -280,9 +280,9 @@ pb::Roster Room::roster() const {
     entry.set_id(viewer.id.value);
     entry.set_name(viewer.name);
     entry.set_color_rgb(viewer.color_rgb);
-    entry.set_serves_on(viewer.serves_on);
+    entry.set_relays(viewer.relays);
   }
-  people_elsewhere_.write_to(roster);
+  remote_presence_.write_to(roster);
   return roster;
 }
 

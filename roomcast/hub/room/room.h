@@ -18,9 +18,9 @@
 #include "roomcast/hub/access/entry.h"
 #include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/config/room_settings.h"
-#include "roomcast/hub/room/frame_set_builder.h"
-#include "roomcast/hub/room/people_elsewhere.h"
+#include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/hub/room/pose_relay.h"
+#include "roomcast/hub/room/remote_presence.h"
 #include "roomcast/hub/room/room_action.h"
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/room/sensor_list.h"
@@ -90,7 +90,7 @@ class Room {
     std::uint32_t color_rgb = 0;
     bool may_nudge = false;
     bool records = false;
-    bool serves_on = false;  // it is a hub
+    bool relays = false;  // it is a hub
     std::string token_id;
     wire::pb::ViewerStats told = {};  // by itself
     RateLimit people{kPeopleToldPerSecond, 4 * kPeopleToldPerSecond};
@@ -113,7 +113,7 @@ class Room {
   [[nodiscard]] bool tells_of_people(ConnectionId from) const;
   RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
   void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
-  bool forget_people(const PeopleElsewhere::Change& change);
+  bool forget_people(const RemotePresence::Change& change);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   bool make_room_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
@@ -140,9 +140,9 @@ class Room {
   std::vector<ConnectionId> aligners_;
   wire::pb::SightingRequest wanted_sightings_;
   wire::pb::Control other_hubs_;  // where else this room is; empty: nowhere
-  PeopleElsewhere people_elsewhere_;
+  RemotePresence remote_presence_;
   PoseRelay poses_;
-  FrameSetBuilder sets_;
+  FrameSynchronizer sets_;
   RoomStats set_stats_;  // what changes with sets
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;

@@ -9,7 +9,7 @@ namespace {
 
 using testing::IsEmpty;
 
-TEST_F(RoomTest, made_up_names_keep_no_sensor_out) {
+TEST_F(RoomTest, unknown_names_keep_no_sensor_out) {
   for (std::size_t i = 0; i < 2 * wire::kMaxSensors; ++i) {
     (void)room.leave(enter(sensor_join("made up " + std::to_string(i), std::nullopt)), at(1s));
   }

@@ -130,10 +130,10 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
                     .may_nudge = entry.may_place,
                     .records = join.viewer().records(),
-                    .serves_on = join.viewer().serves_on(),
+                    .relays = join.viewer().relays(),
                     .token_id = entry.token_id};
   ++next_viewer_id_;
-  out.push_back(AcceptConnection{from, join.viewer().serves_on() ? Role::kHub : Role::kViewer});
+  out.push_back(AcceptConnection{from, join.viewer().relays() ? Role::kHub : Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
   if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
   for (RoomSensor& sensor : sensors_.all()) {

@@ -14,12 +14,12 @@ namespace pb = wire::pb;
 /// An aligner: the backplane speaks as one.
 bool Room::tells_of_people(ConnectionId from) const {
   const auto viewer = viewers_.find(from);
-  if (viewer != viewers_.end()) return viewer->second.serves_on;
+  if (viewer != viewers_.end()) return viewer->second.relays;
   return std::ranges::find(aligners_, from) != aligners_.end();
 }
 
 RoomActions Room::take_people(ConnectionId from, const pb::PeopleHere& people, RoomTime now) {
-  PeopleElsewhere::Teller teller{from};
+  RemotePresence::Teller teller{from};
   if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     teller.viewer = viewer->second.id;
     if (!viewer->second.people.take(1, HostTime(now.time_since_epoch()))) {
@@ -28,20 +28,20 @@ RoomActions Room::take_people(ConnectionId from, const pb::PeopleHere& people, R
   }
   RoomActions out;
   const auto change =
-      people_elsewhere_.tell(teller, people, [this] { return ViewerId{next_viewer_id_++}; });
+      remote_presence_.tell(teller, people, [this] { return ViewerId{next_viewer_id_++}; });
   if (forget_people(change)) announce_in_time(now, out);
   return out;
 }
 
 void Room::take_poses(ConnectionId from, const pb::ViewerPoses& poses, RoomTime now) {
   for (const pb::ViewerPose& pose : poses.poses()) {
-    const auto person = people_elsewhere_.find(from, pose.viewer_id());
+    const auto person = remote_presence_.find(from, pose.viewer_id());
     if (person) poses_.set(*person, pose, now);
   }
 }
 
 /// Of those who are gone. True: the roster is news.
-bool Room::forget_people(const PeopleElsewhere::Change& change) {
+bool Room::forget_people(const RemotePresence::Change& change) {
   for (const ViewerId gone : change.gone) poses_.forget(gone);
   return change.is_news;
 }

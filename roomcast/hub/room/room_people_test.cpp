@@ -9,7 +9,7 @@ namespace {
 
 pb::Join hub_join() {
   pb::Join join = viewer_join("hub");
-  join.mutable_viewer()->set_serves_on(true);
+  join.mutable_viewer()->set_relays(true);
   return join;
 }
 

@@ -25,7 +25,7 @@ struct SensorStats {
   std::optional<std::uint32_t> newest_seq = {};  // nothing: the next frame follows none
   std::uint64_t missed = 0;                  // frames that it has numbered and that did not come
   std::optional<double> clock_error_s = {};  // the sensor's own bound, of its newest frame
-  double delay_s = 0;                        // capture to arrival, of its newest frame
+  double delay_s = 0;                        // capture to connection_info, of its newest frame
   double frames_per_s = 0, bytes_per_s = 0;  // lately
 };
 

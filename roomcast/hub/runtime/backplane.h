@@ -85,7 +85,7 @@ class BackplaneEvents : public SessionEvents {
 };
 
 /// Where a backplane works; outlives it.
-struct BackplaneSeat {
+struct BackplaneContext {
   boost::asio::io_context& io;
   BackplaneEvents& rooms;
   std::string token;  // with which it may join every room
@@ -96,6 +96,6 @@ struct BackplaneSeat {
   /// Addresses of the other hubs that are for others: the page may go on there, and theirs here.
   std::function<void(std::vector<std::string>)> name_hubs = {};
 };
-using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneSeat)>;
+using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneContext)>;
 
 }  // namespace roomcast::hub

@@ -2,15 +2,15 @@
 // A control message as it is written to connections: encoded once, shared by all receivers.
 #pragma once
 
-#include "roomcast/net/sealed_message.h"
+#include "roomcast/net/framed_message.h"
 #include "roomcast/wire/control.h"
 
 namespace roomcast::hub {
 
-[[nodiscard]] inline net::SealedMessagePtr sealed_control(const wire::pb::Control& control) {
+[[nodiscard]] inline net::FramedMessagePtr framed_control(const wire::pb::Control& control) {
   net::MessageBuffer buffer;
   wire::encode_control(control, buffer.appendable());
-  return net::seal(std::move(buffer));
+  return net::frame_message(std::move(buffer));
 }
 
 }  // namespace roomcast::hub

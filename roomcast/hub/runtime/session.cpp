@@ -108,14 +108,15 @@ void Session::tell_time(const wire::pb::ClockPing& ping) {
   pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
   pong.mutable_clock_pong()->set_hub_ns(
       static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
-  if (!send_control(sealed_control(pong))) {
+  if (!send_control(framed_control(pong))) {
     disconnect(pb::ERROR_TOO_SLOW, "control messages pile up unread");
   }
 }
 
-net::SealedMessagePtr Session::next_message() {
-  auto message = outbox_.next();
-  if (auto sensors = outbox_.take_key_needs(); !sensors.empty()) hub_.on_key_needs(id_, sensors);
+net::FramedMessagePtr Session::next_message() {
+  auto message = send_queue_.next();
+  if (auto sensors = send_queue_.take_key_needs(); !sensors.empty())
+    hub_.on_key_needs(id_, sensors);
   return message;
 }
 
@@ -130,14 +131,14 @@ void Session::accept(Role role) {
   if (role == Role::kSensor) connection_.set_max_message_bytes(wire::kMaxFrameBytes);
 }
 
-bool Session::send_control(net::SealedMessagePtr message) {
-  if (!outbox_.push_control(std::move(message))) return false;
+bool Session::send_control(net::FramedMessagePtr message) {
+  if (!send_queue_.push_control(std::move(message))) return false;
   connection_.wake();
   return true;
 }
 
 void Session::send_set(FrameSetPtr set) {
-  outbox_.push_set(std::move(set));
+  send_queue_.push_set(std::move(set));
   connection_.wake();
 }
 
@@ -145,7 +146,7 @@ void Session::disconnect(pb::ErrorCode code, const std::string& sentence) {
   pb::Control control;
   control.mutable_error()->set_code(code);
   control.mutable_error()->set_sentence(sentence);
-  connection_.close_after(sealed_control(control), close_code_of(code), sentence);
+  connection_.close_after(framed_control(control), close_code_of(code), sentence);
 }
 
 void Session::refuse(const Error& error) {

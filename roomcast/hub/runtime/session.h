@@ -13,7 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/room/room_action.h"
-#include "roomcast/hub/runtime/outbox.h"
+#include "roomcast/hub/runtime/send_queue.h"
 #include "roomcast/net/websocket_connection.h"
 #include "roomcast/wire/control.pb.h"
 #include "roomcast/wire/frame_header.h"
@@ -22,7 +22,7 @@
 namespace roomcast::hub {
 
 /// Who knocks.
-struct Arrival {
+struct ConnectionInfo {
   ConnectionId from;
   std::string address;  // "192.0.2.7:50312"
   std::string peer;     // for counting and banning
@@ -36,7 +36,7 @@ class SessionEvents {
  public:
   virtual ~SessionEvents() = default;
   /// Once for each session, before everything else.
-  virtual void on_join(const Arrival& arrival, const wire::pb::Join& join) = 0;
+  virtual void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) = 0;
   virtual void on_control(ConnectionId from, const wire::pb::Control& message) = 0;
   virtual void on_frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message) = 0;
@@ -63,7 +63,7 @@ class Session final : public net::ConnectionHandler {
           const Clock& clock, const SessionLimits& limits = {});
 
   void on_message(net::MessageBuffer message) override;
-  net::SealedMessagePtr next_message() override;
+  net::FramedMessagePtr next_message() override;
   void on_closed(const net::CloseReason& reason) override;
 
   /// The room has taken it in.
@@ -75,10 +75,10 @@ class Session final : public net::ConnectionHandler {
   [[nodiscard]] bool has_joined() const { return has_joined_; }
 
   /// False when the peer lets its control messages pile up: disconnect it.
-  [[nodiscard]] bool send_control(net::SealedMessagePtr message);
+  [[nodiscard]] bool send_control(net::FramedMessagePtr message);
   void send_set(FrameSetPtr set);
-  [[nodiscard]] std::uint64_t dropped_sets() const { return outbox_.dropped_sets(); }
-  void restart_sensor(SensorId sensor) { outbox_.forget(sensor); }
+  [[nodiscard]] std::uint64_t dropped_sets() const { return send_queue_.dropped_sets(); }
+  void restart_sensor(SensorId sensor) { send_queue_.forget(sensor); }
 
   /// Says why and closes. Nothing more comes from it but on_left.
   void disconnect(wire::pb::ErrorCode code, const std::string& sentence);
@@ -94,7 +94,7 @@ class Session final : public net::ConnectionHandler {
   net::WebSocketConnection& connection_;
   SessionEvents& hub_;
   const Clock& clock_;
-  Outbox outbox_;
+  SendQueue send_queue_;
   const SessionLimits limits_;
   bool has_joined_ = false;
   bool is_accepted_ = false;

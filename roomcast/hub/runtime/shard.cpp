@@ -58,7 +58,7 @@ void Shard::accept(ConnectionId connection, Role role, RoomId room) {
   });
 }
 
-void Shard::send_control(std::vector<ConnectionId> to, net::SealedMessagePtr message) {
+void Shard::send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message) {
   asio::dispatch(place_.io, [this, to = std::move(to), message = std::move(message)] {
     for (const ConnectionId connection : to) {
       Session* session = find(connection);
@@ -116,8 +116,9 @@ void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::s
 
 // ---- to the room
 
-void Shard::on_join(const Arrival& arrival, const wire::pb::Join& join) {
-  asio::dispatch(place_.room_io, [this, arrival, join] { room_.on_join(arrival, join); });
+void Shard::on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) {
+  asio::dispatch(place_.room_io,
+                 [this, connection_info, join] { room_.on_join(connection_info, join); });
 }
 
 void Shard::on_control(ConnectionId from, const wire::pb::Control& message) {

@@ -71,7 +71,7 @@ class Shard final : public SessionEvents {
 
   // Any thread. What is for a connection that has gone is dropped.
   void accept(ConnectionId connection, Role role, RoomId room);
-  void send_control(std::vector<ConnectionId> to, net::SealedMessagePtr message);
+  void send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message);
   void send_set(RoomId room, FrameSetPtr set);
   void restart_sensor(RoomId room, SensorId sensor);
   void disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence);
@@ -81,7 +81,7 @@ class Shard final : public SessionEvents {
   void report_traffic(std::function<void(ShardTraffic)> to);
 
   // From the sessions.
-  void on_join(const Arrival& arrival, const wire::pb::Join& join) override;
+  void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) override;
   void on_control(ConnectionId from, const wire::pb::Control& message) override;
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
                 net::MessageBuffer message) override;

@@ -4,7 +4,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/hub/server/hub_server_fixture.h"
-#include "roomcast/hub/store/hub_book.h"
+#include "roomcast/hub/store/hub_store.h"
 
 namespace roomcast::hub {
 namespace {
@@ -66,7 +66,7 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
   }
 
   UnixSeconds now = wall_time();
-  std::unique_ptr<HubBook> book = *HubBook::open(folder.path(), [this] { return now; });
+  std::unique_ptr<HubStore> book = *HubStore::open(folder.path(), [this] { return now; });
 };
 
 TEST_F(HubAccessTest, without_a_token_a_room_that_asks_for_one_is_closed) {
@@ -157,7 +157,7 @@ TEST_F(HubAccessTest, nobody_sends_as_a_sensor_that_is_here) {
 
 TEST_F(HubAccessTest, a_frame_before_the_welcome_ends_the_connection) {
   const auto hasty =
-      connect({sealed_control(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor))),
+      connect({framed_control(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor))),
                key_frame(0)});
   run_until([&] { return hasty->closed.has_value(); });
   EXPECT_EQ(hasty->heard.back().error().code(), pb::ERROR_UNEXPECTED);
@@ -192,7 +192,7 @@ TEST_F(HubDoorTest, one_address_cannot_take_all_the_places_and_who_is_inside_tak
     const auto viewer = connect(viewer_join());
     run_until([&] { return !viewer->heard.empty(); });
   }
-  for (int i = 0; i < 4; ++i) (void)connect(std::deque<net::SealedMessagePtr>());
+  for (int i = 0; i < 4; ++i) (void)connect(std::deque<net::FramedMessagePtr>());
   bool answered = false;
   net::connect(io, {.host = "127.0.0.1", .port = hub->port()}, {}, [&](const auto& connection) {
     answered = true;

@@ -8,7 +8,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/hub/server/hub_server_fixture.h"
-#include "roomcast/hub/store/hub_book.h"
+#include "roomcast/hub/store/hub_store.h"
 
 namespace roomcast::hub {
 namespace {
@@ -71,7 +71,7 @@ class HubBanTest : protected WithFolder, public HubServerTest {
   }
 
   UnixSeconds now = wall_time();
-  std::unique_ptr<HubBook> book = *HubBook::open(folder.path(), [this] { return now; });
+  std::unique_ptr<HubStore> book = *HubStore::open(folder.path(), [this] { return now; });
 };
 
 TEST_F(HubBanTest, an_address_with_bad_tokens_is_no_longer_listened_to) {

@@ -19,16 +19,17 @@ constexpr char kNoPage[] =
 
 }  // namespace
 
-HubPages::HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
-                   boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
-                   RoomRecordings* recordings, const LogSink& log)
+HubPages::HubPages(std::optional<net::StaticSite> site, RoomRegistry& hall,
+                   StoreWorker& store_worker, boost::asio::io_context& rooms_io,
+                   bool metrics_for_anyone, std::string version, RoomRecordings* recordings,
+                   const LogSink& log)
     : site_(std::move(site)),
       hall_(hall),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
-      door_(hall, desk, log),
-      admin_(hall, desk, std::move(version), recordings, log) {}
+      door_(hall, store_worker, log),
+      admin_(hall, store_worker, std::move(version), recordings, log) {}
 
 std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};
@@ -38,7 +39,7 @@ std::optional<net::HttpResponse> HubPages::find(std::string_view path) const {
   if (site_) {
     auto page = site_->find(path);
     if (!page) return page;
-    page->headers.emplace_back("Content-Security-Policy", other_sites_.policy());
+    page->headers.emplace_back("Content-Security-Policy", peer_origins_.policy());
     // The policy of a worker comes with its script: a browser asks whether it still holds.
     if (page->content_type.starts_with("text/javascript")) page->cache_control = "no-cache";
     return page;

@@ -12,10 +12,10 @@
 #include <boost/asio/io_context.hpp>
 
 #include "roomcast/hub/admin/admin_api.h"
-#include "roomcast/hub/admin/admin_door.h"
-#include "roomcast/hub/runtime/room_hall.h"
-#include "roomcast/hub/server/other_sites.h"
-#include "roomcast/hub/store/desk.h"
+#include "roomcast/hub/admin/admin_auth.h"
+#include "roomcast/hub/runtime/room_registry.h"
+#include "roomcast/hub/server/peer_origins.h"
+#include "roomcast/hub/store/store_worker.h"
 #include "roomcast/net/http_request.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/static_site.h"
@@ -24,7 +24,7 @@ namespace roomcast::hub {
 
 class HubPages {
  public:
-  HubPages(std::optional<net::StaticSite> site, RoomHall& hall, Desk& desk,
+  HubPages(std::optional<net::StaticSite> site, RoomRegistry& hall, StoreWorker& store_worker,
            boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
            RoomRecordings* recordings, const LogSink& log);
 
@@ -36,7 +36,7 @@ class HubPages {
 
   [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
   /// Hubs beside this one. On the door's thread, as find().
-  [[nodiscard]] OtherSites& other_sites() { return other_sites_; }
+  [[nodiscard]] PeerOrigins& peer_origins() { return peer_origins_; }
   void answer(net::HttpRequest request, net::Respond respond);
 
  private:
@@ -45,14 +45,14 @@ class HubPages {
   [[nodiscard]] net::HttpResponse metrics() const;
 
   const std::optional<net::StaticSite> site_;
-  RoomHall& hall_;
+  RoomRegistry& hall_;
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
   const std::string version_;
-  AdminDoor door_;
+  AdminAuth door_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
-  OtherSites other_sites_;
+  PeerOrigins peer_origins_;
 };
 
 }  // namespace roomcast::hub

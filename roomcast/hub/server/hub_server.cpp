@@ -13,10 +13,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "roomcast/hub/runtime/room_hall.h"
+#include "roomcast/hub/runtime/room_registry.h"
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/server/hub_pages.h"
-#include "roomcast/hub/store/desk.h"
+#include "roomcast/hub/store/store_worker.h"
 #include "roomcast/net/http_server.h"
 
 namespace roomcast::hub {
@@ -46,7 +46,7 @@ std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
 
 class HubServer::Loop {
  public:
-  Loop(HubOptions options, std::unique_ptr<HubBook> book, std::optional<net::StaticSite> site);
+  Loop(HubOptions options, std::unique_ptr<HubStore> book, std::optional<net::StaticSite> site);
   ~Loop();
 
   /// Before any room is opened.
@@ -71,41 +71,43 @@ class HubServer::Loop {
   std::vector<std::unique_ptr<asio::io_context>> loops_;
   std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
   std::vector<std::unique_ptr<Shard>> shards_;
-  std::unique_ptr<Desk> desk_;
-  std::unique_ptr<RoomHall> hall_;
+  std::unique_ptr<StoreWorker> store_worker_;
+  std::unique_ptr<RoomRegistry> hall_;
   std::unique_ptr<Backplane> backplane_;
   std::unique_ptr<HubPages> pages_;
   std::unique_ptr<net::HttpServer> http_;
 };
 
-HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubBook> book,
+HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
                       std::optional<net::StaticSite> site)
     : options_(std::move(options)), own_token_(book->sign_own()) {
   const std::size_t count = std::max<std::size_t>(options_.threads, 1);
   for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
-  desk_ = std::make_unique<Desk>(std::move(book), io());
-  hall_ = std::make_unique<RoomHall>(RoomHallOptions{.hub_version = ROOMCAST_VERSION,
-                                                     .recalls_poses = options_.recalls_poses,
-                                                     .configured_rooms = names_of(options_.rooms),
-                                                     .bans = options_.limits.bans,
-                                                     .never_banned = options_.limits.proxies,
-                                                     .on_in_use = options_.on_room_in_use,
-                                                     .log = options_.log},
-                                     io(), *desk_, shards_);
+  store_worker_ = std::make_unique<StoreWorker>(std::move(book), io());
+  hall_ = std::make_unique<RoomRegistry>(
+      RoomRegistryOptions{.hub_version = ROOMCAST_VERSION,
+                          .recalls_poses = options_.recalls_poses,
+                          .configured_rooms = names_of(options_.rooms),
+                          .bans = options_.limits.bans,
+                          .never_banned = options_.limits.proxies,
+                          .on_in_use = options_.on_room_in_use,
+                          .log = options_.log},
+      io(), *store_worker_, shards_);
   for (std::size_t i = 0; i < count; ++i) {
     shards_.push_back(std::make_unique<Shard>(
         Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
-  pages_ =
-      std::make_unique<HubPages>(std::move(site), *hall_, *desk_, io(), options_.metrics_for_anyone,
-                                 ROOMCAST_VERSION, options_.recordings.get(), options_.log);
+  pages_ = std::make_unique<HubPages>(std::move(site), *hall_, *store_worker_, io(),
+                                      options_.metrics_for_anyone, ROOMCAST_VERSION,
+                                      options_.recordings.get(), options_.log);
 }
 
-// The desk first: nothing is asked of it any more, and its last answers go to a loop that is still
-// there. The rooms' loop goes before the door: an answer that it would have given goes out there.
+// The store_worker first: nothing is asked of it any more, and its last answers go to a loop that
+// is still there. The rooms' loop goes before the door: an answer that it would have given goes out
+// there.
 HubServer::Loop::~Loop() {
-  desk_.reset();
+  store_worker_.reset();
   http_.reset();
   pages_.reset();
   backplane_.reset();
@@ -126,7 +128,7 @@ Status HubServer::Loop::open_backplane() {
        .name_hubs =
            [this](std::vector<std::string> urls) {
              asio::post(*door_,
-                        [this, urls = std::move(urls)] { pages_->other_sites().are(urls); });
+                        [this, urls = std::move(urls)] { pages_->peer_origins().are(urls); });
            }});
   if (!opened) return opened.error();
   backplane_ = *std::move(opened);
@@ -145,7 +147,7 @@ net::HttpServerOptions HubServer::Loop::http_options() {
   http.port = options_.port;
   http.tls = options_.tls;
   http.names = options_.names;
-  http.knows_site = [this](std::string_view origin) { return pages_->other_sites().has(origin); };
+  http.knows_site = [this](std::string_view origin) { return pages_->peer_origins().has(origin); };
   http.on_get = [this](std::string_view path) { return pages_->find(path); };
   http.request_paths = HubPages::request_paths();
   http.on_request = [this](net::HttpRequest request, net::Respond respond) {
@@ -217,7 +219,7 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     if (!loaded) return loaded.error();
     site = std::move(*loaded);
   }
-  auto book = HubBook::open(options.data_folder);
+  auto book = HubStore::open(options.data_folder);
   if (!book) return book.error();
   const auto kept = (*book)->rooms().load();
   if (!kept) return kept.error();

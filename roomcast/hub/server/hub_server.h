@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // HubServer: rooms on a port. The rooms' state and timers live on the thread that runs it; its
 // connections are dealt out among that one and others (Shard); what it keeps is in the care of one
-// more (Desk). Threading: open() and run() on one thread; the rest from any.
+// more (StoreWorker). Threading: open() and run() on one thread; the rest from any.
 #pragma once
 
 #include <chrono>

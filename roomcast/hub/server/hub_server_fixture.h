@@ -31,7 +31,7 @@ namespace pb = wire::pb;
 /// Speaks to the hub in bytes; remembers what it said.
 class RawClient final : public net::ConnectionHandler {
  public:
-  explicit RawClient(std::deque<net::SealedMessagePtr> to_send) : to_send_(std::move(to_send)) {}
+  explicit RawClient(std::deque<net::FramedMessagePtr> to_send) : to_send_(std::move(to_send)) {}
   void on_message(net::MessageBuffer message) override {
     if (*wire::message_type(message.payload()) == wire::MessageType::kFrame) {
       frames.push_back(*wire::parse_frame(message.payload()));
@@ -41,7 +41,7 @@ class RawClient final : public net::ConnectionHandler {
     ASSERT_TRUE(control.ok());
     heard.push_back(std::move(*control));
   }
-  net::SealedMessagePtr next_message() override {
+  net::FramedMessagePtr next_message() override {
     if (to_send_.empty()) return nullptr;
     auto message = to_send_.front();
     to_send_.pop_front();
@@ -49,20 +49,20 @@ class RawClient final : public net::ConnectionHandler {
   }
   void on_closed(const net::CloseReason& reason) override { closed = reason; }
 
-  void say(net::SealedMessagePtr message) { to_send_.push_back(std::move(message)); }
+  void say(net::FramedMessagePtr message) { to_send_.push_back(std::move(message)); }
 
   std::vector<pb::Control> heard;
   std::vector<wire::FrameHeader> frames;
   std::optional<net::CloseReason> closed;
 
  private:
-  std::deque<net::SealedMessagePtr> to_send_;
+  std::deque<net::FramedMessagePtr> to_send_;
 };
 
-inline net::SealedMessagePtr clock_ping(std::uint64_t client_ns) {
+inline net::FramedMessagePtr clock_ping(std::uint64_t client_ns) {
   pb::Control control;
   control.mutable_clock_ping()->set_client_ns(client_ns);
-  return sealed_control(control);
+  return framed_control(control);
 }
 
 inline void set_camera(pb::Intrinsics& camera) {
@@ -86,14 +86,14 @@ inline pb::Control sensor_join(const std::string& name) {
   return control;
 }
 
-inline net::SealedMessagePtr key_frame(std::uint32_t seq) {
+inline net::FramedMessagePtr key_frame(std::uint32_t seq) {
   const wire::FrameHeader header{.key = true,
                                  .seq = seq,
                                  .capture_time = RoomTime(SteadyClock().now().time_since_epoch()),
                                  .base_seq = seq};
   std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
   wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
-  return net::seal(net::MessageBuffer(bytes));
+  return net::frame_message(net::MessageBuffer(bytes));
 }
 
 inline pb::Control viewer_join() {
@@ -118,9 +118,9 @@ class HubServerTest : public testing::Test {
 
   /// A connected client that is about to say this.
   std::shared_ptr<RawClient> connect(const pb::Control& first) {
-    return connect(std::deque{sealed_control(first)});
+    return connect(std::deque{framed_control(first)});
   }
-  std::shared_ptr<RawClient> connect(std::deque<net::SealedMessagePtr> to_send) {
+  std::shared_ptr<RawClient> connect(std::deque<net::FramedMessagePtr> to_send) {
     auto client = std::make_shared<RawClient>(std::move(to_send));
     const net::HubUrl url{.host = "127.0.0.1", .port = hub->port()};
     bool answered = false;

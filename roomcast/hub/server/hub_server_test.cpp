@@ -17,7 +17,7 @@ TEST_F(HubServerTest, a_viewer_is_welcomed_and_told_who_is_there) {
 
 TEST_F(HubServerTest, nonsense_is_answered_with_a_reason_and_a_closed_door) {
   const auto stranger =
-      connect({net::seal(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
+      connect({net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
   ASSERT_EQ(stranger->heard.size(), 1u);
   EXPECT_EQ(stranger->heard[0].error().code(), pb::ERROR_MALFORMED);
@@ -29,7 +29,7 @@ TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
   const auto viewer = connect(viewer_join());
   run_until([&] { return viewer->heard.size() >= 2; });
   const auto stranger =
-      connect({net::seal(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
+      connect({net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
   const auto another = connect(viewer_join());
   run_until([&] { return another->heard.size() >= 2 && viewer->heard.size() >= 3; });
@@ -39,7 +39,7 @@ TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
 
 TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
   const auto before = SteadyClock().now();
-  const auto viewer = connect({sealed_control(viewer_join()), clock_ping(5)});
+  const auto viewer = connect({framed_control(viewer_join()), clock_ping(5)});
   const auto pong = [&] {
     return std::ranges::find_if(viewer->heard, [](const auto& m) { return m.has_clock_pong(); });
   };
@@ -94,19 +94,19 @@ class ImpatientHubTest : public HubServerTest {
 };
 
 TEST_F(ImpatientHubTest, who_says_nothing_is_shown_the_door) {
-  const auto silent = connect(std::deque<net::SealedMessagePtr>());
+  const auto silent = connect(std::deque<net::FramedMessagePtr>());
   run_until([&] { return silent->closed.has_value(); });
   EXPECT_EQ(silent->heard.at(0).error().code(), pb::ERROR_UNEXPECTED);
 }
 
 TEST_F(HubServerTest, joining_twice_ends_the_connection) {
-  const auto viewer = connect({sealed_control(viewer_join()), sealed_control(viewer_join())});
+  const auto viewer = connect({framed_control(viewer_join()), framed_control(viewer_join())});
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_UNEXPECTED);
 }
 
 TEST_F(HubServerTest, control_messages_of_strangers_are_small) {
-  const auto stranger = connect({net::seal(
+  const auto stranger = connect({net::frame_message(
       net::MessageBuffer(std::vector<std::uint8_t>(wire::kMaxControlFromClientBytes + 1, 0)))});
   run_until([&] { return stranger->closed.has_value(); });
   EXPECT_EQ(stranger->closed->code, net::close_code::kTooLarge);
@@ -119,8 +119,8 @@ class SmallHubTest : public HubServerTest {
 
 TEST_F(SmallHubTest, so_many_may_wait_at_the_door_and_no_more) {
   std::vector<std::shared_ptr<RawClient>> crowd;
-  for (int i = 0; i < 8; ++i) crowd.push_back(connect(std::deque<net::SealedMessagePtr>()));
-  const auto one_more = connect(std::deque<net::SealedMessagePtr>());
+  for (int i = 0; i < 8; ++i) crowd.push_back(connect(std::deque<net::FramedMessagePtr>()));
+  const auto one_more = connect(std::deque<net::FramedMessagePtr>());
   run_until([&] { return one_more->closed.has_value(); });
   EXPECT_EQ(one_more->closed->code, net::close_code::kTryAgainLater);
 }

@@ -28,7 +28,7 @@ pb::Control aligner_join() {
 
 pb::Control hub_join() {
   pb::Control control = viewer_join();
-  control.mutable_join()->mutable_viewer()->set_serves_on(true);
+  control.mutable_join()->mutable_viewer()->set_relays(true);
   return control;
 }
 
@@ -56,7 +56,7 @@ class SessionLimitsTest : public HubServerTest {
   }
 
   /// `client` came last.
-  void say(RawClient& client, int times, const net::SealedMessagePtr& message = clock_ping(1)) {
+  void say(RawClient& client, int times, const net::FramedMessagePtr& message = clock_ping(1)) {
     for (int i = 0; i < times; ++i) client.say(message);
     sockets.back()->wake();
   }
@@ -81,10 +81,10 @@ TEST_F(SessionLimitsTest, who_sends_more_than_its_role_may_is_cut_off) {
 }
 
 TEST_F(SessionLimitsTest, who_has_not_joined_may_send_as_a_viewer) {
-  std::deque<net::SealedMessagePtr> said(30, clock_ping(1));
+  std::deque<net::FramedMessagePtr> said(30, clock_ping(1));
   pb::Control join = sensor_join("left");
   join.mutable_join()->set_room("nowhere");
-  said.front() = sealed_control(join);
+  said.front() = framed_control(join);
   const auto stranger = connect(std::move(said));
   run_until([&] { return stranger->closed.has_value(); });
   EXPECT_LE(pongs(*stranger), 9);
@@ -104,7 +104,7 @@ TEST_F(SmallMessagesTest, who_sends_larger_messages_than_its_role_may_is_cut_off
   pose.mutable_clock_ping()->set_client_ns(1);
   pose.GetReflection()->MutableUnknownFields(&pose)->AddLengthDelimited(1000,
                                                                         std::string(3000, 'x'));
-  const auto large = sealed_control(pose);
+  const auto large = framed_control(pose);
   const auto viewer = welcomed(viewer_join());
   say(*viewer, 2, large);
   run_until([&] { return viewer->closed.has_value(); });

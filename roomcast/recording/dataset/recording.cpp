@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNanosecondsPerSecond = 1e9;
+constexpr double kSecond_ns = 1e9;
 constexpr double kFpsOfOneFrame = 30;  // a single frame says nothing of its rate
 
 nanoseconds seconds(double s) {
-  return nanoseconds(std::llround(s * kNanosecondsPerSecond));
+  return nanoseconds(std::llround(s * kSecond_ns));
 }
 
 /// The number that a file is named by: depth/000017.png -> 17.
@@ -96,7 +96,7 @@ Result<std::vector<RecordedFrame>> read_frames(const fs::path& folder,
 /// A whole number of frame periods, so that a loop does not shift the frames against the room's
 /// frame sets.
 nanoseconds duration_of(nanoseconds first, nanoseconds last, double fps) {
-  const double frames = std::round(double((last - first).count()) / kNanosecondsPerSecond * fps);
+  const double frames = std::round(double((last - first).count()) / kSecond_ns * fps);
   return seconds((frames + 1) / fps);
 }
 
@@ -108,7 +108,7 @@ double median_fps(const std::vector<ListedFile>& files) {
   }
   const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
-  return std::min(kNanosecondsPerSecond / static_cast<double>(middle->count()), kMaxFps);
+  return std::min(kSecond_ns / static_cast<double>(middle->count()), kMaxFps);
 }
 
 const RigSensorEntry* find_sensor(const RigDescription& rig, const std::string& id) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxListBytes = 64U << 20U;
 constexpr std::int64_t kLargestSeconds = 9'000'000'000;  // as nanoseconds they fit into 63 bits
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+constexpr std::int64_t kWholeSecond_ns = 1'000'000'000;
 constexpr std::size_t kFractionDigits = 9;
 
 bool all_digits(std::string_view text) {
@@ -78,7 +78,7 @@ bool parse_seconds(std::string_view text, nanoseconds& time) {
   fraction = fraction.substr(0, kFractionDigits);
   std::int64_t ns = fraction.empty() ? 0 : number(fraction);
   for (std::size_t digits = fraction.size(); digits < kFractionDigits; ++digits) ns *= 10;
-  ns += number(whole) * kNanosecondsPerSecond;
+  ns += number(whole) * kWholeSecond_ns;
   time = nanoseconds(negative ? -ns : ns);
   return true;
 }

@@ -53,7 +53,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSens
   if (!target) return target.error();
   auto renderer = RoomRenderer::create();
   if (!renderer) return renderer.error();
-  RoomLook look;
+  RenderOptions look;
   look.floor_grid = false;
   if (auto status = renderer->set_look(look); !status) return status.error();
   return std::unique_ptr<FilmWriter>(new FilmWriter(

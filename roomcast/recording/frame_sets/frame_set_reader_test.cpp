@@ -5,16 +5,16 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/dataset/rig_writer.h"
-#include "roomcast/recording/made_up_recording.h"
+#include "roomcast/recording/room/recording_fixture.h"
 
 namespace roomcast {
 namespace {
 
-using recording::MadeUpRoom;
+using recording::RecordingFixtureRoom;
 
 TEST(FrameSetReader, gives_the_sets_of_a_recording) {
   const TemporaryFolder folder;
-  MadeUpRoom().record(folder / "a.mcap", 12);
+  RecordingFixtureRoom().record(folder / "a.mcap", 12);
   auto reader = open_frame_sets(folder / "a.mcap");
   ASSERT_TRUE(reader.ok()) << reader.error().message;
   ASSERT_EQ((*reader)->sensors().size(), 2u);
@@ -25,7 +25,7 @@ TEST(FrameSetReader, gives_the_sets_of_a_recording) {
     EXPECT_EQ(set.number, static_cast<std::uint64_t>(instant));
     ASSERT_EQ(set.frames.size(), 2u);
     for (const SetFrame& frame : set.frames) {
-      EXPECT_EQ(frame.pictures->depth_mm, MadeUpRoom::depth(instant));
+      EXPECT_EQ(frame.pictures->depth_mm, RecordingFixtureRoom::depth(instant));
       ASSERT_TRUE(frame.world_from_depth.has_value());
       EXPECT_EQ(frame.world_from_depth->translation_m.x(), 0.5 * static_cast<double>(frame.sensor));
     }
@@ -35,34 +35,35 @@ TEST(FrameSetReader, gives_the_sets_of_a_recording) {
 
 TEST(FrameSetReader, says_whether_a_recording_may_be_exported) {
   const TemporaryFolder folder;
-  MadeUpRoom().record(folder / "a.mcap", 12);
+  RecordingFixtureRoom().record(folder / "a.mcap", 12);
   EXPECT_TRUE((*open_frame_sets(folder / "a.mcap"))->may_be_exported());
   auto writer = recording::RoomRecordingWriter::create(folder / "b.mcap", "lab");
-  MadeUpRoom room;
+  RecordingFixtureRoom room;
   ASSERT_TRUE(writer->forbid_export().ok());
-  ASSERT_TRUE(writer->add_roster(room.roster(), MadeUpRoom::came(0)).ok());
-  ASSERT_TRUE(writer->add_frame(room.frame(0, 0), MadeUpRoom::came(0)).ok());
+  ASSERT_TRUE(writer->add_roster(room.roster(), RecordingFixtureRoom::came(0)).ok());
+  ASSERT_TRUE(writer->add_frame(room.frame(0, 0), RecordingFixtureRoom::came(0)).ok());
   ASSERT_TRUE(writer->finish().ok());
   EXPECT_FALSE((*open_frame_sets(folder / "b.mcap"))->may_be_exported());
 }
 
 TEST(FrameSetReader, begins_where_it_is_told_to) {
   const TemporaryFolder folder;
-  MadeUpRoom().record(folder / "a.mcap", 40);
+  RecordingFixtureRoom().record(folder / "a.mcap", 40);
   auto reader = open_frame_sets(folder / "a.mcap", std::chrono::milliseconds(2750));
   FrameSet set;
   ASSERT_TRUE(*(*reader)->next(set));
-  EXPECT_EQ(set.frames[0].pictures->depth_mm, MadeUpRoom::depth(28));
+  EXPECT_EQ(set.frames[0].pictures->depth_mm, RecordingFixtureRoom::depth(28));
 }
 
 /// Two sensors of which the second's clock is 3 s ahead; its second frame was lost.
 void write_rig(const std::filesystem::path& folder) {
   std::vector<RigSensor> sensors(2);
   for (int i = 0; i < 2; ++i) {
-    sensors[static_cast<std::size_t>(i)].description.name = MadeUpRoom::name(i);
-    sensors[static_cast<std::size_t>(i)].description.calibration = MadeUpRoom::calibration();
+    sensors[static_cast<std::size_t>(i)].description.name = RecordingFixtureRoom::name(i);
+    sensors[static_cast<std::size_t>(i)].description.calibration =
+        RecordingFixtureRoom::calibration();
     sensors[static_cast<std::size_t>(i)].description.world_from_depth =
-        MadeUpRoom::world_from_depth(i);
+        RecordingFixtureRoom::world_from_depth(i);
   }
   sensors[1].clock_offset_s = 3;
   auto writer = RigWriter::create(folder, 10, sensors);
@@ -71,11 +72,11 @@ void write_rig(const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (i == 1 && instant == 1) continue;
       CapturedFrame frame;
-      frame.depth_mm = MadeUpRoom::depth(instant);
-      frame.color = MadeUpRoom::color(static_cast<int>(i));
+      frame.depth_mm = RecordingFixtureRoom::depth(instant);
+      frame.color = RecordingFixtureRoom::color(static_cast<int>(i));
       frame.index = static_cast<std::uint64_t>(instant);
       const nanoseconds ahead = i == 1 ? std::chrono::seconds(3) : std::chrono::seconds(0);
-      ASSERT_TRUE(writer->add(i, frame, instant * MadeUpRoom::kPeriod + ahead).ok());
+      ASSERT_TRUE(writer->add(i, frame, instant * RecordingFixtureRoom::kPeriod + ahead).ok());
     }
   }
   ASSERT_TRUE(writer->finish().ok());
@@ -90,9 +91,9 @@ TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
   for (int instant = 0; instant < 4; ++instant) {
     ASSERT_TRUE(*(*reader)->next(set));
     ASSERT_EQ(set.frames.size(), 2u);
-    EXPECT_EQ(set.frames[0].pictures->depth_mm, MadeUpRoom::depth(instant));
+    EXPECT_EQ(set.frames[0].pictures->depth_mm, RecordingFixtureRoom::depth(instant));
     const int shown = instant == 1 ? 0 : instant;  // its last one, where it has lost one
-    EXPECT_EQ(set.frames[1].pictures->depth_mm, MadeUpRoom::depth(shown));
+    EXPECT_EQ(set.frames[1].pictures->depth_mm, RecordingFixtureRoom::depth(shown));
     EXPECT_NEAR(set.frames[1].pictures->color.at(30, 20).r, 160, 4);
   }
   EXPECT_FALSE(*(*reader)->next(set));

@@ -11,10 +11,6 @@
 namespace roomcast::mcap {
 namespace {
 
-Error damaged(const std::string& what) {
-  return {ErrorCode::kMalformed, what};
-}
-
 /// Replaces the compressed records in `chunk`, which lie in `bytes`, by what they were.
 Status decompress(StoredChunk& chunk, Bytes& bytes) {
   if (chunk.uncompressed_size > kMaxChunkBytes)
@@ -27,7 +23,8 @@ Status decompress(StoredChunk& chunk, Bytes& bytes) {
   Bytes plain(static_cast<std::size_t>(chunk.uncompressed_size));
   const std::size_t size =
       ZSTD_decompress(plain.data(), plain.size(), chunk.records.data(), chunk.records.size());
-  if (ZSTD_isError(size) || size != plain.size()) return damaged("a chunk cannot be decompressed");
+  if (ZSTD_isError(size) || size != plain.size())
+    return malformed("a chunk cannot be decompressed");
   bytes = std::move(plain);
   chunk.records = bytes;
   return {};
@@ -58,16 +55,17 @@ Result<ChunkContents> open_chunk(Bytes record) {
   ChunkContents contents;
   contents.bytes = std::move(record);
   auto chunk = read_chunk(contents.bytes);
-  if (!chunk) return damaged("a chunk is cut off");
+  if (!chunk) return malformed("a chunk is cut off");
   if (auto status = decompress(*chunk, contents.bytes); !status) return status.error();
-  if (chunk->records.size() != chunk->uncompressed_size) return damaged("a chunk has a wrong size");
+  if (chunk->records.size() != chunk->uncompressed_size)
+    return malformed("a chunk has a wrong size");
   const bool checked = chunk->uncompressed_crc == 0 ||
                        crc32(std::as_bytes(chunk->records)) == chunk->uncompressed_crc;
-  if (!checked) return damaged("the checksum of a chunk is wrong");
+  if (!checked) return malformed("the checksum of a chunk is wrong");
   ByteView records = chunk->records;
   while (!records.empty()) {
     const auto taken = take_record(records);
-    if (!taken || !take(*taken, contents)) return damaged("a record in a chunk is damaged");
+    if (!taken || !take(*taken, contents)) return malformed("a record in a chunk is damaged");
   }
   return contents;
 }

@@ -46,10 +46,6 @@ class SummaryWriter {
   std::vector<Group> groups_;
 };
 
-Error damaged(const std::string& what) {
-  return {ErrorCode::kMalformed, what};
-}
-
 /// Takes what the reader has use for; false when the record is damaged.
 bool take_summary_record(const Record& record, Summary& summary) {
   const auto put = [](auto& map, auto read) {
@@ -129,7 +125,7 @@ void add_to_summary(Summary& summary, ChunkIndex index,
 Result<Footer> read_footer(ByteView last_bytes) {
   if (last_bytes.size() != kFooterBytes + kMagic.size() ||
       !std::ranges::equal(last_bytes.last(kMagic.size()), kMagic)) {
-    return damaged("its end is missing");
+    return malformed("its end is missing");
   }
   FieldReader fields(last_bytes);
   const bool is_footer = Opcode{fields.u8()} == Opcode::kFooter && fields.u64() == 20;
@@ -137,21 +133,22 @@ Result<Footer> read_footer(ByteView last_bytes) {
   footer.summary_start = fields.u64();
   fields.u64();  // where the summary's offsets start: we read the summary from end to end
   footer.summary_crc = fields.u32();
-  if (!is_footer) return damaged("its last record is no footer");
+  if (!is_footer) return malformed("its last record is no footer");
   return footer;
 }
 
 Result<Summary> read_summary(ByteView section, const Footer& footer) {
   if (footer.summary_crc != 0 && crc32(std::as_bytes(section)) != footer.summary_crc) {
-    return damaged("the checksum of its summary is wrong");
+    return malformed("the checksum of its summary is wrong");
   }
   constexpr std::size_t kFooterStart = kRecordHeaderBytes + 16;  // of the footer, in `section`
-  if (section.size() < kFooterStart) return damaged("its summary is cut off");
+  if (section.size() < kFooterStart) return malformed("its summary is cut off");
   ByteView records = section.first(section.size() - kFooterStart);
   Summary summary;
   while (!records.empty()) {
     const auto record = take_record(records);
-    if (!record || !take_summary_record(*record, summary)) return damaged("its summary is damaged");
+    if (!record || !take_summary_record(*record, summary))
+      return malformed("its summary is damaged");
   }
   return summary;
 }

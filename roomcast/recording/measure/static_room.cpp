@@ -34,7 +34,7 @@ std::size_t sets_between(const FrameSetReader& reader) {
   double fps = 1;
   for (const SetSensor& sensor : reader.sensors()) fps = std::max(fps, sensor.fps);
   const double sets = fps * std::chrono::duration<double>(reader.length()).count();
-  return std::max<std::size_t>(1, static_cast<std::size_t>(sets / kMostStaticFrames));
+  return std::max<std::size_t>(1, static_cast<std::size_t>(sets / kMaxStaticFrames));
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Result<std::vector<StaticSensor>> gather_static_room(
   std::vector<Gathered> gathered(sensors.size());
   const std::size_t every = sets_between(reader);
   FrameSet set;
-  for (std::size_t sets = 0; sets < kMostStaticFrames;) {
+  for (std::size_t sets = 0; sets < kMaxStaticFrames;) {
     const auto more = reader.next(set);
     if (!more && sets == 0) return more.error();
     if (!more || !*more) break;

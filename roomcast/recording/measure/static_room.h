@@ -26,9 +26,9 @@ struct StaticSensor {
 };
 
 /// More frames than this say nothing new.
-inline constexpr std::size_t kMostStaticFrames = 30;
+inline constexpr std::size_t kMaxStaticFrames = 30;
 
-/// Reads up to kMostStaticFrames sets, evenly spread as far as the reader knows its length. Sensors
+/// Reads up to kMaxStaticFrames sets, evenly spread as far as the reader knows its length. Sensors
 /// that nobody has placed are left out, unless there is but one, which then is the world's origin.
 /// `progress` (may be empty) after each set. kNotFound when nothing can be measured in; kMalformed
 /// when the recording is damaged from its beginning.

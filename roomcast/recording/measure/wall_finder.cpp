@@ -15,7 +15,7 @@
 namespace roomcast {
 namespace {
 
-constexpr double kMostTilt = 0.2;  // of an upright surface's normal: some 12 degrees
+constexpr double kMaxTilt = 0.2;   // of an upright surface's normal: some 12 degrees
 constexpr double kNear_m = 0.05;   // of a line: noise and bias of readings
 constexpr double kSameWay = 0.94;  // cosine of 20 degrees
 constexpr double kCell_m = 0.1;    // of the grid on a wall that area is counted in
@@ -23,13 +23,13 @@ constexpr double kSmallestWall_m2 = 0.6;
 constexpr double kShortestWall_m = 0.4;
 constexpr double kTallEnough_m = 1.2;  // above the floor; what ends below is furniture
 constexpr double kBehind_m = 0.15;
-constexpr double kMostBehind = 0.12;     // share of a wall's cells with something seen behind
+constexpr double kMaxBehind = 0.12;      // share of a wall's cells with something seen behind
 constexpr double kNearlySquare = 0.985;  // cosine of 10 degrees
 constexpr double kSquareShare = 0.8;     // of its area, for a line that is made square
 constexpr double kBefore_m = 0.6;        // what stands before a wall
 constexpr double kCornerGap_m = 0.6;
 constexpr int kTriedLines = 400;  // for each wall
-constexpr std::size_t kMostWalls = 24;
+constexpr std::size_t kMaxWalls = 24;
 
 /// normal . p == offset_m
 struct Line {
@@ -203,7 +203,7 @@ bool has_things_behind(const Wall& wall, const Line& line, std::span<const Uprig
     if (line.distance_m(point.plan_m) < -kBehind_m) columns.insert(cell_of(along_m));
   }
   const double share = kCell_m * static_cast<double>(columns.size()) / wall.length_m();
-  return share > kMostBehind;
+  return share > kMaxBehind;
 }
 
 std::optional<Eigen::Vector2d> corner_of(const Wall& a, const Wall& b) {
@@ -244,7 +244,7 @@ void add_points(const StaticSensor& sensor, std::vector<UprightPoint>& out) {
       if (!points.has(x, y)) continue;
       const Eigen::Vector3d normal = rotation * points.normal(x, y).cast<double>();
       const Eigen::Vector3d world_m = sensor.world_from_depth * points.point_m(x, y).cast<double>();
-      if (std::abs(normal.y()) > kMostTilt || world_m.y() < kLowest_m || world_m.y() > kHighest_m)
+      if (std::abs(normal.y()) > kMaxTilt || world_m.y() < kLowest_m || world_m.y() > kHighest_m)
         continue;
       const double sigma_m = reading_sigma_m(points.z_m(x, y));
       out.push_back({{world_m.x(), world_m.z()},
@@ -266,7 +266,7 @@ std::vector<UprightPoint> upright_points(std::span<const StaticSensor> room) {
 std::vector<Wall> find_walls(std::span<const UprightPoint> all) {
   Points points(all.begin(), all.end());
   std::vector<Wall> walls;
-  for (std::size_t tries = 0; tries < kMostWalls && !points.empty(); ++tries) {
+  for (std::size_t tries = 0; tries < kMaxWalls && !points.empty(); ++tries) {
     const auto found = largest_line(points);
     if (!found) break;
     Line line = fitted(*found, points);

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/made_up_recording.h"
+#include "roomcast/recording/room/recording_fixture.h"
 
 namespace roomcast {
 namespace {
 
-using recording::MadeUpRoom;
+using recording::RecordingFixtureRoom;
 
 class ReplaySourceTest : public testing::Test {
  protected:
@@ -26,23 +26,23 @@ class ReplaySourceTest : public testing::Test {
 };
 
 TEST_F(ReplaySourceTest, gives_every_frame_as_it_was) {
-  MadeUpRoom().record(path, 12);
+  RecordingFixtureRoom().record(path, 12);
   auto source = open("s1");
   ASSERT_TRUE(source.ok()) << source.error().message;
   CapturedFrame frame;
   for (int instant = 0; instant < 12; ++instant) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
-    EXPECT_EQ(frame.depth_mm, MadeUpRoom::depth(instant));
+    EXPECT_EQ(frame.depth_mm, RecordingFixtureRoom::depth(instant));
     EXPECT_EQ(frame.index, static_cast<std::uint64_t>(instant));
-    EXPECT_EQ(frame.device_time, MadeUpRoom::capture(instant));
-    ASSERT_EQ(frame.color.width(), MadeUpRoom::kWidth);
+    EXPECT_EQ(frame.device_time, RecordingFixtureRoom::capture(instant));
+    ASSERT_EQ(frame.color.width(), RecordingFixtureRoom::kWidth);
     EXPECT_NEAR(frame.color.at(30, 20).r, 160, 6);
   }
   EXPECT_FALSE(*(*source)->next(frame, {}));
 }
 
 TEST_F(ReplaySourceTest, knows_where_the_sensor_stood) {
-  MadeUpRoom().record(path, 8, true, 5);
+  RecordingFixtureRoom().record(path, 8, true, 5);
   auto source = open("s1");
   const SensorDescription& description = (*source)->description();
   EXPECT_EQ(description.name, "s1");
@@ -53,24 +53,25 @@ TEST_F(ReplaySourceTest, knows_where_the_sensor_stood) {
 }
 
 TEST_F(ReplaySourceTest, starts_again_at_the_end) {
-  MadeUpRoom().record(path, 3);
+  RecordingFixtureRoom().record(path, 3);
   auto source = open("s0", true);
   CapturedFrame frame;
   std::vector<HostTime> times;
   for (int i = 0; i < 7; ++i) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
-    EXPECT_EQ(frame.depth_mm, MadeUpRoom::depth(i % 3));
+    EXPECT_EQ(frame.depth_mm, RecordingFixtureRoom::depth(i % 3));
     if (!times.empty()) {
       // At the border the way of the last message, 20 ms, comes on top.
-      EXPECT_GE(frame.capture_time - times.back(), MadeUpRoom::kPeriod);
-      EXPECT_LE(frame.capture_time - times.back(), MadeUpRoom::kPeriod + nanoseconds(20'000'000));
+      EXPECT_GE(frame.capture_time - times.back(), RecordingFixtureRoom::kPeriod);
+      EXPECT_LE(frame.capture_time - times.back(),
+                RecordingFixtureRoom::kPeriod + nanoseconds(20'000'000));
     }
     times.push_back(frame.capture_time);
   }
 }
 
 TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
-  MadeUpRoom().with_last_fps(7).record(path, 3);
+  RecordingFixtureRoom().with_last_fps(7).record(path, 3);
   auto first = open("s0", true), second = open("s1", true);
   CapturedFrame from_first, from_second;
   for (int i = 0; i < 7; ++i) {
@@ -81,21 +82,21 @@ TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
 }
 
 TEST_F(ReplaySourceTest, a_loop_in_real_time_shows_what_is_due_now) {
-  MadeUpRoom().record(path, 20);
+  RecordingFixtureRoom().record(path, 20);
   auto source = open("s0", true, Pace::kRealTime);
   const HostTime before = SteadyClock().now();
   CapturedFrame frame;
   ASSERT_TRUE(*(*source)->next(frame, {}));
-  EXPECT_GT(frame.capture_time, before - 2 * MadeUpRoom::kPeriod);
+  EXPECT_GT(frame.capture_time, before - 2 * RecordingFixtureRoom::kPeriod);
   EXPECT_LT(frame.capture_time, before + std::chrono::seconds(1));
-  const nanoseconds length = 20 * MadeUpRoom::kPeriod + nanoseconds(20'000'000);
+  const nanoseconds length = 20 * RecordingFixtureRoom::kPeriod + nanoseconds(20'000'000);
   const auto position = frame.capture_time.time_since_epoch() % length;
-  const auto instant = frame.device_time - MadeUpRoom::capture(0);
+  const auto instant = frame.device_time - RecordingFixtureRoom::capture(0);
   EXPECT_EQ((position - instant) % length, nanoseconds(0));
 }
 
 TEST_F(ReplaySourceTest, lists_the_sensors_that_there_are) {
-  MadeUpRoom().record(path, 2);
+  RecordingFixtureRoom().record(path, 2);
   EXPECT_EQ(*replay_sensor_names(path), (std::vector<std::string>{"s0", "s1"}));
   const auto source = open("s7");
   ASSERT_FALSE(source.ok());

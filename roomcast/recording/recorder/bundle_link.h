@@ -40,7 +40,7 @@ class BundleLink final : private HubLinkEvents {
     if (message.has_calibration_bundle()) on_bundle_(message.calibration_bundle());
   }
   void on_frame(net::MessageBuffer) override {}
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate&) override {}
   void on_down(const Error&, bool) override {}
 

@@ -23,7 +23,7 @@ namespace {
 namespace pb = wire::pb;
 
 /// Until room time is known, which takes one round trip.
-constexpr std::size_t kMostHeldMessages = 256;
+constexpr std::size_t kMaxHeldMessages = 256;
 constexpr auto kLookAfterChunk = recording::RoomRecordingWriter::kLongestChunk / 2;
 
 pb::Join join_message(const RecorderOptions& options) {
@@ -104,7 +104,7 @@ class Recorder::Link final : public HubLinkEvents {
     if (message.has_roster() || message.has_viewer_poses()) take(Held(message));
   }
   void on_frame(net::MessageBuffer message) override { take(Held(std::move(message))); }
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 
@@ -179,7 +179,7 @@ void Recorder::Link::on_clock(const ClockEstimate& estimate) {
 
 void Recorder::Link::take(Held held) {
   if (clock_is_known_) return check(write(held));
-  if (held_.size() < kMostHeldMessages) held_.push_back(std::move(held));
+  if (held_.size() < kMaxHeldMessages) held_.push_back(std::move(held));
 }
 
 void Recorder::Link::take(const pb::CalibrationBundle& bundle) {

@@ -9,14 +9,14 @@
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/made_up_recording.h"
 #include "roomcast/recording/room/recording_cursor.h"
+#include "roomcast/recording/room/recording_fixture.h"
 
 namespace roomcast {
 namespace {
 
 using namespace std::chrono_literals;
-using recording::MadeUpRoom;
+using recording::RecordingFixtureRoom;
 using recording::RoomRecording;
 
 class RecorderTest : public testing::Test {
@@ -48,7 +48,7 @@ class RecorderTest : public testing::Test {
   }
   std::vector<std::uint8_t> say_frame(int sensor, int instant) {
     auto bytes = room.frame(sensor, instant);
-    on_hub([&](FakeHub& h) { h.say(net::seal(net::MessageBuffer(bytes))); });
+    on_hub([&](FakeHub& h) { h.say(net::frame_message(net::MessageBuffer(bytes))); });
     return bytes;
   }
   bool joined_again() {
@@ -67,7 +67,7 @@ class RecorderTest : public testing::Test {
 
   NetworkThread network;
   std::optional<FakeHub> hub{std::in_place, network.io()};
-  recording::MadeUpRoom room;
+  recording::RecordingFixtureRoom room;
   TemporaryFolder folder;
   std::filesystem::path path = folder / "room.mcap";
   std::unique_ptr<Recorder> recorder;

@@ -9,12 +9,12 @@
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/made_up_recording.h"
+#include "roomcast/recording/room/recording_fixture.h"
 
 namespace roomcast {
 namespace {
 
-using recording::MadeUpRoom;
+using recording::RecordingFixtureRoom;
 using recording::RoomRecording;
 
 class RoomPlayerTest : public testing::Test {
@@ -26,7 +26,7 @@ class RoomPlayerTest : public testing::Test {
   }
 
   void record(int instants) {
-    MadeUpRoom(1).record(path, instants);
+    RecordingFixtureRoom(1).record(path, instants);
     recording.emplace(std::move(*RoomRecording::open(path)));
   }
   Status open(double from_s = 0, double speed = 10, bool loop = false) {
@@ -74,9 +74,10 @@ TEST_F(RoomPlayerTest, sends_every_frame_at_the_recorded_distances) {
   ASSERT_EQ(frames.size(), 12u);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     EXPECT_EQ(frames[i].seq, i);
-    EXPECT_EQ(frames[i].key, i % MadeUpRoom::kFramesPerKey == 0);
+    EXPECT_EQ(frames[i].key, i % RecordingFixtureRoom::kFramesPerKey == 0);
     const auto distance = frames[i].capture_time - frames[i - 1].capture_time;
-    EXPECT_NEAR(static_cast<double>(distance.count()), MadeUpRoom::kPeriod.count() / 10.0, 1e6);
+    EXPECT_NEAR(static_cast<double>(distance.count()), RecordingFixtureRoom::kPeriod.count() / 10.0,
+                1e6);
   }
 }
 

@@ -6,8 +6,8 @@
 #include "roomcast/client/room/room_state.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/made_up_recording.h"
 #include "roomcast/recording/room/recording_cursor.h"
+#include "roomcast/recording/room/recording_fixture.h"
 
 namespace roomcast::recording {
 namespace {
@@ -18,7 +18,7 @@ class RoomRecordingTest : public testing::Test {
 
   TemporaryFolder folder;
   std::filesystem::path path = folder / "room.mcap";
-  MadeUpRoom room;
+  RecordingFixtureRoom room;
 };
 
 TEST_F(RoomRecordingTest, holds_the_bytes_of_every_frame_in_their_order) {
@@ -33,7 +33,8 @@ TEST_F(RoomRecordingTest, holds_the_bytes_of_every_frame_in_their_order) {
     ASSERT_LT(count, frames.size());
     EXPECT_TRUE(std::ranges::equal(message.message.data, frames[count]));
     EXPECT_EQ(message.message.publish_time,
-              MadeUpRoom::capture(static_cast<int>(count / 2)) + MadeUpRoom::kUnixMinusRoom);
+              RecordingFixtureRoom::capture(static_cast<int>(count / 2)) +
+                  RecordingFixtureRoom::kUnixMinusRoom);
     ++count;
   }
   EXPECT_EQ(count, frames.size());
@@ -49,9 +50,10 @@ TEST_F(RoomRecordingTest, knows_its_room_and_sensors) {
   EXPECT_EQ(recording->sensors()[1].frame_count, 12u);
   EXPECT_EQ(recording->sensor("s1"), &recording->sensors()[1]);
   EXPECT_EQ(recording->sensor("s2"), nullptr);
-  EXPECT_EQ(recording->start(), MadeUpRoom::came(0));
-  EXPECT_EQ(recording->end(), MadeUpRoom::came(11));
-  EXPECT_EQ(recording->origin(), MadeUpRoom::capture(0) + MadeUpRoom::kUnixMinusRoom);
+  EXPECT_EQ(recording->start(), RecordingFixtureRoom::came(0));
+  EXPECT_EQ(recording->end(), RecordingFixtureRoom::came(11));
+  EXPECT_EQ(recording->origin(),
+            RecordingFixtureRoom::capture(0) + RecordingFixtureRoom::kUnixMinusRoom);
   EXPECT_FALSE(recording->damage().has_value());
 }
 
@@ -59,7 +61,7 @@ TEST_F(RoomRecordingTest, what_was_recorded_before_a_sensor_was_placed_has_its_p
   room.record(path, 12, true, 8);
   const auto recording = open();
   ASSERT_EQ(recording->rosters().size(), 2u);
-  const auto& entry = recording->roster_at(MadeUpRoom::came(0)).sensors(1);
+  const auto& entry = recording->roster_at(RecordingFixtureRoom::came(0)).sensors(1);
   EXPECT_EQ(entry.placement(), wire::pb::PLACEMENT_ALIGNED);
   EXPECT_EQ(read_transform(entry.world_from_depth())->translation_m.x(), 0.5);
 }
@@ -69,15 +71,15 @@ TEST_F(RoomRecordingTest, without_its_end_it_loses_no_more_than_the_open_chunk) 
   const auto recording = open();
   ASSERT_TRUE(recording.ok());
   EXPECT_TRUE(recording->damage().has_value());
-  const auto lost = MadeUpRoom::came(29) - recording->end();
-  EXPECT_LE(lost, nanoseconds(RoomRecordingWriter::kLongestChunk) + MadeUpRoom::kPeriod);
+  const auto lost = RecordingFixtureRoom::came(29) - recording->end();
+  EXPECT_LE(lost, nanoseconds(RoomRecordingWriter::kLongestChunk) + RecordingFixtureRoom::kPeriod);
   EXPECT_GE(recording->sensors()[0].frame_count, 24u);
 }
 
 TEST_F(RoomRecordingTest, decodes_from_the_key_frames_before_a_moment) {
   room.record(path, 40);
   const auto recording = open();
-  const auto time = MadeUpRoom::capture(28) + MadeUpRoom::kUnixMinusRoom;
+  const auto time = RecordingFixtureRoom::capture(28) + RecordingFixtureRoom::kUnixMinusRoom;
   RecordingCursor cursor(*recording, recording->chunk_to_decode_from(time, recording->sensors()));
   const SteadyClock clock;
   RoomState state(clock);
@@ -92,7 +94,7 @@ TEST_F(RoomRecordingTest, decodes_from_the_key_frames_before_a_moment) {
   EXPECT_GE(first_seq, 20u) << "it did not start from the beginning";
   for (const auto& sensor : state.snapshot()->sensors) {
     EXPECT_EQ(sensor.picture->seq, 28u);
-    EXPECT_EQ(sensor.picture->frame.depth_mm, MadeUpRoom::depth(28));
+    EXPECT_EQ(sensor.picture->frame.depth_mm, RecordingFixtureRoom::depth(28));
   }
 }
 
@@ -119,7 +121,7 @@ TEST_F(RoomRecordingTest, a_damaged_chunk_is_reported_and_the_next_one_is_read) 
     if (more.ok()) last = message.message.log_time;
   }
   EXPECT_EQ(errors, 1);
-  EXPECT_EQ(last, MadeUpRoom::came(39));
+  EXPECT_EQ(last, RecordingFixtureRoom::came(39));
 }
 
 TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
@@ -135,10 +137,10 @@ TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
 
 TEST_F(RoomRecordingTest, frames_of_sensors_that_no_roster_has_are_left_out) {
   auto writer = RoomRecordingWriter::create(path, "lab");
-  ASSERT_TRUE(writer->add_frame(room.frame(0, 0), MadeUpRoom::came(0)).ok());
+  ASSERT_TRUE(writer->add_frame(room.frame(0, 0), RecordingFixtureRoom::came(0)).ok());
   EXPECT_EQ(writer->frames(), 0u);
-  ASSERT_TRUE(writer->add_roster(room.roster(), MadeUpRoom::came(0)).ok());
-  ASSERT_TRUE(writer->add_frame(room.frame(0, 1), MadeUpRoom::came(1)).ok());
+  ASSERT_TRUE(writer->add_roster(room.roster(), RecordingFixtureRoom::came(0)).ok());
+  ASSERT_TRUE(writer->add_frame(room.frame(0, 1), RecordingFixtureRoom::came(1)).ok());
   EXPECT_EQ(writer->frames(), 1u);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // As in shaders/blend/.
 constexpr int kTileSide = 16;
-constexpr GLsizeiptr kMostIndicesOfTile = 6 * kTileSide * kTileSide;
+constexpr GLsizeiptr kMaxIndicesOfTile = 6 * kTileSide * kTileSide;
 enum TextureUnit : GLuint { kDepth = 0, kCovering = 5 };
 enum TilesUniform : GLint { kMaxGap = 4, kIsCovered = 5 };
 constexpr GLint kTileCount = 0;  // uniform of mesh_offsets.comp
@@ -48,7 +48,7 @@ AdaptiveMesher::AdaptiveMesher(GlProgram tiles, GlProgram offsets, GlProgram gat
 void AdaptiveMesher::make_room(int tiles) {
   if (tiles <= tiles_) return;
   tiles_ = tiles;
-  tile_indices_ = make_buffer(tiles * kMostIndicesOfTile * kIndexBytes);
+  tile_indices_ = make_buffer(tiles * kMaxIndicesOfTile * kIndexBytes);
   tile_counts_ = make_buffer(tiles * kIndexBytes);
   tile_offsets_ = make_buffer(tiles * kIndexBytes);
 }
@@ -59,8 +59,8 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
   const int down = (height + kTileSide - 1) / kTileSide;
   make_room(across * down);
   if (mesh.indices.name() == 0) {
-    mesh.indices = make_buffer(across * down * kMostIndicesOfTile * kIndexBytes);
-    mesh.commands = make_buffer(kMostEyes * AdaptiveMesh::kCommandBytes);
+    mesh.indices = make_buffer(across * down * kMaxIndicesOfTile * kIndexBytes);
+    mesh.commands = make_buffer(kMaxEyes * AdaptiveMesh::kCommandBytes);
   }
   glBindTextureUnit(kDepth, depth_m.name());
   glBindTextureUnit(kCovering, covering != nullptr ? covering->name() : depth_m.name());

@@ -16,7 +16,7 @@ class LostDepth {
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<LostDepth> create();
 
-  /// As SensorMemory keeps it.
+  /// As BackgroundModel keeps it.
   struct Known {
     const GlTexture &newest_m, &readings, &color, &steadiness;
   };

@@ -16,11 +16,11 @@ constexpr float kStrength = 0.35F;
 void set_uniforms(const GlProgram& program, const Eyes& eyes, Rgb8 line) {
   set_eyes(program, eyes);
   set_matrices(program, kClipFromWorld, clip_from_world(eyes));
-  std::array<Eigen::Vector3f, kMostEyes> places_m;
+  std::array<Eigen::Vector3f, kMaxEyes> places_m;
   for (std::size_t eye = 0; eye < places_m.size(); ++eye) {
     places_m[eye] = eyes[eye].world_from_view.translation_m.cast<float>();
   }
-  glProgramUniform3fv(program.name(), kEye, kMostEyes, places_m[0].data());
+  glProgramUniform3fv(program.name(), kEye, kMaxEyes, places_m[0].data());
   glProgramUniform1f(program.name(), kReach, kReachM);
   glProgramUniform4f(program.name(), kLine, static_cast<float>(line.r) / 255,
                      static_cast<float>(line.g) / 255, static_cast<float>(line.b) / 255, kStrength);

@@ -42,11 +42,11 @@ void PointRenderer::draw(const SensorSurface& surface, const SurfaceView& view,
   const GlProgram& program = programs_[static_cast<std::size_t>(view.eyes.count() - 1)];
   const double sensor_focal_px = std::min(surface.intrinsics().fx, surface.intrinsics().fy);
   set_surface_view(program, view);
-  std::array<GLfloat, kMostEyes> size_px{};
+  std::array<GLfloat, kMaxEyes> size_px{};
   for (std::size_t eye = 0; eye < size_px.size() && size == PointSize::kAsSurface; ++eye) {
     size_px[eye] = static_cast<float>(kOverlap * focal_length_px(view.eyes[eye]) / sensor_focal_px);
   }
-  glProgramUniform1fv(program.name(), kSizeAtEqualDistance, kMostEyes, size_px.data());
+  glProgramUniform1fv(program.name(), kSizeAtEqualDistance, kMaxEyes, size_px.data());
   glProgramUniform1f(program.name(), kEyeWidth, static_cast<float>(view.eyes.width()));
   surface.bind();
   glUseProgram(program.name());

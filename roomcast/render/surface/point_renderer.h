@@ -24,8 +24,8 @@ class PointRenderer {
  private:
   PointRenderer(GlProgram for_one_eye, GlProgram for_two);
 
-  std::array<GlProgram, kMostEyes> programs_;  // for one eye, for two
-  GlVertexArray no_attributes_;                // a core context draws nothing without one
+  std::array<GlProgram, kMaxEyes> programs_;  // for one eye, for two
+  GlVertexArray no_attributes_;               // a core context draws nothing without one
 };
 
 }  // namespace roomcast

@@ -41,7 +41,7 @@ void set_eyes(const GlProgram& program, const Eyes& eyes) {
 }
 
 void set_matrices(const GlProgram& program, GLint location, const EyeMatrices& matrices) {
-  glProgramUniformMatrix4fv(program.name(), location, kMostEyes, GL_FALSE, matrices[0].data());
+  glProgramUniformMatrix4fv(program.name(), location, kMaxEyes, GL_FALSE, matrices[0].data());
 }
 
 EyeBorders::EyeBorders(const Eyes& eyes) : are_there_(eyes.count() > 1) {

@@ -15,7 +15,7 @@
 
 namespace roomcast {
 
-inline constexpr int kMostEyes = 2;
+inline constexpr int kMaxEyes = 2;
 
 class Eyes {
  public:
@@ -36,12 +36,12 @@ class Eyes {
   [[nodiscard]] auto end() const { return cameras_.begin() + count_; }
 
  private:
-  std::array<ViewCamera, kMostEyes> cameras_;
+  std::array<ViewCamera, kMaxEyes> cameras_;
   int count_ = 1;
 };
 
 /// For each eye.
-using EyeMatrices = std::array<Eigen::Matrix4f, kMostEyes>;
+using EyeMatrices = std::array<Eigen::Matrix4f, kMaxEyes>;
 
 /// World -> clip.
 [[nodiscard]] EyeMatrices clip_from_world(const Eyes& eyes);

@@ -40,7 +40,7 @@ Image<T> OffscreenTarget::read_back(const GlTexture& texture, int eye, GLenum fo
 }
 
 Result<OffscreenTarget> OffscreenTarget::create(int width, int height, int eyes) {
-  ROOMCAST_ASSERT(eyes >= 1 && eyes <= kMostEyes);
+  ROOMCAST_ASSERT(eyes >= 1 && eyes <= kMaxEyes);
   if (!legal_side(width) || !legal_side(height)) {
     return Error{ErrorCode::kInvalidArgument,
                  "a picture's width and height must be 1 to 8192 pixels"};

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 
 #include "roomcast/simulator/people/surface_net.h"
+#include "roomcast/simulator/scene/angles.h"
 
 namespace roomcast::sim {
 namespace {
@@ -15,8 +15,6 @@ namespace {
 using Eigen::Isometry3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 /// Bones that share one cloth, in a line with one another in the cutting pose: a leg, an arm.
 struct Roll {
@@ -128,7 +126,7 @@ BodySkin::Hold BodySkin::hold_of(const Vector3f& at, const std::vector<Bone>& bo
   }
   std::sort(pulls.begin(), pulls.end(),
             [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (pulls.size() > kMostBones) pulls.resize(kMostBones);
+  if (pulls.size() > kMaxBones) pulls.resize(kMaxBones);
   float sum = 0.0F;
   for (const auto& [pull, bone] : pulls) sum += pull;
   Hold hold{};
@@ -196,7 +194,7 @@ void BodySkin::bend(const Pose& pose, TriangleMesh& out, std::size_t first) cons
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     const Hold& hold = holds_[i];
     Eigen::Matrix<float, 3, 4> move = hold.share[0] * moves[hold.bone[0]];
-    for (std::size_t k = 1; k < kMostBones; ++k) {
+    for (std::size_t k = 1; k < kMaxBones; ++k) {
       if (hold.share[k] > 0.0F) move += hold.share[k] * moves[hold.bone[k]];
     }
     out.positions[first + i] = move.leftCols<3>() * mesh_.positions[i] + move.col(3);

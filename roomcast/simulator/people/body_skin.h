@@ -26,10 +26,10 @@ class BodySkin {
   void bend(const Pose& pose, TriangleMesh& out, std::size_t first) const;
 
  private:
-  static constexpr std::size_t kMostBones = 3;
+  static constexpr std::size_t kMaxBones = 3;
   struct Hold {
-    std::array<std::uint8_t, kMostBones> bone;
-    std::array<float, kMostBones> share;
+    std::array<std::uint8_t, kMaxBones> bone;
+    std::array<float, kMaxBones> share;
   };
   void add_piece(const BodyPiece& piece, const std::vector<BodyPiece>& all, const Pose& cutting,
                  const Measures& measures);

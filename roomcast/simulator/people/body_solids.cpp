@@ -12,9 +12,9 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 /// Adds bars that are given for a person of 1.80 m, in bones' frames.
-class Tailor {
+class BodyMesher {
  public:
-  Tailor(BodyPiece& piece, const Pose& pose, const Measures& measures)
+  BodyMesher(BodyPiece& piece, const Pose& pose, const Measures& measures)
       : piece_(piece), pose_(pose), s_(measures.scale) {}
 
   void bar(Bone bone, Vector3f from, Vector3f to, Vector2f radii, Vector2f flat = {1.0F, 1.0F},
@@ -44,7 +44,7 @@ class Tailor {
   float s_;
 };
 
-void add_trunk_of_shirt(Tailor& t, const Build& build) {
+void add_trunk_of_shirt(BodyMesher& t, const Build& build) {
   const float g = build.girth;
   const float belly = 0.143F * (0.55F + 0.45F * g) + 0.03F * (g - 1.0F);
   t.bar(Bone::kPelvis, {0, -build.hem_m - 0.05F, 0}, {0, 0.06F, 0.005F},
@@ -68,7 +68,7 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
   piece.surface = outfit.shirt;
   piece.cell_m = 0.033F;
   piece.bones = {Bone::kPelvis, Bone::kChest};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   add_trunk_of_shirt(t, build);
   const float thick = 0.5F + 0.5F * build.girth;
   for (const Side side : kSides) {
@@ -98,7 +98,7 @@ BodyPiece trousers(const Build& build, const Outfit& outfit, const Pose& pose, c
   piece.surface = outfit.trousers;
   piece.cell_m = 0.033F;
   piece.bones = {Bone::kPelvis};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   const float g = build.girth;
   const float thick = 0.5F + 0.5F * g;
   t.bar(Bone::kPelvis, {0, 0.0F, 0}, {0, 0.09F, 0.004F}, {0.142F * g, 0.134F * g}, {1.12F, 0.80F});
@@ -124,7 +124,7 @@ BodyPiece head(const Outfit& outfit, const Pose& pose, const Measures& m) {
   piece.surface = outfit.face;
   piece.cell_m = 0.0155F;
   piece.bones = {Bone::kHead};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   t.bar(Bone::kHead, {0, -0.12F, -0.030F}, {0, 0.06F, -0.010F}, {0.054F, 0.052F});  // neck
   t.bar(Bone::kHead, {0, 0.125F, -0.026F}, {0, 0.135F, 0.016F}, {0.092F, 0.082F}, {0.95F, 1.0F},
         0.02F);  // skull
@@ -146,7 +146,7 @@ BodyPiece hair(const Build& build, const Outfit& outfit, const Pose& pose, const
   piece.surface = outfit.hair;
   piece.cell_m = 0.021F;
   piece.bones = {Bone::kHead};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   t.bar(Bone::kHead, {0, 0.115F, -0.040F}, {0, 0.150F, 0.000F}, {0.097F, 0.088F}, {0.96F, 1.0F});
   t.bar(Bone::kHead, {-0.035F, 0.185F, 0.058F}, {0.04F, 0.195F, 0.052F}, {0.026F, 0.030F},
         {1.0F, 1.0F}, 0.04F);  // fringe
@@ -188,7 +188,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
   piece.cell_m = 0.0125F;
   const Bone bone = on_side(Bone::kLeftHand, side);
   piece.bones = {bone};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   const float in = -sign_of(side);  // the palm's side
   t.bar(bone, {0, -0.035F, 0}, {0, -0.080F, 0.002F}, {0.030F, 0.036F}, {0.48F, 1.0F}, 0.012F);
   for (int i = 0; i < 4; ++i) {
@@ -224,7 +224,7 @@ BodyPiece shoe(Side side, const Outfit& outfit, const Pose& pose, const Measures
   piece.cell_m = 0.021F;
   const Bone bone = on_side(Bone::kLeftFoot, side);
   piece.bones = {bone};
-  Tailor t(piece, pose, m);
+  BodyMesher t(piece, pose, m);
   const float x = sign_of(side);
   t.bar(bone, {0, -0.045F, -0.045F}, {x * 0.006F, -0.052F, 0.135F}, {0.043F, 0.046F}, {0.92F, 1.0F},
         0.02F);

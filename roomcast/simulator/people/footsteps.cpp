@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "roomcast/simulator/scene/angles.h"
 
 namespace roomcast::sim {
 namespace {
@@ -13,7 +14,6 @@ using Eigen::Isometry3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kBeat_s = 0.54F;
 constexpr float kSwing = 0.78F;                       // share of a beat that the foot is in the air
 constexpr float kMidStance = 0.5F * (2.0F + kSwing);  // beats after being lifted
@@ -22,15 +22,6 @@ constexpr float kHeelOff_s = 0.22F;                   // before being lifted
 constexpr float kPushOff_rad = 0.62F, kHeelFirst_rad = -0.26F;
 constexpr float kLift_m = 0.055F;
 constexpr float kNear_m = 0.03F, kNear_rad = 0.12F;
-
-float smooth(float share) {
-  const float t = std::clamp(share, 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
-}
-
-float angle_between(float from_rad, float to_rad) {
-  return std::remainder(to_rad - from_rad, 2.0F * kPi);
-}
 
 }  // namespace
 
@@ -96,21 +87,21 @@ Footsteps::Foot Footsteps::foot_at(float time_s, Side side) const {
   };
   if (step.lifted && since < swing_s) {
     const float share = since / swing_s;
-    const float moved = smooth(share);
+    const float moved = smooth_step(share);
     const float turn = angle_between(step.from.heading_rad, step.to.heading_rad);
     const Placement between{step.from.at_m + moved * (step.to.at_m - step.from.at_m),
                             step.from.heading_rad + moved * turn};
     const float lift = kLift_m * (0.5F + 0.5F * eagerness(step)) * std::sin(kPi * share);
-    const float roll = eagerness(step) * (kPushOff_rad * (1.0F - smooth(share / 0.55F)) +
-                                          kHeelFirst_rad * smooth((share - 0.45F) / 0.5F));
+    const float roll = eagerness(step) * (kPushOff_rad * (1.0F - smooth_step(share / 0.55F)) +
+                                          kHeelFirst_rad * smooth_step((share - 0.45F) / 0.5F));
     return {rolled(between, lift, roll), false, Vector3f::Zero()};
   }
   float roll = 0.0F;
   if (step.lifted && since < swing_s + kFlat_s)
-    roll = kHeelFirst_rad * eagerness(step) * (1.0F - smooth((since - swing_s) / kFlat_s));
+    roll = kHeelFirst_rad * eagerness(step) * (1.0F - smooth_step((since - swing_s) / kFlat_s));
   const float to_lift = 2.0F * beat_s_ - since;
   if (next.lifted && to_lift < kHeelOff_s)
-    roll = kPushOff_rad * eagerness(next) * smooth(1.0F - to_lift / kHeelOff_s);
+    roll = kPushOff_rad * eagerness(next) * smooth_step(1.0F - to_lift / kHeelOff_s);
   const float pivot_z = (roll > 0.0F ? 0.125F : -0.055F) * measures_.scale;
   return {rolled(step.to, 0.0F, roll), true, {0, -measures_.ankle, pivot_z}};
 }

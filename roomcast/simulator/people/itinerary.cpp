@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/simulator/scene/angles.h"
 
 namespace roomcast::sim {
 namespace {
@@ -16,17 +16,8 @@ constexpr float kTurn_rad_s = 1.5F;
 constexpr float kRamp_s = 0.7F;  // to full pace, and to a stand
 constexpr float kForEver_s = 1e6F;
 
-float angle_between(float from_rad, float to_rad) {
-  return std::remainder(to_rad - from_rad, 2.0F * std::numbers::pi_v<float>);
-}
-
 float heading_of(const Vector2f& way) {
   return std::atan2(way.x(), way.y());
-}
-
-float smooth(float share) {
-  const float t = std::clamp(share, 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
 }
 
 /// A smooth curve through the points (Catmull & Rom 1974), sampled every few centimetres.
@@ -86,14 +77,14 @@ Itinerary::Place along(const std::vector<Vector2f>& path, float share) {
 
 }  // namespace
 
-Itinerary::Itinerary(std::span<const Stop> stops, float pace_m_s) {
+Itinerary::Itinerary(std::span<const Waypoint> stops, float pace_m_s) {
   ROOMCAST_ASSERT(!stops.empty());
   heading_rad_ = stops.front().heading_rad;
   rests_for_ever_ = stops.size() == 1;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     add_stay(i, stops[i]);
     if (rests_for_ever_) break;
-    const Stop& next = stops[(i + 1) % stops.size()];
+    const Waypoint& next = stops[(i + 1) % stops.size()];
     std::vector<Vector2f> points = {stops[i].at_m};
     points.insert(points.end(), next.via_m.begin(), next.via_m.end());
     points.push_back(next.at_m);
@@ -135,7 +126,7 @@ void Itinerary::add_walk(std::size_t stop, std::vector<Vector2f> path, float pac
   add_leg(std::move(leg), duration);
 }
 
-void Itinerary::add_stay(std::size_t number, const Stop& stop) {
+void Itinerary::add_stay(std::size_t number, const Waypoint& stop) {
   Leg leg;
   leg.stop = number;
   leg.is_stay = true;
@@ -162,7 +153,7 @@ Itinerary::Place Itinerary::place_at(float time_s) const {
   const float share = (wrapped(time_s) - leg.begin_s) / duration;
   if (leg.path.size() == 1) {
     const float by = leg.turn_to_rad - leg.turn_from_rad;
-    return {leg.path.front(), leg.turn_from_rad + smooth(share) * by, 0.0F};
+    return {leg.path.front(), leg.turn_from_rad + smooth_step(share) * by, 0.0F};
   }
   const Progress progress = ramped(share, std::min(0.5F, kRamp_s / duration));
   Place place = along(leg.path, progress.done);

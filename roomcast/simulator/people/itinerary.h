@@ -17,7 +17,7 @@ namespace roomcast::sim {
 class Itinerary {
  public:
   /// Needs at least one stop.
-  Itinerary(std::span<const Stop> stops, float pace_m_s);
+  Itinerary(std::span<const Waypoint> stops, float pace_m_s);
 
   struct Place {
     Eigen::Vector2f at_m;
@@ -51,7 +51,7 @@ class Itinerary {
   };
   void add_turn(std::size_t stop, const Eigen::Vector2f& at_m, float to_rad);
   void add_walk(std::size_t stop, std::vector<Eigen::Vector2f> path, float pace_m_s);
-  void add_stay(std::size_t number, const Stop& stop);
+  void add_stay(std::size_t number, const Waypoint& stop);
   void add_leg(Leg leg, float duration_s);
   [[nodiscard]] const Leg& leg_at(float time_s) const;
   [[nodiscard]] float wrapped(float time_s) const;

@@ -21,7 +21,7 @@ class Outline : public testing::Test {
     outline_.find(layer_, wall_m_);
   }
   [[nodiscard]] PlacedCamera placed(double scale) const {
-    const SensorStand& stand = room_.stands[0];
+    const SensorMount& stand = room_.sensor_mounts[0];
     return {
         resampled(make_unit({}, 1, 0).exact.depth, scale),
         world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>())};

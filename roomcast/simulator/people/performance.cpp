@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "roomcast/simulator/scene/angles.h"
 
 namespace roomcast::sim {
 namespace {
@@ -13,13 +14,7 @@ using Eigen::Isometry3f;
 using Eigen::Quaternionf;
 using Eigen::Vector3f;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kGrasped = 0.35F, kLifted = 0.85F;  // shares of a stay that takes or leaves
-
-float smooth(float share) {
-  const float t = std::clamp(share, 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
-}
 
 AngleAxisf pitched(float forward_rad) {
   return {forward_rad, Vector3f::UnitX()};
@@ -48,14 +43,14 @@ struct Performance::Moment {
   float round_s;  // time within the round
   Itinerary::Place place;
   std::optional<Itinerary::Stay> stay;
-  const Stop* stop;  // of the stay, or the last one
+  const Waypoint* stop;  // of the stay, or the last one
   std::array<Footsteps::Foot, 2> feet;
   float walking;    // 0: still, 1: at full pace
   float phase_rad;  // of the gait
   Lean lean;
   float taken = 0;  // of the burden: 0 at rest, 1 carried
   float held = 0;
-  const Stop* rest = nullptr;  // where the burden rests or rested last
+  const Waypoint* rest = nullptr;  // where the burden rests or rested last
   Quaternionf chest_in_pelvis;
   Isometry3f body, pelvis, chest, burden;
 };
@@ -136,34 +131,35 @@ void Performance::bend_to_reach(Moment& now) const {
   }
 }
 
-Isometry3f Performance::resting(const Stop& stop) const {
+Isometry3f Performance::resting(const Waypoint& stop) const {
   return standing(stop.target_m, stop.heading_rad + kPi);
 }
 
 void Performance::place_burden(Moment& now) const {
   const std::size_t count = stops_.size();
   const auto here = static_cast<std::size_t>(now.stop - stops_.data());
-  const Stop* last = nullptr;  // that took it or left it, this one included
+  const Waypoint* last = nullptr;  // that took it or left it, this one included
   for (std::size_t back = 0; back < count && last == nullptr; ++back) {
-    const Stop& stop = stops_[(here + count - back) % count];
-    if (stop.deed == Deed::kTakeUp || stop.deed == Deed::kPutDown) last = &stop;
+    const Waypoint& stop = stops_[(here + count - back) % count];
+    if (stop.activity == Activity::kTakeUp || stop.activity == Activity::kPutDown) last = &stop;
   }
   if (last == nullptr) last = now.stop;
   now.rest = last;
-  now.taken = now.held = last->deed == Deed::kTakeUp ? 1.0F : 0.0F;
+  now.taken = now.held = last->activity == Activity::kTakeUp ? 1.0F : 0.0F;
   if (!now.stay || now.stop != last) return;
   const float share = now.stay->since_s / (now.stay->since_s + now.stay->left_s);
-  if (last->deed == Deed::kTakeUp) {
-    now.held = smooth(share / kGrasped);
-    now.taken = smooth((share - kGrasped) / (kLifted - kGrasped));
+  if (last->activity == Activity::kTakeUp) {
+    now.held = smooth_step(share / kGrasped);
+    now.taken = smooth_step((share - kGrasped) / (kLifted - kGrasped));
   } else {
-    now.held = 1.0F - smooth((share - 1.0F + kGrasped) / kGrasped);
-    now.taken = 1.0F - smooth((share - 1.0F + kLifted) / (kLifted - kGrasped));
+    now.held = 1.0F - smooth_step((share - 1.0F + kGrasped) / kGrasped);
+    now.taken = 1.0F - smooth_step((share - 1.0F + kLifted) / (kLifted - kGrasped));
   }
 }
 
 Lean Performance::lean_at(const Moment& now) const {
-  const bool handles = now.stop->deed == Deed::kTakeUp || now.stop->deed == Deed::kPutDown;
+  const bool handles =
+      now.stop->activity == Activity::kTakeUp || now.stop->activity == Activity::kPutDown;
   if (burden_ && handles && now.stay) return lean_towards(*now.stop, now.held * (1.0F - now.taken));
   return now.stay ? lean_of(*now.stop, *now.stay, now.time_s) : Lean{};
 }
@@ -246,7 +242,7 @@ Vector3f Performance::grip(const Burden& burden, Side side) {
 
 HandGoal Performance::hand_at(const Moment& now, Side side) const {
   HandGoal goal = hanging(now, side);
-  PalmWish wish;
+  HandTarget wish;
   if (burden_ && now.held > 0.0F) {
     wish = {now.burden * grip(*burden_, side), palms_inward(now.body, 0.15F), now.held};
   } else if (now.stay) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What somebody does, worked out once, and their pose and burden at any time: the itinerary says
-// where they are, the footsteps where their feet are, the deeds what else they do. Hips are as high
-// as lets both feet stay where they are planned. A function of time alone. Metres, seconds.
+// where they are, the footsteps where their feet are, the activities what else they do. Hips are as
+// high as lets both feet stay where they are planned. A function of time alone. Metres, seconds.
 #pragma once
 
 #include <optional>
 
-#include "roomcast/simulator/people/deeds.h"
+#include "roomcast/simulator/people/activities.h"
 #include "roomcast/simulator/people/footsteps.h"
 #include "roomcast/simulator/people/itinerary.h"
 #include "roomcast/simulator/people/skeleton.h"
@@ -39,13 +39,13 @@ class Performance {
   void place_burden(Moment& moment) const;
   void place_trunk(Moment& moment) const;
   void bend_to_reach(Moment& moment) const;
-  [[nodiscard]] Eigen::Isometry3f resting(const Stop& stop) const;
+  [[nodiscard]] Eigen::Isometry3f resting(const Waypoint& stop) const;
   [[nodiscard]] HandGoal hand_at(const Moment& moment, Side side) const;
   [[nodiscard]] HandGoal hanging(const Moment& moment, Side side) const;
   [[nodiscard]] Eigen::Quaternionf head_at(const Moment& moment) const;
 
   Measures measures_;
-  std::vector<Stop> stops_;
+  std::vector<Waypoint> stops_;
   std::optional<Burden> burden_;  // without its mesh
   double begin_s_;
   Itinerary itinerary_;

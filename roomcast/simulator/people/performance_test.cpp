@@ -19,7 +19,7 @@ Person carrier() {
   Person person;
   person.burden.emplace();
   person.burden->half_size_m = {0.2F, 0.15F, 0.12F};
-  Stop shelf, bench;
+  Waypoint shelf, bench;
   shelf.at_m = {-1.2F, -0.8F};
   shelf.heading_rad = -1.57F;
   shelf.stay_s = 3.0F;
@@ -29,21 +29,21 @@ Person carrier() {
   bench.stay_s = 3.0F;
   bench.target_m = {1.0F, 0.92F, 1.35F};
   bench.via_m = {{0.1F, -0.3F}};
-  Stop take = shelf, leave = bench, take_back = bench, leave_back = shelf;
+  Waypoint take = shelf, leave = bench, take_back = bench, leave_back = shelf;
   take_back.via_m.clear();
-  take.deed = take_back.deed = Deed::kTakeUp;
-  leave.deed = leave_back.deed = Deed::kPutDown;
+  take.activity = take_back.activity = Activity::kTakeUp;
+  leave.activity = leave_back.activity = Activity::kPutDown;
   person.stops = {take, leave, take_back, leave_back};
   return person;
 }
 
 Person sitter() {
   Person person;
-  Stop door, chair;
+  Waypoint door, chair;
   door.at_m = {1.5F, 0.0F};
   chair.at_m = {-0.5F, 0.42F};
   chair.seat_m = {-0.5F, 0.46F, 0.0F};
-  chair.deed = Deed::kSit;
+  chair.activity = Activity::kSit;
   chair.stay_s = 6.0F;
   person.stops = {door, chair};
   return person;
@@ -52,12 +52,12 @@ Person sitter() {
 /// Exercises, walks back and stretches.
 Person exerciser() {
   Person person;
-  Stop front, back;
+  Waypoint front, back;
   front.at_m = {0.0F, 0.4F};
-  front.deed = Deed::kExercise;
+  front.activity = Activity::kExercise;
   front.stay_s = 6.0F;
   back.at_m = {0.2F, -0.5F};
-  back.deed = Deed::kStretch;
+  back.activity = Activity::kStretch;
   back.stay_s = 6.0F;
   person.stops = {front, back};
   return person;
@@ -195,8 +195,8 @@ TEST(Performance, who_sits_has_the_hips_over_the_seat) {
 TEST(Performance, the_right_palm_reaches_what_is_plugged_high_or_low) {
   for (const float height_m : {0.35F, 0.8F, 1.1F}) {
     Person person;
-    Stop stop;
-    stop.deed = Deed::kPlug;
+    Waypoint stop;
+    stop.activity = Activity::kPlug;
     stop.stay_s = 5.0F;
     stop.target_m = {0.0F, height_m, 0.55F};
     person.stops = {stop};

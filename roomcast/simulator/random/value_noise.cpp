@@ -16,7 +16,7 @@ float between(float a, float b, float share) {
   return a + (b - a) * share;
 }
 
-float smooth(float t) {
+float fade(float t) {
   return t * t * (3.0F - 2.0F * t);
 }
 
@@ -25,8 +25,8 @@ float smooth(float t) {
 float value_noise(const Eigen::Vector2f& at, std::uint32_t seed) {
   const float x = std::floor(at.x());
   const float y = std::floor(at.y());
-  const float sx = smooth(at.x() - x);
-  const float sy = smooth(at.y() - y);
+  const float sx = fade(at.x() - x);
+  const float sy = fade(at.y() - y);
   const auto ix = static_cast<std::uint32_t>(static_cast<int>(x));
   const auto iy = static_cast<std::uint32_t>(static_cast<int>(y));
   const auto mixed = mix_bits(seed + 1U);

@@ -32,7 +32,7 @@ CameraIntrinsics lens_of(int width, double focal_share) {
   return lens;
 }
 
-RigidTransform pose_of(const sim::SensorStand& stand) {
+RigidTransform pose_of(const sim::SensorMount& stand) {
   return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
 }
 
@@ -46,7 +46,7 @@ class Studio {
 
   /// Share of the picture that shows people, those behind furniture left out; more than enough of
   /// them counts as enough.
-  [[nodiscard]] float people_in_view(const sim::SensorStand& stand, double lens) {
+  [[nodiscard]] float people_in_view(const sim::SensorMount& stand, double lens) {
     constexpr float kEnough = 0.05F;
     const sim::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(stand));
     sim::MovingLayer layer(camera.width(), camera.height());
@@ -63,7 +63,7 @@ class Studio {
     return std::min(kEnough, static_cast<float>(seen) / static_cast<float>(all));
   }
 
-  [[nodiscard]] ColorImage photograph(const sim::SensorStand& stand, int width, double lens) {
+  [[nodiscard]] ColorImage photograph(const sim::SensorMount& stand, int width, double lens) {
     const sim::PlacedCamera camera(lens_of(width, lens), pose_of(stand));
     const auto plate = sim::trace_color_plate(room_.room(), room_.rays(), camera, threads_);
     ColorImage picture = plate.color;
@@ -77,14 +77,14 @@ class Studio {
   }
 
   /// A corner at eye height or above from which most of the people can be seen.
-  [[nodiscard]] sim::SensorStand free_view() {
+  [[nodiscard]] sim::SensorMount free_view() {
     const Eigen::Vector3f middle(0, 0.75F, 0);
-    sim::SensorStand best;
+    sim::SensorMount best;
     float most = -1.0F;
     for (int corner = 0; corner < 4; ++corner) {
       const float x = (corner & 1) != 0 ? 1.0F : -1.0F;
       const float z = (corner & 2) != 0 ? 1.0F : -1.0F;
-      const sim::SensorStand stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
+      const sim::SensorMount stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
                                     z * (0.5F * room_.room().size_m.z() - 0.3F)},
                                    middle};
       const float seen = people_in_view(stand, kFreeLens);
@@ -103,7 +103,8 @@ class Studio {
       pass_to(std::chrono::seconds(second));
       float seen = 0.0F;
       for (int i = 0; i < kSensors; ++i)
-        seen += people_in_view(room_.room().stands[static_cast<std::size_t>(i)], kSensorLens);
+        seen +=
+            people_in_view(room_.room().sensor_mounts[static_cast<std::size_t>(i)], kSensorLens);
       if (seen <= most) continue;
       most = seen;
       best = std::chrono::seconds(second);
@@ -139,7 +140,7 @@ Result<ColorImage> contact_sheet(std::string_view scene, const ContactSheetOptio
   ColorImage sheet(4 * width, 2 * height);
   paste(studio.photograph(studio.free_view(), 2 * width, kFreeLens), 0, 0, sheet.view());
   for (int i = 0; i < kSensors; ++i) {
-    const auto& stand = (*room)->room().stands[static_cast<std::size_t>(i)];
+    const auto& stand = (*room)->room().sensor_mounts[static_cast<std::size_t>(i)];
     paste(studio.photograph(stand, width, kSensorLens), (2 + i % 2) * width, (i / 2) * height,
           sheet.view());
   }

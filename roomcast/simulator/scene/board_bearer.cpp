@@ -47,16 +47,16 @@ std::vector<Vector2f> places_of(const Person& person) {
     const auto is_here = [&](const Vector2f& known) { return is_same_place(known, at); };
     if (std::ranges::none_of(places, is_here)) places.push_back(at);
   };
-  for (const Stop& stop : person.stops) {
+  for (const Waypoint& stop : person.stops) {
     for (const Vector2f& via : stop.via_m) add(via);
     add(stop.at_m);
   }
   return places;
 }
 
-Stop handling(const Stop& place, Deed deed) {
-  Stop stop = place;
-  stop.deed = deed;
+Waypoint handling(const Waypoint& place, Activity activity) {
+  Waypoint stop = place;
+  stop.activity = activity;
   stop.target_m = {place.at_m.x() + kArm_m * std::sin(place.heading_rad), kRest_m,
                    place.at_m.y() + kArm_m * std::cos(place.heading_rad)};
   return stop;
@@ -68,14 +68,14 @@ bool add_board_bearer(Room& room) {
   const Person* const walker = whoever_walks(room);
   if (walker == nullptr) return false;
   Person person = *walker;
-  std::vector<Stop> stops;
+  std::vector<Waypoint> stops;
   float heading_rad = 0;
   for (const Vector2f& at : places_of(person)) {
     for (int turn = 0; turn < kTurns; ++turn)
       stops.push_back(standing_at(at, heading_rad += kTurned_rad, kStill_s));
   }
-  stops.insert(stops.begin(), handling(stops.front(), Deed::kTakeUp));
-  stops.push_back(handling(stops.front(), Deed::kPutDown));
+  stops.insert(stops.begin(), handling(stops.front(), Activity::kTakeUp));
+  stops.push_back(handling(stops.front(), Activity::kPutDown));
   person.stops = std::move(stops);
   person.begin_s = 0;
   person.burden = board(room);

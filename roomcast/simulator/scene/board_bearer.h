@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody who carries a board with an AprilTag on it about the room, and stands still here and
-// there so that sensors see it: an option of every room in which somebody walks. Metres.
+// Somebody who carries a board with an AprilTag on it about the room, and stands still here
+// and there so that sensors see it: an option of every room in which somebody walks. Metres.
 #pragma once
 
 #include "roomcast/simulator/scene/room.h"

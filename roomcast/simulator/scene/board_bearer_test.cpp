@@ -8,7 +8,7 @@
 namespace roomcast::sim {
 namespace {
 
-TEST(BoardBearer, somebody_carries_the_board_through_the_room_and_stands_still_with_it) {
+TEST(BoardBearer, somebody_carries_the_board_through_the_room_and_sensor_mounts_still_with_it) {
   Room room = build_room("livingroom", 1).value();
   ASSERT_TRUE(add_board_bearer(room));
   ASSERT_EQ(room.people.size(), 1U);

@@ -28,7 +28,7 @@ float signed_angle_turn(int wall) {
 }  // namespace
 
 FloorPlan::FloorPlan(const Vector3f& room_size_m, std::uint32_t seed)
-    : size_m_(room_size_m), dice_(seed) {}
+    : size_m_(room_size_m), random_(seed) {}
 
 void FloorPlan::keep_way(const Vector2f& from_m, const Vector2f& to_m, float half_width_m) {
   const Vector2f way = to_m - from_m;
@@ -39,7 +39,7 @@ void FloorPlan::keep_way(const Vector2f& from_m, const Vector2f& to_m, float hal
   ways_.push_back(strip);
 }
 
-void FloorPlan::keep_view(const SensorStand& stand) {
+void FloorPlan::keep_view(const SensorMount& stand) {
   const Vector2f eye(stand.eye_m.x(), stand.eye_m.z());
   const Vector2f way = (Vector2f(stand.target_m.x(), stand.target_m.z()) - eye).normalized();
   Footprint about{eye, {0.25F, 0.25F}, 0, 0};
@@ -108,9 +108,9 @@ std::optional<Affine3f> FloorPlan::try_wall(const Vector3f& size_m, float front_
 
 std::optional<Affine3f> FloorPlan::against_wall(const Vector3f& size_m, float front_m, int wall) {
   for (int i = 0; i < kTries; ++i) {
-    const int which = wall == kAnyWall ? dice_.below(4) : wall;
+    const int which = wall == kAnyWall ? random_.below(4) : wall;
     const float slack = 0.5F * (wall_length(which) - size_m.x()) - 0.06F;
-    const float along = dice_.between(-1.0F, 1.0F) * slack;
+    const float along = random_.between(-1.0F, 1.0F) * slack;
     if (slack < 0.0F) continue;
     if (const auto at = try_wall(size_m, front_m, which, along)) return at;
   }
@@ -119,9 +119,9 @@ std::optional<Affine3f> FloorPlan::against_wall(const Vector3f& size_m, float fr
 
 std::optional<Affine3f> FloorPlan::in_corner(const Vector3f& size_m) {
   for (int i = 0; i < 12; ++i) {
-    const int wall = dice_.below(4);
+    const int wall = random_.below(4);
     const float slack = 0.5F * (wall_length(wall) - size_m.x()) - 0.07F;
-    const float along = (dice_.chance(0.5F) ? 1.0F : -1.0F) * slack;
+    const float along = (random_.chance(0.5F) ? 1.0F : -1.0F) * slack;
     if (const auto at = try_wall(size_m, 0.0F, wall, along)) return at;
   }
   return std::nullopt;
@@ -129,10 +129,10 @@ std::optional<Affine3f> FloorPlan::in_corner(const Vector3f& size_m) {
 
 std::optional<Affine3f> FloorPlan::in_the_open(const Vector3f& size_m) {
   for (int i = 0; i < kTries; ++i) {
-    const float x = dice_.between(-0.5F, 0.5F) * (size_m_.x() - size_m.x());
-    const float z = dice_.between(-0.5F, 0.5F) * (size_m_.z() - size_m.z());
-    const float yaw = 0.5F * std::numbers::pi_v<float> * static_cast<float>(dice_.below(4)) +
-                      dice_.between(-0.15F, 0.15F);
+    const float x = random_.between(-0.5F, 0.5F) * (size_m_.x() - size_m.x());
+    const float z = random_.between(-0.5F, 0.5F) * (size_m_.z() - size_m.z());
+    const float yaw = 0.5F * std::numbers::pi_v<float> * static_cast<float>(random_.below(4)) +
+                      random_.between(-0.15F, 0.15F);
     const Affine3f at = standing_at(x, z, yaw);
     if (take(at, size_m)) return at;
   }
@@ -142,10 +142,10 @@ std::optional<Affine3f> FloorPlan::in_the_open(const Vector3f& size_m) {
 std::optional<Affine3f> FloorPlan::on_wall_at(const Vector3f& size_m, float middle_height_m,
                                               int wall) {
   for (int i = 0; i < kTries; ++i) {
-    const int which = wall == kAnyWall ? dice_.below(4) : wall;
+    const int which = wall == kAnyWall ? random_.below(4) : wall;
     const float slack = 0.5F * (wall_length(which) - size_m.x()) - 0.12F;
     if (slack < 0.0F) continue;
-    const float along = dice_.between(-1.0F, 1.0F) * slack;
+    const float along = random_.between(-1.0F, 1.0F) * slack;
     const WallPatch patch{which, along - 0.5F * size_m.x(), along + 0.5F * size_m.x(),
                           middle_height_m - 0.5F * size_m.y(), middle_height_m + 0.5F * size_m.y()};
     const Footprint before =

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/footprint.h"
 #include "roomcast/simulator/scene/room.h"
 
@@ -26,7 +26,7 @@ class FloorPlan {
   /// Nothing will stand on the way between two points.
   void keep_way(const Eigen::Vector2f& from_m, const Eigen::Vector2f& to_m, float half_width_m);
   /// Nothing tall will stand about a sensor or close before it.
-  void keep_view(const SensorStand& stand);
+  void keep_view(const SensorMount& stand);
 
   /// A place of this size (width, height, depth), taken: a frame on the floor with its front
   /// towards +z. `front_m`: what is kept free before it. Nothing when there is no room.
@@ -58,7 +58,7 @@ class FloorPlan {
                                           float along_m);
 
   Eigen::Vector3f size_m_;
-  Dice dice_;
+  Random random_;
   std::vector<Footprint> taken_, ways_;
   struct Clearing {
     Footprint area;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the floor that something stands on: a rectangle at any angle. Metres, radians; plan
-// coordinates are (x, z), headings as in furniture.h.
+// The part of the floor that something stands on: a rectangle at any angle. Metres, radians;
+// plan coordinates are (x, z), headings as in furniture.h.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Puts pieces of furniture into a room where its floor plan has a place for them, in sizes and with
-// things on them drawn from dice. What finds no place is left out. Metres; single-threaded.
+// things on them drawn from random. What finds no place is left out. Metres; single-threaded.
 #pragma once
 
 #include <optional>
 
-#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/floor_plan.h"
 #include "roomcast/simulator/scene/furniture.h"
 #include "roomcast/simulator/scene/palette.h"
@@ -17,8 +17,8 @@ class Furnisher {
   using Place = std::optional<Eigen::Affine3f>;
 
   /// All three have to outlive it.
-  Furnisher(Room& room, FloorPlan& plan, Dice& dice)
-      : room_(room), plan_(plan), dice_(dice), palette_(draw_palette(room, dice)) {}
+  Furnisher(Room& room, FloorPlan& plan, Random& random)
+      : room_(room), plan_(plan), random_(random), palette_(draw_palette(room, random)) {}
 
   [[nodiscard]] const Palette& palette() const { return palette_; }
 
@@ -65,7 +65,7 @@ class Furnisher {
 
   Room& room_;
   FloorPlan& plan_;
-  Dice& dice_;
+  Random& random_;
   Palette palette_;
 };
 

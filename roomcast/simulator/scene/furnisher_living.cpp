@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "roomcast/simulator/scene/angles.h"
 #include "roomcast/simulator/scene/furnisher.h"
 
 namespace roomcast::sim {
@@ -14,12 +15,6 @@ using Eigen::AngleAxisf;
 using Eigen::Translation3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
-
-constexpr float kPi = 3.14159265F;
-
-Affine3f moved(const Affine3f& at, const Vector3f& by_m, float yaw_rad = 0.0F) {
-  return at * Translation3f(by_m) * AngleAxisf(yaw_rad, Vector3f::UnitY());
-}
 
 }  // namespace
 
@@ -44,22 +39,23 @@ Seat seat_of_chair(const Affine3f& chair, float height_m) {
 }
 
 Furnisher::Place Furnisher::sofa(float front_m) {
-  const float width = dice_.chance(0.5F) ? 2.1F : 1.6F;
+  const float width = random_.chance(0.5F) ? 2.1F : 1.6F;
   const auto at = plan_.against_wall({width, 0.92F, 0.90F}, front_m);
   if (!at) return at;
   add_sofa(room_, *at, palette_.cloth, palette_.dark_wood, width);
-  const auto pillow = room_.add(painted(dice_.chance(0.5F) ? Pattern::kPlaid : Pattern::kWallpaper,
-                                        0xd8a13a, 0x8c2f2b, 0xf0e4c8, dice_.seed()));
+  const auto pillow =
+      room_.add(painted(random_.chance(0.5F) ? Pattern::kPlaid : Pattern::kWallpaper, 0xd8a13a,
+                        0x8c2f2b, 0xf0e4c8, random_.seed()));
   add_throw_cushion(room_, *at, pillow, {-0.29F * width, 0.67F, 0.03F}, 0.42F);
-  if (dice_.chance(0.6F))
+  if (random_.chance(0.6F))
     add_throw_cushion(room_, *at, palette_.other_cloth, {0.30F * width, 0.67F, 0.02F}, -0.40F);
   return at;
 }
 
 Furnisher::Place Furnisher::coffee_table_before(const Affine3f& sofa) {
-  const bool round = dice_.chance(0.4F);
+  const bool round = random_.chance(0.4F);
   const Vector3f size = round ? Vector3f(0.8F, 0.44F, 0.8F) : Vector3f(1.05F, 0.42F, 0.56F);
-  const float beside = dice_.between(-0.3F, 0.3F);
+  const float beside = random_.between(-0.3F, 0.3F);
   const Affine3f at = moved(sofa, {beside, 0, 1.30F});
   if (!plan_.take(at, size + Vector3f(0, 0.15F, 0))) return std::nullopt;
   if (round) {
@@ -68,8 +64,8 @@ Furnisher::Place Furnisher::coffee_table_before(const Affine3f& sofa) {
     add_table(room_, at, palette_.wood, size);
   }
   const Affine3f top = moved(at, {0, size.y(), 0});
-  add_fruit_bowl(room_, moved(top, {0.17F, 0, 0.03F}), dice_.seed());
-  add_book_stack(room_, moved(top, {-0.19F, 0, -0.02F}), 2 + dice_.below(3), dice_.seed());
+  add_fruit_bowl(room_, moved(top, {0.17F, 0, 0.03F}), random_.seed());
+  add_book_stack(room_, moved(top, {-0.19F, 0, -0.02F}), 2 + random_.below(3), random_.seed());
   return at;
 }
 
@@ -78,8 +74,8 @@ void Furnisher::rug_under(const Vector2f& middle_m, const Vector2f& size_m) {
                                                                   {0x2f4f5f, 0x7a3a2a, 0xe0d0a8},
                                                                   {0x4a5a3a, 0x8a6a30, 0xe8dcc0},
                                                                   {0x5a3a5a, 0x2a3a5a, 0xd8b8a0}}};
-  const auto& tones = dice_.one_of(kRugs);
-  Surface rug = painted(Pattern::kRug, tones[0], tones[1], tones[2], dice_.seed());
+  const auto& tones = random_.one_of(kRugs);
+  Surface rug = painted(Pattern::kRug, tones[0], tones[1], tones[2], random_.seed());
   rug.size_m = size_m;
   const Vector2f half = 0.5F * Vector2f(room_.size_m.x(), room_.size_m.z()) -
                         Vector2f::Constant(0.08F) - 0.5F * size_m;
@@ -89,10 +85,10 @@ void Furnisher::rug_under(const Vector2f& middle_m, const Vector2f& size_m) {
 }
 
 Furnisher::Place Furnisher::dining_table() {
-  const bool round = dice_.chance(0.5F);
-  const float radius = dice_.between(0.45F, 0.58F);
+  const bool round = random_.chance(0.5F);
+  const float radius = random_.between(0.45F, 0.58F);
   const Vector3f top = round ? Vector3f(2.0F * radius, 0.74F, 2.0F * radius)
-                             : Vector3f(dice_.between(1.1F, 1.5F), 0.74F, 0.8F);
+                             : Vector3f(random_.between(1.1F, 1.5F), 0.74F, 0.8F);
   const Vector3f all = top + Vector3f(round ? 0.75F : 0.1F, 0.25F, 0.75F);
   auto at = plan_.in_the_open(all);
   if (!at) return at;
@@ -101,7 +97,7 @@ Furnisher::Place Furnisher::dining_table() {
   } else {
     add_table(room_, *at, palette_.wood, top);
   }
-  const bool shells = dice_.chance(0.4F);
+  const bool shells = random_.chance(0.4F);
   const auto chair = [&](const Affine3f& place) {
     if (shells) {
       add_shell_chair(room_, place, palette_.other_cloth, palette_.metal);
@@ -110,18 +106,18 @@ Furnisher::Place Furnisher::dining_table() {
     }
   };
   if (round) {
-    const int count = 3 + dice_.below(2);
+    const int count = 3 + random_.below(2);
     for (int i = 0; i < count; ++i) {
-      const float yaw = 2.0F * kPi * (static_cast<float>(i) + dice_.between(-0.06F, 0.06F)) /
+      const float yaw = 2.0F * kPi * (static_cast<float>(i) + random_.between(-0.06F, 0.06F)) /
                         static_cast<float>(count);
       chair(moved(moved(*at, Vector3f::Zero(), yaw), {0, 0, -radius - 0.10F}));
     }
   } else {
     for (const float x : {-0.25F, 0.25F}) {
       for (const float z : {-1.0F, 1.0F}) {
-        const float away = 0.5F * top.z() + dice_.between(0.05F, 0.11F);
+        const float away = 0.5F * top.z() + random_.between(0.05F, 0.11F);
         chair(moved(*at, {x * top.x(), 0, -z * away},
-                    (z > 0 ? 0.0F : kPi) + dice_.between(-0.15F, 0.15F)));
+                    (z > 0 ? 0.0F : kPi) + random_.between(-0.15F, 0.15F)));
       }
     }
   }
@@ -130,13 +126,13 @@ Furnisher::Place Furnisher::dining_table() {
 }
 
 Furnisher::Place Furnisher::television() {
-  const float width = dice_.between(1.4F, 1.8F);
+  const float width = random_.between(1.4F, 1.8F);
   const auto at = plan_.against_wall({width, 1.30F, 0.42F}, 0.5F);
   if (!at) return at;
   add_sideboard(room_, *at, palette_.wood, palette_.dark, {width, 0.50F, 0.42F});
   const auto glass =
-      room_.add(glazed(painted(Pattern::kPlain, 0x101114, 0, 0, dice_.seed(), 0.03F)));
-  const Affine3f top = moved(*at, {dice_.between(-0.12F, 0.12F), 0.50F, -0.03F});
+      room_.add(glazed(painted(Pattern::kPlain, 0x101114, 0, 0, random_.seed(), 0.03F)));
+  const Affine3f top = moved(*at, {random_.between(-0.12F, 0.12F), 0.50F, -0.03F});
   add_box(room_.mesh, glass, top, {-0.20F, 0, -0.08F}, {0.20F, 0.02F, 0.10F});
   add_box(room_.mesh, glass, top, {-0.04F, 0.02F, -0.035F}, {0.04F, 0.10F, -0.02F});
   add_box(room_.mesh, glass, top, {-0.52F, 0.08F, -0.02F}, {0.52F, 0.70F, 0.02F});
@@ -144,7 +140,7 @@ Furnisher::Place Furnisher::television() {
 }
 
 Furnisher::Place Furnisher::sideboard() {
-  const Vector3f size(dice_.between(1.1F, 1.7F), dice_.between(0.62F, 0.85F), 0.42F);
+  const Vector3f size(random_.between(1.1F, 1.7F), random_.between(0.62F, 0.85F), 0.42F);
   const auto at = plan_.against_wall(size + Vector3f(0, 0.40F, 0), 0.3F);
   if (!at) return at;
   add_sideboard(room_, *at, palette_.wood, palette_.metal, size);
@@ -152,21 +148,21 @@ Furnisher::Place Furnisher::sideboard() {
   add_table_lamp(room_, moved(top, {0.34F * size.x(), 0, -0.02F}), palette_.dark_wood,
                  palette_.lampshade);
   add_book_row(room_, moved(top, {-0.45F * size.x(), 0, 0.12F}), 0.3F * size.x(), 0.28F,
-               dice_.seed());
-  add_fruit_bowl(room_, moved(top, {0.06F * size.x(), 0, 0.0F}), dice_.seed());
+               random_.seed());
+  add_fruit_bowl(room_, moved(top, {0.06F * size.x(), 0, 0.0F}), random_.seed());
   return at;
 }
 
 Furnisher::Place Furnisher::bookshelf(float front_m) {
-  const Vector3f size(dice_.between(0.8F, 1.3F),
-                      dice_.chance(0.7F) ? dice_.between(1.6F, 2.0F) : 0.95F, 0.30F);
+  const Vector3f size(random_.between(0.8F, 1.3F),
+                      random_.chance(0.7F) ? random_.between(1.6F, 2.0F) : 0.95F, 0.30F);
   const auto at = plan_.against_wall(size, front_m);
-  if (at) add_bookshelf(room_, *at, palette_.wood, size, dice_.seed());
+  if (at) add_bookshelf(room_, *at, palette_.wood, size, random_.seed());
   return at;
 }
 
 Furnisher::Place Furnisher::wardrobe() {
-  const Vector3f size(dice_.between(0.9F, 1.4F), dice_.between(1.85F, 2.1F), 0.58F);
+  const Vector3f size(random_.between(0.9F, 1.4F), random_.between(1.85F, 2.1F), 0.58F);
   const auto at = plan_.in_corner(size);
   if (at) add_sideboard(room_, *at, palette_.dark_wood, palette_.metal, size);
   return at;
@@ -180,7 +176,7 @@ Furnisher::Place Furnisher::armchair() {
 
 void Furnisher::plant() {
   const auto at = plan_.in_corner({0.78F, 1.35F, 0.78F});
-  if (at) add_plant(room_, *at, dice_.seed());
+  if (at) add_plant(room_, *at, random_.seed());
 }
 
 void Furnisher::floor_lamp() {
@@ -197,7 +193,7 @@ void Furnisher::odd_end(int which) {
       const auto at = plan_.in_corner({0.55F, 0.5F, 0.45F});
       if (!at) return;
       const auto carton =
-          room_.add(painted(Pattern::kDrawings, 0xb08a5a, 0x4a3018, 0x7a2a2a, dice_.seed()));
+          room_.add(painted(Pattern::kDrawings, 0xb08a5a, 0x4a3018, 0x7a2a2a, random_.seed()));
       add_box(room_.mesh, carton, *at, {-0.24F, 0, -0.2F}, {0.24F, 0.30F, 0.2F});
       add_box(room_.mesh, carton, moved(*at, {0.02F, 0.30F, 0}, 0.2F), {-0.16F, 0, -0.13F},
               {0.16F, 0.20F, 0.13F});
@@ -212,7 +208,7 @@ void Furnisher::odd_end(int which) {
       const auto at = plan_.in_corner({0.26F, 0.26F, 0.26F});
       if (!at) return;
       const auto ball =
-          room_.add(painted(Pattern::kPlaid, 0xd83a2a, 0xf0e4c8, 0x2a4a8c, dice_.seed()));
+          room_.add(painted(Pattern::kPlaid, 0xd83a2a, 0xf0e4c8, 0x2a4a8c, random_.seed()));
       add_cushion(room_.mesh, ball, *at, {0, 0.12F, 0}, Vector3f::Constant(0.12F), 1.0F);
       return;
     }
@@ -223,13 +219,13 @@ void Furnisher::odd_end(int which) {
     }
     default: {
       const auto at = plan_.against_wall({1.75F, 1.05F, 0.52F}, 0.0F);
-      if (at) add_bicycle(room_, *at, dice_.seed());
+      if (at) add_bicycle(room_, *at, random_.seed());
     }
   }
 }
 
 void Furnisher::odds_and_ends(int count) {
-  for (int i = 0; i < count; ++i) odd_end(dice_.below(5));
+  for (int i = 0; i < count; ++i) odd_end(random_.below(5));
 }
 
 void Furnisher::set_out(const Affine3f& on_top, const Vector2f& size_m, int count) {
@@ -238,11 +234,11 @@ void Furnisher::set_out(const Affine3f& on_top, const Vector2f& size_m, int coun
   for (int i = 0; i < count; ++i) {  // side by side, so that nothing meets
     const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;
     const Affine3f at =
-        moved(on_top, {share * size_m.x(), 0, dice_.between(-0.3F, 0.3F) * size_m.y()},
-              dice_.between(-0.4F, 0.4F));
+        moved(on_top, {share * size_m.x(), 0, random_.between(-0.3F, 0.3F) * size_m.y()},
+              random_.between(-0.4F, 0.4F));
     const auto glaze =
-        room_.add(painted(Pattern::kPlain, dice_.one_of(kGlazes), 0, 0, dice_.seed()));
-    switch (dice_.below(4)) {
+        room_.add(painted(Pattern::kPlain, random_.one_of(kGlazes), 0, 0, random_.seed()));
+    switch (random_.below(4)) {
       case 0: {
         const std::array<Vector2f, 7> vase = {Vector2f(0, 0),  {0.045F, 0},     {0.075F, 0.09F},
                                               {0.035F, 0.18F}, {0.045F, 0.22F}, {0.028F, 0.19F},
@@ -251,7 +247,7 @@ void Furnisher::set_out(const Affine3f& on_top, const Vector2f& size_m, int coun
         break;
       }
       case 1:
-        add_book_stack(room_, at, 1 + dice_.below(2), dice_.seed());
+        add_book_stack(room_, at, 1 + random_.below(2), random_.seed());
         break;
       case 2: {
         const std::array<Vector2f, 5> plate = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Furniture, added to a room's mesh. Each piece stands on the local floor (y = 0) with its middle
-// at the local origin and its front towards local +z. Metres.
+// Furniture, added to a room's mesh. Each piece stands on the local floor (y = 0) with its
+// middle at the local origin and its front towards local +z. Metres.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,13 @@ namespace roomcast::sim {
 
 /// Local frame standing on the floor at (x, z); a positive yaw turns its front from +z towards +x.
 [[nodiscard]] Eigen::Affine3f standing_at(float x_m, float z_m, float yaw_rad = 0.0F);
+
+/// The frame, moved in itself and then turned about the vertical.
+[[nodiscard]] Eigen::Affine3f moved(const Eigen::Affine3f& at, const Eigen::Vector3f& by_m,
+                                    float yaw_rad = 0.0F);
+
+/// A plain surface of one colour.
+SurfaceIndex add_paint(Room& room, std::uint32_t color, std::uint32_t seed, float infrared = 0.5F);
 
 /// Floor, ceiling, four walls and skirting boards round the room's size. Walls in order -x, +x, -z,
 /// +z.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/furniture.h"
 
 namespace roomcast::sim {
@@ -18,10 +18,6 @@ using Eigen::Translation3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-SurfaceIndex add_paint(Room& room, std::uint32_t color, std::uint32_t seed, float infrared = 0.5F) {
-  return room.add(painted(Pattern::kPlain, color, 0, 0, seed, infrared));
-}
-
 void add_knob(Room& room, const Affine3f& front, SurfaceIndex surface, float x, float y) {
   const Affine3f out = front * Translation3f(x, y, 0) * AngleAxisf(1.5708F, Vector3f::UnitX());
   const std::array<Vector2f, 3> knob = {Vector2f(0.013F, 0), {0.011F, 0.014F}, {0, 0.014F}};
@@ -32,9 +28,9 @@ void add_knob(Room& room, const Affine3f& front, SurfaceIndex surface, float x, 
 
 void add_instrument(Room& room, const Affine3f& at, const Vector3f& size_m, std::uint32_t seed) {
   constexpr std::array<std::uint32_t, 4> kCases = {0xd8d4c8, 0x5a6268, 0x2f4a5f, 0xb8b2a4};
-  Dice dice(seed);
-  const auto body = add_paint(room, dice.one_of(kCases), dice.seed());
-  const auto dark = add_paint(room, 0x232428, dice.seed(), 0.2F);
+  Random random(seed);
+  const auto body = add_paint(room, random.one_of(kCases), random.seed());
+  const auto dark = add_paint(room, 0x232428, random.seed(), 0.2F);
   const float x = 0.5F * size_m.x(), z = 0.5F * size_m.z();
   const float low = 0.012F;
   add_box(room.mesh, body, at, {-x, low, -z}, {x, size_m.y(), z});
@@ -43,7 +39,7 @@ void add_instrument(Room& room, const Affine3f& at, const Vector3f& size_m, std:
   }
   const Affine3f front = at * Translation3f(0, 0, z);
   Surface shown =
-      glazed(painted(Pattern::kScreen, 0x10281c, 0x40d080, 0x10281c, dice.seed(), 0.05F));
+      glazed(painted(Pattern::kScreen, 0x10281c, 0x40d080, 0x10281c, random.seed(), 0.05F));
   shown.size_m = {0.5F * size_m.x(), 0.62F * size_m.y()};
   shown.glow = 0.6F;
   add_quad(room.mesh, room.add(shown), front, {-0.9F * x, 0.22F * size_m.y(), 0.0015F},
@@ -99,7 +95,7 @@ void add_drawers(Room& room, const Affine3f& at, SurfaceIndex body, SurfaceIndex
 
 void add_rack(Room& room, const Affine3f& at, SurfaceIndex metal, const Vector3f& size_m,
               std::uint32_t seed) {
-  Dice dice(seed);
+  Random random(seed);
   const float x = 0.5F * size_m.x(), z = 0.5F * size_m.z(), h = size_m.y();
   for (const float side : {-x, x - 0.04F}) {
     for (const float deep : {-z, z - 0.04F})
@@ -110,14 +106,14 @@ void add_rack(Room& room, const Affine3f& at, SurfaceIndex metal, const Vector3f
   constexpr std::array<std::uint32_t, 4> kFaces = {0x2c2f34, 0x40454c, 0xb4b8bc, 0x1d2a3a};
   float y = 0.08F;
   while (y < h - 0.12F) {
-    const float unit = 0.0445F * static_cast<float>(1 + dice.below(4));
+    const float unit = 0.0445F * static_cast<float>(1 + random.below(4));
     if (y + unit > h - 0.04F) break;
-    if (!dice.chance(0.18F)) {
-      const auto color = dice.one_of(kFaces);
-      Surface face = painted(Pattern::kRackFace, color, 0x101114, 0x08090a, dice.seed(), 0.25F);
+    if (!random.chance(0.18F)) {
+      const auto color = random.one_of(kFaces);
+      Surface face = painted(Pattern::kRackFace, color, 0x101114, 0x08090a, random.seed(), 0.25F);
       face.size_m = {size_m.x() - 0.08F, unit - 0.004F};
-      const float depth = dice.between(0.25F, 0.9F * size_m.z());
-      add_box(room.mesh, add_paint(room, color, dice.seed(), 0.25F), at,
+      const float depth = random.between(0.25F, 0.9F * size_m.z());
+      add_box(room.mesh, add_paint(room, color, random.seed(), 0.25F), at,
               {-x + 0.04F, y, z - 0.012F - depth}, {x - 0.04F, y + unit - 0.004F, z - 0.012F});
       add_quad(room.mesh, room.add(face), at, {-x + 0.04F, y, z - 0.010F}, {face.size_m.x(), 0, 0},
                {0, face.size_m.y(), 0});
@@ -127,23 +123,23 @@ void add_rack(Room& room, const Affine3f& at, SurfaceIndex metal, const Vector3f
   constexpr std::array<std::uint32_t, 5> kCables = {0xd0a020, 0x2a5aa0, 0xb03030, 0x303236,
                                                     0xd8d8d8};
   for (int i = 0; i < 10; ++i) {
-    const float from = dice.between(0.15F, h - 0.3F);
-    const float to = dice.between(0.15F, h - 0.3F);
-    const float left = dice.between(-x + 0.08F, x - 0.08F);
-    const float right = left + dice.between(-0.15F, 0.15F);
-    const float low = std::min(from, to) - dice.between(0.02F, 0.12F);
+    const float from = random.between(0.15F, h - 0.3F);
+    const float to = random.between(0.15F, h - 0.3F);
+    const float left = random.between(-x + 0.08F, x - 0.08F);
+    const float right = left + random.between(-0.15F, 0.15F);
+    const float low = std::min(from, to) - random.between(0.02F, 0.12F);
     const std::array<Vector3f, 5> line = {Vector3f(left, from, z - 0.01F),
                                           {left, from - 0.02F, z + 0.03F},
                                           {0.5F * (left + right), low, z + 0.05F},
                                           {right, to - 0.02F, z + 0.03F},
                                           {right, to, z - 0.01F}};
-    add_tube(room.mesh, add_paint(room, dice.one_of(kCables), dice.seed()), at, line, 0.004F);
+    add_tube(room.mesh, add_paint(room, random.one_of(kCables), random.seed()), at, line, 0.004F);
   }
 }
 
 void add_cable_tray(Room& room, const Vector3f& from_m, const Vector3f& to_m, SurfaceIndex metal,
                     std::uint32_t seed) {
-  Dice dice(seed);
+  Random random(seed);
   const Vector3f way = to_m - from_m;
   const float length = way.norm();
   const Affine3f at =
@@ -162,14 +158,15 @@ void add_cable_tray(Room& room, const Vector3f& from_m, const Vector3f& to_m, Su
   constexpr std::array<std::uint32_t, 5> kCables = {0x1f2022, 0x2a5aa0, 0xd8d8d4, 0xd0a020,
                                                     0x3a3b3e};
   for (int i = 0; i < 9; ++i) {
-    const float radius = dice.between(0.005F, 0.011F);
+    const float radius = random.between(0.005F, 0.011F);
     std::vector<Vector3f> line;
     const float home = -0.12F + 0.028F * static_cast<float>(i);
     for (float z = 0.0F; z <= length; z += 0.25F) {
-      line.emplace_back(home + dice.between(-0.008F, 0.008F),
-                        0.016F + radius + dice.between(0.0F, 0.006F), z);
+      line.emplace_back(home + random.between(-0.008F, 0.008F),
+                        0.016F + radius + random.between(0.0F, 0.006F), z);
     }
-    add_tube(room.mesh, add_paint(room, dice.one_of(kCables), dice.seed(), 0.3F), at, line, radius);
+    add_tube(room.mesh, add_paint(room, random.one_of(kCables), random.seed(), 0.3F), at, line,
+             radius);
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on tables, and light pieces: round tables, stools, lamps, cups, books, laptops,
-// bicycles.
+// What stands on tables, and light pieces: round tables, stools, lamps, cups, books,
+// laptops, bicycles.
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/furniture.h"
 
 namespace roomcast::sim {
@@ -19,10 +19,6 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
-
-SurfaceIndex add_paint(Room& room, std::uint32_t color, std::uint32_t seed, float infrared = 0.5F) {
-  return room.add(painted(Pattern::kPlain, color, 0, 0, seed, infrared));
-}
 
 void add_ring(Room& room, const Affine3f& at, SurfaceIndex surface, const Vector3f& centre,
               float radius_m, float thickness_m) {
@@ -115,15 +111,15 @@ void add_mug(Room& room, const Affine3f& at, SurfaceIndex glaze) {
 void add_book_stack(Room& room, const Affine3f& at, int count, std::uint32_t seed) {
   constexpr std::array<std::uint32_t, 6> kCovers = {0x35546e, 0x8c2f2b, 0xc9a24a,
                                                     0x2f5d3a, 0xe6ddc8, 0x4a3555};
-  Dice dice(seed);
+  Random random(seed);
   float y = 0.0F;
   for (int i = 0; i < count; ++i) {
-    const Vector3f half(dice.between(0.08F, 0.12F), dice.between(0.008F, 0.02F),
-                        dice.between(0.11F, 0.15F));
-    const auto cover = room.add(painted(Pattern::kPoster, dice.one_of(kCovers),
-                                        dice.one_of(kCovers), 0x202020, dice.seed()));
+    const Vector3f half(random.between(0.08F, 0.12F), random.between(0.008F, 0.02F),
+                        random.between(0.11F, 0.15F));
+    const auto cover = room.add(painted(Pattern::kPoster, random.one_of(kCovers),
+                                        random.one_of(kCovers), 0x202020, random.seed()));
     room.surfaces.back().size_m = {2.0F * half.z(), 2.0F * half.x()};
-    const Affine3f turned = at * AngleAxisf(dice.between(-0.3F, 0.3F), Vector3f::UnitY());
+    const Affine3f turned = at * AngleAxisf(random.between(-0.3F, 0.3F), Vector3f::UnitY());
     add_box(room.mesh, cover, turned, {-half.x(), y, -half.z()},
             {half.x(), y + 2.0F * half.y(), half.z()});
     y += 2.0F * half.y() + 0.001F;
@@ -133,41 +129,42 @@ void add_book_stack(Room& room, const Affine3f& at, int count, std::uint32_t see
 void add_fruit_bowl(Room& room, const Affine3f& at, std::uint32_t seed) {
   constexpr std::array<std::uint32_t, 4> kFruit = {0xc8402a, 0xe0a030, 0x7fa43a, 0xd8702a};
   constexpr std::array<std::uint32_t, 3> kGlaze = {0x2f5f8a, 0xe8e0d0, 0x8a4a3a};
-  Dice dice(seed);
+  Random random(seed);
   const std::array<Vector2f, 7> bowl = {Vector2f(0, 0), {0.05F, 0},     {0.06F, 0.012F},
                                         {0.13F, 0.06F}, {0.15F, 0.09F}, {0.13F, 0.07F},
                                         {0, 0.02F}};
-  add_turned(room.mesh, add_paint(room, dice.one_of(kGlaze), dice.seed()), at, bowl);
+  add_turned(room.mesh, add_paint(room, random.one_of(kGlaze), random.seed()), at, bowl);
   for (int i = 0; i < 4; ++i) {
     const float angle = 0.25F * kTurn * static_cast<float>(i);
-    add_cushion(room.mesh, add_paint(room, dice.one_of(kFruit), dice.seed()), at,
+    add_cushion(room.mesh, add_paint(room, random.one_of(kFruit), random.seed()), at,
                 {0.05F * std::cos(angle), 0.08F, 0.05F * std::sin(angle)},
                 Vector3f::Constant(0.04F), 1.0F);
   }
 }
 
 void add_keyboard(Room& room, const Affine3f& at, std::uint32_t seed) {
-  Dice dice(seed);
-  const bool light = dice.chance(0.4F);
-  const auto body = add_paint(room, light ? 0xd8d8d4 : 0x26272a, dice.seed(), 0.3F);
+  Random random(seed);
+  const bool light = random.chance(0.4F);
+  const auto body = add_paint(room, light ? 0xd8d8d4 : 0x26272a, random.seed(), 0.3F);
   Surface face = painted(Pattern::kKeys, light ? 0xb8b8b2 : 0x1a1b1d, light ? 0xeeeeea : 0x3a3b40,
-                         light ? 0x303030 : 0xd0d0d0, dice.seed(), 0.3F);
+                         light ? 0x303030 : 0xd0d0d0, random.seed(), 0.3F);
   add_box(room.mesh, body, at, {-0.22F, 0, -0.07F}, {0.22F, 0.018F, 0.07F});
   add_quad(room.mesh, room.add(face), at, {-0.21F, 0.0195F, 0.06F}, {0.42F, 0, 0}, {0, 0, -0.12F});
 }
 
 void add_laptop(Room& room, const Affine3f& at, std::uint32_t seed) {
-  Dice dice(seed);
-  const auto shell = add_paint(room, dice.chance(0.5F) ? 0xa8abb0 : 0x2a2b2f, dice.seed(), 0.35F);
+  Random random(seed);
+  const auto shell =
+      add_paint(room, random.chance(0.5F) ? 0xa8abb0 : 0x2a2b2f, random.seed(), 0.35F);
   const auto deck =
-      room.add(painted(Pattern::kKeys, 0x38393d, 0x202124, 0xc8c8c8, dice.seed(), 0.2F));
+      room.add(painted(Pattern::kKeys, 0x38393d, 0x202124, 0xc8c8c8, random.seed(), 0.2F));
   add_box(room.mesh, shell, at, {-0.165F, 0, -0.115F}, {0.165F, 0.016F, 0.115F});
   add_quad(room.mesh, deck, at, {-0.14F, 0.0172F, 0.02F}, {0.28F, 0, 0}, {0, 0, -0.11F});
   const Affine3f lid =
       at * Translation3f(0, 0.016F, -0.112F) * AngleAxisf(-0.30F, Vector3f::UnitX());
   add_box(room.mesh, shell, lid, {-0.165F, 0, -0.008F}, {0.165F, 0.225F, 0});
   Surface shown =
-      glazed(painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, dice.seed(), 0.04F));
+      glazed(painted(Pattern::kScreen, 0xe8ecf0, 0x2a4a6a, 0x1c2430, random.seed(), 0.04F));
   shown.size_m = {0.31F, 0.20F};
   shown.glow = 0.7F;
   add_quad(room.mesh, room.add(shown), lid, {-0.155F, 0.012F, 0.0015F}, {0.31F, 0, 0},
@@ -182,10 +179,10 @@ void add_bin(Room& room, const Affine3f& at, SurfaceIndex surface) {
 
 void add_bicycle(Room& room, const Affine3f& at, std::uint32_t seed) {
   constexpr std::array<std::uint32_t, 4> kFrames = {0xa03028, 0x2a5a8a, 0x2f6a4a, 0xd0a040};
-  Dice dice(seed);
-  const auto frame = add_paint(room, dice.one_of(kFrames), dice.seed());
-  const auto rubber = add_paint(room, 0x1c1c1e, dice.seed(), 0.1F);
-  const auto metal = add_paint(room, 0xb8bcc0, dice.seed(), 0.4F);
+  Random random(seed);
+  const auto frame = add_paint(room, random.one_of(kFrames), random.seed());
+  const auto rubber = add_paint(room, 0x1c1c1e, random.seed(), 0.1F);
+  const auto metal = add_paint(room, 0xb8bcc0, random.seed(), 0.4F);
   constexpr float kWheel_m = 0.33F;
   const Vector3f rear(-0.5F, kWheel_m + 0.017F, 0), front(0.52F, kWheel_m + 0.017F, 0);
   const Vector3f pedals(-0.06F, 0.29F, 0), seat(-0.22F, 0.80F, 0), head(0.34F, 0.78F, 0);

@@ -32,6 +32,14 @@ Affine3f turned(const Affine3f& at, const Vector3f& shift_m, float yaw_rad,
 
 }  // namespace
 
+Eigen::Affine3f moved(const Eigen::Affine3f& at, const Eigen::Vector3f& by_m, float yaw_rad) {
+  return at * Eigen::Translation3f(by_m) * Eigen::AngleAxisf(yaw_rad, Eigen::Vector3f::UnitY());
+}
+
+SurfaceIndex add_paint(Room& room, std::uint32_t color, std::uint32_t seed, float infrared) {
+  return room.add(painted(Pattern::kPlain, color, 0, 0, seed, infrared));
+}
+
 Affine3f standing_at(float x_m, float z_m, float yaw_rad) {
   return turned(Affine3f::Identity(), {x_m, 0, z_m}, yaw_rad);
 }

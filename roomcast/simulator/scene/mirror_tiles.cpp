@@ -4,8 +4,8 @@
 
 #include "roomcast/simulator/scene/empty_room.h"
 #include "roomcast/simulator/scene/furnisher.h"
+#include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
-#include "roomcast/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
 namespace {
@@ -15,26 +15,26 @@ using Eigen::Vector2f;
 
 /// Tiles fit the room exactly: the floor looks the same when it is shifted by a tile, mirrored, or
 /// turned half round.
-void add_tiled_shell(Room& room, float tile_m, Dice& dice) {
+void add_tiled_shell(Room& room, float tile_m, Random& random) {
   constexpr std::array<std::array<std::uint32_t, 2>, 4> kTones = {
       {{0xe4e0d6, 0x3a4a5a}, {0xd8d4cc, 0x8a3a30}, {0xe8e6e0, 0x2f5f4a}, {0xd0d4d8, 0x5a4a3a}}};
-  const auto& tones = dice.one_of(kTones);
+  const auto& tones = random.one_of(kTones);
   ShellSurfaces shell{};
-  Surface tiles = painted(Pattern::kTiles, tones[0], tones[1], 0x8a8880, dice.seed(), 0.5F);
+  Surface tiles = painted(Pattern::kTiles, tones[0], tones[1], 0x8a8880, random.seed(), 0.5F);
   tiles.size_m = Vector2f::Constant(tile_m);
   shell.floor = room.add(tiles);
-  shell.ceiling = room.add(painted(Pattern::kFlat, 0xeceae6, 0, 0, dice.seed(), 0.6F));
-  shell.skirting = room.add(painted(Pattern::kFlat, 0xd8d6d0, 0, 0, dice.seed()));
-  shell.walls.fill(room.add(painted(Pattern::kFlat, 0xdcdcd6, 0, 0, dice.seed(), 0.6F)));
+  shell.ceiling = room.add(painted(Pattern::kFlat, 0xeceae6, 0, 0, random.seed(), 0.6F));
+  shell.skirting = room.add(painted(Pattern::kFlat, 0xd8d6d0, 0, 0, random.seed()));
+  shell.walls.fill(room.add(painted(Pattern::kFlat, 0xdcdcd6, 0, 0, random.seed(), 0.6F)));
   add_shell(room, shell);
 }
 
 /// The same poster again and again: three on each long wall, two on each short one.
-void add_posters(Room& room, const Furnisher& furnisher, Dice& dice) {
-  Surface poster = painted(Pattern::kPoster, 0xf0ece0, 0x2f4a6a, 0x202020, dice.seed());
+void add_posters(Room& room, const Furnisher& furnisher, Random& random) {
+  Surface poster = painted(Pattern::kPoster, 0xf0ece0, 0x2f4a6a, 0x202020, random.seed());
   const std::array<std::array<std::uint32_t, 2>, 3> tones = {
       {{0xb04030, 0x2a2a2a}, {0x3a7a8a, 0x1d3026}, {0xd0a040, 0x3a2a1a}}};
-  poster.accent = linear_from_srgb(dice.one_of(tones)[0]);
+  poster.accent = linear_from_srgb(random.one_of(tones)[0]);
   poster.size_m = {0.56F, 0.80F};
   const float along = room.size_m.x() / 3.6F;
   for (const int wall : {2, 3}) {
@@ -67,20 +67,20 @@ void add_rows_of_chairs(Room& room, FloorPlan& plan, const Furnisher& furnisher,
 }  // namespace
 
 std::optional<Room> try_mirror_tiles(std::uint32_t seed) {
-  Dice dice(seed);
-  const float tile_m = dice.chance(0.5F) ? 0.45F : 0.36F;
+  Random random(seed);
+  const float tile_m = random.chance(0.5F) ? 0.45F : 0.36F;
   const auto whole_tiles = [&](float size_m) { return tile_m * std::round(size_m / tile_m); };
   Room room = empty_room({whole_tiles(5.4F), 2.6F, whole_tiles(4.5F)}, {0.45F, 0.45F, 0.45F},
-                         draw_stands_in_corners, dice);
-  FloorPlan plan = plan_of(room, dice);
+                         draw_sensor_mounts_in_corners, random);
+  FloorPlan plan = plan_of(room, random);
 
-  add_tiled_shell(room, tile_m, dice);
-  Furnisher furnisher(room, plan, dice);
+  add_tiled_shell(room, tile_m, random);
+  Furnisher furnisher(room, plan, random);
   furnisher.panels();
-  add_posters(room, furnisher, dice);
+  add_posters(room, furnisher, random);
   add_rows_of_chairs(room, plan, furnisher, 5);
-  Person walker = draw_person(room, dice);
-  walker.stops = {Stop{}, Stop{}, Stop{}};
+  Person walker = draw_person(room, random);
+  walker.stops = {Waypoint{}, Waypoint{}, Waypoint{}};
   for (std::size_t i = 0; i < walker.stops.size(); ++i) {
     const float angle = 2.1F * static_cast<float>(i);
     walker.stops[i].at_m = {1.3F * std::sin(angle), 0.75F * std::cos(angle)};
@@ -88,7 +88,7 @@ std::optional<Room> try_mirror_tiles(std::uint32_t seed) {
   }
   room.people.push_back(walker);
   plan.keep_way({-1.3F, 0}, {1.3F, 0}, 1.15F);
-  room.unique_things = dice.below(4);
+  room.unique_things = random.below(4);
   for (int i = 0; i < room.unique_things; ++i) {
     if (i == 0) furnisher.plant();
     if (i == 1) furnisher.cabinet();

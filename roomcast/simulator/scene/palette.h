@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours and cloths of one room, drawn from dice: surfaces that many things share.
+// The colours and cloths of one room, drawn from random: surfaces that many things share.
 #pragma once
 
-#include "roomcast/simulator/random/dice.h"
+#include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/furniture.h"
 #include "roomcast/simulator/scene/room.h"
 
@@ -14,15 +14,15 @@ struct Palette {
   SurfaceIndex metal, dark, white;
   SurfaceIndex lampshade;
 };
-[[nodiscard]] Palette draw_palette(Room& room, Dice& dice);
+[[nodiscard]] Palette draw_palette(Room& room, Random& random);
 
 enum class FloorKind { kBoards, kCarpet, kTerrazzo, kConcrete };
 /// Floor, ceiling, skirting and walls with something to see in them: brick, wallpaper, plaster.
-void add_homely_shell(Room& room, FloorKind floor, Dice& dice);
+void add_homely_shell(Room& room, FloorKind floor, Random& random);
 /// Painted walls, one of them in another colour.
-void add_plain_shell(Room& room, FloorKind floor, Dice& dice);
+void add_plain_shell(Room& room, FloorKind floor, Random& random);
 
 /// A person in their own build, clothes, skin and hair, without anything to do yet.
-[[nodiscard]] Person draw_person(Room& room, Dice& dice);
+[[nodiscard]] Person draw_person(Room& room, Random& random);
 
 }  // namespace roomcast::sim

@@ -30,7 +30,7 @@ struct Outfit {
 };
 
 /// What somebody does where they stop.
-enum class Deed : std::uint8_t {
+enum class Activity : std::uint8_t {
   kStand,     // breathes, sways, looks around a little
   kSit,       // sits down, rests, stands up
   kTalk,      // gestures with both hands, standing
@@ -45,11 +45,11 @@ enum class Deed : std::uint8_t {
   kPutDown,   // leaves the burden at the target
 };
 
-struct Stop {
+struct Waypoint {
   Eigen::Vector2f at_m = Eigen::Vector2f::Zero();  // x, z of the point between the feet
   float heading_rad = 0;                           // 0: facing +z; a quarter turn: facing +x
   float stay_s = 2;
-  Deed deed = Deed::kStand;
+  Activity activity = Activity::kStand;
   /// Where a hand goes, or where the burden's middle rests (its front towards the person). With
   /// kStand, kTalk and kSitTalk: what is looked at.
   Eigen::Vector3f target_m = Eigen::Vector3f::Zero();
@@ -68,7 +68,7 @@ struct Burden {
 struct Person {
   Build build;
   Outfit outfit;
-  std::vector<Stop> stops;
+  std::vector<Waypoint> stops;
   float pace_m_s = 1.05F;
   float begin_s = 0;             // how far into the round they are at scene time 0
   std::optional<Burden> burden;  // rests where the last kPutDown left it

@@ -19,8 +19,8 @@ constexpr std::array<TryBuild, kSceneNames.size()> kTryBuild = {
 
 /// One throw in a few leaves no place for what a scene needs; the next one is another room.
 Room first_that_fits(TryBuild try_build, std::uint32_t seed) {
-  constexpr std::uint32_t kMostThrows = 200;
-  for (std::uint32_t i = 0; i < kMostThrows; ++i) {
+  constexpr std::uint32_t kMaxThrows = 200;
+  for (std::uint32_t i = 0; i < kMaxThrows; ++i) {
     if (auto room = try_build(i == 0 ? seed : hash_of(seed, i))) return *std::move(room);
   }
   ROOMCAST_ASSERT(false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A furnished room: what stands still in it, how it is lit, where sensors stand, and who is in it.
-// World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
+// A furnished room: what stands still in it, how it is lit, where sensors stand, and who is
+// in it. World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Light {
 };
 
 /// Where a sensor stands and what it looks at.
-struct SensorStand {
+struct SensorMount {
   Eigen::Vector3f eye_m;
   Eigen::Vector3f target_m;
 };
@@ -39,8 +39,9 @@ struct Room {
   TriangleMesh mesh;
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
-  Eigen::Vector3f ambient;                               // light from everywhere, linear
-  std::array<SensorStand, kMaxSimulatedSensors> stands;  // any first few of them see the whole room
+  Eigen::Vector3f ambient;  // light from everywhere, linear
+  std::array<SensorMount, kMaxSimulatedSensors>
+      sensor_mounts;  // any first few of them see the whole room
   std::vector<Person> people;
   int unique_things = -1;  // of a room made of repetitions: what is there once; -1: no such room
   std::vector<Footprint> footprints;  // of what stands on the floor

@@ -51,8 +51,8 @@ TEST_P(Rooms, everything_is_inside_the_walls) {
 
 /// Whether a point is near a seat that the person sits down on.
 bool near_own_seat(const Person& person, const Eigen::Vector3f& point) {
-  return std::any_of(person.stops.begin(), person.stops.end(), [&](const Stop& stop) {
-    return stop.deed == Deed::kSit && (stop.seat_m - point).norm() < 1.3F;
+  return std::any_of(person.stops.begin(), person.stops.end(), [&](const Waypoint& stop) {
+    return stop.activity == Activity::kSit && (stop.seat_m - point).norm() < 1.3F;
   });
 }
 
@@ -76,7 +76,7 @@ TEST_P(Rooms, people_keep_clear_of_the_furniture) {
   }
 }
 
-TEST_P(Rooms, furniture_stands_on_places_of_its_own) {
+TEST_P(Rooms, furniture_sensor_mounts_on_places_of_its_own) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Room room = build_room(GetParam(), seed).value();
     ASSERT_GE(room.footprints.size(), 3U);
@@ -95,7 +95,7 @@ TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
   EXPECT_EQ(room_.mesh.surface, again.mesh.surface);
   const Room other = build_room(GetParam(), 2).value();
   EXPECT_NE(room_.mesh.positions, other.mesh.positions);
-  EXPECT_NE(room_.stands[0].eye_m, other.stands[0].eye_m);
+  EXPECT_NE(room_.sensor_mounts[0].eye_m, other.sensor_mounts[0].eye_m);
   int elsewhere = 0;
   for (std::size_t i = 0; i < std::min(room_.footprints.size(), other.footprints.size()); ++i) {
     const Eigen::Vector2f moved = room_.footprints[i].centre_m - other.footprints[i].centre_m;
@@ -105,10 +105,10 @@ TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
   EXPECT_GE(elsewhere, rows ? 0 : 3);
 }
 
-TEST_P(Rooms, no_sensor_stands_in_something) {
+TEST_P(Rooms, no_sensor_sensor_mounts_in_something) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Room room = build_room(GetParam(), seed).value();
-    for (const SensorStand& stand : room.stands) {
+    for (const SensorMount& stand : room.sensor_mounts) {
       for (const auto& point : room.mesh.positions)
         ASSERT_GT((point - stand.eye_m).norm(), 0.12F) << "seed " << seed;
       for (const Footprint& taken : room.footprints) {
@@ -131,7 +131,7 @@ TEST_P(Rooms, somebody_is_there_and_wears_surfaces_that_exist) {
 }
 
 TEST_P(Rooms, sensors_stand_inside_at_sensible_heights) {
-  for (const SensorStand& stand : room_.stands) {
+  for (const SensorMount& stand : room_.sensor_mounts) {
     EXPECT_GE(stand.eye_m.y(), 1.2F);
     EXPECT_LE(stand.eye_m.y(), 2.2F);
     EXPECT_LT(std::abs(stand.eye_m.x()), 0.5F * room_.size_m.x());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kinds of room there are, each drawn from a seed: where things stand, which and how large they
-// are, their colours and pictures, who is there and what they do. Nothing when the dice left no
+// are, their colours and pictures, who is there and what they do. Nothing when the random left no
 // place for what the scene cannot do without; another seed will.
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/simulator/scene/empty_room.h"
 #include "roomcast/simulator/scene/furnisher.h"
+#include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
-#include "roomcast/simulator/scene/strolls.h"
 
 namespace roomcast::sim {
 namespace {
@@ -13,7 +13,7 @@ using Eigen::Vector2f;
 void set_up_tripods(Room& room, FloorPlan& plan, SurfaceIndex metal) {
   constexpr float kBelowEye_m = 0.16F;
   for (int i = 0; i < kTripods; ++i) {
-    const SensorStand& stand = room.stands[static_cast<std::size_t>(i)];
+    const SensorMount& stand = room.sensor_mounts[static_cast<std::size_t>(i)];
     const auto at = standing_at(stand.eye_m.x(), stand.eye_m.z(), 0.7F * static_cast<float>(i));
     const float height_m = stand.eye_m.y() - kBelowEye_m;
     plan.take(at, {0.62F, height_m, 0.62F});
@@ -21,46 +21,47 @@ void set_up_tripods(Room& room, FloorPlan& plan, SurfaceIndex metal) {
   }
 }
 
-Stop doing(Deed deed, const Vector2f& at_m, float heading_rad, float stay_s) {
-  Stop stop;
+Waypoint doing(Activity activity, const Vector2f& at_m, float heading_rad, float stay_s) {
+  Waypoint stop;
   stop.at_m = at_m;
   stop.heading_rad = heading_rad;
-  stop.deed = deed;
+  stop.activity = activity;
   stop.stay_s = stay_s;
   return stop;
 }
 
 /// Shows exercises towards the first sensor, walks up and down, stretches slowly, pauses.
-Person demonstrator(Room& room, float x, Dice& dice) {
-  const float back_m = dice.between(-0.5F, -0.4F), front_m = dice.between(0.25F, 0.35F);
-  const auto askew = [&] { return dice.between(-0.25F, 0.25F); };
-  Person person = draw_person(room, dice);
-  person.stops = {doing(Deed::kExercise, {x, front_m}, askew(), dice.between(5.0F, 6.0F)),
-                  doing(Deed::kStand, {x, back_m}, askew(), 0.8F),
-                  doing(Deed::kExercise, {x, front_m - 0.1F}, askew(), dice.between(4.0F, 5.0F)),
-                  doing(Deed::kStretch, {x, back_m}, askew(), dice.between(5.0F, 6.0F))};
-  person.pace_m_s = dice.between(0.85F, 1.0F);
+Person demonstrator(Room& room, float x, Random& random) {
+  const float back_m = random.between(-0.5F, -0.4F), front_m = random.between(0.25F, 0.35F);
+  const auto askew = [&] { return random.between(-0.25F, 0.25F); };
+  Person person = draw_person(room, random);
+  person.stops = {
+      doing(Activity::kExercise, {x, front_m}, askew(), random.between(5.0F, 6.0F)),
+      doing(Activity::kStand, {x, back_m}, askew(), 0.8F),
+      doing(Activity::kExercise, {x, front_m - 0.1F}, askew(), random.between(4.0F, 5.0F)),
+      doing(Activity::kStretch, {x, back_m}, askew(), random.between(5.0F, 6.0F))};
+  person.pace_m_s = random.between(0.85F, 1.0F);
   return person;
 }
 
 }  // namespace
 
 std::optional<Room> try_studio(std::uint32_t seed) {
-  Dice dice(seed);
-  Room room = empty_room({dice.between(5.8F, 6.4F), 2.8F, dice.between(5.0F, 5.4F)},
-                         {0.46F, 0.46F, 0.46F}, draw_stands_on_tripods, dice);
-  FloorPlan plan(room.size_m, dice.seed());
-  add_plain_shell(room, FloorKind::kBoards, dice);
-  Furnisher furnisher(room, plan, dice);
+  Random random(seed);
+  Room room = empty_room({random.between(5.8F, 6.4F), 2.8F, random.between(5.0F, 5.4F)},
+                         {0.46F, 0.46F, 0.46F}, draw_sensor_mounts_on_tripods, random);
+  FloorPlan plan(room.size_m, random.seed());
+  add_plain_shell(room, FloorKind::kBoards, random);
+  Furnisher furnisher(room, plan, random);
   set_up_tripods(room, plan, furnisher.palette().dark);
-  for (const SensorStand& stand : room.stands) plan.keep_view(stand);
+  for (const SensorMount& stand : room.sensor_mounts) plan.keep_view(stand);
   plan.keep_way({-0.5F, 0.0F}, {0.5F, 0.0F}, 1.2F);
 
   furnisher.panels();
   furnisher.door();
-  room.people.push_back(demonstrator(room, dice.between(0.55F, 0.65F), dice));
-  room.people.push_back(demonstrator(room, dice.between(-0.65F, -0.55F), dice));
-  room.people.back().begin_s = dice.between(1.5F, 2.5F);
+  room.people.push_back(demonstrator(room, random.between(0.55F, 0.65F), random));
+  room.people.push_back(demonstrator(room, random.between(-0.65F, -0.55F), random));
+  room.people.back().begin_s = random.between(1.5F, 2.5F);
   furnisher.wall_screen();
   furnisher.whiteboard(0.0F);
   furnisher.window();
@@ -70,10 +71,10 @@ std::optional<Room> try_studio(std::uint32_t seed) {
   furnisher.cabinet();
   furnisher.plant();
   furnisher.plant();
-  furnisher.pictures(4 + dice.below(4));
+  furnisher.pictures(4 + random.below(4));
   furnisher.clock();
-  furnisher.odds_and_ends(4 + dice.below(3));
-  furnisher.rug_under(Vector2f::Zero(), {dice.between(2.4F, 2.8F), dice.between(1.6F, 1.9F)});
+  furnisher.odds_and_ends(4 + random.below(3));
+  furnisher.rug_under(Vector2f::Zero(), {random.between(2.4F, 2.8F), random.between(1.6F, 1.9F)});
   room.footprints = plan.taken();
   return room;
 }

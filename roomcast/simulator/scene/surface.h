@@ -68,8 +68,8 @@ struct Surface {
 
 /// Share of a depth camera's light that comes back to it from a surface seen at this cosine of
 /// incidence, in units of what a matt white one scatters. What is polished sends the light
-/// somewhere else, but head-on a multiple of it straight back: the emitter stands beside the lens,
-/// so the half vector of Blinn's lobe ("Models of light reflection for computer synthesized
+/// somewhere else, but head-on a multiple of it straight back: the emitter stands beside the
+/// lens, so the half vector of Blinn's lobe ("Models of light reflection for computer synthesized
 /// pictures", SIGGRAPH 1977; normalised by (n + 8) / 8) is the line of sight.
 [[nodiscard]] float infrared_back(const Surface& surface, float facing);
 

@@ -2,7 +2,8 @@
 #include "roomcast/simulator/scene/triangle_mesh.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "roomcast/simulator/scene/angles.h"
 
 namespace roomcast::sim {
 namespace {
@@ -11,7 +12,6 @@ using Eigen::Affine3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kTurnedSegments = 20;
 
 std::uint32_t add_vertex(TriangleMesh& mesh, const Affine3f& world_from_local,

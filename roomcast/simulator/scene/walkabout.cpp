@@ -15,7 +15,7 @@ constexpr float kPause_s = 0.6F;     // at every turn
 constexpr float kTurned_rad = 1.9F;  // from one to the next
 
 bool goes_somewhere(const Person& person) {
-  return std::ranges::any_of(person.stops, [&](const Stop& stop) {
+  return std::ranges::any_of(person.stops, [&](const Waypoint& stop) {
     return !is_same_place(stop.at_m, person.stops.front().at_m);
   });
 }
@@ -31,8 +31,8 @@ const Person* whoever_walks(const Room& room) {
   return walker == room.people.end() ? nullptr : &*walker;
 }
 
-Stop standing_at(const Vector2f& at_m, float heading_rad, float stay_s) {
-  Stop stop;
+Waypoint standing_at(const Vector2f& at_m, float heading_rad, float stay_s) {
+  Waypoint stop;
   stop.at_m = at_m;
   stop.heading_rad = heading_rad;
   stop.stay_s = stay_s;
@@ -44,9 +44,9 @@ bool add_walkabout(Room& room) {
   const Person* const walker = whoever_walks(room);
   if (walker == nullptr) return false;
   Person person = *walker;
-  std::vector<Stop> stops;
+  std::vector<Waypoint> stops;
   float heading_rad = 0;
-  for (const Stop& stop : person.stops) {
+  for (const Waypoint& stop : person.stops) {
     if (!stops.empty() && is_same_place(stops.back().at_m, stop.at_m)) continue;
     stops.push_back(standing_at(stop.at_m, heading_rad += kTurned_rad, kPause_s));
     stops.back().via_m = stop.via_m;

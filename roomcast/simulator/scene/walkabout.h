@@ -15,7 +15,7 @@ namespace roomcast::sim {
 [[nodiscard]] bool is_same_place(const Eigen::Vector2f& a_m, const Eigen::Vector2f& b_m);
 
 /// Standing there, and looking ahead.
-[[nodiscard]] Stop standing_at(const Eigen::Vector2f& at_m, float heading_rad, float stay_s);
+[[nodiscard]] Waypoint standing_at(const Eigen::Vector2f& at_m, float heading_rad, float stay_s);
 
 /// One of the room's people walks about; the others leave. False, and nothing changes, where nobody
 /// walks.

@@ -33,7 +33,7 @@ LightMap::LightMap(const Room& room, const RayScene& scene, const PlacedCamera& 
       scene_(scene),
       nodes_((camera.width() + kSpacing - 1) / kSpacing,
              (camera.height() + kSpacing - 1) / kSpacing) {
-  ROOMCAST_ASSERT(room.lights.size() <= kMostLights);
+  ROOMCAST_ASSERT(room.lights.size() <= kMaxLights);
   for_each_row(nodes_.height(), threads, [&](int j) {
     for (int i = 0; i < nodes_.width(); ++i)
       nodes_.at(i, j) = node_at(i * kSpacing, j * kSpacing, camera);

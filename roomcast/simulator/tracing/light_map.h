@@ -23,17 +23,17 @@ class LightMap {
                                          std::uint32_t dither) const;
 
  private:
-  static constexpr std::size_t kMostLights = 4;
+  static constexpr std::size_t kMaxLights = 4;
   struct Node {
     LitPoint point;
     float openness = 0.0F;
-    std::array<float, kMostLights> lamp_seen{};
+    std::array<float, kMaxLights> lamp_seen{};
     bool is_surface = false;
   };
   /// What the nodes around a pixel say together.
   struct Blend {
     float openness = 0.0F, weight = 0.0F;
-    std::array<float, kMostLights> lamp_seen{}, least_seen{}, most_seen{};
+    std::array<float, kMaxLights> lamp_seen{}, least_seen{}, most_seen{};
   };
   [[nodiscard]] Node node_at(int x, int y, const PlacedCamera& camera) const;
   [[nodiscard]] Blend blend_around(int x, int y, const LitPoint& point) const;

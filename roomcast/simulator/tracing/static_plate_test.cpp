@@ -19,7 +19,7 @@ CameraIntrinsics depth_lens(int sensor) {
 }
 
 PlacedCamera depth_camera(const Room& room, int sensor) {
-  const SensorStand& stand = room.stands[static_cast<std::size_t>(sensor)];
+  const SensorMount& stand = room.sensor_mounts[static_cast<std::size_t>(sensor)];
   return {depth_lens(sensor),
           world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>())};
 }

@@ -11,9 +11,9 @@
 #include <string>
 #include <thread>
 
+#include "roomcast/core/backoff.h"
 #include "roomcast/core/latest_mailbox.h"
 #include "roomcast/core/log.h"
-#include "roomcast/core/retry_pace.h"
 #include "roomcast/source/camera/camera.h"
 #include "roomcast/source/camera/device_clock.h"
 #include "roomcast/source/frame_source.h"
@@ -70,7 +70,7 @@ class CameraSource final : public FrameSource {
   const std::string place_;  // of this very camera
   FramePairing pairing_;
   DeviceClock clock_;
-  RetryPace pace_;
+  Backoff pace_;
   HostTime last_heard_{};
   std::uint64_t frames_since_open_ = 0;
   bool is_locked_ = false;

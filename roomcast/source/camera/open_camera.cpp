@@ -12,11 +12,11 @@ namespace {
 /// "", "0" to "99"; anything longer is a serial number.
 std::optional<std::size_t> position(const std::string& place) {
   if (place.empty()) return 0;
-  constexpr std::size_t kMostDigits = 2;
+  constexpr std::size_t kMaxDigits = 2;
   std::size_t number = 0;
   const char* const end = place.data() + place.size();
   const auto [stop, error] = std::from_chars(place.data(), end, number);
-  if (place.size() > kMostDigits || error != std::errc() || stop != end) return std::nullopt;
+  if (place.size() > kMaxDigits || error != std::errc() || stop != end) return std::nullopt;
   return number;
 }
 

@@ -34,7 +34,7 @@ class FramePace {
 class VideoRecorder {
  public:
   static constexpr int kFps = 30;
-  static constexpr std::size_t kMostWaiting = 8;
+  static constexpr std::size_t kMaxWaiting = 8;
   static constexpr int kLongestStill = 10 * kFps;  // a machine that slept does not fill the disk
 
   explicit VideoRecorder(std::unique_ptr<VideoSink> sink);
@@ -61,7 +61,7 @@ class VideoRecorder {
   std::unique_ptr<VideoSink> sink_;
   FramePace pace_{kFps};
   int times_ = 0;  // of the frame that wants_frame() asked for
-  DropOldestQueue<Frame> waiting_{kMostWaiting};
+  DropOldestQueue<Frame> waiting_{kMaxWaiting};
   std::atomic<int> times_behind_ = 0;  // of frames that had to go
   std::atomic<bool> failed_ = false;
   Status fault_;  // the writing thread's, until it has ended

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
-#include "roomcast/io/picture_files.h"
+#include "roomcast/io/numbered_files.h"
 #include "roomcast/viewer/view/view_target.h"
 
 namespace roomcast {

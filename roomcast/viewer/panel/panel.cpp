@@ -181,9 +181,9 @@ void draw_settings(const PanelFacts& facts, ViewSettings& settings) {
   draw_mode(settings);
   ImGui::Checkbox("as fine as it keeps up", &settings.automatic_scale);
   if (!settings.automatic_scale) {
-    auto percent = static_cast<int>(std::lround(100 * settings.picture_scale));
+    auto percent = static_cast<int>(std::lround(100 * settings.render_scale));
     ImGui::SliderInt("pixels", &percent, 25, 100, "%d %%");
-    settings.picture_scale = std::clamp(percent, 25, 100) / 100.0;
+    settings.render_scale = std::clamp(percent, 25, 100) / 100.0;
   }
   auto fov_deg = static_cast<float>(settings.vertical_fov_rad * kDegrees);
   ImGui::SliderFloat("field of view", &fov_deg, 30, 110, "%.0f deg");

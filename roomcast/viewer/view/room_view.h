@@ -29,7 +29,7 @@ class RoomView {
   /// Sensors that are not to be drawn, from the next show() on.
   void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }
   /// Errors as RoomRenderer::set_look.
-  Status set_look(const RoomLook& look) { return renderer_.set_look(look); }
+  Status set_look(const RenderOptions& look) { return renderer_.set_look(look); }
 
   /// The other people, and what is seen of the one who looks.
   [[nodiscard]] PeopleView& people() { return people_; }

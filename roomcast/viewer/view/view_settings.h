@@ -25,7 +25,7 @@ struct ViewSettings {
   Unseen unseen = Unseen::kSurroundings;
   bool floor_grid = true;
   bool automatic_scale = true;  // of the picture, so that drawing keeps up
-  double picture_scale = 1;     // of the window's pixels
+  double render_scale = 1;      // of the window's pixels
   double vertical_fov_rad = std::numbers::pi / 3;
   std::set<SensorId> hidden;
   ComfortOptions comfort;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kOrbitPerPixel_rad = 0.006;
 constexpr double kLookPerPixel_rad = 0.004;
 constexpr double kZoomPerNotch = 0.12;
-constexpr double kMostNotches = 3;
+constexpr double kMaxNotches = 3;
 constexpr double kRunFactor = 2.5;
 constexpr double kLongestStep_s = 0.1;
 
@@ -91,7 +91,7 @@ void Navigation::drag(Drag kind, double dx_px, double dy_px, double picture_heig
 }
 
 void Navigation::zoom(double notches) {
-  view_ = dolly(view_, std::exp(-kZoomPerNotch * std::clamp(notches, -kMostNotches, kMostNotches)));
+  view_ = dolly(view_, std::exp(-kZoomPerNotch * std::clamp(notches, -kMaxNotches, kMaxNotches)));
 }
 
 void Navigation::change_speed(double notches) {

@@ -120,7 +120,7 @@ export class Panel {
   rebuild(): void {
     this.sensors.rebuild();
     const self = this.state.welcome?.viewerId;
-    const viewers = (this.state.roster?.viewers ?? []).filter(({ servesOn }) => !servesOn); // no hubs
+    const viewers = (this.state.roster?.viewers ?? []).filter(({ relays }) => !relays); // no hubs
     const people = viewers.map((viewer) => {
       const color = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
       const name = viewer.name || texts.person(viewer.id);

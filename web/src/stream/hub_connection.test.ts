@@ -164,7 +164,7 @@ describe('a hub connection', () => {
   test('goes on where a busy hub sends it, and says that it was sent', () => {
     start();
     socket().open();
-    expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { sentOn: false } });
+    expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { redirected: false } });
     socket().say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
     socket().say({ case: 'error', value: { code: ErrorCode.ERROR_BUSY, sentence: 'busy' } });
     socket().end(1013, 'busy');
@@ -172,7 +172,7 @@ describe('a hub connection', () => {
     vi.advanceTimersByTime(0);
     expect(FakeSocket.all[1]!.url).toBe('ws://b:7600/ws');
     FakeSocket.all[1]!.open();
-    expect(FakeSocket.all[1]!.sent[0]!.message).toMatchObject({ case: 'join', value: { sentOn: true } });
+    expect(FakeSocket.all[1]!.sent[0]!.message).toMatchObject({ case: 'join', value: { redirected: true } });
   });
 
   test('that breaks is made again', () => {

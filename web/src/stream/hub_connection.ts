@@ -47,7 +47,7 @@ export class HubConnection {
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
-  private sentOn = false; // by a hub that was too busy
+  private redirected = false; // by a hub that was too busy
   private readonly hubs: HubChoice;
 
   constructor(
@@ -89,7 +89,7 @@ export class HubConnection {
     const role = { case: 'viewer', value: {} } as const;
     // A code is good for one time: once it has brought a token, that one is shown.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
-    this.send({ case: 'join', value: { room: this.room, name, role, ...right, sentOn: this.sentOn } });
+    this.send({ case: 'join', value: { room: this.room, name, role, ...right, redirected: this.redirected } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 
@@ -130,13 +130,13 @@ export class HubConnection {
         return this.hubs.learn(message.value.urls);
       case 'error':
         this.ending.error = { code: message.value.code, sentence: message.value.sentence };
-        this.sentOn ||= message.value.code === ErrorCode.ERROR_BUSY;
+        this.redirected ||= message.value.code === ErrorCode.ERROR_BUSY;
     }
   }
 
   private welcomed(welcome: Welcome): void {
     this.failures = 0;
-    this.sentOn = false;
+    this.redirected = false;
     this.hubs.welcomed();
     if (welcome.token) this.token = welcome.token;
     this.events.welcome(welcome);

@@ -22,7 +22,7 @@ std::vector<std::uint8_t> bytes_of(const Message& message) {
 }  // namespace
 
 Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
-                                                     hub::BackplaneSeat seat) {
+                                                     hub::BackplaneContext seat) {
   std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(seat)));
   NatsHandlers handlers{
       .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
@@ -38,7 +38,7 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
   return hub;
 }
 
-ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneSeat seat)
+ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext seat)
     : options_(std::move(options)), seat_(std::move(seat)), timer_(seat_.io) {}
 
 ClusterHub::~ClusterHub() {

@@ -49,7 +49,8 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   static constexpr unsigned kBeatsPerList = 8;
 
   /// Errors of NatsClient::open.
-  static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options, hub::BackplaneSeat seat);
+  static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options,
+                                                  hub::BackplaneContext seat);
   ~ClusterHub() override;
 
   void room_opened(const std::string& room) override;
@@ -82,7 +83,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   };
   using Rooms = std::map<Number, std::unique_ptr<Room>>;
 
-  ClusterHub(ClusterOptions options, hub::BackplaneSeat seat);
+  ClusterHub(ClusterOptions options, hub::BackplaneContext seat);
 
   void tell_all(const pb::RoomNews& news) override;
   void tell(HubId hub, const pb::ToHub& message) override;
@@ -102,7 +103,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);
 
   const ClusterOptions options_;
-  const hub::BackplaneSeat seat_;
+  const hub::BackplaneContext seat_;
   const HubId id_ = new_hub_id();
   SteadyClock clock_;
   HubDirectory directory_{id_};

@@ -24,7 +24,7 @@ hub::HubOptions sharing_over(const NatsServer& server, const std::string& public
   cluster.kept_unwatched = 50ms;
   hub::HubOptions options;
   options.open_backplane =
-      [cluster](hub::BackplaneSeat seat) -> Result<std::unique_ptr<hub::Backplane>> {
+      [cluster](hub::BackplaneContext seat) -> Result<std::unique_ptr<hub::Backplane>> {
     auto opened = ClusterHub::open(cluster, std::move(seat));
     if (!opened) return opened.error();
     return std::unique_ptr<hub::Backplane>(*std::move(opened));

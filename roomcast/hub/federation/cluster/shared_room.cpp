@@ -62,7 +62,7 @@ void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
   if (to == aligner_) {
     is_welcome_ |= message.has_welcome();
     if (message.has_welcome()) {
-      people_shown_.forget();
+      shown_presence_.forget();
       show_people();
     }
     if (message.has_roster()) return take_roster(message.roster());
@@ -241,7 +241,7 @@ void SharedRoom::hub_is_gone(HubId hub) {
 
 void SharedRoom::show_people() {
   if (!is_welcome_) return;
-  if (const auto news = people_shown_.news(people_there_.all())) {
+  if (const auto news = shown_presence_.news(people_there_.all())) {
     seat_.rooms.on_control(*aligner_, *news);
   }
 }

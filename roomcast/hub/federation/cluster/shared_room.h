@@ -20,10 +20,10 @@
 #include "roomcast/hub/federation/cluster/cluster.pb.h"
 #include "roomcast/hub/federation/cluster/frame_parts.h"
 #include "roomcast/hub/federation/cluster/hub_id.h"
-#include "roomcast/hub/federation/cluster/people_of_hubs.h"
+#include "roomcast/hub/federation/cluster/presence_id_map.h"
 #include "roomcast/hub/federation/mirror/mirrored_sensors.h"
-#include "roomcast/hub/federation/mirror/people_shown.h"
-#include "roomcast/hub/federation/mirror/people_to_tell.h"
+#include "roomcast/hub/federation/mirror/presence_relay.h"
+#include "roomcast/hub/federation/mirror/shown_presence.h"
 #include "roomcast/hub/runtime/backplane.h"
 
 namespace roomcast::cluster {
@@ -143,9 +143,9 @@ class SharedRoom {
   pb::RoomNews news_;        // as last told
   std::map<std::string, OwnClaim> claims_;
   std::map<HubId, OtherHub> others_;
-  mirror::PeopleToTell people_here_;
-  PeopleOfHubs people_there_;
-  mirror::PeopleShown people_shown_;  // of these, in the room here
+  mirror::PresenceRelay people_here_;
+  PresenceIdMap people_there_;
+  mirror::ShownPresence shown_presence_;  // of these, in the room here
   std::optional<HubId> owner_;
   std::vector<std::string> other_urls_;
 };

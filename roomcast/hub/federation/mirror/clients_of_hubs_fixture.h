@@ -28,7 +28,7 @@ class ClientsOfHubs : public testing::Test {
   using Client = std::shared_ptr<hub::RawClient>;
 
   Client join(const hub::RunningHub& hub, const wire::pb::Control& message) {
-    auto client = std::make_shared<hub::RawClient>(std::deque{hub::sealed_control(message)});
+    auto client = std::make_shared<hub::RawClient>(std::deque{hub::framed_control(message)});
     net::connect(io, {.host = "127.0.0.1", .port = hub.port()}, {}, [=, this](auto socket) {
       ASSERT_TRUE(socket.ok());
       (*socket)->start(client);

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 /// A room here that remembers what it was told.
 struct RoomHere final : hub::BackplaneEvents {
-  void on_join(const hub::Arrival& arrival, const pb::Join& join) override {
+  void on_join(const hub::ConnectionInfo& arrival, const pb::Join& join) override {
     joins.emplace_back(arrival.from, join);
     arrivals.push_back(arrival);
   }
@@ -42,7 +42,7 @@ struct RoomHere final : hub::BackplaneEvents {
   void on_left(ConnectionId from, const net::CloseReason&) override { left.push_back(from); }
 
   std::vector<std::pair<ConnectionId, pb::Join>> joins;
-  std::vector<hub::Arrival> arrivals;
+  std::vector<hub::ConnectionInfo> arrivals;
   std::vector<std::pair<ConnectionId, pb::Control>> said;
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
   std::vector<std::size_t> batches;  // how many frames came together

@@ -151,13 +151,13 @@ class RevolvingDoor {
   using Tcp = boost::asio::ip::tcp;
 
   void let_in() {
-    acceptor_.async_accept([this](auto error, Tcp::socket guest) {
+    acceptor_.async_accept([this](auto error, Tcp::socket client) {
       if (error) return;
       boost::system::error_code ignored;
       std::string heard;
-      boost::asio::write(guest, boost::asio::buffer(std::string("INFO {}\r\n")), ignored);
-      boost::asio::read_until(guest, boost::asio::dynamic_buffer(heard), "PING\r\n", ignored);
-      boost::asio::write(guest, boost::asio::buffer(std::string("PONG\r\n")), ignored);
+      boost::asio::write(client, boost::asio::buffer(std::string("INFO {}\r\n")), ignored);
+      boost::asio::read_until(client, boost::asio::dynamic_buffer(heard), "PING\r\n", ignored);
+      boost::asio::write(client, boost::asio::buffer(std::string("PONG\r\n")), ignored);
       ++let_out;
       let_in();
     });

@@ -24,7 +24,7 @@ namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
 using SystemError = boost::system::error_code;
 
-constexpr std::size_t kReadBytes = 4096;
+constexpr std::size_t kLoginReadBytes = 4096;
 
 bool is_about_identity(std::string_view complaint) {
   std::string lower(complaint);
@@ -145,9 +145,9 @@ void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
 
 void Attempt::read() {
   const std::size_t size = received_.size();
-  received_.resize(size + kReadBytes);
+  received_.resize(size + kLoginReadBytes);
   stream_->async_read_some(
-      asio::buffer(received_.data() + size, kReadBytes),
+      asio::buffer(received_.data() + size, kLoginReadBytes),
       [self = shared_from_this(), at = server_, size](SystemError error, std::size_t more) {
         if (!self->callback_ || self->server_ != at) return;
         self->received_.resize(size + more);

@@ -10,10 +10,6 @@
 namespace roomcast::cluster {
 namespace {
 
-Error wrong(std::string sentence) {
-  return {ErrorCode::kInvalidArgument, std::move(sentence)};
-}
-
 Status check_file(const std::string& file) {
   if (file.empty() || std::ifstream(file).good()) return {};
   return Error{ErrorCode::kNotFound, "cannot read " + file + ", which NATS is to be reached with"};
@@ -57,8 +53,8 @@ Result<NatsAddress> parse_nats_address(const std::string& server) {
   const std::string port = names_port(rest) ? "" : ":" + std::to_string(address.port);
   const auto url = net::parse_hub_url("ws://" + std::string(rest) + port);
   if (!has_scheme || !url || rest.find_first_of("/#") != std::string_view::npos) {
-    return wrong("\"" + without_secret(server) +
-                 "\" is no NATS address; write nats://host:4222 or tls://host:4222");
+    return invalid_argument("\"" + without_secret(server) +
+                            "\" is no NATS address; write nats://host:4222 or tls://host:4222");
   }
   address.host = url->host;
   address.port = url->port;
@@ -66,12 +62,14 @@ Result<NatsAddress> parse_nats_address(const std::string& server) {
 }
 
 Status check(const NatsOptions& options) {
-  if (options.servers.empty()) return wrong("name a NATS server with --nats nats://host:4222");
+  if (options.servers.empty())
+    return invalid_argument("name a NATS server with --nats nats://host:4222");
   for (const std::string& server : options.servers) {
     if (const auto address = parse_nats_address(server); !address) return address.error();
   }
   if (options.cert_file.empty() != options.key_file.empty()) {
-    return wrong("a certificate for NATS and its key go together: --nats-cert and --nats-key");
+    return invalid_argument(
+        "a certificate for NATS and its key go together: --nats-cert and --nats-key");
   }
   for (const auto* file :
        {&options.credentials_file, &options.ca_file, &options.cert_file, &options.key_file}) {

@@ -53,7 +53,7 @@ void MirroredRoom::roster(const pb::Roster& roster) {
 
 void MirroredRoom::show_people() {
   if (!aligner_is_welcome_) return;
-  if (const auto news = people_shown_.news(people_there_)) here_.on_control(*aligner_, *news);
+  if (const auto news = shown_presence_.news(people_there_)) here_.on_control(*aligner_, *news);
 }
 
 void MirroredRoom::join_as_aligner() {
@@ -68,7 +68,7 @@ void MirroredRoom::join_as_aligner() {
 void MirroredRoom::other_hub_is_gone() {
   sensors_.other_hub_is_gone();
   people_there_.Clear();
-  people_shown_.forget();
+  shown_presence_.forget();
   if (!aligner_) return;
   const ConnectionId aligner = *std::exchange(aligner_, std::nullopt);
   aligner_is_welcome_ = false;
@@ -88,7 +88,7 @@ std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& mess
   pb::Control told;
   if (message.has_welcome()) {
     aligner_is_welcome_ = true;
-    people_shown_.forget();
+    shown_presence_.forget();
     place_sensors();
     show_people();
   } else if (message.has_roster() && people_here_.take(message.roster())) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "roomcast/hub/federation/mirror/mirrored_sensors.h"
-#include "roomcast/hub/federation/mirror/people_shown.h"
-#include "roomcast/hub/federation/mirror/people_to_tell.h"
+#include "roomcast/hub/federation/mirror/presence_relay.h"
+#include "roomcast/hub/federation/mirror/shown_presence.h"
 
 namespace roomcast::upstream {
 
@@ -55,8 +55,8 @@ class MirroredRoom {
   bool aligner_is_welcome_ = false;
   std::uint32_t viewer_id_ = 0;  // ours there
   wire::pb::PeopleHere people_there_;
-  mirror::PeopleShown people_shown_;  // of these, here
-  mirror::PeopleToTell people_here_;
+  mirror::ShownPresence shown_presence_;  // of these, here
+  mirror::PresenceRelay people_here_;
 };
 
 }  // namespace roomcast::upstream

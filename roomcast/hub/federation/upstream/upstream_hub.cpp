@@ -20,7 +20,7 @@ void add_traffic(const UpstreamRoom& room, hub::BackplaneStats& stats) {
 
 }  // namespace
 
-UpstreamHub::UpstreamHub(UpstreamOptions options, hub::BackplaneSeat seat)
+UpstreamHub::UpstreamHub(UpstreamOptions options, hub::BackplaneContext seat)
     : options_(std::move(options)), seat_(std::move(seat)) {}
 
 void UpstreamHub::watch(const std::string& name, bool is_watched) {

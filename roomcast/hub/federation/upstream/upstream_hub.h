@@ -16,7 +16,7 @@ namespace roomcast::upstream {
 
 class UpstreamHub final : public hub::Backplane {
  public:
-  UpstreamHub(UpstreamOptions options, hub::BackplaneSeat seat);
+  UpstreamHub(UpstreamOptions options, hub::BackplaneContext seat);
 
   void watch(const std::string& room, bool is_watched) override;
   void send(ConnectionId to, const wire::pb::Control& message) override;
@@ -40,7 +40,7 @@ class UpstreamHub final : public hub::Backplane {
   [[nodiscard]] UpstreamRoom* owner_of(ConnectionId connection) const;
 
   const UpstreamOptions options_;
-  const hub::BackplaneSeat seat_;
+  const hub::BackplaneContext seat_;
   Number newest_ = 0;
   hub::BackplaneStats ended_;  // traffic of rooms that are pulled no more
   Rooms rooms_;

@@ -21,7 +21,7 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
   for (const auto port : ports) upstream.hubs.push_back({.host = "127.0.0.1", .port = port});
   hub::HubOptions options;
   options.open_backplane =
-      [upstream](hub::BackplaneSeat seat) -> Result<std::unique_ptr<hub::Backplane>> {
+      [upstream](hub::BackplaneContext seat) -> Result<std::unique_ptr<hub::Backplane>> {
     return std::unique_ptr<hub::Backplane>(
         std::make_unique<UpstreamHub>(upstream, std::move(seat)));
   };

@@ -16,7 +16,7 @@ pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
   join.set_room(room);
   join.set_name("hub");
   show(options.credential, join);
-  join.mutable_viewer()->set_serves_on(true);
+  join.mutable_viewer()->set_relays(true);
   return join;
 }
 
@@ -41,7 +41,7 @@ UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& o
 void UpstreamRoom::join() {
   HubLinkEvents& events = *this;
   link_.emplace(io_, options_.hubs, join_message(options_, room_), events,
-                HubLink::Options{.timings = kTimings, .pings = PingPace::kOfHub});
+                HubLink::Options{.timings = kTimings, .pings = PingSchedule::kOfHub});
   link_->start();
 }
 

@@ -58,7 +58,7 @@ class UpstreamRoom final : private HubLinkEvents {
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
   void on_frames_done() override { mirror_.frames_done(); }
-  net::SealedMessagePtr next_frame() override { return nullptr; }
+  net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 

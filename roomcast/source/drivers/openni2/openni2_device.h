@@ -10,7 +10,7 @@
 #include <OpenNI.h>
 
 #include "roomcast/source/camera/camera.h"
-#include "roomcast/source/drivers/openni2/openni2_bell.h"
+#include "roomcast/source/drivers/openni2/frame_ready_signal.h"
 #include "roomcast/source/drivers/openni2/openni2_session.h"
 
 namespace roomcast {
@@ -30,7 +30,7 @@ class OpenNi2Device {
   [[nodiscard]] const CameraDescription& description() const { return description_; }
   [[nodiscard]] bool plays_once() const { return plays_once_; }
   [[nodiscard]] bool is_gone() const { return departure_.happened(); }
-  [[nodiscard]] OpenNi2Bell& bell() { return bell_; }
+  [[nodiscard]] FrameReadySignal& bell() { return bell_; }
 
  private:
   void calibrate();
@@ -40,7 +40,7 @@ class OpenNi2Device {
   OpenNi2Departure departure_;
   openni::Device device_;
   openni::VideoStream depth_, color_;
-  OpenNi2Bell bell_;
+  FrameReadySignal bell_;
   CameraDescription description_;
   bool plays_once_ = false;
   DepthImage depth_mm_;  // used again and again

@@ -22,8 +22,8 @@ class LastingThread {
   }
 
  private:
-  static constexpr std::size_t kMostCameras = 16;
-  BlockingQueue<std::packaged_task<void()>> tasks_{kMostCameras};
+  static constexpr std::size_t kMaxCameras = 16;
+  BlockingQueue<std::packaged_task<void()>> tasks_{kMaxCameras};
   std::jthread thread_{[this](const std::stop_token& stop) {
     while (auto task = tasks_.pop(stop)) (*task)();
   }};

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/motion/motion_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "roomcast/alignment/pair/pair_equations.h"
+#include "roomcast/alignment/view/depth_noise.h"
+#include "roomcast/alignment/view/depth_surface.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr std::size_t kMaxLandmarks = 3000;
+constexpr float kFitSigmas = 3;           // what fits
+constexpr float kHidden_m = 0.05F;        // beyond what fits: somebody stands before it
+constexpr float kGone_m = 0.10F;          // beyond what fits: it is not there any more
+constexpr double kMaxIndependent = 1500;  // neighbouring readings err together
+constexpr double kLever_m = 2.5;          // at which rotation and shift weigh the same
+constexpr double kTellable_m = 0.007;     // a direction known less well than this counts as still
+/// The kernel's width, in sigmas of a reading, from step to step.
+constexpr std::array<float, 7> kWidening = {8, 6, 4, 2, 1, 1, 1};
+
+/// The motion the equations ask for, in the directions that they know well.
+Vector6 known_motion(const Matrix6& information, const Vector6& gradient) {
+  Vector6 scale;  // radians as metres at the lever
+  scale << Eigen::Vector3d::Constant(1 / kLever_m), Eigen::Vector3d::Ones();
+  const Matrix6 scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> directions(scaled);
+  const Vector6 along = directions.eigenvectors().transpose() * scale.cwiseProduct(gradient);
+  Vector6 step = Vector6::Zero();
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double known = directions.eigenvalues()(i);
+    if (known * kTellable_m * kTellable_m < 1) continue;
+    step -= along(i) / known * directions.eigenvectors().col(i);
+  }
+  return scale.cwiseProduct(step);
+}
+
+}  // namespace
+
+struct MotionCheck::Tally {
+  int readings = 0, hidden = 0, gone = 0, fitting = 0;
+  double misfit = 0;
+
+  [[nodiscard]] int comparable() const { return readings - hidden; }
+  [[nodiscard]] double agree() const {
+    return static_cast<double>(fitting) / std::max(1, comparable());
+  }
+  [[nodiscard]] double mean_misfit() const { return misfit / std::max(1, comparable()); }
+};
+
+MotionCheck::MotionCheck(const CalibrationBundle& bundle)
+    : lens_(bundle.calibration.depth), rays_(ray_table(bundle.calibration.depth)) {
+  const auto samples = depth_surface(bundle.depth_mm, bundle.calibration.depth).samples;
+  const double step =
+      std::max(1.0, static_cast<double>(samples.size()) / static_cast<double>(kMaxLandmarks));
+  for (double at = 0; at < static_cast<double>(samples.size()); at += step) {
+    const SurfacePoint& sample = samples[static_cast<std::size_t>(at)];
+    landmarks_.push_back({sample.point_m, sample.normal, depth_sigma_m(sample.point_m.z())});
+  }
+}
+
+/// Calls `visit(landmark, its place now, its normal now, how much farther the reading there is)`.
+template <class Visit>
+void MotionCheck::for_each_reading(DepthView depth_mm, const RigidTransform& now_from_then,
+                                   Visit visit) const {
+  const Pose pose{now_from_then.rotation.cast<float>(), now_from_then.translation_m.cast<float>()};
+  for (const Landmark& landmark : landmarks_) {
+    const Eigen::Vector3f point = pose.rotation * landmark.point_m + pose.shift;
+    Eigen::Vector2f pixel;
+    if (!lens_.project(point, pixel)) continue;
+    const auto x = static_cast<int>(std::lround(pixel.x()));
+    const auto y = static_cast<int>(std::lround(pixel.y()));
+    if (x < 0 || y < 0 || x >= depth_mm.width || y >= depth_mm.height) continue;
+    const float z_m = 0.001F * static_cast<float>(depth_mm.at(x, y));
+    const Eigen::Vector2f& ray = rays_.at(x, y);
+    if (!(z_m > kNearestSurface_m) || std::isnan(ray.x())) continue;
+    const Eigen::Vector3f normal = pose.rotation * landmark.normal;
+    visit(landmark, point, normal, normal.dot(point - z_m * ray.homogeneous()));
+  }
+}
+
+RigidTransform MotionCheck::improved(DepthView depth_mm, const RigidTransform& now_from_then,
+                                     float widening) const {
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+  int terms = 0;
+  for_each_reading(depth_mm, now_from_then,
+                   [&](const Landmark& landmark, const Eigen::Vector3f& point,
+                       const Eigen::Vector3f& normal, float farther_m) {
+                     const auto sigmas = double(farther_m / landmark.sigma_m);
+                     const double weight = robust_weight(sigmas / double(widening)) /
+                                           double(landmark.sigma_m * landmark.sigma_m);
+                     Vector6 jacobian;
+                     jacobian << point.cross(normal).cast<double>(), normal.cast<double>();
+                     information.selfadjointView<Eigen::Lower>().rankUpdate(jacobian, weight);
+                     gradient += weight * double(farther_m) * jacobian;
+                     ++terms;
+                   });
+  const double factor = std::min(1.0, kMaxIndependent / std::max(1, terms));
+  const Matrix6 whole = factor * Matrix6(information.selfadjointView<Eigen::Lower>());
+  return step_transform(known_motion(whole, factor * gradient)) * now_from_then;
+}
+
+MotionCheck::Tally MotionCheck::tally(DepthView depth_mm,
+                                      const RigidTransform& now_from_then) const {
+  Tally tally;
+  for_each_reading(depth_mm, now_from_then,
+                   [&](const Landmark& landmark, const Eigen::Vector3f&, const Eigen::Vector3f&,
+                       float farther_m) {
+                     const float fits_m = kFitSigmas * landmark.sigma_m;
+                     ++tally.readings;
+                     if (farther_m < -fits_m - kHidden_m) return void(++tally.hidden);
+                     tally.gone += farther_m > fits_m + kGone_m;
+                     tally.fitting += std::abs(farther_m) <= fits_m;
+                     const auto sigmas = double(farther_m / landmark.sigma_m);
+                     tally.misfit += sigmas * sigmas / (1 + sigmas * sigmas / 4);
+                   });
+  return tally;
+}
+
+MotionEvidence MotionCheck::compare(DepthView depth_mm) const {
+  MotionEvidence evidence;
+  for (const float widening : kWidening)
+    evidence.now_from_then = improved(depth_mm, evidence.now_from_then, widening);
+  const Tally still = tally(depth_mm, {}), moved = tally(depth_mm, evidence.now_from_then);
+  const auto all = static_cast<double>(std::max<std::size_t>(1, landmarks_.size()));
+  evidence.shift_m = evidence.now_from_then.translation_m.norm();
+  evidence.angle_rad = Eigen::AngleAxisd(evidence.now_from_then.rotation).angle();
+  evidence.comparable = moved.comparable() / all;
+  evidence.agree_if_still = still.agree();
+  evidence.agree_if_moved = moved.agree();
+  evidence.gain = still.mean_misfit() - moved.mean_misfit();
+  evidence.gone = static_cast<double>(still.gone) / std::max(1, still.readings);
+  return evidence;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/motion/pose_change_detector.h"
+
+namespace roomcast::align {
+namespace {
+
+constexpr double kMinShift_m = 0.014, kMinAngle_rad = 0.0058;  // 0.33 degrees
+constexpr double kMinAgreement = 0.6;                          // most of the room
+constexpr double kMinGain =
+    0.03;  // of misfit, in squared sigmas; else it fits as well where it was
+constexpr double kMinComparable = 0.2;                  // less than this says nothing
+constexpr double kMaxGone = 0.25, kHardlyAgrees = 0.3;  // turned towards something else altogether
+
+bool moved_a_little(const MotionEvidence& evidence) {
+  return (evidence.shift_m > kMinShift_m || evidence.angle_rad > kMinAngle_rad) &&
+         evidence.agree_if_moved > kMinAgreement && evidence.gain > kMinGain;
+}
+
+bool moved_far(const MotionEvidence& evidence) {
+  return evidence.gone > kMaxGone && evidence.agree_if_still < kHardlyAgrees;
+}
+
+}  // namespace
+
+std::optional<bool> says_moved(const MotionEvidence& evidence) {
+  if (moved_far(evidence)) return true;
+  if (evidence.comparable < kMinComparable) return std::nullopt;
+  return moved_a_little(evidence);
+}
+
+bool PoseChangeDetector::moved(DepthView depth_mm, HostTime time) {
+  if (!last_look_ || time - *last_look_ >= kLookInterval) {
+    last_look_ = time;
+    const auto says = says_moved(check_.compare(depth_mm));
+    blind_in_a_row_ = says ? 0 : blind_in_a_row_ + 1;
+    if (says) in_a_row_ = *says ? in_a_row_ + 1 : 0;
+  }
+  return in_a_row_ >= kLooksInARow || blind_in_a_row_ >= kBlindLooksInARow;
+}
+
+}  // namespace roomcast::align

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What two sensors see of the same surfaces, laid over one another: the greys of one view's points,
+// and those that the other has for the same places. Thread-safe (no state).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "roomcast/alignment/feature/sensor_view.h"
+#include "roomcast/alignment/pair/sensor_correction.h"
+
+namespace roomcast::align {
+
+/// Two pictures on the same grid, where both are known.
+struct ReprojectedViews {
+  int width, height;
+  std::vector<float> mine, theirs;
+  std::vector<char> known;
+  std::size_t count = 0;
+
+  ReprojectedViews(int w, int h)
+      : width(w),
+        height(h),
+        mine(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)),
+        theirs(mine.size()),
+        known(mine.size()) {}
+
+  [[nodiscard]] std::size_t place(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// A view whose colour is taken from as far aside as its sensor is corrected.
+class SeenPicture {
+ public:
+  SeenPicture(const SensorView& view, const SensorCorrection& correction)
+      : view_(view), shift_px_(correction.color_shift_px.cast<float>()) {}
+
+  [[nodiscard]] const SensorView& view() const { return view_; }
+  [[nodiscard]] std::optional<float> grey_of(const Eigen::Vector3f& point_m) const;
+  [[nodiscard]] std::optional<float> tint_of(const Eigen::Vector3f& point_m) const;
+  /// Of one of its own points.
+  [[nodiscard]] std::optional<float> grey_of(const TexturedPoint& point) const;
+
+ private:
+  /// Where in its picture a point is seen, if it is before the camera.
+  [[nodiscard]] std::optional<Eigen::Vector2f> pixel_of(const Eigen::Vector3f& point_m) const;
+
+  const SensorView& view_;
+  Eigen::Vector2f shift_px_;
+};
+
+/// On the grid of `from`: where the other sees the same surface, and no other before it.
+[[nodiscard]] ReprojectedViews reprojected_views(const SeenPicture& from, const SeenPicture& other,
+                                                 const RigidTransform& other_from_view);
+
+/// How many, x, y, xx, yy, xy.
+using ReprojectionSums = std::array<double, 6>;
+
+/// One more place, with its grey in either picture.
+void add_place(float mine, float theirs, ReprojectionSums& sums);
+
+/// Sums over rectangles in constant time (Crow 1984).
+class WindowSums {
+ public:
+  explicit WindowSums(const ReprojectedViews& reprojected_views);
+
+  /// Over the window around a place; what lies outside the picture does not count.
+  [[nodiscard]] ReprojectionSums around(int x, int y, int reach) const;
+
+ private:
+  int width_, height_;
+  std::vector<ReprojectionSums> sums_;
+};
+
+/// The standard deviations of both pictures in a window, and how they vary together.
+struct WindowContrast {
+  double mine = 0, theirs = 0, together = 0;
+
+  explicit WindowContrast(const ReprojectionSums& sums);
+  /// -1..1; faint texture, which correlates by chance, less than it does.
+  [[nodiscard]] double correlation() const;
+};
+
+}  // namespace roomcast::align

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/person/trajectory_match.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+namespace roomcast::align {
+namespace {
+
+using Eigen::Vector2d;
+
+// Times.
+constexpr double kWidestGap_s = 0.35;   // between sightings of b, to be joined by a line
+constexpr double kLongestStep_m = 0.5;  // that somebody goes in such a gap
+constexpr double kMinApart_s = 1;       // the two moments of a hypothesis
+constexpr std::array<double, 6> kOtherTimes_s = {-5, -3, -1.5, 1.5, 3, 5};
+// Places.
+constexpr double kSameHeight_m = 0.12;       // heads of one person
+constexpr double kMinApart_m = 0.7;          // the two moments of a hypothesis
+constexpr double kSameDistance_m = 0.2;      // between them, seen by both
+constexpr double kMaxHeadDistance_m = 0.25;  // with a hypothesis: heads are seen from two sides
+// What is known before: half a head, with hair, is about 98 mm deep (the mean of its length and its
+// breadth). The middle of what is seen of a ball lies 2/3 of that before its centre, of an upright
+// cylinder pi / 4; a head's crown is something between.
+constexpr double kInside_m = 0.0705, kInsideSigma_m = 0.012;
+constexpr double kAcrossSigma_m = 0.02, kAlongSigma_m = 0.035;
+constexpr double kIndependent_s = 0.5;   // about a step: sightings closer in time err together
+constexpr double kShapeSigma_m = 0.012;  // heads are no balls
+// What an answer has to have.
+constexpr int kMinMoments = 25;
+constexpr double kMinSeconds = 3;
+constexpr double kMinShare = 0.5;        // of the moments that both saw somebody
+constexpr double kMaxRivalShare = 0.75;  // of the moments that agree
+constexpr double kMaxWalkError_mm = 60;
+
+/// Both saw a head of that height at that time.
+struct Moment {
+  double time_s;
+  Vector2d a, b;            // places
+  Vector2d away_a, away_b;  // from each sensor, in its own frame
+};
+
+struct Motion {
+  double turn_rad = 0;
+  Vector2d shift = Vector2d::Zero();
+
+  /// (x, z): a turn about y takes z towards x.
+  [[nodiscard]] Vector2d turned(const Vector2d& v) const {
+    const double c = std::cos(turn_rad), s = std::sin(turn_rad);
+    return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+  }
+  [[nodiscard]] Vector2d operator()(const Vector2d& v) const { return turned(v) + shift; }
+};
+
+Vector2d on_floor(const Eigen::Vector3d& point) {
+  return {point.x(), point.z()};
+}
+
+std::optional<HeadSighting> between(const HeadSighting& before, const HeadSighting& after,
+                                    double time_s) {
+  const double gap_s = after.time_s - before.time_s;
+  if (gap_s > kWidestGap_s || (after.seen_m - before.seen_m).norm() > kLongestStep_m)
+    return std::nullopt;
+  const double part = gap_s > 0 ? (time_s - before.time_s) / gap_s : 0;
+  HeadSighting there = before;
+  there.time_s = time_s;
+  there.seen_m += part * (after.seen_m - before.seen_m);
+  there.away = ((1 - part) * before.away + part * after.away).normalized();
+  return there;
+}
+
+/// Where b saw heads at a time, its clock set forward by `late_s`.
+std::vector<HeadSighting> seen_at(std::span<const HeadSighting> b, double time_s, double late_s) {
+  std::vector<HeadSighting> seen;
+  const double there_s = time_s - late_s;
+  const auto after = std::ranges::lower_bound(b, there_s, {}, &HeadSighting::time_s);
+  for (auto late = after; late != b.end() && late->time_s - there_s < kWidestGap_s; ++late) {
+    if (late->time_s > after->time_s) break;  // only the next picture
+    for (auto early = after; early != b.begin();) {
+      --early;
+      if (there_s - early->time_s > kWidestGap_s) break;
+      if (const auto here = between(*early, *late, there_s)) {
+        seen.push_back(*here);
+        break;
+      }
+    }
+  }
+  return seen;
+}
+
+std::vector<Moment> common_moments(std::span<const HeadSighting> a, std::span<const HeadSighting> b,
+                                   double late_s) {
+  std::vector<Moment> moments;
+  for (const HeadSighting& here : a) {
+    for (const HeadSighting& there : seen_at(b, here.time_s, late_s)) {
+      if (std::abs(here.seen_m.y() - there.seen_m.y()) > kSameHeight_m) continue;
+      moments.push_back({here.time_s, on_floor(here.seen_m) + kInside_m * here.away,
+                         on_floor(there.seen_m) + kInside_m * there.away, here.away, there.away});
+    }
+  }
+  return moments;
+}
+
+std::optional<Motion> motion_by(const Moment& one, const Moment& other) {
+  const Vector2d in_a = other.a - one.a, in_b = other.b - one.b;
+  if (std::abs(other.time_s - one.time_s) < kMinApart_s || in_a.norm() < kMinApart_m)
+    return std::nullopt;
+  if (std::abs(in_a.norm() - in_b.norm()) > kSameDistance_m) return std::nullopt;
+  Motion motion;
+  motion.turn_rad = std::atan2(in_b.y(), in_b.x()) - std::atan2(in_a.y(), in_a.x());
+  motion.shift = 0.5 * (one.a + other.a) - motion.turned(0.5 * (one.b + other.b));
+  return motion;
+}
+
+/// Those that agree; of one time the best.
+std::vector<Moment> agreeing(std::span<const Moment> moments, const Motion& motion) {
+  std::vector<Moment> agree;
+  const auto off = [&](const Moment& m) { return (motion(m.b) - m.a).norm(); };
+  for (const Moment& moment : moments) {
+    if (off(moment) > kMaxHeadDistance_m) continue;
+    if (agree.empty() || agree.back().time_s != moment.time_s) {
+      agree.push_back(moment);
+    } else if (off(moment) < off(agree.back())) {
+      agree.back() = moment;
+    }
+  }
+  return agree;
+}
+
+/// Hypotheses from pairs of moments, spread evenly over all of them.
+std::optional<Motion> most_agreed(std::span<const Moment> moments, std::size_t& most) {
+  constexpr std::size_t kTried = 60;
+  const std::size_t step = std::max<std::size_t>(1, moments.size() / kTried);
+  std::optional<Motion> best;
+  for (std::size_t i = 0; i < moments.size(); i += step) {
+    for (std::size_t j = i + step; j < moments.size(); j += step) {
+      const auto motion = motion_by(moments[i], moments[j]);
+      if (!motion) continue;
+      const std::size_t count = agreeing(moments, *motion).size();
+      if (count <= most) continue;
+      most = count;
+      best = motion;
+    }
+  }
+  return best;
+}
+
+/// Unknown: turn, shift, and how much deeper inside than usual heads are, seen by a and by b.
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+
+struct Fit {
+  Motion motion;
+  Vector2d deeper = Vector2d::Zero();  // of a, b
+  Matrix5 covariance = Matrix5::Zero();
+};
+
+/// What is not known about where a head is, seen along `away`.
+Eigen::Matrix2d sighting_covariance(const Vector2d& away) {
+  const Vector2d across(-away.y(), away.x());
+  return kAlongSigma_m * kAlongSigma_m * away * away.transpose() +
+         kAcrossSigma_m * kAcrossSigma_m * across * across.transpose();
+}
+
+Fit improved(std::span<const Moment> moments, const Fit& fit, double weight_of_each) {
+  Matrix5 information = Matrix5::Zero();
+  Vector5 gradient = Vector5::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const double expected = 1 / (kInsideSigma_m * kInsideSigma_m);
+    information(3 + i, 3 + i) += expected;
+    gradient(3 + i) += expected * fit.deeper(i);
+  }
+  for (const Moment& moment : moments) {
+    const Vector2d turned = fit.motion.turned(moment.b + fit.deeper(1) * moment.away_b);
+    const Vector2d away_b = fit.motion.turned(moment.away_b);
+    const Vector2d residual = turned + fit.motion.shift - moment.a - fit.deeper(0) * moment.away_a;
+    Eigen::Matrix<double, 2, 5> jacobian;
+    jacobian.col(0) = Vector2d(turned.y(), -turned.x());
+    jacobian.block<2, 2>(0, 1).setIdentity();
+    jacobian.col(3) = -moment.away_a;
+    jacobian.col(4) = away_b;
+    const Eigen::Matrix2d precise =
+        (sighting_covariance(moment.away_a) + sighting_covariance(away_b)).inverse();
+    const double squared_sigmas = residual.dot(precise * residual);
+    const double robust = 1 / std::pow(1 + squared_sigmas / 8, 2);  // Geman & McClure 1985
+    information += weight_of_each * robust * jacobian.transpose() * precise * jacobian;
+    gradient += weight_of_each * robust * jacobian.transpose() * precise * residual;
+  }
+  Fit better = fit;
+  better.covariance = information.inverse();
+  const Vector5 step = better.covariance * gradient;
+  better.motion.turn_rad -= step(0);
+  better.motion.shift -= step.segment<2>(1);
+  better.deeper -= step.tail<2>();
+  return better;
+}
+
+/// Seconds in which there are moments that agree.
+double seconds_of(std::span<const Moment> moments) {
+  constexpr double kPause_s = 0.5;
+  double seconds = 0;
+  for (std::size_t i = 1; i < moments.size(); ++i)
+    seconds += std::min(kPause_s, moments[i].time_s - moments[i - 1].time_s);
+  return seconds;
+}
+
+/// Of the middle of the walk.
+double walk_error_m(const Fit& fit, std::span<const Moment> moments) {
+  Vector2d middle = Vector2d::Zero();
+  for (const Moment& moment : moments) middle += moment.b / static_cast<double>(moments.size());
+  const Vector2d turned = fit.motion.turned(middle);
+  Eigen::Matrix<double, 2, 5> by = Eigen::Matrix<double, 2, 5>::Zero();
+  by.col(0) = Vector2d(turned.y(), -turned.x());
+  by.block<2, 2>(0, 1).setIdentity();
+  const double variance = (by * fit.covariance * by.transpose()).trace();
+  return std::sqrt(variance + 2 * kShapeSigma_m * kShapeSigma_m);
+}
+
+RigidTransform transform_of(const Motion& motion) {
+  RigidTransform transform;
+  transform.rotation =
+      Eigen::AngleAxisd(motion.turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  transform.translation_m = {motion.shift.x(), 0, motion.shift.y()};
+  return transform;
+}
+
+std::size_t times_in(std::span<const Moment> moments) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    count += i == 0 || moments[i].time_s != moments[i - 1].time_s;
+  return count;
+}
+
+}  // namespace
+
+HeadSighting head_sighting(const RigidTransform& level_from_depth, double time_s,
+                           const Eigen::Vector3d& seen_in_depth_m) {
+  HeadSighting sighting;
+  sighting.time_s = time_s;
+  sighting.seen_m = level_from_depth * seen_in_depth_m;
+  const Vector2d ray = on_floor(sighting.seen_m - level_from_depth.translation_m);
+  if (ray.norm() > 1e-6) sighting.away = ray.normalized();
+  return sighting;
+}
+
+Result<TrajectoryMatch> match_walks(std::span<const HeadSighting> a,
+                                    std::span<const HeadSighting> b) {
+  const auto moments = common_moments(a, b, 0);
+  const std::size_t times = times_in(moments);
+  if (times < std::size_t{kMinMoments})
+    return unavailable("nobody has walked through its view and another one's at the same time yet");
+  std::size_t most = 0;
+  const auto motion = most_agreed(moments, most);
+  if (!motion || most < std::size_t{kMinMoments})
+    return unavailable("whoever was seen hardly moved; walk about where both sensors see you");
+  if (static_cast<double>(most) < kMinShare * static_cast<double>(times))
+    return unavailable("the sensors saw different people; let one person walk about alone");
+  for (const double late_s : kOtherTimes_s) {
+    std::size_t rival = 0;
+    (void)most_agreed(common_moments(a, b, late_s), rival);
+    if (static_cast<double>(rival) > kMaxRivalShare * static_cast<double>(most))
+      return unavailable("the walk was too simple to tell; walk a curve, stop, and turn");
+  }
+  Fit fit{*motion};
+  std::vector<Moment> agree;
+  for (int step = 0; step < 8; ++step) {
+    agree = agreeing(moments, fit.motion);
+    if (agree.size() < std::size_t{kMinMoments})
+      return unavailable("the walk does not fit together");
+    const double independent = seconds_of(agree) / kIndependent_s;
+    fit = improved(agree, fit, std::min(1.0, independent / static_cast<double>(agree.size())));
+  }
+  TrajectoryMatch match{transform_of(fit.motion), 1000 * walk_error_m(fit, agree),
+                        seconds_of(agree), static_cast<int>(agree.size())};
+  if (match.seconds < kMinSeconds)
+    return unavailable("whoever was seen did not stay long enough; walk about for 20 s");
+  if (match.expected_error_mm > kMaxWalkError_mm)
+    return unavailable("the walk was too short to tell; walk about more widely");
+  return match;
+}
+
+}  // namespace roomcast::align

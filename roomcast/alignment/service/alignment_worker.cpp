@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/alignment_worker.h"
+
+#include <chrono>
+#include <utility>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "roomcast/alignment/service/bundle_message.h"
+
+namespace roomcast::aligner {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Sensors often come together; one thought for all is cheaper than one for each.
+constexpr auto kWaitForMore = 500ms;
+/// A walk has to be some seconds long anyway.
+constexpr auto kWaitForSightings = 2s;
+constexpr int kNiceness = 10;
+constexpr int kMaxSightings = 500;  // of a sensor and a kind, while a thought takes long
+
+}  // namespace
+
+AlignmentWorker::AlignmentWorker(std::function<void(AlignmentUpdate)> tell)
+    : tell_(std::move(tell)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+template <class Change>
+void AlignmentWorker::change_news(Change change) {
+  {
+    const std::lock_guard lock(mutex_);
+    change(news_);
+  }
+  changed_.notify_all();
+}
+
+void AlignmentWorker::add(const std::string& sensor, const SensorCalibration& calibration,
+                          wire::pb::CalibrationBundle bundle) {
+  change_news([&](News& news) { news.bundles[sensor] = {calibration, std::move(bundle)}; });
+}
+
+void AlignmentWorker::forget(const std::string& sensor) {
+  change_news([&](News& news) {
+    news.bundles.erase(sensor);
+    news.sightings.erase(sensor);
+    news.nudges.erase(sensor);
+    news.moved.insert(sensor);
+  });
+}
+
+void AlignmentWorker::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
+  change_news([&](News& news) {
+    auto& seen = news.sightings[sensor];
+    if (seen.heads_size() + seen.tags_size() < kMaxSightings) seen.MergeFrom(sightings);
+  });
+}
+
+void AlignmentWorker::nudge(const std::string& sensor, const RigidTransform& world_from_depth) {
+  change_news([&](News& news) { news.nudges[sensor] = world_from_depth; });
+}
+
+void AlignmentWorker::set_known(KnownRoom known, bool has_unplaced) {
+  change_news([&](News& news) {
+    news.known = std::move(known);
+    news.has_unplaced = has_unplaced;
+  });
+}
+
+void AlignmentWorker::run(const std::stop_token& stop) {
+  // Linux: of this thread alone. Frames go before thoughts.
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
+  while (auto news = wait_for_news(stop)) {
+    take(*news);
+    AlignmentUpdate thought{placing_.solve(news->known), placing_.wants_sightings()};
+    for (auto& placement : thought.placements)
+      placement.bundle_number = bundle_numbers_[placement.sensor];
+    if (!stop.stop_requested()) tell_(std::move(thought));
+  }
+}
+
+std::optional<AlignmentWorker::News> AlignmentWorker::wait_for_news(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  if (!changed_.wait(lock, stop, [this] { return news_.should_run(); })) return std::nullopt;
+  if (!news_.is_urgent())
+    changed_.wait_for(lock, stop, kWaitForSightings, [this] { return news_.is_urgent(); });
+  if (news_.nudges.empty()) changed_.wait_for(lock, stop, kWaitForMore, [] { return false; });
+  if (stop.stop_requested()) return std::nullopt;
+  News news = news_;
+  news_.moved.clear();
+  news_.bundles.clear();
+  news_.sightings.clear();
+  news_.nudges.clear();
+  return news;
+}
+
+void AlignmentWorker::take(const News& news) {
+  for (const auto& sensor : news.moved) placing_.forget(sensor);
+  for (const auto& [sensor, bundle] : news.bundles) take_bundle(sensor, bundle);
+  for (const auto& [sensor, sightings] : news.sightings) placing_.see(sensor, sightings);
+  for (const auto& [sensor, guess] : news.nudges) placing_.nudge(sensor, guess);
+}
+
+void AlignmentWorker::take_bundle(const std::string& sensor, const Bundle& bundle) {
+  bundle_numbers_[sensor] = bundle.message.number();
+  const auto read = bundle_from_message(bundle.message, sensor, bundle.calibration);
+  if (!read) return placing_.refuse(sensor, read.error().message);
+  placing_.add(*read);
+}
+
+}  // namespace roomcast::aligner

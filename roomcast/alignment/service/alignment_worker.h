@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// AlignmentWorker: works out where the sensors stand, on a thread of its own and at low priority,
+// whenever something came in that is worth it. Of what came in meanwhile the newest counts.
+// Threading: the methods are thread-safe; `tell` is called on the alignment_worker's thread.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "roomcast/alignment/service/placement_solver.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::aligner {
+
+struct AlignmentUpdate {
+  std::vector<Placement> placements;
+  bool wants_sightings = false;
+};
+
+class AlignmentWorker {
+ public:
+  explicit AlignmentWorker(std::function<void(AlignmentUpdate)> tell);
+  /// Waits for a thought to end, which may take seconds.
+  ~AlignmentWorker() = default;
+
+  void add(const std::string& sensor, const SensorCalibration& calibration,
+           wire::pb::CalibrationBundle bundle);
+  /// What came from the sensor before no longer holds.
+  void forget(const std::string& sensor);
+  void see(const std::string& sensor, const wire::pb::Sightings& sightings);
+  void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
+  /// As the roster says. `has_unplaced`: a sensor that is here does not know where it stands.
+  void set_known(KnownRoom known, bool has_unplaced);
+
+ private:
+  struct Bundle {
+    SensorCalibration calibration;
+    wire::pb::CalibrationBundle message;
+  };
+  /// Since the last thought.
+  struct News {
+    std::set<std::string> moved;  // and have not sent another bundle since
+    std::map<std::string, Bundle> bundles;
+    std::map<std::string, wire::pb::Sightings> sightings;
+    KnownPoses nudges;
+    KnownRoom known;
+    bool has_unplaced = false;
+
+    [[nodiscard]] bool is_urgent() const {
+      return (!bundles.empty() && has_unplaced) || !nudges.empty();
+    }
+    [[nodiscard]] bool should_run() const { return is_urgent() || !sightings.empty(); }
+  };
+
+  template <class Change>
+  void change_news(Change change);
+  void run(const std::stop_token& stop);
+  [[nodiscard]] std::optional<News> wait_for_news(const std::stop_token& stop);
+  void take(const News& news);
+  void take_bundle(const std::string& sensor, const Bundle& bundle);
+
+  const std::function<void(AlignmentUpdate)> tell_;
+  PlacementSolver placing_;  // the thread's own, as is what follows
+  std::map<std::string, std::uint32_t> bundle_numbers_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  News news_;
+  std::jthread thread_;  // last: ends first
+};
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/alignment_worker.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/feature/room_fixture.h"
+#include "roomcast/alignment/service/bundle_message.h"
+#include "roomcast/core/blocking_queue.h"
+
+namespace roomcast::aligner {
+namespace {
+
+const RigidTransform kLeft = align::corner_pose(2, 1.5), kRight = align::corner_pose(-2, 1.5);
+
+class AlignmentWorkerTest : public testing::Test {
+ protected:
+  void add(const std::string& sensor, const RigidTransform& world_from_depth,
+           std::uint32_t number) {
+    const auto bundle = align::bundle_fixture({}, sensor, world_from_depth);
+    auto message = *message_from_bundle(bundle);
+    message.set_number(number);
+    alignment_worker.add(sensor, bundle.calibration, std::move(message));
+  }
+  static const Placement* find(const AlignmentUpdate& thought, const std::string& sensor) {
+    for (const Placement& placement : thought.placements) {
+      if (placement.sensor == sensor) return &placement;
+    }
+    return nullptr;
+  }
+
+  BlockingQueue<AlignmentUpdate> thoughts{16};
+  AlignmentWorker alignment_worker{
+      [this](AlignmentUpdate thought) { (void)thoughts.push(std::move(thought), {}); }};
+};
+
+TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_thought_with_their_numbers) {
+  alignment_worker.set_known({}, true);
+  add("left", kLeft, 4);
+  add("right", kRight, 7);
+  const auto thought = thoughts.pop({});
+  ASSERT_TRUE(thought);
+  ASSERT_TRUE(find(*thought, "left") && find(*thought, "right"));
+  EXPECT_TRUE(find(*thought, "right")->world_from_depth);
+  EXPECT_EQ(find(*thought, "left")->bundle_number, 4U);
+  EXPECT_EQ(find(*thought, "right")->bundle_number, 7U);
+  EXPECT_FALSE(thought->wants_sightings);
+}
+
+TEST_F(AlignmentWorkerTest, a_guess_is_answered_though_nobody_is_lost) {
+  add("left", kLeft, 1);
+  add("right", kRight, 1);
+  KnownRoom known;
+  known.given = {{"left", kLeft}};
+  alignment_worker.set_known(known, false);
+  RigidTransform guess = kRight;
+  guess.translation_m.x() += 0.1;
+  alignment_worker.nudge("right", guess);
+  const auto thought = thoughts.pop({});
+  ASSERT_TRUE(thought && find(*thought, "right"));
+  ASSERT_TRUE(find(*thought, "right")->world_from_depth) << find(*thought, "right")->note;
+  EXPECT_LT(
+      (find(*thought, "right")->world_from_depth->translation_m - kRight.translation_m).norm(),
+      0.03);
+}
+
+}  // namespace
+}  // namespace roomcast::aligner

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/board_placer.h"
+
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/service/board_fixture.h"
+
+namespace roomcast::aligner {
+namespace {
+
+const RigidTransform kLeft = world_from_optical_looking_at({-2.5, 2, 0}, {0, 1, 0});
+const RigidTransform kRight = world_from_optical_looking_at({2.4, 1.8, 0.5}, {0, 1, 0});
+
+TEST(BoardPlacer, a_lost_sensor_is_placed_beside_one_that_is_not) {
+  BoardPlacer placing;
+  placing.see("left", held_tag(kLeft));
+  placing.see("right", held_tag(kRight));
+  const auto found = placing.place({{"left", kLeft}}, {"right", "third"}, {});
+  ASSERT_EQ(found.size(), 1U);
+  ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
+  EXPECT_LT((found[0].world_from_depth->translation_m - kRight.translation_m).norm(), 0.01);
+}
+
+TEST(BoardPlacer, where_nobody_is_placed_the_first_beside_whom_another_can_be_makes_the_world) {
+  BoardPlacer placing;
+  placing.see("left", held_tag(kLeft));
+  placing.see("right", held_tag(kRight));
+  const Seeds seeds = {{"blind", {}}, {"left", kLeft}, {"right", kRight}};
+  const auto found = placing.place({}, {"blind", "left", "right"}, seeds);
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_TRUE(found[0].world_from_depth && found[1].world_from_depth);
+  EXPECT_EQ(found[0].sensor, "right");
+  EXPECT_LT((found[0].world_from_depth->translation_m - kRight.translation_m).norm(), 0.01);
+  EXPECT_EQ(found[1].sensor, "left");
+  EXPECT_EQ(found[1].world_from_depth->translation_m, kLeft.translation_m);
+}
+
+TEST(BoardPlacer, alone_nobody_makes_a_world) {
+  BoardPlacer placing;
+  placing.see("left", held_tag(kLeft));
+  for (const auto& placement : placing.place({}, {"left", "right"}, {{"left", kLeft}}))
+    EXPECT_FALSE(placement.world_from_depth);
+}
+
+TEST(BoardPlacer, whom_a_board_has_placed_others_are_placed_beside) {
+  const RigidTransform first = world_from_optical_looking_at({0, 2, 2.5}, {0, 1, 0});
+  const auto later = [](wire::pb::Sightings seen) {
+    for (auto& tag : *seen.mutable_tags()) tag.set_room_ns(tag.room_ns() + 60'000'000'000ULL);
+    return seen;
+  };
+  BoardPlacer placing;
+  placing.see("left", held_tag(kLeft));  // with "right" first, then with "a"
+  placing.see("right", held_tag(kRight));
+  placing.see("left", later(held_tag(kLeft)));
+  placing.see("a", later(held_tag(first)));
+  const auto found = placing.place({{"right", kRight}}, {"a", "left"}, {});
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
+  EXPECT_LT((found[0].world_from_depth->translation_m - first.translation_m).norm(), 0.02);
+}
+
+TEST(BoardPlacer, what_was_seen_before_it_was_moved_does_not_count) {
+  BoardPlacer placing;
+  placing.see("left", held_tag(kLeft));
+  placing.see("right", held_tag(kRight));
+  placing.forget("right");
+  EXPECT_TRUE(placing.place({{"left", kLeft}}, {"right"}, {}).empty());
+}
+
+TEST(BoardPlacer, a_board_that_only_the_lost_sensor_saw_gives_a_reason) {
+  BoardPlacer placing;
+  placing.see("left", {});
+  auto elsewhen = held_tag(kLeft);
+  for (auto& tag : *elsewhen.mutable_tags()) tag.set_room_ns(tag.room_ns() + 60'000'000'000ULL);
+  placing.see("left", elsewhen);
+  placing.see("right", held_tag(kRight));
+  const auto found = placing.place({{"left", kLeft}}, {"right"}, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].world_from_depth);
+  EXPECT_FALSE(found[0].note.empty());
+}
+
+}  // namespace
+}  // namespace roomcast::aligner

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/placement_solver.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/feature/views_fixture.h"
+#include "roomcast/alignment/pair/pose_difference.h"
+#include "roomcast/alignment/service/board_fixture.h"
+#include "roomcast/alignment/service/walk_fixture.h"
+
+namespace roomcast::aligner {
+namespace {
+
+KnownRoom given(const KnownPoses& poses) {
+  KnownRoom room;
+  room.given = poses;
+  return room;
+}
+
+TEST(PlacementSolver, a_view_of_no_use_is_reported) {
+  auto dark = align::bundle_fixture({}, "dark", align::corner_pose(2, 1.5));
+  dark.color = ColorImage(dark.color.width(), dark.color.height());
+  PlacementSolver placing;
+  placing.add(dark);
+  const auto placements = placing.solve({});
+  ASSERT_EQ(placements.size(), 1U);
+  EXPECT_EQ(placements[0].sensor, "dark");
+  EXPECT_FALSE(placements[0].note.empty());
+}
+
+/// A long grey corridor, lit from one side: nothing that is seen there tells how far along it
+/// somebody stands.
+align::CalibrationBundle in_corridor(const std::string& name,
+                                     const RigidTransform& world_from_depth) {
+  align::RoomFixture corridor;
+  corridor.walls = {Eigen::Vector3d(-30, 0, -2), Eigen::Vector3d(30, 2.6, 1.8)};
+  corridor.boxes.clear();
+  return align::without_pattern(align::bundle_fixture(corridor, name, world_from_depth));
+}
+
+TEST(PlacementSolver, a_walk_tells_where_a_sensor_stands_and_what_both_see_how_exactly) {
+  const RigidTransform first = world_from_optical_looking_at({-1, 1.7, -1.6}, {-0.3, 0.6, 1});
+  const RigidTransform second = world_from_optical_looking_at({1, 1.7, -1.6}, {0.3, 0.6, 1});
+  PlacementSolver placing;
+  placing.add(in_corridor("first", first));
+  placing.add(in_corridor("second", second));
+  const auto placed_second = [&] {
+    const auto placements = placing.solve(given({{"first", first}}));
+    return *std::ranges::find(placements, "second", &Placement::sensor);
+  };
+  ASSERT_FALSE(placed_second().world_from_depth) << "it could be anywhere along the corridor";
+  ASSERT_TRUE(placing.wants_sightings());
+
+  // Its crown is seen unlike from both sides: that puts the walk off by half of the difference.
+  placing.see("first", stroll_seen_from(first, 0.11));
+  placing.see("second", stroll_seen_from(second, 0.03));
+  const Placement found = placed_second();
+  ASSERT_TRUE(found.world_from_depth) << found.note;
+  const Eigen::Vector3d off = found.world_from_depth->translation_m - second.translation_m;
+  EXPECT_NEAR(off.z(), 0, 0.01) << "the wall tells";
+  EXPECT_NEAR(off.x(), 0, 0.06) << "the walk tells";
+}
+
+KnownRoom remembered(const KnownPoses& poses) {
+  KnownRoom room;
+  room.remembered = poses;
+  return room;
+}
+
+Placement of(const std::string& sensor, const std::vector<Placement>& placements) {
+  const auto found = std::ranges::find(placements, sensor, &Placement::sensor);
+  return found == placements.end() ? Placement{} : *found;
+}
+
+double apart_m(const RigidTransform& one, const RigidTransform& other) {
+  return align::difference(one, other).distance_m;
+}
+
+bool same_bits(const std::optional<RigidTransform>& one, const RigidTransform& other) {
+  return one && row_major_from_transform(*one) == row_major_from_transform(other);
+}
+
+const RigidTransform kLeft = align::corner_pose(2, 1.5), kRight = align::corner_pose(-2, 1.5);
+const RigidTransform kThird = align::corner_pose(-2, -1.5);
+const RigidTransform kFirst = world_from_optical_looking_at({-1, 1.7, -1.6}, {-0.3, 0.6, 1});
+const RigidTransform kSecond = world_from_optical_looking_at({1, 1.7, -1.6}, {0.3, 0.6, 1});
+
+TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_joins) {
+  PlacementSolver placing;
+  placing.add(align::bundle_fixture({}, "left", kLeft));
+  placing.add(align::bundle_fixture({}, "right", kRight));
+  const auto two = placing.solve({});
+  ASSERT_TRUE(of("left", two).world_from_depth && of("right", two).world_from_depth);
+  KnownRoom room;
+  for (const Placement& placement : two) room.found[placement.sensor] = *placement.world_from_depth;
+  placing.add(align::bundle_fixture({}, "third", kThird));
+  const auto three = placing.solve(room);
+  EXPECT_TRUE(of("third", three).world_from_depth);
+  EXPECT_TRUE(same_bits(of("left", three).world_from_depth, room.found.at("left")));
+  EXPECT_TRUE(same_bits(of("right", three).world_from_depth, room.found.at("right")));
+}
+
+TEST(PlacementSolver, a_room_that_is_remembered_is_verified_and_stays_where_it_was) {
+  const KnownPoses before = {{"left", kLeft}, {"right", kRight}};
+  PlacementSolver placing;
+  placing.add(align::bundle_fixture({}, "left", kLeft));
+  const auto alone = placing.solve(remembered(before));
+  EXPECT_FALSE(of("left", alone).world_from_depth) << "nothing to compare it with yet";
+  EXPECT_FALSE(of("left", alone).withdrawn);
+  placing.add(align::bundle_fixture({}, "right", kRight));
+  const auto both = placing.solve(remembered(before));
+  EXPECT_TRUE(same_bits(of("left", both).world_from_depth, kLeft));
+  EXPECT_TRUE(same_bits(of("right", both).world_from_depth, kRight));
+  EXPECT_FALSE(placing.wants_sightings());
+}
+
+TEST(PlacementSolver, who_was_moved_while_it_was_away_is_placed_where_it_stands_now) {
+  PlacementSolver placing;
+  placing.add(align::bundle_fixture({}, "left", kLeft));
+  placing.add(align::bundle_fixture({}, "right", kRight));
+  KnownRoom room = given({{"left", kLeft}});
+  room.remembered = {{"right", kThird}};
+  const auto right = of("right", placing.solve(room));
+  ASSERT_TRUE(right.world_from_depth);
+  EXPECT_LT(apart_m(*right.world_from_depth, kRight), 0.02);
+}
+
+TEST(PlacementSolver, who_was_moved_and_cannot_be_placed_anew_is_withdrawn) {
+  const auto turned_away = world_from_optical_looking_at({1, 1.7, -1.6}, {2.5, 0.9, -0.4});
+  PlacementSolver placing;
+  placing.add(in_corridor("first", kFirst));
+  placing.add(in_corridor("second", turned_away));
+  KnownRoom room = given({{"first", kFirst}});
+  room.remembered = {{"second", kSecond}};
+  const auto second = of("second", placing.solve(room));
+  EXPECT_FALSE(second.world_from_depth);
+  EXPECT_TRUE(second.withdrawn);
+  EXPECT_NE(second.note.find("moved"), std::string::npos) << second.note;
+  EXPECT_TRUE(placing.wants_sightings());
+}
+
+class Corridor : public testing::Test {
+ protected:
+  Corridor() {
+    placing.add(in_corridor("first", kFirst));
+    placing.add(in_corridor("second", kSecond));
+  }
+  void walk() {
+    placing.see("first", stroll_seen_from(kFirst, 0.11));
+    placing.see("second", stroll_seen_from(kSecond, 0.03));
+  }
+  void hold_board() {
+    placing.see("first", held_tag(kFirst));
+    placing.see("second", held_tag(kSecond));
+  }
+
+  PlacementSolver placing;
+  const RigidTransform truth = kFirst.inverse() * kSecond;
+};
+
+TEST_F(Corridor, where_nothing_tells_a_remembered_sensor_stays_and_a_walk_is_asked_for) {
+  KnownRoom room = given({{"first", kFirst}});
+  room.remembered = {{"second", kSecond}};
+  const auto untold = of("second", placing.solve(room));
+  EXPECT_FALSE(untold.world_from_depth) << "it could be anywhere along the corridor";
+  EXPECT_FALSE(untold.withdrawn);
+  EXPECT_TRUE(placing.wants_sightings());
+  walk();
+  const auto walked = of("second", placing.solve(room));
+  EXPECT_TRUE(same_bits(walked.world_from_depth, kSecond)) << walked.note;
+  EXPECT_FALSE(placing.wants_sightings());
+}
+
+TEST_F(Corridor, a_walk_replaces_a_remembered_pose_that_does_not_hold) {
+  KnownRoom room = given({{"first", kFirst}});
+  room.remembered = {{"second", align::beside(kSecond, {1, 0, 0}, 0)}};
+  walk();
+  const auto walked = of("second", placing.solve(room));
+  ASSERT_TRUE(walked.world_from_depth) << walked.note;
+  EXPECT_LT(apart_m(*walked.world_from_depth, kSecond), 0.1);
+}
+
+TEST_F(Corridor, two_that_are_remembered_only_are_verified_together_by_a_board) {
+  const KnownRoom room = remembered({{"first", kFirst}, {"second", kSecond}});
+  for (const Placement& placement : placing.solve(room)) {
+    EXPECT_FALSE(placement.world_from_depth);
+    EXPECT_FALSE(placement.withdrawn);
+  }
+  hold_board();
+  const auto placements = placing.solve(room);
+  EXPECT_TRUE(same_bits(of("first", placements).world_from_depth, kFirst));
+  EXPECT_TRUE(same_bits(of("second", placements).world_from_depth, kSecond));
+}
+
+TEST_F(Corridor, who_is_remembered_is_no_base_for_others_while_somebody_is_known) {
+  KnownRoom room = given({{"elsewhere", kThird}});
+  room.remembered = {{"first", kFirst}};
+  hold_board();
+  EXPECT_FALSE(of("second", placing.solve(room)).world_from_depth);
+  room.given.clear();
+  EXPECT_TRUE(of("second", placing.solve(room)).world_from_depth);
+}
+
+TEST_F(Corridor, a_board_places_two_that_share_nothing_and_came_together) {
+  ASSERT_FALSE(of("first", placing.solve({})).world_from_depth);
+  hold_board();
+  const auto placements = placing.solve({});
+  const auto first = of("first", placements), second = of("second", placements);
+  ASSERT_TRUE(first.world_from_depth && second.world_from_depth) << second.note;
+  EXPECT_LT(apart_m(first.world_from_depth->inverse() * *second.world_from_depth, truth), 0.01);
+  EXPECT_NEAR(first.world_from_depth->translation_m.y(), 1.7, 0.02) << "over its floor";
+  EXPECT_FALSE(placing.wants_sightings());
+}
+
+TEST_F(Corridor, whom_a_board_has_placed_a_walk_places_others_beside) {
+  const auto third = world_from_optical_looking_at({3, 1.7, -1.6}, {0.6, 0.6, 1});
+  placing.add(in_corridor("third", third));
+  hold_board();
+  placing.see("second", stroll_seen_from(kSecond, 0.03));
+  placing.see("third", stroll_seen_from(third, 0.03));
+  const auto placements = placing.solve(given({{"first", kFirst}}));
+  ASSERT_TRUE(of("third", placements).world_from_depth) << of("third", placements).note;
+  EXPECT_LT(apart_m(*of("third", placements).world_from_depth, third), 0.15);
+}
+
+TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world) {
+  align::RoomFixture symmetric = align::nearly_symmetric_room();
+  symmetric.boxes.pop_back();
+  const auto one_pose = align::corner_pose(2, -1.5), other_pose = align::corner_pose(-2, 1.5);
+  const RigidTransform truth = one_pose.inverse() * other_pose;
+  PlacementSolver placing;
+  placing.add(align::bundle_fixture(symmetric, "one", one_pose));
+  placing.add(align::bundle_fixture(symmetric, "other", other_pose));
+  KnownRoom room;
+  room.provisional["one"] = align::beside(one_pose, {9, 0.3, 4}, 1);
+  for (const Placement& placement : placing.solve(room))
+    ASSERT_FALSE(placement.world_from_depth) << "turned by half the room looks alike";
+  placing.nudge("other", align::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
+  const auto placements = placing.solve(room);
+  const auto one = of("one", placements), other = of("other", placements);
+  ASSERT_TRUE(one.world_from_depth && other.world_from_depth) << other.note;
+  EXPECT_LT(apart_m(one.world_from_depth->inverse() * *other.world_from_depth, truth), 0.03);
+  EXPECT_NEAR(one.world_from_depth->translation_m.y(), 1.9, 0.02) << "over its floor";
+}
+
+}  // namespace
+}  // namespace roomcast::aligner

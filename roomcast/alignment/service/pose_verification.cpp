@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/alignment/service/pose_verification.h"
+
+#include <iterator>
+#include <utility>
+
+namespace roomcast::aligner {
+namespace {
+
+using align::StoredPoseVerdict;
+
+class Recollecting {
+ public:
+  Recollecting(const KnownPoses& remembered, KnownPoses known, const PosePairCheck& witness)
+      : known_(std::move(known)), witness_(witness) {
+    told_.untold = remembered;
+  }
+
+  StoredPoseChecks finish() {
+    do {
+      while (ask_known()) {
+      }
+    } while (ask_each_other());
+    return std::move(told_);
+  }
+
+ private:
+  struct Verdict {
+    double expected_error_mm = 0;  // of the best confirmation
+    bool confirmed = false, contradicted = false;
+    std::string by;  // who contradicts
+    align::Contradiction contradiction = align::Contradiction::kNone;
+  };
+
+  /// Whether that settled somebody's pose, so that others may be compared with it.
+  bool ask_known() {
+    for (const auto& [sensor, pose] : told_.untold) {
+      const Verdict verdict = beside_known(sensor, pose);
+      if (verdict.confirmed == verdict.contradicted) continue;  // untold, or they disagree
+      if (verdict.confirmed) {
+        confirm(sensor, verdict.expected_error_mm);
+      } else {
+        contradict(sensor, verdict);
+      }
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] Verdict beside_known(const std::string& sensor, const RigidTransform& pose) const {
+    Verdict verdict;
+    for (const auto& [other, world_from_other] : known_) {
+      if (other == sensor) continue;
+      const auto told = witness_({other, world_from_other}, {sensor, pose});
+      if (told.verdict == StoredPoseVerdict::kContradicted) {
+        if (!verdict.contradicted) verdict.by = other;
+        verdict.contradicted = true;
+        verdict.contradiction = told.contradiction;
+      }
+      if (told.verdict != StoredPoseVerdict::kConfirmed) continue;
+      const bool better = told.expected_error_mm < verdict.expected_error_mm;
+      if (better || !verdict.confirmed) verdict.expected_error_mm = told.expected_error_mm;
+      verdict.confirmed = true;
+    }
+    return verdict;
+  }
+
+  bool ask_each_other() {
+    for (auto one = told_.untold.begin(); one != told_.untold.end(); ++one) {
+      for (auto other = std::next(one); other != told_.untold.end(); ++other) {
+        const auto told = witness_({one->first, one->second}, {other->first, other->second});
+        if (told.verdict != StoredPoseVerdict::kConfirmed) continue;
+        const std::string first = one->first, second = other->first;
+        confirm(first, told.expected_error_mm);
+        confirm(second, told.expected_error_mm);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void confirm(std::string sensor, double expected_error_mm) {
+    Placement& placement = told_.confirmed[sensor];
+    placement.sensor = sensor;
+    placement.world_from_depth = told_.untold.at(sensor);
+    placement.expected_error_mm = expected_error_mm;
+    known_[sensor] = told_.untold.at(sensor);
+    told_.untold.erase(sensor);
+  }
+
+  void contradict(std::string sensor, const Verdict& verdict) {
+    Placement& placement = told_.contradicted[sensor];
+    placement.sensor = sensor;
+    placement.withdrawn = true;
+    placement.note =
+        std::string("It was moved while it was away: ") +
+        (verdict.contradiction == align::Contradiction::kColors ? "the colours" : "what it sees") +
+        " would not fit what " + verdict.by + " sees where it stood.";
+    told_.untold.erase(sensor);
+  }
+
+  StoredPoseChecks told_;
+  KnownPoses known_;
+  const PosePairCheck& witness_;
+};
+
+}  // namespace
+
+StoredPoseChecks verify_stored_poses(const KnownPoses& remembered, const KnownPoses& known,
+                                     const PosePairCheck& witness) {
+  return Recollecting(remembered, known, witness).finish();
+}
+
+}  // namespace roomcast::aligner

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// A control message as a connection sends it.
+#pragma once
+
+#include <utility>
+
+#include "roomcast/net/framed_message.h"
+#include "roomcast/wire/control.h"
+
+namespace roomcast {
+
+[[nodiscard]] inline net::FramedMessagePtr framed_control(const wire::pb::Control& control) {
+  net::MessageBuffer buffer;
+  wire::encode_control(control, buffer.appendable());
+  return net::frame_message(std::move(buffer));
+}
+
+}  // namespace roomcast

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/admin/admin_auth.h"
+
+#include <utility>
+
+#include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/admin_audit.h"
+
+namespace roomcast::hub {
+
+AdminAuth::AdminAuth(RoomRegistry& hall, StoreWorker& store_worker, LogSink log)
+    : hall_(hall), store_worker_(store_worker), log_(std::move(log)) {}
+
+void AdminAuth::admit(const net::HttpRequest& request, bool needs_token, net::Respond respond,
+                      std::function<void(Caller)> enter) {
+  AuditedCall asked{.method = request.method, .path = request.path, .peer = request.peer};
+  const std::string token = net::bearer_token(request);
+  if (token.empty()) {
+    Caller nobody{std::nullopt, audited(log_, std::move(asked), std::move(respond))};
+    if (!needs_token) return enter(std::move(nobody));
+    return nobody.respond(error_answer(
+        Refusal{wire::pb::ERROR_UNAUTHENTICATED,
+                "this takes an admin's token, in the header Authorization: Bearer TOKEN"}));
+  }
+  store_worker_.ask([token](HubStore& book) { return book.check(token); },
+                    [this, asked = std::move(asked), respond = std::move(respond),
+                     enter = std::move(enter)](const Verdict<Claims>& verdict) mutable {
+                      if (const Refusal* why = refusal(verdict)) {
+                        hall_.hold_against(asked.peer, *why);
+                        return audited(log_, std::move(asked),
+                                       std::move(respond))(error_answer(*why));
+                      }
+                      const Claims& claims = std::get<Claims>(verdict);
+                      asked.token_id = claims.id;
+                      asked.name = claims.grant.name;
+                      enter({claims, audited(log_, std::move(asked), std::move(respond))});
+                    });
+}
+
+}  // namespace roomcast::hub

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/room_registry.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/hub/runtime/revoked_message.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+namespace pb = wire::pb;
+
+/// What somebody types wrong, or guesses; an old token is an honest mistake.
+bool is_fault(pb::ErrorCode code) {
+  return code == pb::ERROR_TOKEN_INVALID || code == pb::ERROR_CODE_USED;
+}
+
+std::string_view role_of(const pb::Join& join) {
+  if (join.has_sensor()) return "sensor";
+  if (join.has_aligner()) return "aligner";
+  return join.viewer().relays() ? "hub" : "viewer";
+}
+
+std::string described(const ConnectionInfo& connection_info, const pb::Join& join) {
+  return std::string(role_of(join)) + " \"" + join.name() + "\" from " + connection_info.address;
+}
+
+}  // namespace
+
+RoomRegistry::RoomRegistry(RoomRegistryOptions options, boost::asio::io_context& io,
+                           StoreWorker& store_worker,
+                           const std::vector<std::unique_ptr<Shard>>& shards)
+    : options_(std::move(options)),
+      io_(io),
+      store_worker_(store_worker),
+      shards_(shards),
+      bans_(options_.bans),
+      timer_(io) {}
+
+// ---- rooms
+
+void RoomRegistry::open(const RoomSettings& settings, std::vector<KnownSensor> sensors) {
+  Room room(settings, options_.hub_version, options_.recalls_poses);
+  room.remember(std::move(sensors));
+  RoomRunner::Context around{
+      .io = io_,
+      .shards = shards_,
+      .store_worker = store_worker_,
+      .backplane = backplane_,
+      .clock = clock_,
+      .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
+      .on_let_go = [this](const Disconnect& end) { let_go(end); }};
+  rooms_[settings.name] =
+      std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(around));
+  if (backplane_ != nullptr) backplane_->room_opened(settings.name);
+}
+
+void RoomRegistry::change(const RoomSettings& settings) {
+  rooms_.at(settings.name)->room().change(settings);
+}
+
+void RoomRegistry::close(const std::string& name) {
+  const auto found = rooms_.find(name);
+  if (backplane_ != nullptr) backplane_->room_closed(name);
+  for (const ConnectionId client : found->second->room().connections()) {
+    send_away(client, "this room was closed");
+  }
+  found->second->close();
+  std::erase_if(dropped_sets_,
+                [id = found->second->id()](const auto& entry) { return entry.first.first == id; });
+  rooms_.erase(found);
+}
+
+void RoomRegistry::forget_sensor(const std::string& room, const std::string& sensor) {
+  RoomRunner& hosted = *rooms_.at(room);
+  hosted.apply(hosted.room().forget(sensor, hosted.now()));
+}
+
+const RoomSettings* RoomRegistry::find(const std::string& room) const {
+  const auto found = rooms_.find(room);
+  return found == rooms_.end() ? nullptr : &found->second->room().settings();
+}
+
+std::string RoomRegistry::only_listed_room() const {
+  std::string only;
+  for (const auto& [name, hosted] : rooms_) {
+    if (!hosted->room().settings().listed) continue;
+    if (!only.empty()) return "";
+    only = name;
+  }
+  return only;
+}
+
+// ---- who comes
+
+bool RoomRegistry::may_connect(const std::string& peer) const {
+  return !bans_.is_banned(peer, clock_.now());
+}
+
+void RoomRegistry::on_join(const ConnectionInfo& connection_info, const pb::Join& join) {
+  clients_[connection_info.from] = {
+      .address = connection_info.address, .name = join.name(), .role = role_of(join)};
+  if (!join.code().empty()) {
+    return store_worker_.ask([code = join.code()](HubStore& book) { return book.redeem(code); },
+                             [this, connection_info, join](const Verdict<NewToken>& redeemed) {
+                               on_checked(connection_info, join, redeemed, true);
+                             });
+  }
+  if (join.token().empty()) return decide(connection_info, join, nullptr, "");
+  store_worker_.ask(
+      [token = join.token()](HubStore& book) -> Verdict<NewToken> {
+        auto verdict = book.check(token);
+        if (const Refusal* why = refusal(verdict)) return *why;
+        return NewToken{std::get<Claims>(std::move(verdict)), token};
+      },
+      [this, connection_info, join](const Verdict<NewToken>& checked) {
+        on_checked(connection_info, join, checked, false);
+      });
+}
+
+void RoomRegistry::on_checked(const ConnectionInfo& connection_info, const pb::Join& join,
+                              const Verdict<NewToken>& shown, bool was_code) {
+  if (!clients_.contains(connection_info.from)) return;  // it did not wait
+  if (const Refusal* why = refusal(shown)) return refuse(connection_info, join, *why);
+  const auto& [claims, token] = std::get<NewToken>(shown);
+  decide(connection_info, join, &claims, was_code ? token : "");
+}
+
+void RoomRegistry::decide(const ConnectionInfo& connection_info, const pb::Join& join,
+                          const Claims* claims, const std::string& new_token) {
+  const auto verdict = decide_entry(
+      join, claims, [this](const std::string& name) { return find(name); }, only_listed_room());
+  if (const Refusal* why = refusal(verdict))
+    return refuse(connection_info, join, *why, claims == nullptr ? "" : claims->id);
+  Entry entry = std::get<Entry>(verdict);
+  if (send_on(connection_info, join, entry.room)) return;
+  entry.new_token = new_token;
+  if (connection_info.token_id_there) entry.token_id = *connection_info.token_id_there;
+  entry.other_hub = connection_info.other_hub;
+  admit(connection_info, join, entry);
+}
+
+void RoomRegistry::refuse(const ConnectionInfo& connection_info, const pb::Join& join,
+                          const Refusal& why, const std::string& token_id) {
+  ++refused_joins_;
+  clients_.erase(connection_info.from);
+  log(LogLevel::kInfo, connection_info.address + " is refused: " + why.sentence,
+      {{"event", "refuse"},
+       {"room", join.room()},
+       {"role", role_of(join)},
+       {"name", join.name()},
+       {"peer", connection_info.address},
+       {"token", token_id},
+       {"error", pb::ErrorCode_Name(why.code)}});
+  hold_against(connection_info.peer, why);
+  if (is_of_backplane(connection_info.from)) return backplane_->let_go(connection_info.from);
+  shards_[Shard::of(connection_info.from, shards_.size())]->disconnect(connection_info.from,
+                                                                       why.code, why.sentence);
+}
+
+void RoomRegistry::hold_against(const std::string& peer, const Refusal& why) {
+  const auto& exempt = options_.never_banned;
+  if (!is_fault(why.code) || std::ranges::find(exempt, peer) != exempt.end()) return;
+  if (!bans_.fault(peer, clock_.now())) return;
+  log(LogLevel::kWarning,
+      peer + " shows bad tokens again and again; it is not listened to for a while",
+      {{"event", "ban"}, {"peer", peer}});
+}
+
+/// To a hub that is less busy, where there is one. Nobody is sent on twice.
+bool RoomRegistry::send_on(const ConnectionInfo& connection_info, const pb::Join& join,
+                           const std::string& room) {
+  if (backplane_ == nullptr || !join.has_viewer() || join.redirected()) return false;
+  const auto urls = backplane_->less_busy_hubs(room);
+  if (urls.empty()) return false;
+  log(LogLevel::kInfo, described(connection_info, join) + " is sent on to " + urls.front(),
+      {{"event", "send_on"},
+       {"room", room},
+       {"role", role_of(join)},
+       {"name", join.name()},
+       {"peer", connection_info.address}});
+  clients_.erase(connection_info.from);
+  pb::Control others;
+  others.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
+  Shard& shard = *shards_[Shard::of(connection_info.from, shards_.size())];
+  shard.send_control({connection_info.from}, framed_control(others));
+  shard.disconnect(connection_info.from, pb::ERROR_BUSY,
+                   "this hub is busy; the room is at " + urls.front() + ", too");
+  return true;
+}
+
+void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& join,
+                         const Entry& entry) {
+  RoomRunner& room = *rooms_.at(entry.room);
+  Client& client = clients_[connection_info.from];
+  client.room = &room;
+  client.token_id = entry.token_id;
+  client.expires_at = entry.expires_at;
+  client.relays = join.viewer().relays();
+  log_client(described(connection_info, join) + " joins \"" + entry.room + "\"", client, "join");
+  if (backplane_ != nullptr && join.has_sensor() && !is_of_backplane(connection_info.from)) {
+    backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
+  }
+  room.apply(room.room().join(connection_info.from, join, entry, room.now()));
+  if (join.viewer().relays()) greet_hub(connection_info.from);
+  if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
+    options_.on_in_use(entry.room);
+  }
+}
+
+/// It learns which tokens hold no more before it was here.
+void RoomRegistry::greet_hub(ConnectionId hub) {
+  store_worker_.ask([](HubStore& book) { return book.revoked(); },
+                    [this, hub](const Result<std::vector<Claims>>& revoked) {
+                      if (revoked && room_of(hub) != nullptr) tell_hub_behind(hub, *revoked);
+                    });
+}
+
+// ---- what they say
+
+RoomRunner* RoomRegistry::room_of(ConnectionId from) const {
+  const auto client = clients_.find(from);
+  return client == clients_.end() ? nullptr : client->second.room;
+}
+
+void RoomRegistry::on_control(ConnectionId from, const pb::Control& message) {
+  if (RoomRunner* room = room_of(from)) {
+    room->apply(room->room().control(from, message, room->now()));
+  }
+}
+
+void RoomRegistry::on_frame(ConnectionId from, const wire::FrameHeader& header,
+                            net::MessageBuffer message) {
+  RoomRunner* room = room_of(from);
+  if (room == nullptr) return;
+  if (backplane_ != nullptr && !is_of_backplane(from) &&
+      !room->room().fault_of(from, header, room->now())) {
+    backplane_->frame(room->room().name(), header, message.payload());
+  }
+  room->apply(room->room().frame(from, header, std::move(message), room->now()));
+}
+
+void RoomRegistry::on_frames(std::span<IncomingFrame> together) {
+  RoomRunner* room = room_of(together.front().from);
+  if (room != nullptr) room->apply(room->room().frames(together, room->now()));
+}
+
+void RoomRegistry::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
+  RoomRunner* room = room_of(from);
+  if (room == nullptr) return;
+  for (const SensorId sensor : sensors) {
+    room->apply(room->room().key_needed(sensor, room->now()));
+  }
+}
+
+void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
+  const auto client = clients_.find(from);
+  if (client == clients_.end()) return;  // we sent it away
+  log_client(client->second.address + " has left: " + reason.sentence, client->second, "leave");
+  RoomRunner* room = client->second.room;
+  clients_.erase(client);
+  if (room != nullptr) room->apply(room->room().leave(from, room->now()));
+}
+
+void RoomRegistry::log_client(const std::string& line, const Client& client, std::string_view event,
+                              std::string_view error) const {
+  log(LogLevel::kInfo, line,
+      {{"event", event},
+       {"room", client.room == nullptr ? std::string_view() : client.room->room().name()},
+       {"role", client.role},
+       {"name", client.name},
+       {"peer", client.address},
+       {"token", client.token_id},
+       {"error", error}});
+}
+
+// ---- sending away
+
+/// The room's doing, or ours.
+void RoomRegistry::let_go(const Disconnect& end) {
+  const auto client = clients_.find(end.connection);
+  if (client == clients_.end()) return;
+  log_client(client->second.address + " is sent away: " + end.sentence, client->second, "send_away",
+             pb::ErrorCode_Name(end.code));
+  clients_.erase(client);
+}
+
+bool RoomRegistry::send_away(ConnectionId client, const std::string& sentence) {
+  RoomRunner* room = room_of(client);
+  if (room != nullptr) room->send_away(client, pb::ERROR_NOT_ALLOWED, sentence);
+  return room != nullptr;
+}
+
+void RoomRegistry::tell_revoked() {
+  store_worker_.ask([](HubStore& book) { return book.revoked(); },
+                    [this](const Result<std::vector<Claims>>& revoked) {
+                      if (!revoked || revoked->empty()) return;
+                      if (backplane_ != nullptr) backplane_->revoked(*revoked);
+                      tell_hubs_behind(*revoked);
+                    });
+}
+
+void RoomRegistry::tell_hubs_behind(const std::vector<Claims>& revoked) {
+  for (const auto& [connection, client] : clients_) {
+    if (client.room != nullptr && client.relays) tell_hub_behind(connection, revoked);
+  }
+}
+
+void RoomRegistry::tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked) {
+  for (const pb::Control& message : revoked_messages(revoked, room_of(hub)->room().name())) {
+    shards_[Shard::of(hub, shards_.size())]->send_control({hub}, framed_control(message));
+  }
+}
+
+void RoomRegistry::take_revoked(std::vector<Claims> tokens) {
+  std::vector<std::string> ids;
+  for (const Claims& token : tokens) ids.push_back(token.id);
+  store_worker_.ask(
+      [tokens = std::move(tokens)](HubStore& book) { return book.take_revoked(tokens); },
+      [this, ids = std::move(ids)](const Result<std::vector<Claims>>& news) {
+        if (!news) log(LogLevel::kWarning, news.error().message);
+        send_away_holders(ids);
+        if (news) tell_hubs_behind(*news);
+      });
+}
+
+void RoomRegistry::send_away_holders(const std::vector<std::string>& token_ids) {
+  std::vector<std::pair<ConnectionId, RoomRunner*>> holders;
+  for (const auto& [connection, client] : clients_) {
+    const bool holds = client.room != nullptr && !client.token_id.empty() &&
+                       std::ranges::find(token_ids, client.token_id) != token_ids.end();
+    if (holds) holders.emplace_back(connection, client.room);
+  }
+  for (const auto& [connection, room] : holders) {
+    room->send_away(connection, pb::ERROR_TOKEN_REVOKED, "this token was revoked");
+  }
+}
+
+}  // namespace roomcast::hub

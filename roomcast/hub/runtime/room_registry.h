@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoomRegistry: all rooms of a hub. Lets people in who may come, brings what they say to their
+// room, and sends them away when their token ends. Threading: the rooms' thread, where shards bring
+// what their sessions say and the store_worker its answers.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/log.h"
+#include "roomcast/hub/access/ban_list.h"
+#include "roomcast/hub/access/entry.h"
+#include "roomcast/hub/config/room_settings.h"
+#include "roomcast/hub/room/room_stats.h"
+#include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/hub/runtime/room_runner.h"
+#include "roomcast/hub/runtime/session.h"
+#include "roomcast/hub/runtime/shard.h"
+#include "roomcast/hub/runtime/traffic_meter.h"
+#include "roomcast/hub/store/store_worker.h"
+
+namespace roomcast::hub {
+
+struct RoomRegistryOptions {
+  std::string hub_version;
+  bool recalls_poses = true;                    // that alignment found before the hub was started
+  std::set<std::string> configured_rooms = {};  // there again whenever the hub starts
+  BanRules bans = {};
+  std::vector<std::string> never_banned = {};  // proxies: everyone comes from there
+  std::function<void(const std::string& room)> on_in_use = {};  // its first sensor has joined
+  LogSink log = {};
+};
+
+class RoomRegistry final : public BackplaneEvents {
+ public:
+  RoomRegistry(RoomRegistryOptions options, boost::asio::io_context& io, StoreWorker& store_worker,
+               const std::vector<std::unique_ptr<Shard>>& shards);
+
+  /// What other hubs have comes in here; before any room is opened.
+  void connect(Backplane& backplane) { backplane_ = &backplane; }
+  /// Begins to look after tokens that end.
+  void start();
+
+  // Rooms. Who is in a room that closes is sent away.
+  void open(const RoomSettings& settings, std::vector<KnownSensor> sensors);
+  void change(const RoomSettings& settings);
+  void close(const std::string& room);
+  [[nodiscard]] bool is_configured(const std::string& room) const {
+    return options_.configured_rooms.contains(room);
+  }
+  [[nodiscard]] const RoomSettings* find(const std::string& room) const;
+  [[nodiscard]] std::size_t room_count() const { return rooms_.size(); }
+
+  /// By name.
+  [[nodiscard]] std::vector<RoomStats> stats() const;
+  [[nodiscard]] std::optional<RoomStats> stats(const std::string& room) const;
+  [[nodiscard]] std::uint64_t refused_joins() const { return refused_joins_; }
+  [[nodiscard]] std::size_t banned_count() const { return bans_.banned_count(clock_.now()); }
+  /// "192.0.2.7:50312"; empty: it has gone.
+  [[nodiscard]] std::string address_of(ConnectionId client) const;
+
+  /// Of a sensor that is not online; what the hub keeps of it is the caller's.
+  void forget_sensor(const std::string& room, const std::string& sensor);
+  /// False: it has gone.
+  bool send_away(ConnectionId client, const std::string& sentence);
+  /// Whoever came with one of these tokens.
+  void send_away_holders(const std::vector<std::string>& token_ids);
+  /// Other hubs learn which tokens hold no more, if there are any: those beside this one, and those
+  /// that serve its rooms on.
+  void tell_revoked();
+  /// They hold no more, say other hubs.
+  void take_revoked(std::vector<Claims> tokens);
+  /// Empty: this one is alone.
+  [[nodiscard]] std::vector<HubStatus> hubs() const {
+    return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
+  }
+
+  /// This address was refused because of its token: of who wants to join, or of a request. Who
+  /// shows bad ones again and again is not listened to for a while.
+  void hold_against(const std::string& peer, const Refusal& why);
+  /// Nothing: there is none.
+  [[nodiscard]] std::optional<BackplaneStats> backplane_stats() const {
+    return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
+  }
+
+  /// Any thread.
+  [[nodiscard]] bool may_connect(const std::string& peer) const;
+
+  void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) override;
+  void on_control(ConnectionId from, const wire::pb::Control& message) override;
+  void on_frame(ConnectionId from, const wire::FrameHeader& header,
+                net::MessageBuffer message) override;
+  void on_frames(std::span<IncomingFrame> together) override;
+  void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
+  void on_left(ConnectionId from, const net::CloseReason& reason) override;
+
+ private:
+  struct Client {
+    std::string address, name = {};
+    std::string_view role = {};
+    RoomRunner* room = nullptr;
+    std::string token_id = {};
+    UnixSeconds expires_at = 0;  // 0: never
+    bool relays = false;         // it is a hub
+  };
+  struct Sent {
+    std::uint64_t bytes = 0, dropped_sets = 0;
+  };
+  void on_checked(const ConnectionInfo& connection_info, const wire::pb::Join& join,
+                  const Verdict<NewToken>& shown, bool was_code);
+  void decide(const ConnectionInfo& connection_info, const wire::pb::Join& join,
+              const Claims* claims, const std::string& new_token);
+  void refuse(const ConnectionInfo& connection_info, const wire::pb::Join& join, const Refusal& why,
+              const std::string& token_id = "");
+  void let_go(const Disconnect& end);
+  bool send_on(const ConnectionInfo& connection_info, const wire::pb::Join& join,
+               const std::string& room);
+  void admit(const ConnectionInfo& connection_info, const wire::pb::Join& join, const Entry& entry);
+  [[nodiscard]] RoomRunner* room_of(ConnectionId from) const;
+  [[nodiscard]] std::string only_listed_room() const;
+  [[nodiscard]] RoomStats stats_of(const RoomRunner& room) const;
+
+  void greet_hub(ConnectionId hub);
+  void tell_hubs_behind(const std::vector<Claims>& revoked);
+  void tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked);
+
+  void look_around_later();
+  void look_around();
+  void end_expired();
+  void measure_sensors();
+  void take_traffic(std::size_t shard, const ShardTraffic& traffic);
+  void log(LogLevel level, const std::string& line,
+           std::initializer_list<LogField> fields = {}) const {
+    if (options_.log) options_.log(level, line, fields);
+  }
+  /// `event` and `error` as in docs/guides/hub.md.
+  void log_client(const std::string& line, const Client& client, std::string_view event,
+                  std::string_view error = {}) const;
+
+  const RoomRegistryOptions options_;
+  boost::asio::io_context& io_;
+  StoreWorker& store_worker_;
+  const std::vector<std::unique_ptr<Shard>>& shards_;
+  Backplane* backplane_ = nullptr;
+  SteadyClock clock_;
+  std::map<std::string, std::shared_ptr<RoomRunner>> rooms_;
+  std::uint32_t next_room_id_ = 1;
+  std::unordered_map<ConnectionId, Client> clients_;  // who knocked, and who is in a room
+  std::set<RoomId> in_use_;                           // rooms that had a sensor
+  BanList bans_;
+  std::uint64_t refused_joins_ = 0;
+  boost::asio::steady_timer timer_;
+  std::unordered_map<ConnectionId, Sent> sent_;
+  std::map<std::pair<RoomId, std::size_t>, std::uint64_t> dropped_sets_;  // of a room, by shard
+  TrafficMeter<ConnectionId> viewer_bytes_, sensor_bytes_, sensor_frames_;
+};
+
+}  // namespace roomcast::hub

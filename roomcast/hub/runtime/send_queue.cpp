@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/send_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+
+bool SendQueue::push_control(net::FramedMessagePtr message) {
+  if (control_.size() >= wire::kMaxQueuedControlMessages) return false;
+  control_.push_back(std::move(message));
+  return true;
+}
+
+void SendQueue::push_set(FrameSetPtr set) {
+  sets_.push_back({std::move(set), 0});
+  make_room();
+}
+
+void SendQueue::make_room() {
+  const auto waiting_worth = [this] {
+    double sum = 0;
+    for (const QueuedSet& queued : sets_) sum += worth(queued);
+    return sum;
+  };
+  while (waiting_worth() > static_cast<double>(wire::kMaxQueuedSets)) {
+    if (thin_out_one()) continue;
+    sets_.erase(std::ranges::find_if(sets_, [](const auto& s) { return s.next_frame == 0; }));
+    ++dropped_sets_;
+  }
+}
+
+/// False: no set that waits has anything on which nothing builds.
+bool SendQueue::thin_out_one() {
+  const auto victim = std::ranges::find_if(sets_, [](const QueuedSet& queued) {
+    const auto& frames = queued.set->frames;
+    return queued.next_frame == 0 && !queued.base_only && base_frames(*queued.set) < frames.size();
+  });
+  if (victim == sets_.end()) return false;
+  victim->base_only = true;
+  if (base_frames(*victim->set) > 0) return true;
+  sets_.erase(victim);
+  ++dropped_sets_;
+  return true;
+}
+
+std::size_t SendQueue::base_frames(const FrameSet& set) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      set.frames, [](const SetFrame& frame) { return frame.header.layer == 0; }));
+}
+
+/// In whole sets; nothing for one that is being written.
+double SendQueue::worth(const QueuedSet& queued) {
+  if (queued.next_frame > 0) return 0;
+  if (!queued.base_only) return 1;
+  return static_cast<double>(base_frames(*queued.set)) /
+         static_cast<double>(queued.set->frames.size());
+}
+
+net::FramedMessagePtr SendQueue::next() {
+  if (!control_.empty()) {
+    auto message = std::move(control_.front());
+    control_.erase(control_.begin());
+    return message;
+  }
+  while (!sets_.empty()) {
+    auto& [set, next_frame, base_only] = sets_.front();
+    while (next_frame < set->frames.size()) {
+      const SetFrame& frame = set->frames[next_frame++];
+      if (base_only && frame.header.layer > 0) continue;
+      if (may_deliver(frame.header)) return frame.message;
+    }
+    sets_.erase(sets_.begin());
+  }
+  return nullptr;
+}
+
+bool SendQueue::may_deliver(const wire::FrameHeader& header) {
+  Chain& chain = chain_of(header.sensor);
+  const bool decodable = header.key || (!chain.broken && header.base_seq == chain.base_seq);
+  if (!decodable) {
+    chain.broken = true;
+    if (!std::exchange(chain.key_asked, true)) key_needs_.push_back(header.sensor);
+    return false;
+  }
+  if (header.layer == 0) chain.base_seq = header.seq;
+  chain.broken = false;
+  chain.key_asked = false;
+  return true;
+}
+
+void SendQueue::forget(SensorId sensor) {
+  chain_of(sensor) = {};
+}
+
+SendQueue::Chain& SendQueue::chain_of(SensorId sensor) {
+  if (chains_.size() <= sensor.value) chains_.resize(sensor.value + 1U);
+  return chains_[sensor.value];
+}
+
+std::vector<SensorId> SendQueue::take_key_needs() {
+  return std::exchange(key_needs_, {});
+}
+
+}  // namespace roomcast::hub

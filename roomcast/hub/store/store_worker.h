@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// StoreWorker: the one thread that uses a hub's book, so that nobody who serves frames waits for
+// the disk or for a signature. Questions are worked off in the order they were asked. Threading:
+// ask() from the thread that runs `answers`, which is where answers come to.
+#pragma once
+
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+
+#include "roomcast/hub/store/hub_store.h"
+
+namespace roomcast::hub {
+
+class StoreWorker {
+ public:
+  StoreWorker(std::unique_ptr<HubStore> book, boost::asio::io_context& answers)
+      : book_(std::move(book)), answers_(answers), thread_([this] { io_.run(); }) {}
+
+  /// Finishes what was asked; answers that are not fetched by then are lost.
+  ~StoreWorker() { keep_open_.reset(); }
+  StoreWorker(const StoreWorker&) = delete;
+  StoreWorker& operator=(const StoreWorker&) = delete;
+
+  /// `then(work(book))`
+  template <class Work, class Then>
+  void ask(Work work, Then then) {
+    boost::asio::post(io_, [this, work = std::move(work), then = std::move(then)]() mutable {
+      boost::asio::post(answers_, [then = std::move(then), answer = work(*book_)]() mutable {
+        then(std::move(answer));
+      });
+    });
+  }
+
+ private:
+  std::unique_ptr<HubStore> book_;
+  boost::asio::io_context& answers_;
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
+      boost::asio::make_work_guard(io_);
+  std::jthread thread_;  // last: uses all of the above
+};
+
+}  // namespace roomcast::hub

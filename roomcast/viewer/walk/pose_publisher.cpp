@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/walk/pose_publisher.h"
+
+#include <utility>
+
+namespace roomcast {
+namespace {
+
+bool is_same(const RigidTransform& a, const RigidTransform& b) {
+  return a.rotation == b.rotation && a.translation_m == b.translation_m;
+}
+
+bool is_same(const PointerBeam& a, const PointerBeam& b) {
+  return a.from_m == b.from_m && a.to_m == b.to_m;
+}
+
+template <class Part>
+bool is_same(const std::optional<Part>& a, const std::optional<Part>& b) {
+  return a.has_value() == b.has_value() && (!a || is_same(*a, *b));
+}
+
+bool is_same(const PersonPose& a, const PersonPose& b) {
+  return is_same(a.world_from_head, b.world_from_head) &&
+         is_same(a.world_from_left_hand, b.world_from_left_hand) &&
+         is_same(a.world_from_right_hand, b.world_from_right_hand) && is_same(a.pointer, b.pointer);
+}
+
+}  // namespace
+
+void PosePublisher::is(const PersonPose& pose) {
+  if (pose_ && is_same(*pose_, pose)) return;
+  pose_ = pose;
+  is_news_ = true;
+}
+
+std::optional<PersonPose> PosePublisher::take(HostTime now) {
+  const bool is_soon = sent_ && now - *sent_ < kInterval;
+  if (!is_news_ || is_soon || !pose_) return std::nullopt;
+  is_news_ = false;
+  sent_ = now;
+  return pose_;
+}
+
+}  // namespace roomcast

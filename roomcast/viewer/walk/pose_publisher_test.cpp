@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/walk/pose_publisher.h"
+
+#include <gtest/gtest.h>
+
+namespace roomcast {
+namespace {
+
+using namespace std::chrono_literals;
+
+HostTime at(nanoseconds since_start) {
+  return HostTime(1h + since_start);
+}
+
+PersonPose pose_at(double x) {
+  PersonPose pose;
+  pose.world_from_head.translation_m = {x, 1.6, 0};
+  return pose;
+}
+
+TEST(PosePublisher, is_told_at_most_20_times_a_second_and_the_last_place_always) {
+  PosePublisher own;
+  EXPECT_FALSE(own.take(at(0ms)));
+  own.is(pose_at(1));
+  EXPECT_TRUE(own.take(at(1ms)));
+  own.is(pose_at(2));
+  own.is(pose_at(3));
+  EXPECT_FALSE(own.take(at(20ms)));
+  const auto last = own.take(at(51ms));
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->world_from_head.translation_m.x(), 3);
+  EXPECT_FALSE(own.take(at(200ms))) << "nothing is said while nothing moves";
+}
+
+TEST(PosePublisher, is_no_news_while_it_stays_the_same) {
+  PosePublisher own;
+  own.is(pose_at(1));
+  EXPECT_TRUE(own.take(at(0ms)));
+  own.is(pose_at(1));
+  EXPECT_FALSE(own.take(at(100ms)));
+  PersonPose pointing = pose_at(1);
+  pointing.pointer = PointerBeam{{0, 1, 0}, {0, 1, -1}};
+  own.is(pointing);
+  EXPECT_TRUE(own.take(at(200ms)));
+  own.is(pose_at(1));
+  EXPECT_TRUE(own.take(at(300ms))) << "that it points no more is news, too";
+}
+
+TEST(PosePublisher, is_told_again_to_who_has_just_come) {
+  PosePublisher own;
+  own.is(pose_at(1));
+  EXPECT_TRUE(own.take(at(0ms)));
+  own.tell_again();
+  EXPECT_TRUE(own.take(at(100ms)));
+}
+
+}  // namespace
+}  // namespace roomcast
