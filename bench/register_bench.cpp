@@ -55,7 +55,7 @@ Result<std::vector<RegisterBenchRow>> measure(const RegisterBenchInput& input, d
   auto registration = Registration::create(input.calibration);
   if (!registration.ok()) return registration.error();
   RegisteredColor out;
-  const CapturedFrame& first = input.frames.front();
+  const source::CapturedFrame& first = input.frames.front();
   if (Status s = registration->run(first.depth_mm, first.color, out); !s.ok()) return s.error();
   const double share = seen_share(first.depth_mm, out);
 
@@ -95,7 +95,7 @@ RegisterBenchInput synthetic_kinect_v2_input() {
                              0.0984, -0.2811, 0.0952,  0,       0};
   input.calibration.color = {1920, 1080, 1066, 1066, 958.5, 545, 0.0179, -0.0332, 0, 0.0001, 0};
   input.calibration.color_from_depth.translation_m = {-0.052, 0.0002, -0.0005};
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   frame.depth_mm.resize(512, 424);
   for (int y = 0; y < 424; ++y) {
     for (int x = 0; x < 512; ++x) frame.depth_mm.at(x, y) = invented_depth_mm(x, y);
@@ -112,10 +112,10 @@ RegisterBenchInput synthetic_kinect_v2_input() {
 }
 
 Result<RegisterBenchInput> recorded_input(const std::string& source_spec, int most_frames) {
-  auto source = open_source(source_spec, {.pace = Pace::kAsFastAsPossible, .loop = false});
+  auto source = sensor::open_source(source_spec, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   if (!source.ok()) return source.error();
   RegisterBenchInput input{source_spec, (*source)->description().calibration, {}};
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   while (static_cast<int>(input.frames.size()) < most_frames) {
     const auto more = (*source)->next(frame, {});
     if (!more.ok()) return more.error();

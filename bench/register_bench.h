@@ -17,7 +17,7 @@ namespace roomcast::bench {
 struct RegisterBenchInput {
   std::string name;
   SensorCalibration calibration;
-  std::vector<CapturedFrame> frames;  // with depth and colour
+  std::vector<source::CapturedFrame> frames;  // with depth and colour
 };
 
 struct RegisterBenchOptions {

@@ -12,7 +12,7 @@
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
-using roomcast::cluster::FramePacker, roomcast::cluster::FrameUnpacker;
+using roomcast::hub::federation::FramePacker, roomcast::hub::federation::FrameUnpacker;
 
 std::vector<Bytes> pieces_of(Bytes input) {
   std::vector<Bytes> pieces;
@@ -54,6 +54,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const auto pieces = pieces_of({data, size});
   take_anything(pieces);
-  give_back_what_was_packed(pieces, roomcast::cluster::kPartHeaderBytes + 1 + data[0] % 64);
+  give_back_what_was_packed(pieces, roomcast::hub::federation::kPartHeaderBytes + 1 + data[0] % 64);
   return 0;
 }

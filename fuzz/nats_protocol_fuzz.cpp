@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace roomcast::cluster;
+using namespace roomcast::hub::federation;
 using Bytes = std::span<const std::uint8_t>;
 
 std::string describe(const NatsEvent& event) {

@@ -32,7 +32,7 @@ class CameraInARoom : public testing::Test {
   void plug_in() { fs::remove(folder_ / "unplugged"); }
 
   void stream(const std::string& spec) {
-    auto source = open_source(spec);
+    auto source = sensor::open_source(spec);
     ASSERT_TRUE(source.ok()) << source.error().message;
     cli::SensorFeedOptions options;
     options.hub_url = hub_.url();
@@ -40,13 +40,13 @@ class CameraInARoom : public testing::Test {
     auto feed = cli::SensorFeed::start(*std::move(source), options);
     ASSERT_TRUE(feed.ok()) << feed.error().message;
     feed_ = *std::move(feed);
-    auto viewer = Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = "test", .log = {}});
+    auto viewer = client::Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = "test", .log = {}});
     ASSERT_TRUE(viewer.ok()) << viewer.error().message;
     viewer_ = *std::move(viewer);
   }
 
   /// The first picture that the viewer decodes after `sets` frame sets.
-  std::shared_ptr<const RoomSnapshot> room_after(std::uint64_t sets) {
+  std::shared_ptr<const client::RoomSnapshot> room_after(std::uint64_t sets) {
     const auto give_up = std::chrono::steady_clock::now() + 20s;
     auto room = viewer_->snapshot();
     while (room->sets_received < sets || room->sensors.empty() || !room->sensors[0].picture) {
@@ -75,25 +75,25 @@ class CameraInARoom : public testing::Test {
   const TemporaryFolder folder_;
   const hub::RunningHub hub_;
   std::unique_ptr<cli::SensorFeed> feed_;
-  std::unique_ptr<Subscriber> viewer_;
+  std::unique_ptr<client::Subscriber> viewer_;
 };
 
-const DepthImage& depth_in(const RoomSnapshot& room) {
+const DepthImage& depth_in(const client::RoomSnapshot& room) {
   return room.sensors[0].picture->frame.depth_mm;
 }
 
 TEST_F(CameraInARoom, a_replayed_kinect_is_seen_as_it_was_recorded) {
-  write_fakenect_recording(folder_.path(), 60);
+  source::write_fakenect_recording(folder_.path(), 60);
   stream("freenect:0");
   const auto room = room_after(2);
   EXPECT_EQ(room->sensors[0].name, "freenect-A00367813501053A");
-  const auto mm = kinect_mm_from_raw({});
-  EXPECT_EQ(depth_in(*room).at(320, 240), mm[recorded_raw(320, 240)]);
+  const auto mm = source::kinect_mm_from_raw({});
+  EXPECT_EQ(depth_in(*room).at(320, 240), mm[source::recorded_raw(320, 240)]);
   EXPECT_EQ(depth_in(*room).at(10, 240), 0);
 }
 
 TEST_F(CameraInARoom, a_replayed_kinect_goes_on_after_it_was_unplugged) {
-  write_fakenect_recording(folder_.path(), 120);
+  source::write_fakenect_recording(folder_.path(), 120);
   stream("freenect:A00367813501053A");
   goes_on_after_it_was_unplugged();
 }
@@ -111,10 +111,10 @@ TEST_F(CameraInARoom, a_virtual_openni_camera_goes_on_after_it_was_unplugged) {
 }
 
 TEST_F(CameraInARoom, several_cameras_work_side_by_side_in_one_process) {
-  write_fakenect_recording(folder_.path(), 30);
-  auto kinect = open_source("freenect:0"), xtion = open_source("openni2:");
+  source::write_fakenect_recording(folder_.path(), 30);
+  auto kinect = sensor::open_source("freenect:0"), xtion = sensor::open_source("openni2:");
   ASSERT_TRUE(kinect.ok() && xtion.ok());
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(*(*kinect)->next(frame, {}));
     EXPECT_EQ(frame.depth_mm.width(), 640);

@@ -25,12 +25,12 @@ fs::path recording(const char* name) {
 }
 
 /// Every tenth frame of a recording, up to eight.
-std::vector<CapturedFrame> frames_of(const fs::path& folder) {
+std::vector<source::CapturedFrame> frames_of(const fs::path& folder) {
   auto source =
-      open_source("tum:" + folder.string(), {.pace = Pace::kAsFastAsPossible, .loop = false});
+      sensor::open_source("tum:" + folder.string(), {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
-  std::vector<CapturedFrame> frames;
-  CapturedFrame frame;
+  std::vector<source::CapturedFrame> frames;
+  source::CapturedFrame frame;
   for (int i = 0; frames.size() < 8 && *(*source)->next(frame, {}); ++i)
     if (i % 10 == 0) frames.push_back(frame);
   return frames;
@@ -65,7 +65,7 @@ struct Sums {
   [[nodiscard]] double score() const { return (at_edges / edges) / (everywhere / pixels); }
 };
 
-void add(const CapturedFrame& frame, const SensorCalibration& cameras, int shift_px, Sums& sums) {
+void add(const source::CapturedFrame& frame, const SensorCalibration& cameras, int shift_px, Sums& sums) {
   const Image<float> gradient = gradient_of(frame.color);
   for (std::size_t i = 0; i < gradient.view().pixel_count(); ++i)
     sums.everywhere += static_cast<double>(gradient.data()[i]);
@@ -85,10 +85,10 @@ void add(const CapturedFrame& frame, const SensorCalibration& cameras, int shift
   }
 }
 
-double edge_score(const std::vector<CapturedFrame>& frames, const SensorCalibration& cameras,
+double edge_score(const std::vector<source::CapturedFrame>& frames, const SensorCalibration& cameras,
                   int shift_px = 0) {
   Sums sums;
-  for (const CapturedFrame& frame : frames) add(frame, cameras, shift_px, sums);
+  for (const source::CapturedFrame& frame : frames) add(frame, cameras, shift_px, sums);
   EXPECT_GT(sums.edges, 1000);
   return sums.score();
 }
@@ -99,9 +99,9 @@ TEST(KinectRegistration, a_typical_kinects_cameras_line_up_as_well_as_those_meas
   if (!fs::exists(folder))
     GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
   const auto frames = frames_of(folder);
-  const auto measured = read_camera_json(folder / "camera.json");
+  const auto measured = io::read_camera_json(folder / "camera.json");
   ASSERT_TRUE(measured.ok());
-  const SensorCalibration typical = typical_kinect({});
+  const SensorCalibration typical = source::typical_kinect({});
   SensorCalibration ignorant = typical;
   ignorant.color = ignorant.depth;
   ignorant.color_from_depth = {};
@@ -119,9 +119,9 @@ TEST(KinectRegistration, a_typical_kinects_cameras_are_better_than_shifted_ones)
   if (!fs::exists(folder))
     GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
   const auto frames = frames_of(folder);
-  const double right = edge_score(frames, typical_kinect({}));
-  EXPECT_GT(right, edge_score(frames, typical_kinect({}), -8));
-  EXPECT_GT(right, edge_score(frames, typical_kinect({}), 8));
+  const double right = edge_score(frames, source::typical_kinect({}));
+  EXPECT_GT(right, edge_score(frames, source::typical_kinect({}), -8));
+  EXPECT_GT(right, edge_score(frames, source::typical_kinect({}), 8));
 }
 
 TEST(KinectRegistration, depth_that_the_device_laid_over_colour_lines_up_without_a_shift) {
@@ -129,7 +129,7 @@ TEST(KinectRegistration, depth_that_the_device_laid_over_colour_lines_up_without
   if (!fs::exists(folder))
     GTEST_SKIP() << "no recording at " << folder << "; set ROOMCAST_DATA to test with it";
   const auto frames = frames_of(folder);
-  const auto camera = read_camera_json(folder / "camera.json");
+  const auto camera = io::read_camera_json(folder / "camera.json");
   ASSERT_TRUE(camera.ok());
   ASSERT_TRUE(camera->calibration.color_is_registered);
   const double right = edge_score(frames, camera->calibration);

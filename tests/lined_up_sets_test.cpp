@@ -44,7 +44,7 @@ double seconds(nanoseconds time) {
 
 /// A sensor's host and its way to the hub.
 struct Host {
-  SimulatedNetwork network;
+  client::SimulatedNetwork network;
   double clock_ahead_s = 0, drift = 0;
   double encode_s = 0.012;
 };
@@ -56,7 +56,7 @@ struct SentFrame {
 };
 
 /// When a recorded sensor's frames were taken, played `kRounds` times, from true second 100 on.
-std::vector<double> capture_times_s(const Recording& recording) {
+std::vector<double> capture_times_s(const recording::Recording& recording) {
   std::vector<double> times;
   for (int round = 0; round < kRounds; ++round) {
     for (const auto& frame : recording.frames) {
@@ -70,12 +70,12 @@ std::vector<double> capture_times_s(const Recording& recording) {
 /// What a sensor's host makes of them: it asks for the time all along, and stamps frames with it.
 std::vector<SentFrame> send(SensorId sensor, const Host& host,
                             const std::vector<double>& captures) {
-  SimulatedClocks clocks(host.network, -host.clock_ahead_s, host.drift);
+  client::SimulatedClocks clocks(host.network, -host.clock_ahead_s, host.drift);
   const auto host_s = [&](double true_s) {
     return (true_s + host.clock_ahead_s) / (1 + host.drift);
   };
-  ClockSync sync;
-  PingSchedule pace(PingSchedule::kOfSensor, sensor.value + 1U);
+  client::ClockSync sync;
+  client::PingSchedule pace(client::PingSchedule::kOfSensor, sensor.value + 1U);
   double next_ping_s = host_s(captures.front()) - 3;
   std::vector<SentFrame> sent;
   for (const double captured_s : captures) {
@@ -85,7 +85,7 @@ std::vector<SentFrame> send(SensorId sensor, const Host& host,
     }
     wire::FrameHeader header{.key = true, .sensor = sensor};
     header.seq = header.base_seq = static_cast<std::uint32_t>(sent.size());
-    header.capture_time = sync.estimate()->room_time(SimulatedClocks::host(host_s(captured_s)));
+    header.capture_time = sync.estimate()->room_time(client::SimulatedClocks::host(host_s(captured_s)));
     const double on_the_way_s = host.network.one_way_s + host.network.frame_on_the_way_s;
     sent.push_back({captured_s, captured_s + host.encode_s + on_the_way_s, header});
   }
@@ -123,7 +123,7 @@ class Hub {
   void add_sensor(SensorId sensor) { builder_.add_sensor(sensor, 30); }
 
  private:
-  static RoomTime room(double true_s) { return SimulatedClocks({}, 0, 0).room(true_s); }
+  static RoomTime room(double true_s) { return client::SimulatedClocks({}, 0, 0).room(true_s); }
 
   void take_closed(double now_s) {
     for (const auto& set : builder_.take_closed(room(now_s))) {
@@ -167,7 +167,7 @@ class LinedUpSets : public testing::Test {
         {.network = {.one_way_s = 0.025}, .clock_ahead_s = 3.217843, .drift = -20e-6},
         {.network = {.one_way_s = 0.015}, .clock_ahead_s = -1.604219, .drift = 35e-6}};
     for (std::uint16_t i = 0; i < 3; ++i) {
-      const auto recording = read_rig_recording(house(), "s" + std::to_string(i));
+      const auto recording = recording::read_rig_recording(house(), "s" + std::to_string(i));
       ASSERT_TRUE(recording.ok()) << recording.error().message;
       hub.add_sensor(SensorId{i});
       const auto sent = send(SensorId{i}, hosts[i], capture_times_s(*recording));

@@ -38,7 +38,7 @@ DepthImage depth_picture(std::uint16_t number) {
 class TestSensor {
  public:
   TestSensor(const std::string& hub_url, const std::string& name) {
-    PublisherOptions options;
+    client::PublisherOptions options;
     options.hub_url = hub_url;
     options.name = name;
     options.calibration.depth = {
@@ -46,7 +46,7 @@ class TestSensor {
     options.calibration.color = options.calibration.depth;
     options.calibration.color_is_registered = true;
     options.fps = 20;
-    auto opened = Publisher::open(options);
+    auto opened = client::Publisher::open(options);
     EXPECT_TRUE(opened.ok()) << opened.error().message;
     publisher = std::move(*opened);
     codec::FrameEncoderOptions encoding;
@@ -60,28 +60,28 @@ class TestSensor {
   bool send(const DepthImage& depth, const ColorImage& color = {}) {
     const auto turn = publisher->next_turn();
     if (!turn) return false;
-    auto message = Publisher::begin_frame();
+    auto message = client::Publisher::begin_frame();
     const MaskImage seen(color.width(), color.height(), 255);
     const auto info = encoder_->encode(depth, color, seen, turn->want_key, message.appendable());
     EXPECT_TRUE(info.ok());
     return publisher->publish(*turn, *info, SteadyClock().now(), std::move(message)).has_value();
   }
 
-  std::unique_ptr<Publisher> publisher;
+  std::unique_ptr<client::Publisher> publisher;
 
  private:
   std::unique_ptr<codec::FrameEncoder> encoder_;
 };
 
-std::unique_ptr<Subscriber> watch(const std::string& hub_url) {
-  auto subscriber = Subscriber::open({.hub_url = hub_url, .room = {}, .name = "test", .log = {}});
+std::unique_ptr<client::Subscriber> watch(const std::string& hub_url) {
+  auto subscriber = client::Subscriber::open({.hub_url = hub_url, .room = {}, .name = "test", .log = {}});
   EXPECT_TRUE(subscriber.ok()) << subscriber.error().message;
   return std::move(*subscriber);
 }
 
 /// The first room as wanted; the sensors send what `send` says, at their pace, until then.
 template <class Wanted, class Send>
-std::shared_ptr<const RoomSnapshot> wait_for(const Subscriber& viewer, Send send, Wanted wanted) {
+std::shared_ptr<const client::RoomSnapshot> wait_for(const client::Subscriber& viewer, Send send, Wanted wanted) {
   const auto give_up = std::chrono::steady_clock::now() + 10s;
   auto room = viewer.snapshot();
   while (!wanted(*room)) {
@@ -95,7 +95,7 @@ std::shared_ptr<const RoomSnapshot> wait_for(const Subscriber& viewer, Send send
   return room;
 }
 
-std::size_t pictures(const RoomSnapshot& room) {
+std::size_t pictures(const client::RoomSnapshot& room) {
   std::size_t count = 0;
   for (const auto& sensor : room.sensors) count += sensor.picture != nullptr;
   return count;
@@ -178,11 +178,11 @@ TEST(Loopback, two_sensors_of_one_name_do_not_fight) {
 
 TEST(Loopback, without_a_hub_open_fails_with_a_sentence) {
   const std::string url = RunningHub().url();  // has gone by now
-  const auto subscriber = Subscriber::open({.hub_url = url, .room = {}, .name = {}, .log = {}});
+  const auto subscriber = client::Subscriber::open({.hub_url = url, .room = {}, .name = {}, .log = {}});
   ASSERT_FALSE(subscriber.ok());
   EXPECT_EQ(subscriber.error().code, ErrorCode::kUnavailable);
   const auto elsewhere =
-      Subscriber::open({.hub_url = "gopher://x", .room = {}, .name = {}, .log = {}});
+      client::Subscriber::open({.hub_url = "gopher://x", .room = {}, .name = {}, .log = {}});
   ASSERT_FALSE(elsewhere.ok());
   EXPECT_EQ(elsewhere.error().code, ErrorCode::kInvalidArgument);
 }
@@ -190,7 +190,7 @@ TEST(Loopback, without_a_hub_open_fails_with_a_sentence) {
 TEST(Loopback, another_rooms_name_is_refused_for_good) {
   const RunningHub hub(on_two_threads());
   const auto subscriber =
-      Subscriber::open({.hub_url = hub.url(), .room = "kitchen", .name = {}, .log = {}});
+      client::Subscriber::open({.hub_url = hub.url(), .room = "kitchen", .name = {}, .log = {}});
   ASSERT_FALSE(subscriber.ok());
   EXPECT_NE(subscriber.error().message.find("no such room"), std::string::npos);
 }

@@ -40,7 +40,7 @@ std::string numbered(std::uint64_t number, const char* ending) {
 
 // What was true: 2x2 pixels of the file make one here, to keep the test short.
 struct TruthView {
-  ViewCamera camera;
+  render::ViewCamera camera;
   ColorImage color;
   MaskImage seen;  // by at least one sensor's depth, in all four pixels
 };
@@ -58,12 +58,12 @@ bool all_four_seen(const ColorImage& seen, int x, int y) {
   return seen.at(x, y).r && seen.at(x + 1, y).r && seen.at(x, y + 1).r && seen.at(x + 1, y + 1).r;
 }
 
-ViewCamera half_size_camera(const json& views, const json& view) {
+render::ViewCamera half_size_camera(const json& views, const json& view) {
   const std::vector<double> pose = view.at("world_from_view");
   const Result<RigidTransform> world_from_optical = transform_from_row_major(pose);
   EXPECT_TRUE(world_from_optical.ok());
-  ViewCamera camera;
-  camera.world_from_view = *world_from_optical * optical_from_view();
+  render::ViewCamera camera;
+  camera.world_from_view = *world_from_optical * render::optical_from_view();
   camera.width = views.at("width").get<int>() / 2;
   camera.height = views.at("height").get<int>() / 2;
   camera.vertical_fov_rad =
@@ -72,8 +72,8 @@ ViewCamera half_size_camera(const json& views, const json& view) {
 }
 
 TruthView read_truth(const json& views, const json& view) {
-  const ImageSize size{views.at("width"), views.at("height")};
-  ImageFileReader reader;
+  const io::ImageSize size{views.at("width"), views.at("height")};
+  io::ImageFileReader reader;
   ColorImage color, seen;
   EXPECT_TRUE(reader.read_color(house3() / "truth" / view.at("color"), size, color).ok());
   EXPECT_TRUE(reader.read_color(house3() / "truth" / view.at("seen"), size, seen).ok());
@@ -101,7 +101,7 @@ struct Comparison {
   }
 };
 
-void add_comparison(const TruthView& truth, const OffscreenTarget& drawn, Comparison& sum) {
+void add_comparison(const TruthView& truth, const render::OffscreenTarget& drawn, Comparison& sum) {
   const ColorImage color = drawn.read_color();
   const Image<std::int32_t> sensors = drawn.read_sensors();
   const auto squared = [](int difference) { return static_cast<double>(difference * difference); };
@@ -109,7 +109,7 @@ void add_comparison(const TruthView& truth, const OffscreenTarget& drawn, Compar
     for (int x = 0; x < color.width(); ++x) {
       if (!truth.seen.at(x, y)) continue;
       ++sum.seen;
-      if (sensors.at(x, y) == kDrawnByNoSensor) {
+      if (sensors.at(x, y) == render::kDrawnByNoSensor) {
         ++sum.seen_but_not_covered;
         continue;
       }
@@ -125,10 +125,10 @@ class RoomTruth : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!fs::exists(house3())) GTEST_SKIP() << "no recording at " << house3();
-    Result<EglContext> context = EglContext::create();
+    Result<render::EglContext> context = render::EglContext::create();
     ASSERT_TRUE(context.ok()) << context.error().message;
     context_ = std::move(context).value();
-    Result<RoomRenderer> room = RoomRenderer::create();
+    Result<render::RoomRenderer> room = render::RoomRenderer::create();
     ASSERT_TRUE(room.ok()) << room.error().message;
     room_ = std::move(room).value();
     views_ = json::parse(std::ifstream(house3() / "truth" / "views.json"));
@@ -137,12 +137,12 @@ class RoomTruth : public ::testing::Test {
 
   void TearDown() override { room_.reset(); }
 
-  void show_sensor(SensorId id, const RigSensorEntry& entry, std::uint64_t frame) {
+  void show_sensor(SensorId id, const recording::RigSensorEntry& entry, std::uint64_t frame) {
     const fs::path folder = house3() / entry.path;
-    const Result<RecordedCamera> camera = read_camera_json(folder / "camera.json");
+    const Result<io::RecordedCamera> camera = io::read_camera_json(folder / "camera.json");
     ASSERT_TRUE(camera.ok()) << camera.error().message;
     const SensorCalibration& calibration = camera->calibration;
-    ImageFileReader reader;
+    io::ImageFileReader reader;
     DepthImage depth_mm;
     ColorImage color;
     ASSERT_TRUE(reader
@@ -162,22 +162,22 @@ class RoomTruth : public ::testing::Test {
   }
 
   void show_all_sensors(const json& frames) {
-    const Result<RigDescription> rig = read_rig_json(house3() / "rig.json");
+    const Result<recording::RigDescription> rig = recording::read_rig_json(house3() / "rig.json");
     ASSERT_TRUE(rig.ok()) << rig.error().message;
     std::uint16_t id = 0;
-    for (const RigSensorEntry& entry : rig->sensors) {
+    for (const recording::RigSensorEntry& entry : rig->sensors) {
       show_sensor(SensorId{id++}, entry, frames.at(entry.id).get<std::uint64_t>());
     }
   }
 
   // Over the views of the recording's first instant.
-  Comparison compare(RenderMode mode) {
+  Comparison compare(render::RenderMode mode) {
     Comparison sum;
     for (const json& view : views_.at("views")) {
       if (view.at("instant") != 0) continue;
       const TruthView truth = read_truth(views_, view);
-      const Result<OffscreenTarget> target =
-          OffscreenTarget::create(truth.camera.width, truth.camera.height);
+      const Result<render::OffscreenTarget> target =
+          render::OffscreenTarget::create(truth.camera.width, truth.camera.height);
       EXPECT_TRUE(target.ok() && room_->draw(truth.camera, *target, mode).ok());
       add_comparison(truth, *target, sum);
     }
@@ -186,8 +186,8 @@ class RoomTruth : public ::testing::Test {
     return sum;
   }
 
-  std::optional<EglContext> context_;
-  std::optional<RoomRenderer> room_;
+  std::optional<render::EglContext> context_;
+  std::optional<render::RoomRenderer> room_;
   json views_;
 };
 
@@ -197,13 +197,13 @@ class RoomTruth : public ::testing::Test {
 constexpr double kMeshFloorDb = 20.0, kPointsFloorDb = 19.0, kMaxHoles = 0.02;
 
 TEST_F(RoomTruth, points_look_like_the_room_from_where_no_sensor_stood) {
-  const Comparison result = compare(RenderMode::kSplats);
+  const Comparison result = compare(render::RenderMode::kSplats);
   EXPECT_GT(result.psnr_db(), kPointsFloorDb);
   EXPECT_LT(result.holes(), kMaxHoles);
 }
 
 TEST_F(RoomTruth, the_mesh_looks_like_the_room_from_where_no_sensor_stood) {
-  const Comparison result = compare(RenderMode::kMesh);
+  const Comparison result = compare(render::RenderMode::kMesh);
   EXPECT_GT(result.psnr_db(), kMeshFloorDb);
   EXPECT_LT(result.holes(), kMaxHoles);
 }

@@ -24,7 +24,7 @@ constexpr Rgb8 kWall = {200, 60, 40};
 class WallSensor {
  public:
   explicit WallSensor(const std::string& hub_url) {
-    PublisherOptions options;
+    client::PublisherOptions options;
     options.hub_url = hub_url;
     options.name = "left";
     options.calibration.depth = {
@@ -33,7 +33,7 @@ class WallSensor {
     options.calibration.color_is_registered = true;
     options.world_from_depth = world_from_optical_looking_at({0, 1.6, 0}, {0, 1.6, -1});
     options.fps = 20;
-    auto opened = Publisher::open(options);
+    auto opened = client::Publisher::open(options);
     EXPECT_TRUE(opened.ok()) << opened.error().message;
     publisher_ = std::move(*opened);
     codec::FrameEncoderOptions encoding;
@@ -46,7 +46,7 @@ class WallSensor {
   void send() {
     const auto turn = publisher_->next_turn();
     if (!turn) return;
-    auto message = Publisher::begin_frame();
+    auto message = client::Publisher::begin_frame();
     const auto info = encoder_->encode(depth_, color_, seen_, turn->want_key, message.appendable());
     EXPECT_TRUE(info.ok());
     static_cast<void>(publisher_->publish(*turn, *info, SteadyClock().now(), std::move(message)));
@@ -56,7 +56,7 @@ class WallSensor {
   DepthImage depth_{kSide, kSide, 2000};
   ColorImage color_{kSide, kSide, kWall};
   MaskImage seen_{kSide, kSide, 255};
-  std::unique_ptr<Publisher> publisher_;
+  std::unique_ptr<client::Publisher> publisher_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
 };
 
@@ -65,16 +65,16 @@ class ViewerResilience : public testing::Test {
   void SetUp() override {
     ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
     sensor.emplace(hub->url());
-    auto joined = Subscriber::open({.hub_url = hub->url(), .room = {}, .name = {}, .log = {}});
+    auto joined = client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = {}, .log = {}});
     ASSERT_TRUE(joined.ok()) << joined.error().message;
     subscriber = std::move(*joined);
-    DesktopViewerOptions options;
+    viewer::DesktopViewerOptions options;
     options.window.size = {640, 480};
-    options.settings.mode = RenderMode::kMesh;
-    options.start = look_from({0, 1.6, 0}, {0, 1.6, -2});
+    options.settings.mode = render::RenderMode::kMesh;
+    options.start = viewer::look_from({0, 1.6, 0}, {0, 1.6, -2});
     options.panel = false;
     options.write_png = [](const auto&, ColorView) { return Status{}; };
-    auto opened = DesktopViewer::open(*subscriber, options);
+    auto opened = viewer::DesktopViewer::open(*subscriber, options);
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     viewer = std::move(*opened);
     ASSERT_TRUE(rounds_until([&] { return shows_wall(); })) << "the wall never came";
@@ -96,7 +96,7 @@ class ViewerResilience : public testing::Test {
   }
 
   bool says(const std::string& words) {
-    for (const Toast& toast : viewer->toasts()) {
+    for (const viewer::Toast& toast : viewer->toasts()) {
       if (toast.sentence.find(words) != std::string::npos) return true;
     }
     return false;
@@ -119,8 +119,8 @@ class ViewerResilience : public testing::Test {
 
   std::optional<hub::RunningHub> hub{std::in_place};
   std::optional<WallSensor> sensor;
-  std::unique_ptr<Subscriber> subscriber;
-  std::unique_ptr<DesktopViewer> viewer;
+  std::unique_ptr<client::Subscriber> subscriber;
+  std::unique_ptr<viewer::DesktopViewer> viewer;
 };
 
 TEST_F(ViewerResilience, without_its_hub_it_shows_what_it_has_and_resumes) {

@@ -15,7 +15,7 @@
 namespace roomcast::bench {
 namespace {
 
-using align::SensorView;
+using alignment::SensorView;
 
 /// The methods of others accept whatever they find.
 using Answer = AlignAnswer;
@@ -36,7 +36,7 @@ Method pair_by_pair(AlignPair align_pair) {
 using View = std::shared_ptr<const SensorView>;
 
 Answer by_homography(const View& a, const View& b) {
-  const auto pose = align::homography_pose(*a, *b);
+  const auto pose = alignment::homography_pose(*a, *b);
   return pose ? Answer(pose->a_from_b) : std::nullopt;
 }
 
@@ -49,7 +49,7 @@ Answer by_shape(const View& a, const View& b) {
 }
 
 Answer by_roomcast(const View& a, const View& b) {
-  align::RigAligner aligner;
+  alignment::RigAligner aligner;
   aligner.add(a);
   aligner.add(b);
   const auto b_from_a = aligner.solve().pairs.at(0).b_from_a;
@@ -57,7 +57,7 @@ Answer by_roomcast(const View& a, const View& b) {
 }
 
 Answers whole_rig_by_roomcast(const AlignInput& input) {
-  align::RigAligner aligner;
+  alignment::RigAligner aligner;
   for (const View& view : input.views) aligner.add(view);
   const auto report = aligner.solve();
   Answers answers;

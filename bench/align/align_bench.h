@@ -24,7 +24,7 @@ struct AlignCase {
 
 struct AlignInput {
   std::string name;
-  std::vector<std::shared_ptr<const align::SensorView>> views;
+  std::vector<std::shared_ptr<const alignment::SensorView>> views;
   std::vector<AlignCase> cases;
   bool whole_rig = false;  // the views are one rig's: they may be aligned together
 };

@@ -15,14 +15,14 @@
 namespace roomcast::bench {
 namespace {
 
-using align::first_corner;
-using align::second_corner;
+using alignment::first_corner;
+using alignment::second_corner;
 
 AlignInput corners() {
   AlignInput input;
   input.name = "corners";
   input.views = {first_corner().view, second_corner().view};
-  input.cases = {{0, 1, align::true_pose(first_corner(), second_corner()), 0.2}};
+  input.cases = {{0, 1, alignment::true_pose(first_corner(), second_corner()), 0.2}};
   input.whole_rig = true;
   return input;
 }
@@ -58,8 +58,8 @@ TEST(AlignBench, reports_as_json_and_as_a_table) {
   EXPECT_THAT(table.str(), testing::HasSubstr("22 of 24"));
 }
 
-const align::ViewFixture& beside() {
-  static const align::ViewFixture view = align::view_fixture(
+const alignment::ViewFixture& beside() {
+  static const alignment::ViewFixture view = alignment::view_fixture(
       {}, "beside", world_from_optical_looking_at({1.9, 1.9, 1.4}, {0.3, 0.4, -0.3}));
   return view;
 }
@@ -67,13 +67,13 @@ const align::ViewFixture& beside() {
 TEST(SiftPnp, finds_a_neighbouring_view) {
   const auto pose = sift_pnp_pose(*first_corner().view, *beside().view);
   ASSERT_TRUE(pose.has_value());
-  EXPECT_LT(align::difference(*pose, align::true_pose(first_corner(), beside())).distance_m, 0.1);
+  EXPECT_LT(alignment::difference(*pose, alignment::true_pose(first_corner(), beside())).distance_m, 0.1);
 }
 
 TEST(FpfhRansac, finds_a_view_in_itself) {
   const auto pose = fpfh_ransac_pose(*first_corner().view, *first_corner().view);
   ASSERT_TRUE(pose.has_value());
-  EXPECT_LT(align::difference(*pose, RigidTransform{}).distance_m, 0.1);
+  EXPECT_LT(alignment::difference(*pose, RigidTransform{}).distance_m, 0.1);
 }
 
 }  // namespace

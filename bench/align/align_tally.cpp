@@ -31,7 +31,7 @@ void AlignTally::add(const AlignCase& pair, const AlignAnswer& answer) {
   ++of_overlap.row.pairs;
   if (!answer) return;
   ++of_overlap.row.accepted;
-  const auto error = align::difference(answer->inverse(), pair.a_from_b.inverse(), {0, 0, 0});
+  const auto error = alignment::difference(answer->inverse(), pair.a_from_b.inverse(), {0, 0, 0});
   const double angle_deg = error.angle_rad * 180 / std::numbers::pi;
   const bool right = angle_deg < kRightAngle_deg && error.distance_m < kRightDistance_m;
   of_overlap.row.right += right;

@@ -17,20 +17,20 @@ constexpr int kSensors = 4;
 const Eigen::Vector3d kMiddle_m(0, 1, 0);  // of the room
 
 CornersRoom judged(std::uint64_t seed, const std::vector<SimulatedView>& views) {
-  align::RigAligner aligner;
+  alignment::RigAligner aligner;
   std::vector<RigidTransform> seen_from;
   for (const SimulatedView& seen : views) {
     if (!seen.view) continue;
     aligner.add(seen.view);
     seen_from.push_back(seen.world_from_depth);
   }
-  const align::AlignmentReport report = aligner.solve();
+  const alignment::AlignmentReport report = aligner.solve();
   CornersRoom room;
   room.seed = seed;
   room.sensors = views.size();
   std::vector<RigidTransform> truth, found;
   for (std::size_t i = 0; i < report.sensors.size(); ++i) {
-    const align::SensorReport& sensor = report.sensors[i];
+    const alignment::SensorReport& sensor = report.sensors[i];
     if (!sensor.world_from_depth) continue;
     truth.push_back(seen_from[i]);
     found.push_back(*sensor.world_from_depth);

@@ -17,7 +17,7 @@ struct CornersSuiteOptions {
   int rooms = 3;
   std::uint64_t seed = 1;  // of the first room; each has the next
   int frames = 9;          // averaged for each sensor
-  sim::SensingOptions sensing;
+  simulator::SensingOptions sensing;
 };
 
 struct CornersRoom {

@@ -13,18 +13,18 @@
 namespace roomcast::bench {
 namespace {
 
-using align::PointMatch;
+using alignment::PointMatch;
 
 constexpr int kTrials = 20'000;
 constexpr float kInlier_m = 0.09F;  // one and a half times what points are thinned to
 constexpr float kEdgeRatio = 0.9F;  // of the same edge in both views
 constexpr std::size_t kMinInliers = 5;
 
-std::vector<PointMatch> shape_matches(const align::SensorView& a, const align::SensorView& b) {
-  const auto of_a = align::shape_features(a.surface.samples);
-  const auto of_b = align::shape_features(b.surface.samples);
+std::vector<PointMatch> shape_matches(const alignment::SensorView& a, const alignment::SensorView& b) {
+  const auto of_a = alignment::shape_features(a.surface.samples);
+  const auto of_b = alignment::shape_features(b.surface.samples);
   std::vector<PointMatch> matches;
-  for (const align::ShapeMatch& match : align::match_shapes(of_a, of_b)) {
+  for (const alignment::ShapeMatch& match : alignment::match_shapes(of_a, of_b)) {
     matches.push_back({of_a[match.a].point_m, of_b[match.b].point_m, Eigen::Vector2f::Zero(),
                        Eigen::Vector2f::Zero()});
   }
@@ -46,19 +46,19 @@ std::vector<PointMatch> inliers(const std::vector<PointMatch>& matches,
   const Eigen::Vector3f shift = a_from_b.translation_m.cast<float>();
   std::vector<PointMatch> agreeing;
   for (const PointMatch& match : matches) {
-    if (align::distance_m(rotation, shift, match) < kInlier_m) agreeing.push_back(match);
+    if (alignment::distance_m(rotation, shift, match) < kInlier_m) agreeing.push_back(match);
   }
   return agreeing;
 }
 
 std::optional<RigidTransform> fitted(std::span<const PointMatch> matches) {
-  return align::fit_a_from_b(matches, std::vector<float>(matches.size(), 1.F));
+  return alignment::fit_a_from_b(matches, std::vector<float>(matches.size(), 1.F));
 }
 
 }  // namespace
 
-std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
-                                               const align::SensorView& b) {
+std::optional<RigidTransform> fpfh_ransac_pose(const alignment::SensorView& a,
+                                               const alignment::SensorView& b) {
   const std::vector<PointMatch> matches = shape_matches(a, b);
   if (matches.size() < kMinInliers) return std::nullopt;
   std::mt19937 random(1);
@@ -75,7 +75,7 @@ std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
   if (best.size() < kMinInliers) return std::nullopt;
   const auto pose = fitted(best);
   if (!pose) return std::nullopt;
-  return align::refined_pose(a, b, {}, *pose).a_from_b;
+  return alignment::refined_pose(a, b, {}, *pose).a_from_b;
 }
 
 }  // namespace roomcast::bench

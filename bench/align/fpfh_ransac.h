@@ -11,7 +11,7 @@
 namespace roomcast::bench {
 
 /// a_from_b. Nothing when hardly any feature matches.
-[[nodiscard]] std::optional<RigidTransform> fpfh_ransac_pose(const align::SensorView& a,
-                                                             const align::SensorView& b);
+[[nodiscard]] std::optional<RigidTransform> fpfh_ransac_pose(const alignment::SensorView& a,
+                                                             const alignment::SensorView& b);
 
 }  // namespace roomcast::bench

@@ -40,10 +40,10 @@ std::vector<Entry> entries_of(const FreshRig& rig) {
 }
 
 /// Under names that tell nothing.
-align::AlignmentReport aligned(const std::vector<Entry>& entries) {
-  align::RigAligner aligner;
+alignment::AlignmentReport aligned(const std::vector<Entry>& entries) {
+  alignment::RigAligner aligner;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    auto view = std::make_shared<align::SensorView>(*entries[i].seen->view);
+    auto view = std::make_shared<alignment::SensorView>(*entries[i].seen->view);
     view->name = "v" + std::to_string(i);
     aligner.add(std::move(view));
   }
@@ -53,13 +53,13 @@ align::AlignmentReport aligned(const std::vector<Entry>& entries) {
 AlignCase case_of(const Entry& a, const Entry& b) {
   AlignCase pair;
   pair.a_from_b = a.seen->world_from_depth.inverse() * b.seen->world_from_depth;
-  pair.overlap = align::check_free_space(a.seen->view->surface, b.seen->view->surface,
+  pair.overlap = alignment::check_free_space(a.seen->view->surface, b.seen->view->surface,
                                          pair.a_from_b, kOverlapPoints)
                      .consistent_least;
   return pair;
 }
 
-AlignAnswer answer(const align::SensorReport& a, const align::SensorReport& b) {
+AlignAnswer answer(const alignment::SensorReport& a, const alignment::SensorReport& b) {
   if (!a.world_from_depth || !b.world_from_depth) return std::nullopt;
   return a.world_from_depth->inverse() * *b.world_from_depth;
 }
@@ -69,7 +69,7 @@ AlignAnswer answer(const align::SensorReport& a, const align::SensorReport& b) {
 void FreshSuite::add(const FreshRig& rig) {
   const std::vector<Entry> entries = entries_of(rig);
   const std::clock_t start = std::clock();
-  const align::AlignmentReport report = aligned(entries);
+  const alignment::AlignmentReport report = aligned(entries);
   cpu_s_ += double(std::clock() - start) / CLOCKS_PER_SEC;
   ++rooms_;
   const Entry* origin = nullptr;  // the first that is placed
@@ -114,9 +114,9 @@ std::vector<AlignRow> FreshSuite::rows() const {
   return tally_.rows("fresh rooms", "roomcast, whole rig", cpu_s_ / std::max(1, pairs_));
 }
 
-void FreshSuite::judge_expected(const align::SensorReport& sensor, const RigidTransform& found,
+void FreshSuite::judge_expected(const alignment::SensorReport& sensor, const RigidTransform& found,
                                 const RigidTransform& truth) {
-  const align::PoseDifference error = align::difference(found, truth);
+  const alignment::PoseDifference error = alignment::difference(found, truth);
   const double error_mm = 1000 * error.distance_m;
   const double error_deg = error.angle_rad * 180 / std::numbers::pi;
   distance_ratios_.ratios.push_back(error_mm / std::max(0.01, sensor.expected_error_mm));
@@ -136,7 +136,7 @@ class FreshRigs {
  public:
   explicit FreshRigs(const FreshSuiteOptions& options) : options_(options) {
     scenes_ = options.scenes;
-    if (scenes_.empty()) scenes_.assign(sim::kSceneNames.begin(), sim::kSceneNames.end());
+    if (scenes_.empty()) scenes_.assign(simulator::kSceneNames.begin(), simulator::kSceneNames.end());
   }
 
   [[nodiscard]] std::string next_name() const {

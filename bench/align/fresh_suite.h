@@ -67,7 +67,7 @@ class FreshSuite {
  private:
   void count(const AlignCase& pair, const std::string& scene, const AlignAnswer& found);
   void count_unanswerable(const FreshRig& rig, const AlignAnswer& found);
-  void judge_expected(const align::SensorReport& sensor, const RigidTransform& found,
+  void judge_expected(const alignment::SensorReport& sensor, const RigidTransform& found,
                       const RigidTransform& truth);
 
   AlignTally tally_;

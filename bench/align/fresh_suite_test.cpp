@@ -12,18 +12,18 @@
 namespace roomcast::bench {
 namespace {
 
-SimulatedView seen(const align::ViewFixture& view) {
+SimulatedView seen(const alignment::ViewFixture& view) {
   return {view.view, view.world_from_depth};
 }
 
 /// Two sensors of one room, and one of a room that looks different.
 FreshSuite align_two_and_a_stranger() {
-  align::RoomFixture elsewhere;
+  alignment::RoomFixture elsewhere;
   elsewhere.looks = 7;
-  const auto stranger = align::view_fixture(elsewhere, "far", align::corner_pose(-2, 1.5));
+  const auto stranger = alignment::view_fixture(elsewhere, "far", alignment::corner_pose(-2, 1.5));
   FreshSuite suite;
   suite.add({"made-up",
-             {seen(align::first_corner()), seen(align::second_corner()), {nullptr, {}}},
+             {seen(alignment::first_corner()), seen(alignment::second_corner()), {nullptr, {}}},
              {seen(stranger)}});
   return suite;
 }
@@ -57,9 +57,9 @@ TEST(FreshSuite, counts_what_shares_enough_by_scene) {
 }
 
 TEST(FreshSuite, sensors_of_one_other_room_are_held_against_this_room_only) {
-  const SimulatedView here = seen(align::first_corner());
+  const SimulatedView here = seen(alignment::first_corner());
   FreshSuite suite;
-  suite.add({"made-up", {here}, {seen(align::one_side()), seen(align::other_side())}, true});
+  suite.add({"made-up", {here}, {seen(alignment::one_side()), seen(alignment::other_side())}, true});
   EXPECT_EQ(suite.pairs(), 2);
   ASSERT_EQ(suite.rows().size(), 1u);
   EXPECT_EQ(suite.rows()[0].overlap, "alike");

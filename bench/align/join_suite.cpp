@@ -22,7 +22,7 @@ double cpu_s() {
 
 /// The last of these joins the others.
 JoinedRoom joined(const std::vector<SimulatedView>& views) {
-  align::RigAligner aligner;
+  alignment::RigAligner aligner;
   for (std::size_t i = 0; i + 1 < views.size(); ++i) {
     if (views[i].view) aligner.add(views[i].view);
   }
@@ -33,7 +33,7 @@ JoinedRoom joined(const std::vector<SimulatedView>& views) {
   if (!last.view) return room;
   const double start_s = cpu_s();
   aligner.add(last.view);
-  const align::AlignmentReport report = aligner.solve();
+  const alignment::AlignmentReport report = aligner.solve();
   room.place_cpu_s = cpu_s() - start_s;
   room.placed = report.sensors.back().placed;
   return room;

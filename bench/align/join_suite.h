@@ -18,7 +18,7 @@ struct JoinSuiteOptions {
   std::uint64_t seed = 1;
   int there = 4;   // sensors before
   int frames = 3;  // averaged for each sensor
-  sim::SensingOptions sensing;
+  simulator::SensingOptions sensing;
 };
 
 struct JoinedRoom {

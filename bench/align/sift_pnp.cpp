@@ -22,11 +22,11 @@ struct Matches {
   std::vector<cv::Point2d> a_pixel;
 };
 
-Matches ratio_matches(const align::FeatureSet& a, const align::FeatureSet& b) {
+Matches ratio_matches(const alignment::FeatureSet& a, const alignment::FeatureSet& b) {
   Matches matches;
   std::vector<std::int32_t> products(a.size());
   for (std::size_t j = 0; j < b.size(); ++j) {
-    align::descriptor_products(b.descriptors[j], a.descriptors, products);
+    alignment::descriptor_products(b.descriptors[j], a.descriptors, products);
     std::size_t best = 0;
     std::int32_t most = -1, second = -1;
     for (std::size_t i = 0; i < products.size(); ++i) {
@@ -39,7 +39,7 @@ Matches ratio_matches(const align::FeatureSet& a, const align::FeatureSet& b) {
       }
     }
     if (second < 0 ||
-        align::descriptor_distance(most) >= kRatio * align::descriptor_distance(second))
+        alignment::descriptor_distance(most) >= kRatio * alignment::descriptor_distance(second))
       continue;
     const auto& point = b.features[j].point_m;
     const auto& pixel = a.features[best].pixel;
@@ -62,8 +62,8 @@ RigidTransform transform_of(const cv::Mat& rotation_vector, const cv::Mat& trans
 
 }  // namespace
 
-std::optional<RigidTransform> sift_pnp_pose(const align::SensorView& a,
-                                            const align::SensorView& b) {
+std::optional<RigidTransform> sift_pnp_pose(const alignment::SensorView& a,
+                                            const alignment::SensorView& b) {
   cv::setNumThreads(1);
   const Matches matches = ratio_matches(a.picture_features, b.picture_features);
   if (matches.b_m.size() < kMinMatches) return std::nullopt;

@@ -10,7 +10,7 @@
 namespace roomcast::bench {
 
 /// a_from_b, or nothing when too few matches agree.
-[[nodiscard]] std::optional<RigidTransform> sift_pnp_pose(const align::SensorView& a,
-                                                          const align::SensorView& b);
+[[nodiscard]] std::optional<RigidTransform> sift_pnp_pose(const alignment::SensorView& a,
+                                                          const alignment::SensorView& b);
 
 }  // namespace roomcast::bench

@@ -14,9 +14,9 @@ namespace {
 /// Between the frames of a bundle: long enough for whoever walks by to be gone in most of them.
 constexpr nanoseconds kFrameGap = std::chrono::milliseconds(800);
 
-Result<align::CalibrationBundle> capture(const SimulatedSensor& sensor, const std::string& name,
+Result<alignment::CalibrationBundle> capture(const simulator::SimulatedSensor& sensor, const std::string& name,
                                          int frames) {
-  align::BundleCapture capture(name, sensor.calibration());
+  alignment::BundleCapture capture(name, sensor.calibration());
   auto moment = sensor.make_moment();
   auto exposure = sensor.auto_exposure();
   DepthImage depth_mm;
@@ -33,25 +33,25 @@ Result<align::CalibrationBundle> capture(const SimulatedSensor& sensor, const st
   return capture.finish();
 }
 
-Result<SimulatedView> simulate_view(const std::shared_ptr<const SimulatedRoom>& room,
+Result<SimulatedView> simulate_view(const std::shared_ptr<const simulator::SimulatedRoom>& room,
                                     const SimulatedViewsOptions& options, int index) {
   const auto sensor =
-      SimulatedSensor::open(room, {index, options.sensors, options.seed, 1.0, 1, options.sensing});
+      simulator::SimulatedSensor::open(room, {index, options.sensors, options.seed, 1.0, 1, options.sensing});
   if (!sensor) return sensor.error();
   SimulatedView seen{nullptr, (*sensor)->world_from_depth(), 0};
   const auto bundle = capture(**sensor, "s" + std::to_string(index), options.frames);
   if (!bundle) return seen;
   const std::clock_t start = std::clock();
-  auto view = align::make_sensor_view(*bundle);
+  auto view = alignment::make_sensor_view(*bundle);
   seen.look_cpu_s = double(std::clock() - start) / CLOCKS_PER_SEC;
-  if (view) seen.view = std::make_shared<const align::SensorView>(std::move(*view));
+  if (view) seen.view = std::make_shared<const alignment::SensorView>(std::move(*view));
   return seen;
 }
 
 }  // namespace
 
 Result<std::vector<SimulatedView>> simulate_views(const SimulatedViewsOptions& options) {
-  const auto room = SimulatedRoom::build(options.scene, options.seed);
+  const auto room = simulator::SimulatedRoom::build(options.scene, options.seed);
   if (!room) return room.error();
   std::vector<SimulatedView> views;
   for (int i = 0; i < options.sensors && views.size() < options.only_first; ++i) {

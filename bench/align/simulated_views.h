@@ -21,12 +21,12 @@ struct SimulatedViewsOptions {
   std::uint64_t seed = 1;
   int sensors = 4;
   int frames = 5;  // averaged in each bundle
-  sim::SensingOptions sensing;
+  simulator::SensingOptions sensing;
   std::size_t only_first = std::numeric_limits<std::size_t>::max();  // of the sensors
 };
 
 struct SimulatedView {
-  std::shared_ptr<const align::SensorView> view;  // nothing when the sensor's view is of no use
+  std::shared_ptr<const alignment::SensorView> view;  // nothing when the sensor's view is of no use
   RigidTransform world_from_depth;                // the truth
   double look_cpu_s = 0;                          // CPU time of making the view
 };

@@ -33,7 +33,7 @@ Result<std::unique_ptr<BenchInput>> open_rig(const std::string& place) {
   const std::string directory = place.substr(0, hash);
   std::string sensor = hash == std::string::npos ? std::string() : place.substr(hash + 1);
   if (sensor.empty()) {
-    const auto names = rig_sensor_names(directory);
+    const auto names = recording::rig_sensor_names(directory);
     if (!names.ok()) return names.error();
     if (names->empty()) return Error{ErrorCode::kNotFound, directory + " has no sensor."};
     sensor = names->front();

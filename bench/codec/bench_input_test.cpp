@@ -13,10 +13,10 @@ namespace {
 class SimulatedRig : public testing::Test {
  protected:
   void SetUp() override {
-    SimulateRigOptions options;
+    simulator::SimulateRigOptions options;
     options.sensor_count = 1;
     options.seconds = 0.1;
-    ASSERT_TRUE(simulate_rig(folder_ / "rig", options).ok());
+    ASSERT_TRUE(simulator::simulate_rig(folder_ / "rig", options).ok());
   }
   [[nodiscard]] std::string rig() const { return (folder_ / "rig").string(); }
 
@@ -54,11 +54,11 @@ TEST_F(SimulatedRig, knows_no_truth_where_none_lies) {
 
 TEST(BenchInput, takes_clean_colour_from_the_truth_where_it_lies) {
   TemporaryFolder folder;
-  SimulateRigOptions options;
+  simulator::SimulateRigOptions options;
   options.sensor_count = 1;
   options.seconds = 0.04;
   options.truth_color = true;
-  ASSERT_TRUE(simulate_rig(folder / "rig", options).ok());
+  ASSERT_TRUE(simulator::simulate_rig(folder / "rig", options).ok());
   auto input = open_bench_input((folder / "rig").string());
   ASSERT_TRUE(input.ok());
   EXPECT_EQ((*input)->color_reference(), ColorReference::kClean);

@@ -66,9 +66,9 @@ TEST_P(RecordedDepth, is_bit_exact_and_smaller_than_rvl_and_within_every_bound) 
   }
   std::string spec = GetParam();
   spec.replace(spec.find('@'), 1, data_folder().string());
-  auto source = open_source(spec, {.pace = Pace::kAsFastAsPossible, .loop = false});
+  auto source = sensor::open_source(spec, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   ASSERT_TRUE(source.ok()) << source.error().message;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   Sizes sizes;
   for (int i = 0; i < kMaxFrames; ++i) {
     const auto more = (*source)->next(frame, {});

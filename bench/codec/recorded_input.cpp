@@ -48,12 +48,12 @@ class TruthFolder {
 
   const fs::path folder_;
   const SensorCalibration calibration_;
-  ImageFileReader reader_;
+  io::ImageFileReader reader_;
 };
 
 class RecordedInput final : public BenchInput {
  public:
-  RecordedInput(std::string name, std::unique_ptr<FrameSource> source, Registration registration,
+  RecordedInput(std::string name, std::unique_ptr<source::FrameSource> source, Registration registration,
                 const fs::path& truth)
       : name_(std::move(name)),
         source_(std::move(source)),
@@ -129,10 +129,10 @@ class RecordedInput final : public BenchInput {
   }
 
   const std::string name_;
-  std::unique_ptr<FrameSource> source_;
+  std::unique_ptr<source::FrameSource> source_;
   Registration registration_;
   TruthFolder truth_;
-  CapturedFrame captured_;
+  source::CapturedFrame captured_;
   ColorImage clean_;
   RegisteredColor registered_;
   std::deque<Recorded> frames_;  // up to kMeanReach before and after the next
@@ -144,7 +144,7 @@ class RecordedInput final : public BenchInput {
 
 Result<std::unique_ptr<BenchInput>> open_recorded_input(const std::string& source,
                                                         const fs::path& truth) {
-  auto opened = open_source(source, {.pace = Pace::kAsFastAsPossible, .loop = false});
+  auto opened = sensor::open_source(source, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   if (!opened.ok()) return opened.error();
   auto registration = Registration::create((*opened)->description().calibration);
   if (!registration.ok()) return registration.error();

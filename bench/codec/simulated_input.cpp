@@ -31,24 +31,24 @@ std::optional<Place> parse(const std::string& source) {
   return place;
 }
 
-Result<std::unique_ptr<SimulatedSensor>> open_sensor(const Place& place,
+Result<std::unique_ptr<simulator::SimulatedSensor>> open_sensor(const Place& place,
                                                      const BenchInputOptions& options) {
-  const auto spec = parse_simulated_spec(place.spec);
+  const auto spec = simulator::parse_simulated_spec(place.spec);
   if (!spec) return spec.error();
-  auto room = SimulatedRoom::build(spec->scene, options.sim_seed);
+  auto room = simulator::SimulatedRoom::build(spec->scene, options.sim_seed);
   if (!room) return std::move(room).error();
-  SimulatedSensor::Options sensor;
+  simulator::SimulatedSensor::Options sensor;
   sensor.index = place.index;
   sensor.count = options.sim_sensor_count;
   sensor.seed = options.sim_seed;
   sensor.speed = options.sim_speed;
   sensor.sensing = spec->sensing;
-  return SimulatedSensor::open(*std::move(room), sensor);
+  return simulator::SimulatedSensor::open(*std::move(room), sensor);
 }
 
 class SimulatedInput final : public BenchInput {
  public:
-  SimulatedInput(std::string name, std::unique_ptr<SimulatedSensor> sensor,
+  SimulatedInput(std::string name, std::unique_ptr<simulator::SimulatedSensor> sensor,
                  Registration registration, double fps)
       : name_(std::move(name)),
         sensor_(std::move(sensor)),
@@ -83,9 +83,9 @@ class SimulatedInput final : public BenchInput {
 
  private:
   const std::string name_;
-  std::unique_ptr<SimulatedSensor> sensor_;
-  SimulatedSensor::Moment moment_;
-  sim::AutoExposure exposure_;
+  std::unique_ptr<simulator::SimulatedSensor> sensor_;
+  simulator::SimulatedSensor::Moment moment_;
+  simulator::AutoExposure exposure_;
   Registration registration_;
   const double fps_;
   std::uint64_t frame_count_ = 0;

@@ -9,10 +9,10 @@ namespace roomcast::bench {
 
 namespace {
 
-Result<std::vector<CapturedFrame>> capture(FrameSource& source, int count) {
-  std::vector<CapturedFrame> frames;
+Result<std::vector<source::CapturedFrame>> capture(source::FrameSource& source, int count) {
+  std::vector<source::CapturedFrame> frames;
   for (int i = 0; i < count; ++i) {
-    CapturedFrame frame;
+    source::CapturedFrame frame;
     const auto more = source.next(frame, {});
     if (!more) return more.error();
     if (!*more) break;
@@ -21,8 +21,8 @@ Result<std::vector<CapturedFrame>> capture(FrameSource& source, int count) {
   return frames;
 }
 
-PublisherOptions publisher_options(const SensorDescription& sensor, const std::string& hub_url) {
-  PublisherOptions options;
+client::PublisherOptions publisher_options(const source::SensorDescription& sensor, const std::string& hub_url) {
+  client::PublisherOptions options;
   options.hub_url = hub_url;
   options.name = sensor.name;
   options.calibration = sensor.calibration;
@@ -36,14 +36,14 @@ PublisherOptions publisher_options(const SensorDescription& sensor, const std::s
 Result<std::unique_ptr<ReplayedSensor>> ReplayedSensor::start(const std::string& spec,
                                                               const std::string& hub_url,
                                                               int frame_count) {
-  SourceOptions source_options;
-  source_options.pace = Pace::kAsFastAsPossible;
+  sensor::SourceOptions source_options;
+  source_options.pace = source::Pace::kAsFastAsPossible;
   source_options.sim_fps = kFps;
-  auto source = open_source(spec, source_options);
+  auto source = sensor::open_source(spec, source_options);
   if (!source) return source.error();
   auto frames = capture(**source, frame_count);
   if (!frames) return frames.error();
-  const SensorDescription sensor = (*source)->description();
+  const source::SensorDescription sensor = (*source)->description();
   auto registration = Registration::create(sensor.calibration);
   if (!registration) return registration.error();
   codec::FrameEncoderOptions codec;
@@ -52,15 +52,15 @@ Result<std::unique_ptr<ReplayedSensor>> ReplayedSensor::start(const std::string&
   codec.fps = kFps;
   auto encoder = codec::FrameEncoder::create(codec);
   if (!encoder) return encoder.error();
-  auto publisher = Publisher::open(publisher_options(sensor, hub_url));
+  auto publisher = client::Publisher::open(publisher_options(sensor, hub_url));
   if (!publisher) return publisher.error();
   return std::unique_ptr<ReplayedSensor>(new ReplayedSensor(
       *std::move(frames), *std::move(registration), *std::move(encoder), *std::move(publisher)));
 }
 
-ReplayedSensor::ReplayedSensor(std::vector<CapturedFrame> frames, Registration registration,
+ReplayedSensor::ReplayedSensor(std::vector<source::CapturedFrame> frames, Registration registration,
                                std::unique_ptr<codec::FrameEncoder> encoder,
-                               std::unique_ptr<Publisher> publisher)
+                               std::unique_ptr<client::Publisher> publisher)
     : frames_(std::move(frames)),
       registration_(std::move(registration)),
       encoder_(std::move(encoder)),
@@ -91,10 +91,10 @@ void ReplayedSensor::play(const std::stop_token& stop) {
   }
 }
 
-void ReplayedSensor::send(const CapturedFrame& frame, HostTime captured) {
+void ReplayedSensor::send(const source::CapturedFrame& frame, HostTime captured) {
   const auto turn = publisher_->next_turn();
   if (!turn || !registration_.run(frame.depth_mm, frame.color, registered_)) return;
-  auto message = Publisher::begin_frame();
+  auto message = client::Publisher::begin_frame();
   const auto info = encoder_->encode(frame.depth_mm, registered_.color, registered_.seen,
                                      turn->want_key, message.appendable());
   if (!info) return;

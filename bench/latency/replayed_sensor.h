@@ -30,17 +30,17 @@ class ReplayedSensor {
   [[nodiscard]] std::vector<double> finish();
 
  private:
-  ReplayedSensor(std::vector<CapturedFrame> frames, Registration registration,
+  ReplayedSensor(std::vector<source::CapturedFrame> frames, Registration registration,
                  std::unique_ptr<codec::FrameEncoder> encoder,
-                 std::unique_ptr<Publisher> publisher);
+                 std::unique_ptr<client::Publisher> publisher);
   void play(const std::stop_token& stop);
-  void send(const CapturedFrame& frame, HostTime captured);
+  void send(const source::CapturedFrame& frame, HostTime captured);
 
-  std::vector<CapturedFrame> frames_;
+  std::vector<source::CapturedFrame> frames_;
   Registration registration_;
   RegisteredColor registered_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
-  std::unique_ptr<Publisher> publisher_;
+  std::unique_ptr<client::Publisher> publisher_;
   std::vector<double> encoded_ms_;
   std::jthread thread_;
 };

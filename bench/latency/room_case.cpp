@@ -22,7 +22,7 @@ constexpr auto kSettle = 3s;  // the codec has learned the room
 /// How old pictures are when a viewer could draw them.
 class DecodedAges {
  public:
-  explicit DecodedAges(const Subscriber& viewer)
+  explicit DecodedAges(const client::Subscriber& viewer)
       : thread_([this, &viewer](const std::stop_token& stop) { watch(viewer, stop); }) {}
 
   std::vector<double> finish() {
@@ -33,14 +33,14 @@ class DecodedAges {
   void start_counting() { counts_ = true; }
 
  private:
-  void watch(const Subscriber& viewer, const std::stop_token& stop) {
+  void watch(const client::Subscriber& viewer, const std::stop_token& stop) {
     std::map<SensorId, std::uint32_t> seen;
     std::uint64_t revision = 0;
     while (!stop.stop_requested()) {
       const auto room = viewer.wait_newer(revision, 50ms);
       const HostTime now = SteadyClock().now();
       revision = room->revision;
-      for (const RoomSensor& sensor : room->sensors) {
+      for (const client::RoomSensor& sensor : room->sensors) {
         if (!sensor.picture) continue;
         const auto [known, is_new] = seen.try_emplace(sensor.id, sensor.picture->seq);
         if (!is_new && std::exchange(known->second, sensor.picture->seq) == sensor.picture->seq)
@@ -69,7 +69,7 @@ Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
     if (!sensor) return sensor.error();
     sensors.push_back(*std::move(sensor));
   }
-  auto viewer = Subscriber::open({.hub_url = (*hub)->url(), .room = {}, .name = {}, .log = {}});
+  auto viewer = client::Subscriber::open({.hub_url = (*hub)->url(), .room = {}, .name = {}, .log = {}});
   if (!viewer) return viewer.error();
   SetWatcher watcher((*hub)->url());
   DecodedAges decoded(**viewer);

@@ -22,7 +22,7 @@ wire::pb::Join join_message() {
 
 }  // namespace
 
-class SetWatcher::Link final : public HubLinkEvents {
+class SetWatcher::Link final : public client::HubLinkEvents {
  public:
   explicit Link(const std::string& hub_url)
       : link_(network_.io(), hub_address(hub_url), join_message(), *this) {
@@ -46,7 +46,7 @@ class SetWatcher::Link final : public HubLinkEvents {
     ++arrivals_.sets[header->set.value];
   }
   net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate& estimate) override {
+  void on_clock(const client::ClockEstimate& estimate) override {
     const std::chrono::duration<double, std::micro> error = estimate.room_minus_host;
     const std::lock_guard lock(mutex_);
     arrivals_.clock_errors_us.push_back(std::abs(error.count()));
@@ -65,8 +65,8 @@ class SetWatcher::Link final : public HubLinkEvents {
  private:
   mutable std::mutex mutex_;
   Arrivals arrivals_;
-  NetworkThread network_;
-  HubLink link_;
+  client::NetworkThread network_;
+  client::HubLink link_;
 };
 
 SetWatcher::SetWatcher(const std::string& hub_url) : link_(std::make_unique<Link>(hub_url)) {}

@@ -17,7 +17,7 @@
 
 namespace roomcast::bench {
 
-class TimedSensor::Link final : public HubLinkEvents {
+class TimedSensor::Link final : public client::HubLinkEvents {
  public:
   explicit Link(const TimedSensorOptions& options)
       : options_(options),
@@ -44,7 +44,7 @@ class TimedSensor::Link final : public HubLinkEvents {
   }
   void on_control(const wire::pb::Control&) override {}
   void on_frame(net::MessageBuffer) override {}
-  void on_clock(const ClockEstimate&) override {}
+  void on_clock(const client::ClockEstimate&) override {}
   void on_down(const Error&, bool) override { timer_.cancel(); }
   net::FramedMessagePtr next_frame() override {
     if (frames_.empty()) return nullptr;
@@ -88,9 +88,9 @@ class TimedSensor::Link final : public HubLinkEvents {
   SensorId id_{};
   std::uint32_t seq_ = 0;
   std::deque<net::FramedMessagePtr> frames_;
-  NetworkThread network_;
+  client::NetworkThread network_;
   boost::asio::steady_timer timer_;
-  HubLink link_;
+  client::HubLink link_;
 };
 
 TimedSensor::TimedSensor(const TimedSensorOptions& options)

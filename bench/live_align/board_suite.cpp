@@ -17,10 +17,10 @@ constexpr double kApart_deg = 60;
 constexpr int kSensors = 6;
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
 
-std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
+std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
                                             nanoseconds phase, double& look_ms) {
-  align::TagTracker tags(sensor.calibration());
-  std::vector<align::TagSighting> sightings;
+  alignment::TagTracker tags(sensor.calibration());
+  std::vector<alignment::TagSighting> sightings;
   const int frames = static_cast<int>(options.seconds * options.fps);
   for (int i = 0; i < frames; ++i) {
     const auto time = phase + nanoseconds(std::llround(1e9 * static_cast<double>(i) / options.fps));
@@ -36,7 +36,7 @@ std::vector<align::TagSighting> watch_board(FilmedSensor& sensor, const BoardSui
 }
 
 Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuiteOptions& options) {
-  const auto room = SimulatedRoom::build(scene, seed, Visitor::kBoardBearer);
+  const auto room = simulator::SimulatedRoom::build(scene, seed, simulator::Visitor::kBoardBearer);
   if (!room) return room.error();
   auto sensors = sensors_apart(*room, seed, kApart_deg, kSensors);
   if (!sensors) return sensors.error();
@@ -45,7 +45,7 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuit
   const auto seen_by_a = watch_board(sensors->first, options, {}, a_ms);
   const auto seen_by_b = watch_board(sensors->second, options, kPhase, b_ms);
   result.look_ms = (a_ms + b_ms) / 2;
-  const auto match = align::match_boards(seen_by_a, seen_by_b);
+  const auto match = alignment::match_boards(seen_by_a, seen_by_b);
   if (match) {
     place(*sensors, {match->a_from_b, match->expected_error_mm}, result);
   } else {

@@ -10,21 +10,21 @@ namespace roomcast::bench {
 /// Between the frames of a bundle: long enough for whoever walks by to be gone in most of them.
 constexpr nanoseconds kFrameGap = std::chrono::milliseconds(800);
 
-FilmedSensor::FilmedSensor(std::unique_ptr<SimulatedSensor> sensor, std::string name)
+FilmedSensor::FilmedSensor(std::unique_ptr<simulator::SimulatedSensor> sensor, std::string name)
     : sensor_(std::move(sensor)),
       moment_(sensor_->make_moment()),
       exposure_(sensor_->auto_exposure()),
       name_(std::move(name)) {}
 
-Result<FilmedSensor> FilmedSensor::open(std::shared_ptr<const SimulatedRoom> room,
-                                        const SimulatedSensor::Options& options) {
-  auto sensor = SimulatedSensor::open(std::move(room), options);
+Result<FilmedSensor> FilmedSensor::open(std::shared_ptr<const simulator::SimulatedRoom> room,
+                                        const simulator::SimulatedSensor::Options& options) {
+  auto sensor = simulator::SimulatedSensor::open(std::move(room), options);
   if (!sensor) return sensor.error();
   return FilmedSensor(*std::move(sensor), "s" + std::to_string(options.index));
 }
 
-Result<align::CalibrationBundle> FilmedSensor::bundle(int frames) {
-  align::BundleCapture capture(name_, sensor_->calibration());
+Result<alignment::CalibrationBundle> FilmedSensor::bundle(int frames) {
+  alignment::BundleCapture capture(name_, sensor_->calibration());
   for (int i = 0; i < frames; ++i) {
     const DepthImage& depth = depth_mm(i * kFrameGap);
     if (const auto added = capture.add(depth, color()); !added) return added.error();

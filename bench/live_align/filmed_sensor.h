@@ -15,11 +15,11 @@ namespace roomcast::bench {
 
 class FilmedSensor {
  public:
-  static Result<FilmedSensor> open(std::shared_ptr<const SimulatedRoom> room,
-                                   const SimulatedSensor::Options& options);
+  static Result<FilmedSensor> open(std::shared_ptr<const simulator::SimulatedRoom> room,
+                                   const simulator::SimulatedSensor::Options& options);
 
   /// Of `frames` frames of the first seconds of scene time.
-  [[nodiscard]] Result<align::CalibrationBundle> bundle(int frames);
+  [[nodiscard]] Result<alignment::CalibrationBundle> bundle(int frames);
   [[nodiscard]] const DepthImage& depth_mm(nanoseconds scene_time);
   /// At the instant that depth_mm() was asked for last.
   [[nodiscard]] const ColorImage& color();
@@ -29,11 +29,11 @@ class FilmedSensor {
   }
 
  private:
-  FilmedSensor(std::unique_ptr<SimulatedSensor> sensor, std::string name);
+  FilmedSensor(std::unique_ptr<simulator::SimulatedSensor> sensor, std::string name);
 
-  std::unique_ptr<SimulatedSensor> sensor_;
-  SimulatedSensor::Moment moment_;
-  sim::AutoExposure exposure_;
+  std::unique_ptr<simulator::SimulatedSensor> sensor_;
+  simulator::SimulatedSensor::Moment moment_;
+  simulator::AutoExposure exposure_;
   std::string name_;
   std::uint64_t frame_ = 0;
   DepthImage depth_mm_;

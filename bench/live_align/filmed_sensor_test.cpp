@@ -7,7 +7,7 @@ namespace roomcast::bench {
 namespace {
 
 TEST(FilmedSensor, gives_a_bundle_and_pictures_of_any_instant) {
-  const auto room = SimulatedRoom::build("bare", 1).value();
+  const auto room = simulator::SimulatedRoom::build("bare", 1).value();
   auto sensor = FilmedSensor::open(room, {}).value();
   const auto bundle = sensor.bundle(2);
   ASSERT_TRUE(bundle.ok()) << bundle.error().message;

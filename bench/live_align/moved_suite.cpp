@@ -39,7 +39,7 @@ RigidTransform push_of(const Eigen::Vector3d& direction, double shift_m, double 
 /// One scene, looked at by the watch as a sensor would.
 class Scene {
  public:
-  Scene(std::shared_ptr<const SimulatedRoom> room, const MovedSuiteOptions& options)
+  Scene(std::shared_ptr<const simulator::SimulatedRoom> room, const MovedSuiteOptions& options)
       : room_(std::move(room)), options_(options), random_(static_cast<unsigned>(options.seed)) {}
 
   Status run(MovedRow& row) {
@@ -64,7 +64,7 @@ class Scene {
 
  private:
   Result<FilmedSensor> open(const RigidTransform& push) const {
-    SimulatedSensor::Options sensing;
+    simulator::SimulatedSensor::Options sensing;
     sensing.index = static_cast<int>(options_.seed) % kSensors;
     sensing.count = kSensors;
     sensing.seed = options_.seed;
@@ -73,11 +73,11 @@ class Scene {
     return FilmedSensor::open(room_, sensing);
   }
 
-  void watch_unmoved(FilmedSensor& sensor, const align::CalibrationBundle& bundle, MovedRow& row) {
-    align::PoseChangeDetector watch(bundle);
+  void watch_unmoved(FilmedSensor& sensor, const alignment::CalibrationBundle& bundle, MovedRow& row) {
+    alignment::PoseChangeDetector watch(bundle);
     double cpu = 0;
     const nanoseconds end(std::llround(60e9 * options_.minutes));
-    for (nanoseconds time{}; time < end; time += align::kLookInterval) {
+    for (nanoseconds time{}; time < end; time += alignment::kLookInterval) {
       const DepthImage& depth_mm = sensor.depth_mm(kWatchFrom + time);
       const CpuStopwatch stopwatch;
       const bool alarm = watch.moved(depth_mm.view(), HostTime(time));
@@ -85,25 +85,25 @@ class Scene {
       ++row.looks;
       if (!alarm) continue;
       ++row.alarms;
-      watch = align::PoseChangeDetector(bundle);
+      watch = alignment::PoseChangeDetector(bundle);
     }
     row.look_ms = cpu / std::max(1, row.looks);
   }
 
   /// Pushed at some moment, between two looks.
-  Status watch_push(FilmedSensor& still, const align::CalibrationBundle& bundle,
+  Status watch_push(FilmedSensor& still, const alignment::CalibrationBundle& bundle,
                     const RigidTransform& push, PushTally& tally) {
     auto pushed = open(push);
     if (!pushed) return pushed.error();
-    align::PoseChangeDetector watch(bundle);
+    alignment::PoseChangeDetector watch(bundle);
     const nanoseconds begin =
         kWatchFrom + std::chrono::milliseconds(std::uniform_int_distribution(0, 60'000)(random_));
     (void)watch.moved(still.depth_mm(begin).view(), HostTime(begin));
     ++tally.pushes;
     constexpr nanoseconds kFirstFrame = std::chrono::milliseconds(33);
-    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += align::kLookInterval) {
+    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kLookInterval) {
       // Right after a look: the next one is as far away as it can be.
-      const nanoseconds time = begin + since + align::kLookInterval - kFirstFrame;
+      const nanoseconds time = begin + since + alignment::kLookInterval - kFirstFrame;
       if (!watch.moved(pushed->depth_mm(time).view(), HostTime(time))) continue;
       ++tally.noticed;
       tally.longest_s =
@@ -113,7 +113,7 @@ class Scene {
     return {};
   }
 
-  std::shared_ptr<const SimulatedRoom> room_;
+  std::shared_ptr<const simulator::SimulatedRoom> room_;
   const MovedSuiteOptions& options_;
   std::mt19937 random_;
 };
@@ -131,11 +131,11 @@ nlohmann::json json_of(const PushTally& tally) {
 Result<std::vector<MovedRow>> run_moved_suite(
     const MovedSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
   std::vector<std::string> scenes = options.scenes;
-  if (scenes.empty()) scenes.assign(sim::kSceneNames.begin(), sim::kSceneNames.end());
+  if (scenes.empty()) scenes.assign(simulator::kSceneNames.begin(), simulator::kSceneNames.end());
   std::vector<MovedRow> rows;
   for (const std::string& scene : scenes) {
     progress(fmt::format("scene {} of {}: {}", rows.size() + 1, scenes.size(), scene));
-    auto room = SimulatedRoom::build(scene, options.seed);
+    auto room = simulator::SimulatedRoom::build(scene, options.seed);
     if (!room) return room.error();
     MovedRow& row = rows.emplace_back();
     row.scene = scene;

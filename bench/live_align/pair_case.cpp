@@ -38,7 +38,7 @@ double error_mm(const SensorPair& sensors, const RigidTransform& a_from_b) {
 Result<StillView> still_view(FilmedSensor& sensor) {
   auto bundle = sensor.bundle(kBundleFrames);
   if (!bundle) return bundle.error();
-  auto view = align::make_sensor_view(*bundle);
+  auto view = alignment::make_sensor_view(*bundle);
   if (!view) return view.error();
   return StillView{*std::move(bundle), *std::move(view)};
 }
@@ -60,11 +60,11 @@ Summary summary_of(const std::vector<PairCase>& cases) {
 
 }  // namespace
 
-Result<SensorPair> sensors_apart(const std::shared_ptr<const SimulatedRoom>& room,
+Result<SensorPair> sensors_apart(const std::shared_ptr<const simulator::SimulatedRoom>& room,
                                  std::uint64_t seed, double apart_deg, int count) {
   std::vector<FilmedSensor> sensors;
   for (int i = 0; i < count; ++i) {
-    SimulatedSensor::Options sensing;
+    simulator::SimulatedSensor::Options sensing;
     sensing.index = i;
     sensing.count = count;
     sensing.seed = seed;
@@ -99,7 +99,7 @@ Result<StillViews> still_views(SensorPair& sensors) {
   return StillViews(*std::move(a), *std::move(b));
 }
 
-void place(const SensorPair& sensors, const align::EstimatedPlacement& a_from_b, PairCase& result) {
+void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b, PairCase& result) {
   result.placed = true;
   result.found_error_mm = result.error_mm = error_mm(sensors, a_from_b.world_from_depth);
   result.expected_error_mm = a_from_b.expected_error_mm;
@@ -109,9 +109,9 @@ void place(const SensorPair& sensors, const align::EstimatedPlacement& a_from_b,
 }
 
 void place_settled(const SensorPair& sensors, const StillViews& views,
-                   const align::EstimatedPlacement& a_from_b, PairCase& result) {
-  const std::array placed = {align::PlacedView{&views.first.view, {}}};
-  place(sensors, align::refined_placement(views.second.view, a_from_b, placed).value_or(a_from_b),
+                   const alignment::EstimatedPlacement& a_from_b, PairCase& result) {
+  const std::array placed = {alignment::PlacedView{&views.first.view, {}}};
+  place(sensors, alignment::refined_placement(views.second.view, a_from_b, placed).value_or(a_from_b),
         result);
   result.found_error_mm = error_mm(sensors, a_from_b.world_from_depth);
 }

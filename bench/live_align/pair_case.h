@@ -35,7 +35,7 @@ struct PairCase {
 using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
 
 /// Of so many sensors around the room the two whose views are most nearly so far apart.
-[[nodiscard]] Result<SensorPair> sensors_apart(const std::shared_ptr<const SimulatedRoom>& room,
+[[nodiscard]] Result<SensorPair> sensors_apart(const std::shared_ptr<const simulator::SimulatedRoom>& room,
                                                std::uint64_t seed, double apart_deg, int count = 4);
 
 [[nodiscard]] PairCase case_of(const std::string& scene, std::uint64_t seed,
@@ -43,18 +43,18 @@ using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
 
 /// What a sensor sees of the room itself.
 struct StillView {
-  align::CalibrationBundle bundle;
-  align::SensorView view;
+  alignment::CalibrationBundle bundle;
+  alignment::SensorView view;
 };
 using StillViews = std::pair<StillView, StillView>;
 
 [[nodiscard]] Result<StillViews> still_views(SensorPair& sensors);
 
 /// The second sensor was placed; the poses are of their depth frames.
-void place(const SensorPair& sensors, const align::EstimatedPlacement& a_from_b, PairCase& result);
+void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b, PairCase& result);
 /// ... and settles where it can.
 void place_settled(const SensorPair& sensors, const StillViews& views,
-                   const align::EstimatedPlacement& a_from_b, PairCase& result);
+                   const alignment::EstimatedPlacement& a_from_b, PairCase& result);
 
 /// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
 /// somebody walks; rooms in which nobody does (kInvalidArgument) are passed over.

@@ -9,7 +9,7 @@ namespace roomcast::bench {
 namespace {
 
 TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift_until_it_settles) {
-  const auto room = SimulatedRoom::build("bare", 1).value();
+  const auto room = simulator::SimulatedRoom::build("bare", 1).value();
   auto sensors = sensors_apart(room, 1, 90).value();
   const auto still = still_views(sensors);
   ASSERT_TRUE(still.ok()) << still.error().message;

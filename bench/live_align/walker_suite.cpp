@@ -16,7 +16,7 @@ constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are no
 
 struct Walk {
   RigidTransform level_from_depth;
-  std::vector<align::HeadSighting> sightings;
+  std::vector<alignment::HeadSighting> sightings;
   double look_ms = 0;
 };
 
@@ -24,8 +24,8 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
                         const WalkerSuiteOptions& options, nanoseconds phase) {
   const auto& floor = still.view.floor;
   if (!floor) return Error{ErrorCode::kUnavailable, "no floor is seen"};
-  align::HeadDetector heads(still.bundle, *floor);
-  Walk walk{align::level_from_depth(*floor), {}, 0};
+  alignment::HeadDetector heads(still.bundle, *floor);
+  Walk walk{alignment::level_from_depth(*floor), {}, 0};
   const int frames = static_cast<int>(options.seconds * options.fps);
   for (int i = 0; i < frames; ++i) {
     const auto time =
@@ -35,7 +35,7 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
     const auto found = heads.find(depth_mm.view());
     walk.look_ms += watch.ms() / frames;
     for (const auto& head : found) {
-      walk.sightings.push_back(align::head_sighting(
+      walk.sightings.push_back(alignment::head_sighting(
           walk.level_from_depth, 1e-9 * double(time.count()), head.cast<double>()));
     }
   }
@@ -45,7 +45,7 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
 Result<PairCase> run_case(const char* scene, std::uint64_t seed,
                           const WalkerSuiteOptions& options) {
   const auto room =
-      SimulatedRoom::build(scene, seed, options.unaware ? Visitor::kNone : Visitor::kWalkabout);
+      simulator::SimulatedRoom::build(scene, seed, options.unaware ? simulator::Visitor::kNone : simulator::Visitor::kWalkabout);
   if (!room) return room.error();
   auto sensors = sensors_apart(*room, seed, 180);
   if (!sensors) return sensors.error();
@@ -62,7 +62,7 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
     return result;
   }
   result.look_ms = (seen_by_a->look_ms + seen_by_b->look_ms) / 2;
-  const auto match = align::match_walks(seen_by_a->sightings, seen_by_b->sightings);
+  const auto match = alignment::match_walks(seen_by_a->sightings, seen_by_b->sightings);
   if (match) {
     const RigidTransform a_from_b =
         seen_by_a->level_from_depth.inverse() * match->a_from_b * seen_by_b->level_from_depth;

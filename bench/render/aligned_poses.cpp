@@ -9,20 +9,20 @@
 namespace roomcast::bench {
 
 Result<std::vector<RigidTransform>> read_aligned_poses(const std::filesystem::path& report,
-                                                       const RigDescription& rig) {
-  const auto json = read_json_object(report);
+                                                       const recording::RigDescription& rig) {
+  const auto json = io::read_json_object(report);
   if (!json) return json.error();
-  JsonProblems problems(report);
-  const JsonFields fields(*json, "", problems);
+  io::JsonProblems problems(report);
+  const io::JsonFields fields(*json, "", problems);
   std::map<std::string, RigidTransform> aligned_from_depth;
-  for (const JsonFields& sensor : fields.objects("sensors")) {
+  for (const io::JsonFields& sensor : fields.objects("sensors")) {
     if (!sensor.boolean("placed", false)) continue;
     aligned_from_depth.emplace(sensor.text("id"), sensor.transform("world_from_depth"));
   }
   if (auto status = problems.status(); !status) return status.error();
 
   std::vector<RigidTransform> poses;
-  for (const RigSensorEntry& sensor : rig.sensors) {
+  for (const recording::RigSensorEntry& sensor : rig.sensors) {
     const auto found = aligned_from_depth.find(sensor.id);
     if (found == aligned_from_depth.end()) {
       return Error{ErrorCode::kInvalidArgument, report.string() + " does not place " + sensor.id};

@@ -15,6 +15,6 @@ namespace roomcast::bench {
 /// here it is the one in which the first sensor stands where the rig says. kInvalidArgument for a
 /// sensor that the file does not place; errors of read_json_object.
 [[nodiscard]] Result<std::vector<RigidTransform>> read_aligned_poses(
-    const std::filesystem::path& report, const RigDescription& rig);
+    const std::filesystem::path& report, const recording::RigDescription& rig);
 
 }  // namespace roomcast::bench

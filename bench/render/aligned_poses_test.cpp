@@ -36,7 +36,7 @@ class AlignedPosesTest : public testing::Test {
 
   const TemporaryFolder folder;
   const std::filesystem::path report = folder / "report.json";
-  RigDescription rig;
+  recording::RigDescription rig;
 };
 
 TEST_F(AlignedPosesTest, the_first_sensor_stands_where_the_rig_says) {

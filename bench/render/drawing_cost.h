@@ -13,15 +13,15 @@ namespace roomcast::bench {
 [[nodiscard]] double process_cpu_ms();
 
 /// Of one drawing, from the first call until all is drawn. Errors as RoomRenderer::draw.
-[[nodiscard]] Result<double> drawing_cpu_ms(RoomRenderer& room, const Eyes& eyes,
-                                            const OffscreenTarget& target, RenderMode mode);
+[[nodiscard]] Result<double> drawing_cpu_ms(render::RoomRenderer& room, const render::Eyes& eyes,
+                                            const render::OffscreenTarget& target, render::RenderMode mode);
 
 /// Both eyes of somebody who stands at `between`: drawn at once, and one after the other, in turns
 /// so that whatever else runs slows both. Sums over `times` drawings. Errors as RoomRenderer::draw.
 struct StereoCost {
   double at_once_cpu_ms = 0, one_by_one_cpu_ms = 0;
 };
-[[nodiscard]] Result<StereoCost> stereo_cost(RoomRenderer& room, const ViewCamera& between,
-                                             RenderMode mode, int times);
+[[nodiscard]] Result<StereoCost> stereo_cost(render::RoomRenderer& room, const render::ViewCamera& between,
+                                             render::RenderMode mode, int times);
 
 }  // namespace roomcast::bench

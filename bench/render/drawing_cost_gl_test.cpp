@@ -5,22 +5,22 @@
 namespace roomcast::bench {
 namespace {
 
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const CameraIntrinsics kLens = render::pinhole(64, 48, 60);
 
-using DrawingCostTest = RoomTest;
+using DrawingCostTest = render::RoomTest;
 
 TEST_F(DrawingCostTest, of_both_eyes_is_measured_both_ways) {
-  add(kFirst, kLens, RigidTransform{}, wall(kLens, 2000, kRed));
-  const auto cost = stereo_cost(*room_, eye_of(kLens, RigidTransform{}), RenderMode::kMesh, 3);
+  add(render::kFirst, kLens, RigidTransform{}, wall(kLens, 2000, render::kRed));
+  const auto cost = stereo_cost(*room_, render::eye_of(kLens, RigidTransform{}), render::RenderMode::kMesh, 3);
   ASSERT_TRUE(cost.ok()) << cost.error().message;
   EXPECT_GT(cost->at_once_cpu_ms, 0);
   EXPECT_GT(cost->one_by_one_cpu_ms, 0);
 }
 
 TEST_F(DrawingCostTest, of_what_cannot_be_drawn_is_an_error) {
-  ViewCamera camera = eye_of(kLens, RigidTransform{});
+  render::ViewCamera camera = render::eye_of(kLens, RigidTransform{});
   camera.near_m = 0;
-  EXPECT_FALSE(stereo_cost(*room_, camera, RenderMode::kMesh, 1).ok());
+  EXPECT_FALSE(stereo_cost(*room_, camera, render::RenderMode::kMesh, 1).ok());
 }
 
 }  // namespace

@@ -56,21 +56,21 @@ class RenderBench {
         progress_(progress) {}
 
   Status judge_views();
-  Result<RenderRow> measure(RenderMode mode);
+  Result<RenderRow> measure(render::RenderMode mode);
   [[nodiscard]] std::size_t view_count() const { return judged_.size(); }
 
  private:
   using FrameNumbers = std::vector<std::uint64_t>;  // by sensor
 
-  Result<RoomRenderer> room_of(RenderMode mode);
-  Status warm_up(RoomRenderer& room, RenderMode mode);
-  Status show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
-  Status upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
-  Status measure_cost(RoomRenderer& room, const ViewCamera& camera, const OffscreenTarget& target,
-                      RenderMode mode, RenderRow& cost) const;
-  Result<DrawnView> draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
+  Result<render::RoomRenderer> room_of(render::RenderMode mode);
+  Status warm_up(render::RoomRenderer& room, render::RenderMode mode);
+  Status show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
+  Status upload(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
+  Status measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera, const render::OffscreenTarget& target,
+                      render::RenderMode mode, RenderRow& cost) const;
+  Result<DrawnView> draw(render::RoomRenderer& room, const JudgedView& view, render::RenderMode mode,
                          RenderRow* cost);
-  Status write_picture(const JudgedView& view, RenderMode mode, const DrawnView& drawn) const;
+  Status write_picture(const JudgedView& view, render::RenderMode mode, const DrawnView& drawn) const;
   [[nodiscard]] bool is_compared(std::size_t sensor, std::uint64_t number) const;
   [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
   [[nodiscard]] std::set<int> instants() const;
@@ -123,13 +123,13 @@ std::set<int> RenderBench::instants() const {
   return instants;
 }
 
-Result<RoomRenderer> RenderBench::room_of(RenderMode mode) {
-  auto room = RoomRenderer::create();
+Result<render::RoomRenderer> RenderBench::room_of(render::RenderMode mode) {
+  auto room = render::RoomRenderer::create();
   if (!room) return room;
-  RenderOptions look;
+  render::RenderOptions look;
   look.floor_grid = false;
   look.background = {};
-  look.remember = remembers_background(mode);
+  look.remember = render::remembers_background(mode);
   if (auto status = room->set_look(look); !status) return status.error();
   std::mt19937_64 random(options_.pose_seed);
   for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
@@ -149,8 +149,8 @@ bool RenderBench::is_compared(std::size_t sensor, std::uint64_t number) const {
 }
 
 /// All frames of the recording but those compared, in the order of time, for modes that remember.
-Status RenderBench::warm_up(RoomRenderer& room, RenderMode mode) {
-  if (!remembers_background(mode)) return {};
+Status RenderBench::warm_up(render::RoomRenderer& room, render::RenderMode mode) {
+  if (!render::remembers_background(mode)) return {};
   std::size_t longest = 0;
   for (const auto& sensor : frames_.sensors()) {
     longest = std::max(longest, sensor.recording.frames.size());
@@ -166,7 +166,7 @@ Status RenderBench::warm_up(RoomRenderer& room, RenderMode mode) {
   return {};
 }
 
-Status RenderBench::upload(RoomRenderer& room, std::size_t sensor, std::uint64_t number,
+Status RenderBench::upload(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number,
                            RenderRow* cost) {
   if (auto status = frames_.read(frames_.sensors()[sensor], number, frame_); !status) return status;
   glFinish();
@@ -181,7 +181,7 @@ Status RenderBench::upload(RoomRenderer& room, std::size_t sensor, std::uint64_t
   return status;
 }
 
-Status RenderBench::show(RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost) {
+Status RenderBench::show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost) {
   for (std::size_t s = 0; s < numbers.size(); ++s) {
     if (auto status = upload(room, s, numbers[s], cost); !status) return status;
   }
@@ -189,8 +189,8 @@ Status RenderBench::show(RoomRenderer& room, const FrameNumbers& numbers, Render
 }
 
 /// Leaves a picture in this mode in `target`.
-Status RenderBench::measure_cost(RoomRenderer& room, const ViewCamera& camera,
-                                 const OffscreenTarget& target, RenderMode mode,
+Status RenderBench::measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera,
+                                 const render::OffscreenTarget& target, render::RenderMode mode,
                                  RenderRow& cost) const {
   if (options_.stereo) {
     const auto stereo = stereo_cost(room, camera, mode, kDrawingsPerView);
@@ -200,7 +200,7 @@ Status RenderBench::measure_cost(RoomRenderer& room, const ViewCamera& camera,
     if (auto status = room.draw(camera, target, mode); !status) return status;
   }
   for (int i = 0; i < kDrawingsPerView; ++i) {
-    const auto points = drawing_cpu_ms(room, camera, target, RenderMode::kPoints);
+    const auto points = drawing_cpu_ms(room, camera, target, render::RenderMode::kPoints);
     if (!points) return points.error();
     const auto drawn = drawing_cpu_ms(room, camera, target, mode);
     if (!drawn) return drawn.error();
@@ -210,10 +210,10 @@ Status RenderBench::measure_cost(RoomRenderer& room, const ViewCamera& camera,
   return {};
 }
 
-Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, RenderMode mode,
+Result<DrawnView> RenderBench::draw(render::RoomRenderer& room, const JudgedView& view, render::RenderMode mode,
                                     RenderRow* cost) {
-  const ViewCamera& camera = view.entry.camera;
-  const auto target = OffscreenTarget::create(camera.width, camera.height);
+  const render::ViewCamera& camera = view.entry.camera;
+  const auto target = render::OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
   // What is derived once from a frame belongs to the frame.
   if (auto status = room.draw(camera, *target, mode); !status) return status.error();
@@ -224,14 +224,14 @@ Result<DrawnView> RenderBench::draw(RoomRenderer& room, const JudgedView& view, 
   return DrawnView{target->read_color(), target->read_depth_m(camera)};
 }
 
-Status RenderBench::write_picture(const JudgedView& view, RenderMode mode,
+Status RenderBench::write_picture(const JudgedView& view, render::RenderMode mode,
                                   const DrawnView& drawn) const {
   if (!options_.pictures) return {};
   std::error_code error;
   std::filesystem::create_directories(*options_.pictures, error);
   const auto name =
       fmt::format("view{}_t{}_{}.png", view.entry.view, view.entry.instant, name_of(mode));
-  return write_color_png(*options_.pictures / name, drawn.color);
+  return io::write_color_png(*options_.pictures / name, drawn.color);
 }
 
 /// Of every sensor the frame after this one; nothing where one has no next, or it was lost.
@@ -239,14 +239,14 @@ std::optional<RenderBench::FrameNumbers> RenderBench::next_frames(const FrameNum
   FrameNumbers next;
   for (std::size_t s = 0; s < numbers.size(); ++s) {
     const auto& files = frames_.sensors()[s].recording.frames;
-    const auto file = std::ranges::find(files, numbers[s], &RecordedFrame::index);
+    const auto file = std::ranges::find(files, numbers[s], &recording::RecordedFrame::index);
     if (file == files.end() || file + 1 == files.end()) return std::nullopt;
     next.push_back((file + 1)->index);
   }
   return next;
 }
 
-Result<RenderRow> RenderBench::measure(RenderMode mode) {
+Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
   auto room = room_of(mode);
   if (!room) return room.error();
   RenderRow row;
@@ -294,7 +294,7 @@ Result<RenderRow> RenderBench::measure(RenderMode mode) {
 }
 
 Result<std::vector<RigidTransform>> poses_to_draw_with(const RenderBenchOptions& options,
-                                                       const RigDescription& rig,
+                                                       const recording::RigDescription& rig,
                                                        RigFrames& frames) {
   if (options.aligned) return read_aligned_poses(*options.aligned, rig);
   std::vector<RigidTransform> poses;
@@ -317,7 +317,7 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   if (!frames) return frames.error();
   auto poses = poses_to_draw_with(options, views->rig, *frames);
   if (!poses) return poses.error();
-  auto context = EglContext::create();
+  auto context = render::EglContext::create();
   if (!context) return context.error();
 
   RenderReport report;
@@ -329,9 +329,9 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   RenderBench bench(options, *std::move(views), *std::move(frames), *std::move(poses), progress);
   if (auto status = bench.judge_views(); !status) return status.error();
   report.views = static_cast<int>(bench.view_count());
-  std::vector<RenderMode> modes = options.modes;
-  if (modes.empty()) modes.assign(kRenderModes.begin(), kRenderModes.end());
-  for (const RenderMode mode : modes) {
+  std::vector<render::RenderMode> modes = options.modes;
+  if (modes.empty()) modes.assign(render::kRenderModes.begin(), render::kRenderModes.end());
+  for (const render::RenderMode mode : modes) {
     auto row = bench.measure(mode);
     if (!row) return row.error();
     report.rows.push_back(*std::move(row));

@@ -23,7 +23,7 @@ namespace roomcast::bench {
 
 struct RenderBenchOptions {
   std::filesystem::path rig;
-  std::vector<RenderMode> modes = {};                 // empty: all
+  std::vector<render::RenderMode> modes = {};                 // empty: all
   std::optional<std::filesystem::path> aligned = {};  // read_aligned_poses; else the rig's own
   int color_scale = 1;                                // RegistrationOptions
   /// Every sensor is moved and turned by this much, each in a direction of its own.

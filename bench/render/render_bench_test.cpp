@@ -23,14 +23,14 @@ class RenderBenchTest : public testing::Test {
   /// A striped wall 2 m away, of which a sensor and an eye at the same place see the same. Four
   /// frames; between the two instants of the views nothing moves.
   void write_rig() const {
-    RigSensor sensor;
+    recording::RigSensor sensor;
     sensor.description.name = "s0";
     sensor.description.calibration.depth = sensor.description.calibration.color = kLens;
     sensor.description.calibration.color_is_registered = true;
     sensor.description.world_from_depth = RigidTransform{};
-    auto writer = RigWriter::create(folder / "rig", 30, std::vector{sensor});
+    auto writer = recording::RigWriter::create(folder / "rig", 30, std::vector{sensor});
     ASSERT_TRUE(writer.ok()) << writer.error().message;
-    CapturedFrame frame;
+    source::CapturedFrame frame;
     frame.depth_mm = DepthImage(kLens.width, kLens.height, 2000);
     frame.color = stripes();
     for (; frame.index < 4; ++frame.index) {
@@ -48,12 +48,12 @@ class RenderBenchTest : public testing::Test {
     nlohmann::json views = {{"width", kLens.width}, {"height", kLens.height}, {"fy", kLens.fy}};
     for (const int instant : {0, 1}) {
       const std::string name = "view_0_t" + std::to_string(instant);
-      ASSERT_TRUE(write_color_png(truth / (name + ".png"), stripes()).ok());
-      ASSERT_TRUE(write_depth_png(truth / (name + "_depth.png"), depth).ok());
+      ASSERT_TRUE(io::write_color_png(truth / (name + ".png"), stripes()).ok());
+      ASSERT_TRUE(io::write_depth_png(truth / (name + "_depth.png"), depth).ok());
       const MaskImage seen(kLens.width, kLens.height, 1);
-      ASSERT_TRUE(write_mask_png(truth / (name + "_seen.png"), seen).ok());
+      ASSERT_TRUE(io::write_mask_png(truth / (name + "_seen.png"), seen).ok());
       ASSERT_TRUE(
-          write_depth_png(truth / "s0" / (instant ? "000002.png" : "000001.png"), depth).ok());
+          io::write_depth_png(truth / "s0" / (instant ? "000002.png" : "000001.png"), depth).ok());
       views["views"].push_back(
           {{"view", 0},
            {"instant", instant},
@@ -67,12 +67,12 @@ class RenderBenchTest : public testing::Test {
   }
 
   [[nodiscard]] ColorImage stripes() const {
-    ColorImage image(kLens.width, kLens.height, kRed);
-    for (int x = 0; x < kLens.width; x += 16) fill_box(image, x, 0, x + 8, kLens.height, kGreen);
+    ColorImage image(kLens.width, kLens.height, render::kRed);
+    for (int x = 0; x < kLens.width; x += 16) render::fill_box(image, x, 0, x + 8, kLens.height, render::kGreen);
     return image;
   }
 
-  const CameraIntrinsics kLens = pinhole(96, 72, 80);
+  const CameraIntrinsics kLens = render::pinhole(96, 72, 80);
   const TemporaryFolder folder;
 };
 
@@ -93,7 +93,7 @@ TEST_F(RenderBenchTest, damaged_views_are_named) {
 
 TEST_F(RenderBenchTest, poses_that_are_off_make_pictures_worse) {
   ASSERT_NO_FATAL_FAILURE(write_rig());
-  RenderBenchOptions options{.rig = folder / "rig", .modes = {RenderMode::kMesh}};
+  RenderBenchOptions options{.rig = folder / "rig", .modes = {render::RenderMode::kMesh}};
   const auto right = run_render_bench(options, {});
   options.pose_error_mm = 200;
   options.pose_error_deg = 5;
@@ -109,7 +109,7 @@ TEST_F(RenderBenchTest, judges_every_mode) {
   options.stereo = true;
   const auto report = run_render_bench(options, {});
   ASSERT_TRUE(report.ok()) << report.error().message;
-  ASSERT_EQ(report->rows.size(), kRenderModes.size());
+  ASSERT_EQ(report->rows.size(), render::kRenderModes.size());
   EXPECT_EQ(report->views, 2);
   for (const RenderRow& row : report->rows) {
     EXPECT_GT(row.score.psnr_visible, 15) << row.mode << ": the border is black";

@@ -9,14 +9,14 @@
 
 namespace roomcast::bench {
 
-Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const RigDescription& rig,
+Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const recording::RigDescription& rig,
                                   int color_scale) {
   RigFrames frames;
-  for (const RigSensorEntry& entry : rig.sensors) {
+  for (const recording::RigSensorEntry& entry : rig.sensors) {
     if (!entry.world_from_depth) {
       return Error{ErrorCode::kInvalidArgument, "sensor " + entry.id + " of the rig has no pose"};
     }
-    auto recording = read_rig_recording(folder, entry.id);
+    auto recording = recording::read_rig_recording(folder, entry.id);
     if (!recording) return recording.error();
     auto registration =
         HoleRegistration::create(recording->camera.calibration, {.color_scale = color_scale});
@@ -29,14 +29,14 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const Rig
 
 Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out) {
   const auto& files = sensor.recording.frames;
-  const auto file = std::ranges::find(files, number, &RecordedFrame::index);
+  const auto file = std::ranges::find(files, number, &recording::RecordedFrame::index);
   if (file == files.end()) {
     return Error{ErrorCode::kNotFound, fmt::format("the recording lacks frame {}", number)};
   }
   const SensorCalibration& cameras = sensor.recording.camera.calibration;
-  const ImageSize depth{cameras.depth.width, cameras.depth.height};
+  const io::ImageSize depth{cameras.depth.width, cameras.depth.height};
   if (auto status = reader_.read_depth(file->depth, depth, out.depth_mm); !status) return status;
-  const ImageSize color{cameras.color.width, cameras.color.height};
+  const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
   return sensor.registration.run(out.depth_mm, color_, out.color);
 }

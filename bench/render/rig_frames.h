@@ -26,11 +26,11 @@ class RigFrames {
  public:
   /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument for a sensor without a pose.
   /// `color_scale`: RegistrationOptions.
-  static Result<RigFrames> open(const std::filesystem::path& folder, const RigDescription& rig,
+  static Result<RigFrames> open(const std::filesystem::path& folder, const recording::RigDescription& rig,
                                 int color_scale);
 
   struct Sensor {
-    Recording recording;
+    recording::Recording recording;
     RigidTransform world_from_depth;
     HoleRegistration registration;
     std::filesystem::path truth;  // folder of its depth without error
@@ -42,7 +42,7 @@ class RigFrames {
   [[nodiscard]] Result<TrueSensor> truth(const Sensor& sensor, std::uint64_t number);
 
  private:
-  ImageFileReader reader_;
+  io::ImageFileReader reader_;
   ColorImage color_;
   std::vector<Sensor> sensors_;
 };

@@ -15,13 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-TruthViewEntry entry_from_json(const json& file, const json& view, const RigDescription& rig,
+TruthViewEntry entry_from_json(const json& file, const json& view, const recording::RigDescription& rig,
                                const fs::path& folder) {
   TruthViewEntry entry;
   entry.view = view.at("view");
   entry.instant = view.at("instant");
   const std::vector<double> pose = view.at("world_from_view");
-  entry.camera.world_from_view = transform_from_row_major(pose).value() * optical_from_view();
+  entry.camera.world_from_view = transform_from_row_major(pose).value() * render::optical_from_view();
   entry.camera.width = file.at("width");
   entry.camera.height = file.at("height");
   entry.camera.vertical_fov_rad =
@@ -29,7 +29,7 @@ TruthViewEntry entry_from_json(const json& file, const json& view, const RigDesc
   entry.color = folder / view.at("color").get<std::string>();
   entry.depth = folder / view.at("depth").get<std::string>();
   entry.seen = folder / view.at("seen").get<std::string>();
-  for (const RigSensorEntry& sensor : rig.sensors) {
+  for (const recording::RigSensorEntry& sensor : rig.sensors) {
     entry.frames.push_back(view.at("frame").at(sensor.id).get<std::uint64_t>());
   }
   return entry;
@@ -44,7 +44,7 @@ Result<TruthViews> read_truth_views(const fs::path& rig_folder) {
     return Error{ErrorCode::kNotFound, "there are no true views to compare with: " + path.string() +
                                            " is missing (roomcast simulate --views writes it)"};
   }
-  auto rig = read_rig_json(rig_folder / "rig.json");
+  auto rig = recording::read_rig_json(rig_folder / "rig.json");
   if (!rig) return rig.error();
   TruthViews views{*std::move(rig), {}};
   try {
@@ -59,8 +59,8 @@ Result<TruthViews> read_truth_views(const fs::path& rig_folder) {
 }
 
 Result<TruthView> load(const TruthViewEntry& entry) {
-  const ImageSize size{entry.camera.width, entry.camera.height};
-  ImageFileReader reader;
+  const io::ImageSize size{entry.camera.width, entry.camera.height};
+  io::ImageFileReader reader;
   TruthView view;
   if (auto status = reader.read_color(entry.color, size, view.color); !status) {
     return status.error();

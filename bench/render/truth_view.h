@@ -16,13 +16,13 @@ namespace roomcast::bench {
 
 struct TruthViewEntry {
   int view = 0, instant = 0;
-  ViewCamera camera;
+  render::ViewCamera camera;
   std::filesystem::path color, depth, seen;
   std::vector<std::uint64_t> frames;  // of each sensor of the rig, taken nearest to the instant
 };
 
 struct TruthViews {
-  RigDescription rig;
+  recording::RigDescription rig;
   std::vector<TruthViewEntry> entries;
 };
 

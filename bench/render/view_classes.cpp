@@ -102,9 +102,9 @@ ViewClasses classify(const TruthViewEntry& entry, const TruthView& now,
                      const TruthView& other_instant, std::span<const ColorSight> sights) {
   ViewClasses classes{MaskImage(now.color.width(), now.color.height()),
                       moving_pixels(now, other_instant)};
-  const double focal_px = focal_length_px(entry.camera);
+  const double focal_px = render::focal_length_px(entry.camera);
   const RigidTransform world_from_optical =
-      entry.camera.world_from_view * optical_from_view().inverse();
+      entry.camera.world_from_view * render::optical_from_view().inverse();
   for (int y = 0; y < now.color.height(); ++y) {
     for (int x = 0; x < now.color.width(); ++x) {
       const unsigned seen = now.seen.at(x, y);

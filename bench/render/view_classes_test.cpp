@@ -11,8 +11,8 @@ namespace {
 /// Looks along the world's z from its origin; the colour camera stands 20 cm to the right.
 TrueSensor sensor_before(const DepthImage& depth_mm) {
   TrueSensor sensor;
-  sensor.calibration.depth = pinhole(depth_mm.width(), depth_mm.height(), 64);
-  sensor.calibration.color = pinhole(256, 192, 256);
+  sensor.calibration.depth = render::pinhole(depth_mm.width(), depth_mm.height(), 64);
+  sensor.calibration.color = render::pinhole(256, 192, 256);
   sensor.calibration.color_from_depth.translation_m = Eigen::Vector3d(-0.2, 0, 0);
   sensor.depth_mm = depth_mm;
   return sensor;
@@ -39,10 +39,10 @@ TEST(Classify, what_differs_between_two_instants_moves_with_a_border_and_specks_
   TruthViewEntry entry;
   entry.camera.width = entry.camera.height = 40;
   entry.camera.vertical_fov_rad = 1.5;
-  TruthView now{ColorImage(40, 40, kRed), DepthImage(40, 40, 2000), MaskImage(40, 40, 1)};
+  TruthView now{ColorImage(40, 40, render::kRed), DepthImage(40, 40, 2000), MaskImage(40, 40, 1)};
   TruthView then = now;
-  fill_box(then.color, 10, 10, 20, 20, kGreen);
-  then.color.at(30, 30) = kBlue;
+  render::fill_box(then.color, 10, 10, 20, 20, render::kGreen);
+  then.color.at(30, 30) = render::kBlue;
   const ViewClasses classes = classify(entry, now, then, {});
   EXPECT_NE(classes.moving.at(15, 15), 0);
   EXPECT_NE(classes.moving.at(8, 15), 0);
@@ -52,11 +52,11 @@ TEST(Classify, what_differs_between_two_instants_moves_with_a_border_and_specks_
 
 TEST(Classify, colour_is_seen_where_a_sensor_sees_the_surface_with_both_cameras) {
   TruthViewEntry entry;
-  entry.camera.world_from_view = optical_from_view();  // the eye looks along the world's z
+  entry.camera.world_from_view = render::optical_from_view();  // the eye looks along the world's z
   entry.camera.width = 64;
   entry.camera.height = 48;
   entry.camera.vertical_fov_rad = 2 * std::atan(24.0 / 64);
-  TruthView now{ColorImage(64, 48, kRed), DepthImage(64, 48, 2000), MaskImage(64, 48, 1)};
+  TruthView now{ColorImage(64, 48, render::kRed), DepthImage(64, 48, 2000), MaskImage(64, 48, 1)};
   fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // another sensor's
   const std::vector<ColorSight> sights = {ColorSight(sensor_before(DepthImage(64, 48, 2000)))};
   const ViewClasses classes = classify(entry, now, now, sights);

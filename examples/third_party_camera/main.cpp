@@ -29,7 +29,7 @@ using namespace roomcast;
 constexpr int kWidth = 320, kHeight = 240;
 constexpr double kFps = 30;
 
-class PipeCamera final : public Camera {
+class PipeCamera final : public source::Camera {
  public:
   explicit PipeCamera(int pipe) : pipe_(pipe) {
     description_.serial = "pipe";
@@ -40,9 +40,9 @@ class PipeCamera final : public Camera {
     cameras.color_is_registered = true;  // both pictures are of the same view
   }
 
-  [[nodiscard]] const CameraDescription& description() const override { return description_; }
+  [[nodiscard]] const source::CameraDescription& description() const override { return description_; }
 
-  [[nodiscard]] Status wait(FramePairing& pictures, std::chrono::milliseconds patience) override {
+  [[nodiscard]] Status wait(source::FramePairing& pictures, std::chrono::milliseconds patience) override {
     pollfd readable{pipe_, POLLIN, 0};
     if (::poll(&readable, 1, static_cast<int>(patience.count())) == 0) return {};
     unsigned char* const to = reinterpret_cast<unsigned char*>(&frame_) + filled_;
@@ -60,7 +60,7 @@ class PipeCamera final : public Camera {
     std::array<Rgb8, std::size_t{kWidth} * kHeight> color;
   };
 
-  void hand_over(FramePairing& pictures) {
+  void hand_over(source::FramePairing& pictures) {
     filled_ = 0;
     depth_mm_.resize(kWidth, kHeight);
     color_.resize(kWidth, kHeight);
@@ -72,24 +72,24 @@ class PipeCamera final : public Camera {
   }
 
   const int pipe_;
-  CameraDescription description_;
+  source::CameraDescription description_;
   Frame frame_;
   std::size_t filled_ = 0;  // bytes of it
   DepthImage depth_mm_;
   ColorImage color_;
 };
 
-class PipeBackend final : public CameraBackend {
+class PipeBackend final : public source::CameraBackend {
  public:
   [[nodiscard]] std::string kind() const override { return "pipe"; }
   [[nodiscard]] std::string library() const override { return "none"; }
-  [[nodiscard]] CameraAbilities abilities() const override { return {}; }
-  [[nodiscard]] Result<std::vector<CameraInfo>> list() override {
-    return std::vector<CameraInfo>{{"stdin", "pictures from a pipe", "pipe"}};
+  [[nodiscard]] source::CameraAbilities abilities() const override { return {}; }
+  [[nodiscard]] Result<std::vector<source::CameraInfo>> list() override {
+    return std::vector<source::CameraInfo>{{"stdin", "pictures from a pipe", "pipe"}};
   }
-  [[nodiscard]] Result<std::unique_ptr<Camera>> open(const CameraInfo&,
-                                                     const CameraSettings&) override {
-    return std::unique_ptr<Camera>(std::make_unique<PipeCamera>(STDIN_FILENO));
+  [[nodiscard]] Result<std::unique_ptr<source::Camera>> open(const source::CameraInfo&,
+                                                     const source::CameraSettings&) override {
+    return std::unique_ptr<source::Camera>(std::make_unique<PipeCamera>(STDIN_FILENO));
   }
 };
 
@@ -98,8 +98,8 @@ int fail(const Error& error) {
   return 1;
 }
 
-int describe(FrameSource& source) {
-  CapturedFrame frame;
+int describe(source::FrameSource& source) {
+  source::CapturedFrame frame;
   for (;;) {
     const auto more = source.next(frame, {});
     if (!more) return fail(more.error());
@@ -111,7 +111,7 @@ int describe(FrameSource& source) {
   }
 }
 
-int send(std::unique_ptr<FrameSource> source, const std::string& hub_url) {
+int send(std::unique_ptr<source::FrameSource> source, const std::string& hub_url) {
   cli::SensorFeedOptions options;
   options.hub_url = hub_url;
   const auto feed = cli::SensorFeed::start(std::move(source), options);
@@ -125,9 +125,9 @@ int send(std::unique_ptr<FrameSource> source, const std::string& hub_url) {
 
 int main(int argc, char** argv) {
   // A pipe may be silent for as long as it likes; it is no camera that was unplugged.
-  CameraSourceOptions options;
+  source::CameraSourceOptions options;
   options.silence = std::chrono::hours(24);
-  auto source = CameraSource::open(std::make_shared<PipeBackend>(), "", options);
+  auto source = source::CameraSource::open(std::make_shared<PipeBackend>(), "", options);
   if (!source) return fail(source.error());
   return argc > 1 ? send(*std::move(source), argv[1]) : describe(**source);
 }

@@ -3,9 +3,9 @@
 
 #include "roomcast/codec/depth_grid_color.h"
 
-namespace roomcast {
+namespace roomcast::capi {
 
-std::shared_ptr<const Rays> SensorRays::of(const RoomSensor& sensor) {
+std::shared_ptr<const Rays> SensorRays::of(const client::RoomSensor& sensor) {
   Entry& entry = entries_[sensor.id];
   const CameraIntrinsics& camera = sensor.calibration.depth;
   if (!entry.rays || !(entry.camera == camera)) {
@@ -14,9 +14,9 @@ std::shared_ptr<const Rays> SensorRays::of(const RoomSensor& sensor) {
   return entry.rays;
 }
 
-std::vector<ReceivedSensor> received_sensors(const RoomSnapshot& room, SensorRays& rays) {
+std::vector<ReceivedSensor> received_sensors(const client::RoomSnapshot& room, SensorRays& rays) {
   std::vector<ReceivedSensor> received;
-  for (const RoomSensor& sensor : room.sensors) {
+  for (const client::RoomSensor& sensor : room.sensors) {
     if (!sensor.online || !sensor.picture) continue;
     const std::shared_ptr<const codec::DecodedFrame> frame(sensor.picture, &sensor.picture->frame);
     received.push_back({&sensor, codec::with_color_in_depth_grid(frame), rays.of(sensor)});
@@ -24,4 +24,4 @@ std::vector<ReceivedSensor> received_sensors(const RoomSnapshot& room, SensorRay
   return received;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::capi

@@ -13,7 +13,7 @@
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::capi {
 
 using Rays = Image<Eigen::Vector2f>;  // as ray_table() makes them
 
@@ -21,7 +21,7 @@ using Rays = Image<Eigen::Vector2f>;  // as ray_table() makes them
 /// Single-threaded.
 class SensorRays {
  public:
-  std::shared_ptr<const Rays> of(const RoomSensor& sensor);
+  std::shared_ptr<const Rays> of(const client::RoomSensor& sensor);
 
  private:
   struct Entry {
@@ -32,13 +32,13 @@ class SensorRays {
 };
 
 struct ReceivedSensor {
-  const RoomSensor* sensor = nullptr;  // of the snapshot it was taken from
+  const client::RoomSensor* sensor = nullptr;  // of the snapshot it was taken from
   std::shared_ptr<const codec::DecodedFrame> frame;
   std::shared_ptr<const Rays> rays;
 };
 
 /// Those that are there and have a picture, by id. The snapshot has to stay as long as they do.
-[[nodiscard]] std::vector<ReceivedSensor> received_sensors(const RoomSnapshot& room,
+[[nodiscard]] std::vector<ReceivedSensor> received_sensors(const client::RoomSnapshot& room,
                                                            SensorRays& rays);
 
-}  // namespace roomcast
+}  // namespace roomcast::capi

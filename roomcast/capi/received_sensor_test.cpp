@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::capi {
 namespace {
 
-RoomSensor sensor_with_picture() {
-  auto picture = std::make_shared<SensorPicture>();
+client::RoomSensor sensor_with_picture() {
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->frame = {DepthImage(2, 2, 1000), ColorImage(2, 2), MaskImage(2, 2)};
-  RoomSensor sensor;
+  client::RoomSensor sensor;
   sensor.online = true;
   sensor.calibration.depth = {.width = 2, .height = 2, .fx = 2, .fy = 2, .cx = 0.5, .cy = 0.5};
   sensor.picture = std::move(picture);
@@ -20,7 +20,7 @@ RoomSensor sensor_with_picture() {
 }
 
 TEST(ReceivedSensor, whoever_is_away_or_has_no_picture_is_left_out) {
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.sensors = {sensor_with_picture(), sensor_with_picture(), sensor_with_picture()};
   room.sensors[0].online = false;
   room.sensors[1].picture = nullptr;
@@ -31,14 +31,14 @@ TEST(ReceivedSensor, whoever_is_away_or_has_no_picture_is_left_out) {
 }
 
 TEST(ReceivedSensor, a_picture_is_handed_on_without_a_copy) {
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.sensors = {sensor_with_picture()};
   SensorRays rays;
   EXPECT_EQ(received_sensors(room, rays)[0].frame.get(), &room.sensors[0].picture->frame);
 }
 
 TEST(SensorRays, are_worked_out_anew_for_another_calibration_only) {
-  RoomSensor sensor = sensor_with_picture();
+  client::RoomSensor sensor = sensor_with_picture();
   SensorRays rays;
   const auto first = rays.of(sensor);
   EXPECT_EQ(rays.of(sensor), first);
@@ -49,4 +49,4 @@ TEST(SensorRays, are_worked_out_anew_for_another_calibration_only) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::capi

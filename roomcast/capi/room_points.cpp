@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast {
+namespace roomcast::capi {
 namespace {
 
 constexpr Rgb8 kGrey{128, 128, 128};
@@ -54,4 +54,4 @@ std::size_t write_points(const std::vector<ReceivedSensor>& sensors,
   return sink.count();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::capi

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::capi {
 namespace {
 
 constexpr CameraIntrinsics kCamera{.width = 3, .height = 2, .fx = 2, .fy = 2, .cx = 1, .cy = 0.5};
@@ -19,10 +19,10 @@ RigidTransform looking_along_x() {
   return world_from_depth;
 }
 
-RoomSensor sensor_that_sees(const DepthImage& depth_mm, const ColorImage& color) {
-  auto picture = std::make_shared<SensorPicture>();
+client::RoomSensor sensor_that_sees(const DepthImage& depth_mm, const ColorImage& color) {
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->frame = {depth_mm, color, MaskImage(3, 2, 255)};
-  RoomSensor sensor;
+  client::RoomSensor sensor;
   sensor.id = SensorId{7};
   sensor.online = sensor.placed = true;
   sensor.calibration.depth = kCamera;
@@ -38,11 +38,11 @@ DepthImage one_reading() {
 }
 
 struct RoomPointsTest : testing::Test {
-  std::size_t points_of(RoomSensor sensor) {
+  std::size_t points_of(client::RoomSensor sensor) {
     room.sensors = {std::move(sensor)};
     return write_points(received_sensors(room, rays), out);
   }
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   SensorRays rays;
   std::array<roomcast_point, 4> out{};
 };
@@ -82,10 +82,10 @@ TEST_F(RoomPointsTest, points_for_which_there_is_no_room_are_counted) {
 }
 
 TEST_F(RoomPointsTest, a_sensor_that_nobody_has_placed_gives_none) {
-  RoomSensor sensor = sensor_that_sees(one_reading(), {});
+  client::RoomSensor sensor = sensor_that_sees(one_reading(), {});
   sensor.placed = false;
   EXPECT_EQ(points_of(std::move(sensor)), 0u);
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::capi

@@ -18,20 +18,20 @@
 #include "roomcast/recording/recorder/recorder.h"
 
 struct roomcast_viewer {
-  std::unique_ptr<roomcast::Subscriber> subscriber;
+  std::unique_ptr<roomcast::client::Subscriber> subscriber;
   std::mutex mutex;
   roomcast::SetId last_set{};
   std::uint64_t last_revision = 0;
-  roomcast::SensorRays rays;
+  roomcast::capi::SensorRays rays;
 };
 
 struct roomcast_frames {
-  std::shared_ptr<const roomcast::RoomSnapshot> room;  // whose parts `sensors` point at
-  std::vector<roomcast::ReceivedSensor> sensors;
+  std::shared_ptr<const roomcast::client::RoomSnapshot> room;  // whose parts `sensors` point at
+  std::vector<roomcast::capi::ReceivedSensor> sensors;
 };
 
 struct roomcast_recorder {
-  std::unique_ptr<roomcast::Recorder> recorder;
+  std::unique_ptr<roomcast::recording::Recorder> recorder;
 };
 
 namespace {
@@ -80,8 +80,8 @@ Struct known_part(const Struct& given) {
   return known;
 }
 
-roomcast_sensor describe(const ReceivedSensor& received) {
-  const RoomSensor& sensor = *received.sensor;
+roomcast_sensor describe(const capi::ReceivedSensor& received) {
+  const client::RoomSensor& sensor = *received.sensor;
   const codec::DecodedFrame& frame = *received.frame;
   const CameraIntrinsics& camera = sensor.calibration.depth;
   roomcast_sensor out{};
@@ -117,7 +117,7 @@ Result<std::optional<RigidTransform>> tracked(const double* row_major, const cha
   return Error{transform.error().code, std::string(what) + ": " + transform.error().message};
 }
 
-Result<PersonPose> person_pose(const roomcast_pose& given) {
+Result<client::PersonPose> person_pose(const roomcast_pose& given) {
   const auto head = tracked(given.world_from_head, "world_from_head");
   const auto left = tracked(given.world_from_left_hand, "world_from_left_hand");
   const auto right = tracked(given.world_from_right_hand, "world_from_right_hand");
@@ -125,13 +125,13 @@ Result<PersonPose> person_pose(const roomcast_pose& given) {
     if (!*part) return part->error();
   }
   if (!*head) return Error{ErrorCode::kInvalidArgument, "world_from_head is NULL"};
-  return PersonPose{.world_from_head = **head,
+  return client::PersonPose{.world_from_head = **head,
                     .world_from_left_hand = *left,
                     .world_from_right_hand = *right,
                     .pointer = {}};
 }
 
-int may(roomcast_viewer* viewer, Status (*check)(const ViewerRights&), char* error,
+int may(roomcast_viewer* viewer, Status (*check)(const client::ViewerRights&), char* error,
         std::size_t size) {
   return guarded(0, error, size, [&] {
     const Status allowed = check(viewer->subscriber->snapshot()->rights);
@@ -142,7 +142,7 @@ int may(roomcast_viewer* viewer, Status (*check)(const ViewerRights&), char* err
 
 using WallClock = std::chrono::steady_clock;
 
-std::shared_ptr<const RoomSnapshot> wait_newer(roomcast_viewer& viewer,
+std::shared_ptr<const client::RoomSnapshot> wait_newer(roomcast_viewer& viewer,
                                                WallClock::time_point until) {
   std::uint64_t revision = 0;
   {
@@ -155,14 +155,14 @@ std::shared_ptr<const RoomSnapshot> wait_newer(roomcast_viewer& viewer,
 
 /// Null where `room` has no set that is newer than the last one given.
 roomcast_frames* new_frames(roomcast_viewer& viewer,
-                            const std::shared_ptr<const RoomSnapshot>& room) {
+                            const std::shared_ptr<const client::RoomSnapshot>& room) {
   std::lock_guard lock(viewer.mutex);
   viewer.last_revision = std::max(viewer.last_revision, room->revision);
   if (!(room->newest_set > viewer.last_set)) return nullptr;
   viewer.last_set = room->newest_set;
   auto frames = std::make_unique<roomcast_frames>();
   frames->room = room;
-  frames->sensors = received_sensors(*room, viewer.rays);
+  frames->sensors = capi::received_sensors(*room, viewer.rays);
   return frames.release();
 }
 
@@ -177,12 +177,12 @@ const char* roomcast_version(void) {
 roomcast_viewer* roomcast_connect(const roomcast_options* given, char* error, size_t error_size) {
   return guarded<roomcast_viewer*>(nullptr, error, error_size, [&]() -> roomcast_viewer* {
     const roomcast_options options = known_part(*given);
-    SubscriberOptions subscriber;
+    client::SubscriberOptions subscriber;
     subscriber.hub_url = text(options.hub);
     subscriber.room = text(options.room);
     subscriber.name = text(options.name);
-    subscriber.credential = credential_of(text(options.token));
-    auto opened = Subscriber::open(std::move(subscriber));
+    subscriber.credential = client::credential_of(text(options.token));
+    auto opened = client::Subscriber::open(std::move(subscriber));
     if (!opened) {
       say(opened.error().message, error, error_size);
       return nullptr;
@@ -240,7 +240,7 @@ int roomcast_get_sensor(const roomcast_frames* frames, size_t number, roomcast_s
 
 size_t roomcast_get_points(const roomcast_frames* frames, roomcast_point* points, size_t capacity) {
   return guarded<std::size_t>(0, nullptr, 0, [&] {
-    return write_points(frames->sensors, std::span(points, points == nullptr ? 0 : capacity));
+    return capi::write_points(frames->sensors, std::span(points, points == nullptr ? 0 : capacity));
   });
 }
 
@@ -261,12 +261,12 @@ roomcast_recorder* roomcast_record(const roomcast_options* given, const char* pa
                                    size_t error_size) {
   return guarded<roomcast_recorder*>(nullptr, error, error_size, [&]() -> roomcast_recorder* {
     const roomcast_options options = known_part(*given);
-    RecorderOptions recorder;
+    recording::RecorderOptions recorder;
     recorder.hub_url = text(options.hub);
     recorder.room = text(options.room);
-    recorder.credential = credential_of(text(options.token));
+    recorder.credential = client::credential_of(text(options.token));
     recorder.path = text(path);
-    auto opened = Recorder::open(std::move(recorder));
+    auto opened = recording::Recorder::open(std::move(recorder));
     if (!opened) {
       say(opened.error().message, error, error_size);
       return nullptr;

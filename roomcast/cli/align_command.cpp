@@ -29,34 +29,34 @@ struct AlignOptions {
   bool json = false, write = false;
 };
 
-align::AlignmentReport align_views(const std::vector<SharedView>& views, const std::string& method,
-                                   const align::AlignProgress& progress) {
-  if (method == "homography") return align::align_by_homography(views);
-  align::RigAligner aligner;
+alignment::AlignmentReport align_views(const std::vector<SharedView>& views, const std::string& method,
+                                   const alignment::AlignProgress& progress) {
+  if (method == "homography") return alignment::align_by_homography(views);
+  alignment::RigAligner aligner;
   for (const SharedView& view : views) aligner.add(view);
   return aligner.solve(progress);
 }
 
-align::SensorReport unusable_sensor(const std::string& name, const Error& error) {
-  align::SensorReport report;
+alignment::SensorReport unusable_sensor(const std::string& name, const Error& error) {
+  alignment::SensorReport report;
   report.id = name;
   report.reason = error.message;
   return report;
 }
 
-Result<align::AlignmentReport> align_rig(const AlignOptions& options, StatusLine& line) {
+Result<alignment::AlignmentReport> align_rig(const AlignOptions& options, StatusLine& line) {
   const auto bundles =
       read_rig_bundles(options.recording, [&](const std::string& what) { line.show(what); });
   if (!bundles) return bundles.error();
   std::vector<SharedView> views;
-  std::vector<align::SensorReport> unusable;
+  std::vector<alignment::SensorReport> unusable;
   for (const RecordedBundle& recorded : *bundles) {
     line.show("looking at " + recorded.name);
     auto view = view_of(recorded);
     view ? views.push_back(*view)
          : unusable.push_back(unusable_sensor(recorded.name, view.error()));
   }
-  align::AlignmentReport report =
+  alignment::AlignmentReport report =
       align_views(views, options.method, [&](std::string_view step, double done) {
         line.show(fmt::format("{:3.0f} %  {}", 100 * done, step));
       });
@@ -64,9 +64,9 @@ Result<align::AlignmentReport> align_rig(const AlignOptions& options, StatusLine
   return report;
 }
 
-align::PairReport align_pair(const ListedPair& pair, const std::string& method,
+alignment::PairReport align_pair(const ListedPair& pair, const std::string& method,
                              FrameViews& frames) {
-  align::PairReport refused;
+  alignment::PairReport refused;
   refused.a = pair.a;
   refused.b = pair.b;
   refused.reason = pair.a + " is the same frame twice";
@@ -83,13 +83,13 @@ align::PairReport align_pair(const ListedPair& pair, const std::string& method,
   return align_views(views, method, {}).pairs.at(0);
 }
 
-Result<align::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
+Result<alignment::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
   const auto pairs = read_pair_list(options.pairs);
   if (!pairs) return pairs.error();
   auto frames = FrameViews::read(options.recording, *pairs,
                                  [&](const std::string& what) { line.show(what); });
   if (!frames) return frames.error();
-  align::AlignmentReport report;
+  alignment::AlignmentReport report;
   for (const ListedPair& pair : *pairs) {
     line.show(fmt::format("pair {} of {}: {} and {}", report.pairs.size() + 1, pairs->size(),
                           pair.a, pair.b));

@@ -16,7 +16,7 @@ nlohmann::json number_if(bool known, double number) {
   return known ? nlohmann::json(number) : nlohmann::json(nullptr);
 }
 
-nlohmann::json json_of(const align::SensorReport& sensor) {
+nlohmann::json json_of(const alignment::SensorReport& sensor) {
   return {{"id", sensor.id},
           {"placed", sensor.placed},
           {"world_from_depth", json_of(sensor.world_from_depth)},
@@ -30,7 +30,7 @@ nlohmann::json json_of(const align::SensorReport& sensor) {
           {"reason", sensor.reason}};
 }
 
-nlohmann::json json_of(const align::PairReport& pair) {
+nlohmann::json json_of(const alignment::PairReport& pair) {
   return {{"a", pair.a},
           {"b", pair.b},
           {"accepted", pair.accepted},
@@ -45,7 +45,7 @@ nlohmann::json json_of(const align::PairReport& pair) {
           {"reason", pair.reason}};
 }
 
-std::string place_text(const align::SensorReport& sensor) {
+std::string place_text(const alignment::SensorReport& sensor) {
   if (!sensor.placed) return "apart";
   const Eigen::Vector3d& at = sensor.world_from_depth->translation_m;
   return fmt::format("at ({:6.2f}, {:5.2f}, {:6.2f}) m, +-{:.0f} mm, {:.2f} deg", at.x(), at.y(),
@@ -63,14 +63,14 @@ std::string shared_text(double overlap, int inliers, const std::string& residual
 
 }  // namespace
 
-std::string alignment_json(const align::AlignmentReport& report) {
+std::string alignment_json(const alignment::AlignmentReport& report) {
   nlohmann::json json = {{"sensors", nlohmann::json::array()}, {"pairs", nlohmann::json::array()}};
   for (const auto& sensor : report.sensors) json["sensors"].push_back(json_of(sensor));
   for (const auto& pair : report.pairs) json["pairs"].push_back(json_of(pair));
   return json.dump(1) + "\n";
 }
 
-std::string alignment_table(const align::AlignmentReport& report) {
+std::string alignment_table(const alignment::AlignmentReport& report) {
   constexpr auto kShared = "overlap inliers  residual";
   std::string text;
   if (!report.sensors.empty())

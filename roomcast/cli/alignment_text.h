@@ -13,8 +13,8 @@ namespace roomcast::cli {
 ///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm",
 ///  "expected_error_mm", "conflict", "correlation", "margin", "reason"}]}; transforms row-major;
 /// null where there is no pose to say it of.
-[[nodiscard]] std::string alignment_json(const align::AlignmentReport& report);
+[[nodiscard]] std::string alignment_json(const alignment::AlignmentReport& report);
 
-[[nodiscard]] std::string alignment_table(const align::AlignmentReport& report);
+[[nodiscard]] std::string alignment_table(const alignment::AlignmentReport& report);
 
 }  // namespace roomcast::cli

@@ -8,10 +8,10 @@ namespace roomcast::cli {
 namespace {
 
 /// Two that are placed, and one that nothing connects with them.
-align::AlignmentReport report() {
-  align::AlignmentReport report;
+alignment::AlignmentReport report() {
+  alignment::AlignmentReport report;
   for (const char* id : {"s0", "s1"}) {
-    align::SensorReport& sensor = report.sensors.emplace_back();
+    alignment::SensorReport& sensor = report.sensors.emplace_back();
     sensor.id = id;
     sensor.placed = true;
     sensor.world_from_depth = RigidTransform();
@@ -20,11 +20,11 @@ align::AlignmentReport report() {
     sensor.residual_mm = 3.25;
     sensor.reason = "placed";
   }
-  align::SensorReport& apart = report.sensors.emplace_back();
+  alignment::SensorReport& apart = report.sensors.emplace_back();
   apart.id = "s2";
   apart.reason = "nothing is shared";
 
-  align::PairReport& accepted = report.pairs.emplace_back();
+  alignment::PairReport& accepted = report.pairs.emplace_back();
   accepted.a = "s0";
   accepted.b = "s1";
   accepted.accepted = true;
@@ -32,7 +32,7 @@ align::AlignmentReport report() {
   accepted.residual_mm = 3.25;
   accepted.expected_error_mm = 4.5;
   accepted.reason = "31 places agree";
-  align::PairReport& refused = report.pairs.emplace_back();
+  alignment::PairReport& refused = report.pairs.emplace_back();
   refused.a = "s0";
   refused.b = "s2";
   refused.reason = "nothing is shared";

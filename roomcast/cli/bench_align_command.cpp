@@ -31,7 +31,7 @@ constexpr std::size_t kOverlapPoints = 4000;
 /// All pairs of a rig that knows where its sensors stand. The overlap is what both views show of
 /// each other at the true pose.
 Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgress& progress) {
-  const auto rig = read_rig_json(folder / "rig.json");
+  const auto rig = recording::read_rig_json(folder / "rig.json");
   if (!rig) return rig.error();
   const auto bundles = read_rig_bundles(folder, progress);
   if (!bundles) return bundles.error();
@@ -49,7 +49,7 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
   for (std::size_t a = 0; a < input.views.size(); ++a) {
     for (std::size_t b = a + 1; b < input.views.size(); ++b) {
       const RigidTransform a_from_b = world_from_depth[a].inverse() * world_from_depth[b];
-      const auto check = align::check_free_space(input.views[a]->surface, input.views[b]->surface,
+      const auto check = alignment::check_free_space(input.views[a]->surface, input.views[b]->surface,
                                                  a_from_b, kOverlapPoints);
       input.cases.push_back({a, b, a_from_b, check.consistent_least});
     }

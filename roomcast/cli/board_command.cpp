@@ -19,15 +19,15 @@ struct BoardOptions {
 };
 
 Status write_board(const BoardOptions& options) {
-  align::BoardPage page = options.paper == "a3" ? align::kA3 : align::kA4;
+  alignment::BoardPage page = options.paper == "a3" ? alignment::kA3 : alignment::kA4;
   page.tag = options.tag;
-  const auto pdf = align::board_pdf(page);
+  const auto pdf = alignment::board_pdf(page);
   if (!pdf) return pdf.error();
   std::ofstream file(options.file, std::ios::binary);
   file << *pdf << std::flush;
   if (!file) return Error{ErrorCode::kUnavailable, "cannot write " + options.file};
   fmt::print("wrote {}: print it at 100 %; the black square has to be {:.1f} mm wide\n",
-             options.file, align::tag_side_mm(page));
+             options.file, alignment::tag_side_mm(page));
   return {};
 }
 

@@ -23,9 +23,9 @@
 namespace roomcast::cli {
 namespace {
 
-using calibration::CalibrationReport;
-using calibration::CharucoBoard;
-using calibration::ViewCollector;
+using alignment::calibration::CalibrationReport;
+using alignment::calibration::CharucoBoard;
+using alignment::calibration::ViewCollector;
 
 struct CalibrateOptions {
   std::string source, out = "calibration";
@@ -38,20 +38,20 @@ struct CalibrateOptions {
   bool json = false;
 };
 
-calibration::BoardPage page_of(const CalibrateOptions& options) {
-  return options.paper == "a4" ? calibration::kA4Across : calibration::kA3Across;
+alignment::calibration::BoardPage page_of(const CalibrateOptions& options) {
+  return options.paper == "a4" ? alignment::calibration::kA4Across : alignment::calibration::kA3Across;
 }
 
 CharucoBoard board_of(const CalibrateOptions& options) {
-  CharucoBoard board = calibration::board_for(page_of(options));
+  CharucoBoard board = alignment::calibration::board_for(page_of(options));
   if (options.square_mm > 0) board.square_m = 0.001 * options.square_mm;
   return board;
 }
 
 Status print_board(const CalibrateOptions& options) {
-  const auto pdf = calibration::charuco_pdf(page_of(options));
+  const auto pdf = alignment::calibration::charuco_pdf(page_of(options));
   if (!pdf) return pdf.error();
-  if (Status status = write_file(options.print, *pdf); !status) return status;
+  if (Status status = io::write_file(options.print, *pdf); !status) return status;
   fmt::print("wrote {}: print it at 100 %; the squares have to be {:.0f} mm wide\n", options.print,
              1000 * board_of(options).square_m);
   return {};
@@ -71,10 +71,10 @@ const char* words_of(ViewCollector::Verdict verdict) {
   return "";
 }
 
-Status collect(FrameSource& source, std::size_t wanted, const std::stop_token& stop,
+Status collect(source::FrameSource& source, std::size_t wanted, const std::stop_token& stop,
                ViewCollector& collector) {
   StatusLine line;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   while (collector.views().size() < wanted && !stop.stop_requested()) {
     const auto more = source.next(frame, stop);
     if (!more) return more.error();
@@ -92,7 +92,7 @@ Status import_lenses(const CalibrateOptions& options, SensorCalibration& start) 
   for (const auto& [file, camera] :
        {std::pair{&options.color_info, &start.color}, {&options.depth_info, &start.depth}}) {
     if (file->empty()) continue;
-    const auto imported = calibration::read_camera_info(*file);
+    const auto imported = alignment::calibration::read_camera_info(*file);
     if (!imported) return imported.error();
     if (!same_size(*imported, *camera)) {
       return Error{
@@ -108,7 +108,7 @@ Status import_lenses(const CalibrateOptions& options, SensorCalibration& start) 
 nlohmann::json json_of(const CalibrationReport& report) {
   const SensorCalibration& cameras = report.camera.calibration;
   nlohmann::json views = nlohmann::json::array();
-  for (const calibration::PlaneError& view : report.depth.views) {
+  for (const alignment::calibration::PlaneError& view : report.depth.views) {
     views.push_back({{"distance_m", view.distance_m},
                      {"readings", view.readings},
                      {"mean_before_mm", view.mean_before_mm},
@@ -153,13 +153,13 @@ Status write_report(const CalibrationReport& report, const std::filesystem::path
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return Error{ErrorCode::kUnavailable, "cannot make the folder " + folder.string()};
-  Status status = write_file(folder / "camera.json", camera_json_text(report.camera));
-  if (status) status = write_file(folder / "report.json", json_of(report).dump(1) + "\n");
+  Status status = io::write_file(folder / "camera.json", io::camera_json_text(report.camera));
+  if (status) status = io::write_file(folder / "report.json", json_of(report).dump(1) + "\n");
   if (status)
     status =
-        write_color_png(folder / "corners.png", calibration::corner_error_picture(report.lens));
+        io::write_color_png(folder / "corners.png", alignment::calibration::corner_error_picture(report.lens));
   if (status)
-    status = write_color_png(folder / "depth.png", calibration::depth_error_picture(report.depth));
+    status = io::write_color_png(folder / "depth.png", alignment::calibration::depth_error_picture(report.depth));
   return status;
 }
 
@@ -168,10 +168,10 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (options.source.empty())
     return Error{ErrorCode::kInvalidArgument, "--source is required, or --print FILE.pdf"};
   const StopOnSignal stop;  // ends the taking of views; what was taken is used
-  SourceOptions source_options;
+  sensor::SourceOptions source_options;
   source_options.loop = false;
-  source_options.pace = Pace::kAsFastAsPossible;  // recordings; a camera has its own
-  auto source = open_source(options.source, source_options);
+  source_options.pace = source::Pace::kAsFastAsPossible;  // recordings; a camera has its own
+  auto source = sensor::open_source(options.source, source_options);
   if (!source) return source.error();
   SensorCalibration start = (*source)->description().calibration;
   if (Status status = import_lenses(options, start); !status) return status;
@@ -180,7 +180,7 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (Status status = collect(**source, options.views, stop.token(), collector); !status)
     return status;
   const bool keep_lens = options.keep_lens || !options.color_info.empty();
-  const auto report = calibration::calibrate(board, collector.views(), start, keep_lens);
+  const auto report = alignment::calibration::calibrate(board, collector.views(), start, keep_lens);
   if (!report) return report.error();
   if (Status status = write_report(*report, options.out); !status) return status;
   if (options.json) {

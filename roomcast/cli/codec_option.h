@@ -13,7 +13,7 @@
 namespace roomcast::cli {
 
 /// Adds --codec, --bound-mm, --layers, --color-scale and --color-kbit.
-inline void add_codec_options(CLI::App& command, CodecChoice& choice) {
+inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   const std::map<std::string, codec::DepthMode> modes = {
       {"live", codec::DepthMode::kLive},
       {"near-lossless", codec::DepthMode::kNearLossless},

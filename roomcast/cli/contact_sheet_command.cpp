@@ -12,10 +12,10 @@
 namespace roomcast::cli {
 namespace {
 
-Status run_contact_sheet(const std::string& folder, const ContactSheetOptions& options) {
+Status run_contact_sheet(const std::string& folder, const simulator::ContactSheetOptions& options) {
   StatusLine line;
   line.show("building the rooms");
-  return write_contact_sheets(folder, options, [&line](int done, int total) {
+  return simulator::write_contact_sheets(folder, options, [&line](int done, int total) {
     line.show(fmt::format("{} of {} rooms drawn", done, total));
   });
 }
@@ -24,7 +24,7 @@ Status run_contact_sheet(const std::string& folder, const ContactSheetOptions& o
 
 void add_contact_sheet_command(CLI::App& app, Command& chosen) {
   auto folder = std::make_shared<std::string>();
-  auto options = std::make_shared<ContactSheetOptions>();
+  auto options = std::make_shared<simulator::ContactSheetOptions>();
   CLI::App* command =
       app.add_subcommand("contact-sheet", "Draw every simulated room from its sensors");
   command->add_option("folder", *folder, "Where <scene>.jpg are written")->required();

@@ -25,7 +25,7 @@ namespace roomcast::cli {
 namespace {
 
 using namespace std::chrono_literals;
-using Feeds = std::vector<std::unique_ptr<SensorFeed>>;
+using Feeds = std::vector<std::unique_ptr<sensor::SensorFeed>>;
 
 struct DemoOptions {
   int sensors = 3;
@@ -33,7 +33,7 @@ struct DemoOptions {
   std::string rig;
   std::vector<std::string> sources;
   double sim_fps = 15;
-  CodecChoice codec;
+  sensor::CodecChoice codec;
   int port = 7600;
   std::string web;
   bool headless = false;
@@ -47,7 +47,7 @@ struct DemoOptions {
 Result<std::vector<std::string>> source_specs(const DemoOptions& options) {
   std::vector<std::string> specs = options.sources;
   if (!options.rig.empty()) {
-    auto names = rig_sensor_names(options.rig);
+    auto names = recording::rig_sensor_names(options.rig);
     if (!names) return names.error();
     for (const auto& name : *names) specs.push_back("rig:" + options.rig + "#" + name);
   }
@@ -63,20 +63,20 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
                           std::uint16_t port, const std::stop_token& stop) {
   StatusLine line;
   Feeds feeds;
-  SourceOptions source_options;
+  sensor::SourceOptions source_options;
   source_options.sim_fps = options.sim_fps;
   source_options.sim_sensor_count = options.sensors;
   for (const auto& spec : specs) {
     if (stop.stop_requested()) break;
     line.show(fmt::format("starting sensor {} of {}: {}", feeds.size() + 1, specs.size(), spec));
-    auto source = open_source(spec, source_options);
+    auto source = sensor::open_source(spec, source_options);
     if (!source) return source.error();
-    SensorFeedOptions feed_options;
+    sensor::SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
     feed_options.codec = options.codec;
     feed_options.tell_pose = options.true_poses || !spec.starts_with("sim");
     feed_options.log = stderr_log("demo", options.verbose);
-    auto feed = SensorFeed::start(std::move(*source), std::move(feed_options));
+    auto feed = sensor::SensorFeed::start(std::move(*source), std::move(feed_options));
     if (!feed) return feed.error();
     feeds.push_back(std::move(*feed));
   }
@@ -91,7 +91,7 @@ struct Totals {
 Totals totals_of(const Feeds& feeds) {
   Totals totals;
   for (const auto& feed : feeds) {
-    const SensorFeedStats stats = feed->stats();
+    const sensor::SensorFeedStats stats = feed->stats();
     totals.frames += stats.frames_sent;
     totals.bytes += stats.bytes_sent;
   }
@@ -130,7 +130,7 @@ Status show_room(const Feeds& feeds, double seconds, const std::stop_token& stop
 /// Without a browser: a viewer in this process receives the room, and what it got is reported.
 Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
                   const std::stop_token& stop) {
-  auto viewer = Subscriber::open(
+  auto viewer = client::Subscriber::open(
       {.hub_url = fmt::format("ws://127.0.0.1:{}", port), .room = {}, .name = "demo", .log = {}});
   if (!viewer) return viewer.error();
   const auto begin = std::chrono::steady_clock::now();
@@ -160,7 +160,7 @@ Status run_demo(const DemoOptions& options) {
   hub_options.rooms = {{.name = options.rig.empty() ? "demo" : "recording"}};
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
-  HubAligners aligners(hub_options.log);
+  hub::daemon::HubAligners aligners(hub_options.log);
   hub_options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
   auto hub = hub::HubServer::open(std::move(hub_options));
   if (!hub) return hub.error();

@@ -21,18 +21,18 @@ namespace {
 struct Device {
   std::string spec, model, serial;
   std::optional<std::string> obstacle;
-  CameraAbilities abilities;
+  source::CameraAbilities abilities;
 };
 
 /// One kind of camera, and what was found of it.
 struct Kind {
-  const CameraKind* kind = nullptr;
+  const source::CameraKind* kind = nullptr;
   std::string library;
   std::optional<std::string> problem;  // of the library itself
   std::vector<Device> devices;
 };
 
-std::string missing_library(const CameraKind& kind) {
+std::string missing_library(const source::CameraKind& kind) {
   return fmt::format("roomcast was built without {}", kind.library);
 }
 
@@ -40,7 +40,7 @@ std::optional<std::string> sentence_of(const std::optional<Error>& error) {
   return error ? std::optional(error->message) : std::nullopt;
 }
 
-Kind look_at(const CameraKind& kind) {
+Kind look_at(const source::CameraKind& kind) {
   Kind found{&kind, std::string(kind.library), std::nullopt, {}};
   if (kind.make == nullptr) {
     found.problem = missing_library(kind);
@@ -51,7 +51,7 @@ Kind look_at(const CameraKind& kind) {
   const auto cameras = backend->list();
   if (!cameras) found.problem = cameras.error().message;
   if (!cameras) return found;
-  for (const CameraInfo& camera : *cameras) {
+  for (const source::CameraInfo& camera : *cameras) {
     const std::string& place = camera.serial.empty() ? camera.place : camera.serial;
     found.devices.push_back({fmt::format("{}:{}", kind.name, place), camera.model, camera.serial,
                              sentence_of(camera.obstacle), backend->abilities()});
@@ -59,7 +59,7 @@ Kind look_at(const CameraKind& kind) {
   return found;
 }
 
-bool has(const Kind& kind, const UsbCamera& camera) {
+bool has(const Kind& kind, const source::UsbCamera& camera) {
   return std::any_of(kind.devices.begin(), kind.devices.end(), [&](const Device& device) {
     return device.serial.empty() || camera.serial.empty() || device.serial == camera.serial;
   });
@@ -67,8 +67,8 @@ bool has(const Kind& kind, const UsbCamera& camera) {
 
 /// What the kernel knows of a camera is more than what its library says; and there are cameras that
 /// no library built in knows.
-void add_from_usb(const std::vector<UsbCamera>& usb, Kind& kind) {
-  for (const UsbCamera& camera : usb) {
+void add_from_usb(const std::vector<source::UsbCamera>& usb, Kind& kind) {
+  for (const source::UsbCamera& camera : usb) {
     if (camera.kind != kind.kind->name) continue;
     const auto sentence = sentence_of(obstacle(camera));
     if (has(kind, camera)) {
@@ -88,16 +88,16 @@ void add_from_usb(const std::vector<UsbCamera>& usb, Kind& kind) {
 }
 
 std::vector<Kind> look_around() {
-  const std::vector<UsbCamera> usb = usb_cameras();
+  const std::vector<source::UsbCamera> usb = source::usb_cameras();
   std::vector<Kind> kinds;
-  for (const CameraKind& kind : camera_kinds()) {
+  for (const source::CameraKind& kind : source::camera_kinds()) {
     kinds.push_back(look_at(kind));
     add_from_usb(usb, kinds.back());
   }
   return kinds;
 }
 
-std::string abilities_text(const CameraAbilities& abilities) {
+std::string abilities_text(const source::CameraAbilities& abilities) {
   std::string text = "depth, colour";
   if (abilities.lock_exposure) text += ", --lock-exposure";
   if (abilities.lock_white_balance) text += ", --lock-white-balance";

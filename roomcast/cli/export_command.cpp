@@ -29,7 +29,7 @@ struct ExportOptions {
   double to_s = 0;  // 0: to the end
   std::uint64_t every = 1;
   std::vector<float> crop;
-  MergedCloudOptions cloud;
+  recording::MergedCloudOptions cloud;
   FilmCommandOptions film;
   bool json = false;
 };
@@ -40,28 +40,28 @@ nanoseconds seconds(double value) {
 
 constexpr const char* kFilm = "video";  // made in another place than the other formats
 
-ExportFormat format_of(const std::string& name) {
-  return *std::ranges::find(kExportFormats, name, [](ExportFormat f) { return name_of(f); });
+recording::ExportFormat format_of(const std::string& name) {
+  return *std::ranges::find(recording::kExportFormats, name, [](recording::ExportFormat f) { return name_of(f); });
 }
 
-Result<std::unique_ptr<SetWriter>> make_writer(const ExportOptions& options,
-                                               const FrameSetReader& reader) {
+Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
+                                               const recording::FrameSetReader& reader) {
   if (options.format != kFilm)
-    return make_set_writer(format_of(options.format), options.out, reader.sensors(), options.cloud);
+    return recording::make_set_writer(format_of(options.format), options.out, reader.sensors(), options.cloud);
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
   auto film = options.film.film(end_s - options.from_s);
   if (!film) return film.error();
-  return make_film(options.out, reader.sensors(), *std::move(film));
+  return recording::make_film(options.out, reader.sensors(), *std::move(film));
 }
 
 /// Reads sets and hands every n-th on, until the end, `to_s`, or a signal.
-Status copy_sets(const ExportOptions& options, FrameSetReader& reader, SetWriter& writer,
+Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader, recording::SetWriter& writer,
                  const std::stop_token& stop) {
   StatusLine line;
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
-  FrameSet set;
+  recording::FrameSet set;
   int damaged_places = 0;
   while (!stop.stop_requested()) {
     const auto more = reader.next(set);
@@ -83,7 +83,7 @@ Status copy_sets(const ExportOptions& options, FrameSetReader& reader, SetWriter
                    : "interrupted; the same command goes on with what is missing"};
 }
 
-void report(const ExportOptions& options, const ExportTotals& totals) {
+void report(const ExportOptions& options, const recording::ExportTotals& totals) {
   if (options.json) {
     fmt::print("{}\n", nlohmann::json{{"format", options.format},
                                       {"out", options.out.string()},
@@ -113,14 +113,14 @@ Status run_export(ExportOptions options) {
     const Eigen::Vector3f a(c[0], c[1], c[2]), b(c[3], c[4], c[5]);
     options.cloud.crop_m = Eigen::AlignedBox3f(a.cwiseMin(b), a.cwiseMax(b));
   }
-  auto reader = open_frame_sets(options.recording, seconds(options.from_s));
+  auto reader = recording::open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
   if (!(*reader)->may_be_exported()) return not_to_be_exported();
   auto writer = make_writer(options, **reader);
   if (!writer) return writer.error();
   Status status = copy_sets(options, **reader, **writer, stop.token());
   if (auto finished = (*writer)->finish(); status && !finished) status = finished;
-  const ExportTotals totals = (*writer)->totals();
+  const recording::ExportTotals totals = (*writer)->totals();
   if (status && totals.sets + totals.kept == 0)
     return Error{ErrorCode::kNotFound, "there is nothing to export in that part of the recording"};
   report(options, totals);
@@ -129,7 +129,7 @@ Status run_export(ExportOptions options) {
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
-  for (const ExportFormat format : kExportFormats) names.emplace_back(name_of(format));
+  for (const recording::ExportFormat format : recording::kExportFormats) names.emplace_back(name_of(format));
   names.emplace_back(kFilm);
   return names;
 }

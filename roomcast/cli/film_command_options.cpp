@@ -7,15 +7,15 @@
 
 namespace roomcast::cli {
 
-Result<FilmOptions> FilmCommandOptions::film(double length_s) const {
-  FilmOptions film;
+Result<recording::FilmOptions> FilmCommandOptions::film(double length_s) const {
+  recording::FilmOptions film;
   film.size = {size[0], size[1]};
   film.fps = fps;
   film.vertical_fov_rad = fov_deg * std::numbers::pi / 180;
   film.mode = mode;
   film.length_s = length_s;
   if (path.empty()) return film;
-  auto read = read_camera_path(path);
+  auto read = recording::read_camera_path(path);
   if (!read) return read.error();
   film.path = *std::move(read);
   return film;

@@ -17,10 +17,10 @@ struct FilmCommandOptions {
   std::vector<int> size = {1280, 720};
   int fps = 30;
   double fov_deg = 60;
-  RenderMode mode = RenderMode::kBlend;
+  render::RenderMode mode = render::RenderMode::kBlend;
 
   /// A film of so many seconds. Errors as read_camera_path.
-  [[nodiscard]] Result<FilmOptions> film(double length_s) const;
+  [[nodiscard]] Result<recording::FilmOptions> film(double length_s) const;
 };
 
 void add_film_options(CLI::App& command, FilmCommandOptions& options);

@@ -55,38 +55,38 @@ LogSink log_of(const hub::HubConfig& config, bool verbose) {
 /// A hub that is configured, and not yet open.
 struct HubPlan {
   hub::HubConfig config;
-  ListenAddress listen;
+  net::ListenAddress listen;
   hub::HubOptions options;
   std::optional<net::Certificate> certificate;
-  std::optional<upstream::UpstreamOptions> upstream;
-  std::optional<cluster::ClusterOptions> cluster;
+  std::optional<hub::federation::UpstreamOptions> upstream;
+  std::optional<hub::federation::ClusterOptions> cluster;
 };
 
 Result<HubPlan> plan_hub(const HubFlags& flags) {
   HubPlan plan;
-  auto config = find_hub_config(flags.config_file);
+  auto config = hub::daemon::find_hub_config(flags.config_file);
   if (!config) return config.error();
   plan.config = with_flags(*std::move(config), flags);
   if (auto status = hub::check(plan.config); !status) return status.error();
-  const auto listen = parse_listen_address(plan.config.listen);
+  const auto listen = net::parse_listen_address(plan.config.listen);
   if (!listen) return listen.error();
   plan.listen = *listen;
-  const auto encrypted = decide_encryption(plan.config, plan.listen);
+  const auto encrypted = hub::daemon::decide_encryption(plan.config, plan.listen);
   if (!encrypted) return encrypted.error();
-  auto options = hub_options_of(plan.config, plan.listen, *encrypted);
+  auto options = hub::daemon::hub_options_of(plan.config, plan.listen, *encrypted);
   if (!options) return options.error();
   plan.options = *std::move(options);
-  auto upstream = upstream_of(plan.config);
+  auto upstream = hub::daemon::upstream_of(plan.config);
   if (!upstream) return upstream.error();
   plan.upstream = *std::move(upstream);
-  auto cluster = cluster_of(plan.config);
+  auto cluster = hub::daemon::cluster_of(plan.config);
   if (!cluster) return cluster.error();
   plan.cluster = *std::move(cluster);
   return plan;
 }
 
 Status find_certificate(HubPlan& plan, bool only_look) {
-  auto found = find_hub_certificate({.certificate_file = plan.config.tls_cert,
+  auto found = hub::daemon::find_hub_certificate({.certificate_file = plan.config.tls_cert,
                                      .key_file = plan.config.tls_key,
                                      .self_signed = plan.config.tls_self_signed,
                                      .data_folder = plan.config.data,
@@ -104,12 +104,12 @@ Status find_certificate(HubPlan& plan, bool only_look) {
 /// What a start would find wrong, as far as it can be told without writing anything.
 Status check_plan(HubPlan& plan) {
   if (auto status = find_certificate(plan, true); !status) return status;
-  if (const auto folder = data_folder(plan.config.data)) {
-    if (auto status = check_folder(*folder); !status) return status;
+  if (const auto folder = hub::daemon::data_folder(plan.config.data)) {
+    if (auto status = hub::daemon::check_folder(*folder); !status) return status;
     if (auto status = hub::check_hub_secret(hub::secret_file_in(*folder)); !status) return status;
   }
   if (!plan.config.recordings.empty()) {
-    if (auto status = check_folder(plan.config.recordings); !status) return status;
+    if (auto status = hub::daemon::check_folder(plan.config.recordings); !status) return status;
   }
   const auto web = find_web_directory(plan.config.web);
   if (!web) return {};
@@ -132,7 +132,7 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
 }
 
 /// Renewed certificates, for a hub whose certificate comes from files.
-std::unique_ptr<CertificateWatch> watch_certificate(
+std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
     const HubPlan& plan, hub::HubServer& server,
     const std::function<void(const net::Fingerprint&)>& trust, std::atomic<bool>& reload,
     const LogSink& log) {
@@ -144,30 +144,30 @@ std::unique_ptr<CertificateWatch> watch_certificate(
     trust(certificate.fingerprint());
     return {};
   };
-  return std::make_unique<CertificateWatch>(plan.config.tls_cert, plan.config.tls_key, take, reload,
+  return std::make_unique<hub::daemon::CertificateWatch>(plan.config.tls_cert, plan.config.tls_key, take, reload,
                                             log);
 }
 
 /// Null where there is no folder to keep rooms in.
-std::shared_ptr<HubRecorders> make_recorders(const hub::HubConfig& config,
+std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const hub::HubConfig& config,
                                              const std::optional<std::filesystem::path>& data,
                                              const LogSink& log) {
-  if (!config.recordings.empty()) return std::make_shared<HubRecorders>(config.recordings, log);
-  return data ? std::make_shared<HubRecorders>(*data / "recordings", log) : nullptr;
+  if (!config.recordings.empty()) return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log);
+  return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log) : nullptr;
 }
 
 /// To other hubs, if there are any.
-hub::OpenBackplane backplane_of(const HubPlan& plan, HubAligners& aligners, const LogSink& log) {
+hub::OpenBackplane backplane_of(const HubPlan& plan, hub::daemon::HubAligners& aligners, const LogSink& log) {
   using Opened = Result<std::unique_ptr<hub::Backplane>>;
   if (plan.upstream) {
     return [options = *plan.upstream, log](hub::BackplaneContext seat) mutable -> Opened {
       options.log = log;
       return std::unique_ptr<hub::Backplane>(
-          std::make_unique<upstream::UpstreamHub>(options, std::move(seat)));
+          std::make_unique<hub::federation::UpstreamHub>(options, std::move(seat)));
     };
   }
   if (!plan.cluster) return {};
-  cluster::ClusterOptions options = *plan.cluster;
+  hub::federation::ClusterOptions options = *plan.cluster;
   options.log = log;
   if (plan.config.align) {
     options.on_owned = [&aligners](const std::string& room, bool owns) {
@@ -175,7 +175,7 @@ hub::OpenBackplane backplane_of(const HubPlan& plan, HubAligners& aligners, cons
     };
   }
   return [options](hub::BackplaneContext seat) -> Opened {
-    auto opened = cluster::ClusterHub::open(options, std::move(seat));
+    auto opened = hub::federation::ClusterHub::open(options, std::move(seat));
     if (!opened) return opened.error();
     return std::unique_ptr<hub::Backplane>(*std::move(opened));
   };
@@ -199,10 +199,10 @@ Status run_hub(const HubFlags& flags) {
   allow_many_connections();
   keep_freed_memory();
   const LogSink log = log_of(plan->config, flags.verbose);
-  HubAligners aligners(log);
+  hub::daemon::HubAligners aligners(log);
   hub::HubOptions options = plan->options;
   options.web_directory = find_web_directory(plan->config.web);
-  auto folder = make_data_folder(plan->config.data);
+  auto folder = hub::daemon::make_data_folder(plan->config.data);
   if (!folder) return folder.error();
   options.data_folder = *std::move(folder);
   options.log = log;
@@ -215,7 +215,7 @@ Status run_hub(const HubFlags& flags) {
   options.open_backplane = backplane_of(*plan, aligners, log);
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
-  const OwnHub own{.listen_address = plan->listen.address,
+  const hub::daemon::OwnHub own{.listen_address = plan->listen.address,
                    .port = (*server)->port(),
                    .certificate = plan->certificate
                                       ? std::optional(plan->certificate->fingerprint())

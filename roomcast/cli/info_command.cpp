@@ -33,7 +33,7 @@ struct InfoOptions {
 
 /// What one sensor of a recording holds.
 struct SensorInfo {
-  SensorDescription sensor;
+  source::SensorDescription sensor;
   std::size_t frames = 0;
   std::size_t frames_with_color = 0;
   double seconds = 0;  // from its first frame to its last
@@ -41,7 +41,7 @@ struct SensorInfo {
 };
 
 Result<std::vector<std::string>> specs_of_file(const std::string& file) {
-  auto names = replay_sensor_names(file);
+  auto names = recording::replay_sensor_names(file);
   if (!names) return names.error();
   std::vector<std::string> specs;
   for (const auto& name : *names) specs.push_back("mcap:" + file + "#" + name);
@@ -62,7 +62,7 @@ Result<std::vector<std::string>> specs_of(const std::string& recording) {
     return Error{ErrorCode::kNotFound,
                  recording + " is no recording: it has neither rig.json nor depth.txt"};
   }
-  auto names = rig_sensor_names(recording);
+  auto names = recording::rig_sensor_names(recording);
   if (!names) return names.error();
   std::vector<std::string> specs;
   for (const auto& name : *names) specs.push_back("rig:" + recording + "#" + name);
@@ -70,15 +70,15 @@ Result<std::vector<std::string>> specs_of(const std::string& recording) {
 }
 
 Result<SensorInfo> read_sensor(const std::string& spec, const std::stop_token& stop) {
-  SourceOptions options;
-  options.pace = Pace::kAsFastAsPossible;
+  sensor::SourceOptions options;
+  options.pace = source::Pace::kAsFastAsPossible;
   options.loop = false;
-  auto source = open_source(spec, options);
+  auto source = sensor::open_source(spec, options);
   if (!source) return source.error();
   StatusLine line;
   SensorInfo info;
   info.sensor = (*source)->description();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   nanoseconds first{};
   for (;;) {
     auto more = (*source)->next(frame, stop);
@@ -117,11 +117,11 @@ void print_text(const SensorInfo& info) {
 
 /// The whole recording once more, as pictures.
 Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop) {
-  auto reader = open_frame_sets(options.recording);
+  auto reader = recording::open_frame_sets(options.recording);
   if (!reader) return reader.error();
-  ThumbnailStrip strip((*reader)->sensors());
+  recording::ThumbnailStrip strip((*reader)->sensors());
   StatusLine line;
-  FrameSet set;
+  recording::FrameSet set;
   while (!stop.stop_requested()) {
     const auto more = (*reader)->next(set);
     if (!more) return more.error();
@@ -131,7 +131,7 @@ Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop)
   }
   const ColorImage picture = strip.picture();
   if (picture.empty()) return Error{ErrorCode::kNotFound, "there is no frame to show"};
-  return write_color_png(options.thumbnails, picture);
+  return io::write_color_png(options.thumbnails, picture);
 }
 
 /// Why the end of a file is missing, if it is.

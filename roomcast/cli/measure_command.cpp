@@ -28,28 +28,28 @@ struct MeasureOptions {
   bool json = false;
 };
 
-Result<std::vector<StaticSensor>> read_room(const MeasureOptions& options) {
-  auto reader = open_frame_sets(options.recording,
+Result<std::vector<recording::StaticSensor>> read_room(const MeasureOptions& options) {
+  auto reader = recording::open_frame_sets(options.recording,
                                 nanoseconds(static_cast<std::int64_t>(options.at_s * 1e9)));
   if (!reader) return reader.error();
   StatusLine line;
-  return gather_static_room(**reader, [&line](std::size_t sets) {
-    line.show_progress("reading", static_cast<int>(sets), static_cast<int>(kMaxStaticFrames));
+  return recording::gather_static_room(**reader, [&line](std::size_t sets) {
+    line.show_progress("reading", static_cast<int>(sets), static_cast<int>(recording::kMaxStaticFrames));
   });
 }
 
-nlohmann::json json_of(const MeasuredPlace& place) {
+nlohmann::json json_of(const recording::MeasuredPlace& place) {
   return {{"world_m", {place.world_m.x(), place.world_m.y(), place.world_m.z()}},
           {"sensor", place.sensor}};
 }
 
-Status report_distance(const MeasureOptions& options, const std::vector<StaticSensor>& room,
+Status report_distance(const MeasureOptions& options, const std::vector<recording::StaticSensor>& room,
                        nlohmann::json& report) {
-  const auto from = parse_place(options.from);
+  const auto from = recording::parse_place(options.from);
   if (!from) return from.error();
-  const auto to = parse_place(options.to);
+  const auto to = recording::parse_place(options.to);
   if (!to) return to.error();
-  const auto measured = measure_distance(room, *from, *to);
+  const auto measured = recording::measure_distance(room, *from, *to);
   if (!measured) return measured.error();
   report["distance_m"] = measured->distance_m;
   report["expected_error_m"] = measured->expected_error_m;
@@ -62,14 +62,14 @@ Status report_distance(const MeasureOptions& options, const std::vector<StaticSe
   return {};
 }
 
-Status report_plan(const MeasureOptions& options, const std::vector<StaticSensor>& room,
+Status report_plan(const MeasureOptions& options, const std::vector<recording::StaticSensor>& room,
                    nlohmann::json& report) {
-  const auto plan = draw_floor_plan(room);
+  const auto plan = recording::draw_floor_plan(room);
   if (!plan) return plan.error();
   const std::string title = std::filesystem::path(options.recording).stem().string();
-  if (auto status = write_file(options.floor_plan, floor_plan_svg(*plan, title)); !status)
+  if (auto status = io::write_file(options.floor_plan, recording::floor_plan_svg(*plan, title)); !status)
     return status;
-  for (const Wall& wall : plan->walls) {
+  for (const recording::Wall& wall : plan->walls) {
     report["walls"].push_back({{"from", {wall.from_m.x(), wall.from_m.y()}},
                                {"to", {wall.to_m.x(), wall.to_m.y()}},
                                {"length_m", wall.length_m()}});

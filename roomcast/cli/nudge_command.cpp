@@ -18,7 +18,7 @@ namespace roomcast::cli {
 namespace {
 
 struct NudgeCommand {
-  NudgeOptions options;
+  client::NudgeOptions options;
   std::vector<double> move_m = {0, 0, 0};
   double turn_deg = 0, tilt_deg = 0;
   TokenOption token;
@@ -34,7 +34,7 @@ Status run_nudge(NudgeCommand command) {
   command.options.tilt_rad = command.tilt_deg * std::numbers::pi / 180;
   StatusLine line;
   line.show("the aligner looks whether it fits");
-  const auto answer = nudge_sensor(command.options);
+  const auto answer = client::nudge_sensor(command.options);
   if (!answer) return answer.error();
   if (command.json) {
     fmt::print("{}\n", nlohmann::json{{"sensor", command.options.sensor},

@@ -50,7 +50,7 @@ Result<ListedPair> read_pair(const nlohmann::json& json) {
 }  // namespace
 
 Result<std::vector<ListedPair>> read_pair_list(const std::filesystem::path& path) {
-  const auto json = read_json_object(path);
+  const auto json = io::read_json_object(path);
   if (!json) return json.error();
   const auto listed = json->find("pairs");
   if (listed == json->end() || !listed->is_array() || listed->size() > kMaxListedPairs) {

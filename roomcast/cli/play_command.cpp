@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 
 struct PlayOptions {
   std::string file;
-  RoomPlayerOptions player;
+  recording::RoomPlayerOptions player;
   TokenOption token;
   int port = 7600;
   std::string web;
@@ -63,11 +63,11 @@ double seconds_of(const recording::RoomRecording& recording) {
 }
 
 /// Shows where it is until the player has ended.
-void show_progress(const RoomPlayer& player, double length_s, const std::stop_token& ended) {
+void show_progress(const recording::RoomPlayer& player, double length_s, const std::stop_token& ended) {
   StatusLine line;
   while (!ended.stop_requested()) {
     std::this_thread::sleep_for(100ms);
-    const PlayProgress progress = player.progress();
+    const recording::PlayProgress progress = player.progress();
     line.show(fmt::format("{:.1f} of {:.1f} s, {} frames   (Ctrl-C stops)", progress.position_s,
                           length_s, progress.frames_sent));
   }
@@ -97,7 +97,7 @@ Status run_play(PlayOptions options) {
   if (!credential) return credential.error();
   options.player.credential = *std::move(credential);
   options.player.log = log;
-  auto player = RoomPlayer::open(*recording, options.player);
+  auto player = recording::RoomPlayer::open(*recording, options.player);
   if (!player) return player.error();
   std::jthread shown([&](const std::stop_token& ended) {
     show_progress(**player, seconds_of(*recording), ended);
@@ -106,7 +106,7 @@ Status run_play(PlayOptions options) {
   shown.request_stop();
   shown.join();
   if (options.json) {
-    const PlayProgress progress = (*player)->progress();
+    const recording::PlayProgress progress = (*player)->progress();
     fmt::print("{}\n", nlohmann::json{{"frames_sent", progress.frames_sent},
                                       {"position_s", progress.position_s}}
                            .dump(1));

@@ -23,7 +23,7 @@ namespace roomcast::cli {
 namespace {
 
 using namespace std::chrono_literals;
-using Recorders = std::vector<std::unique_ptr<Recorder>>;
+using Recorders = std::vector<std::unique_ptr<recording::Recorder>>;
 
 struct RecordOptions {
   std::filesystem::path out;
@@ -54,29 +54,29 @@ Status make_folder(const RecordOptions& options) {
                "cannot make the folder " + options.out.string() + ": " + error.message()};
 }
 
-Result<Recorders> start_recorders(const RecordOptions& options, const Credential& credential) {
+Result<Recorders> start_recorders(const RecordOptions& options, const client::Credential& credential) {
   if (auto status = make_folder(options); !status) return status.error();
   Recorders recorders;
   const auto rooms = options.rooms.empty() ? std::vector<std::string>{""} : options.rooms;
   for (const auto& room : rooms) {
-    RecorderOptions recorder;
+    recording::RecorderOptions recorder;
     recorder.hub_url = options.hub_url;
     recorder.room = room;
     recorder.credential = credential;
     recorder.bundles = options.bundles;
     recorder.path = file_of(options, room);
     recorder.log = stderr_log("record", options.verbose);
-    auto opened = Recorder::open(std::move(recorder));
+    auto opened = recording::Recorder::open(std::move(recorder));
     if (!opened) return opened.error();
     recorders.push_back(std::move(*opened));
   }
   return recorders;
 }
 
-RecorderStats sum(const Recorders& recorders) {
-  RecorderStats sum;
+recording::RecorderStats sum(const Recorders& recorders) {
+  recording::RecorderStats sum;
   for (const auto& recorder : recorders) {
-    const RecorderStats stats = recorder->stats();
+    const recording::RecorderStats stats = recorder->stats();
     sum.frames += stats.frames;
     sum.frame_bytes += stats.frame_bytes;
     sum.file_bytes += stats.file_bytes;
@@ -96,7 +96,7 @@ Status wait_for_end(const Recorders& recorders, double seconds, const std::stop_
     }
     if (seconds > 0 && elapsed.count() >= seconds) break;
     if (tenths % 10 != 0) continue;
-    const RecorderStats stats = sum(recorders);
+    const recording::RecorderStats stats = sum(recorders);
     line.show(fmt::format("{:.0f} s, {} frames, {:.1f} MB   (Ctrl-C ends the recording)",
                           elapsed.count(), stats.frames,
                           static_cast<double>(stats.file_bytes) / 1e6));
@@ -117,7 +117,7 @@ double cpu_seconds() {
 void report(const RecordOptions& options, const Recorders& recorders, double elapsed_s) {
   nlohmann::json rooms = nlohmann::json::array();
   for (const auto& recorder : recorders) {
-    const RecorderStats stats = recorder->stats();
+    const recording::RecorderStats stats = recorder->stats();
     const std::string file =
         file_of(options, options.rooms.size() < 2 ? "" : recorder->room()).string();
     rooms.push_back({{"room", recorder->room()},

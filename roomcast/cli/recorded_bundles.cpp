@@ -11,19 +11,19 @@
 namespace roomcast::cli {
 namespace {
 
-Result<std::unique_ptr<FrameSource>> open_recording(const std::string& spec) {
-  SourceOptions options;
-  options.pace = Pace::kAsFastAsPossible;
+Result<std::unique_ptr<source::FrameSource>> open_recording(const std::string& spec) {
+  sensor::SourceOptions options;
+  options.pace = source::Pace::kAsFastAsPossible;
   options.loop = false;
-  return open_source(spec, options);
+  return sensor::open_source(spec, options);
 }
 
 Result<RecordedBundle> read_sensor(const std::string& spec) {
   auto source = open_recording(spec);
   if (!source) return source.error();
-  const SensorDescription& sensor = (*source)->description();
-  align::BundleCapture capture(sensor.name, sensor.calibration);
-  CapturedFrame frame;
+  const source::SensorDescription& sensor = (*source)->description();
+  alignment::BundleCapture capture(sensor.name, sensor.calibration);
+  source::CapturedFrame frame;
   for (bool enough = false; !enough;) {
     const auto more = (*source)->next(frame, {});
     if (!more) return more.error();
@@ -35,9 +35,9 @@ Result<RecordedBundle> read_sensor(const std::string& spec) {
   return RecordedBundle{sensor.name, capture.finish()};
 }
 
-RecordedBundle bundle_of_frame(const SensorDescription& sensor, const CapturedFrame& frame) {
+RecordedBundle bundle_of_frame(const source::SensorDescription& sensor, const source::CapturedFrame& frame) {
   const std::string name = std::to_string(frame.index);
-  align::BundleCapture capture(name, sensor.calibration);
+  alignment::BundleCapture capture(name, sensor.calibration);
   const auto added = capture.add(frame.depth_mm, frame.color);
   if (!added) return {name, added.error()};
   return {name, capture.finish()};
@@ -47,7 +47,7 @@ RecordedBundle bundle_of_frame(const SensorDescription& sensor, const CapturedFr
 
 Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path& directory,
                                                      const ReadProgress& progress) {
-  const auto names = rig_sensor_names(directory.string());
+  const auto names = recording::rig_sensor_names(directory.string());
   if (!names) return names.error();
   std::vector<RecordedBundle> bundles;
   for (const std::string& name : *names) {
@@ -65,7 +65,7 @@ Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
   auto source = open_recording("tum:" + directory.string());
   if (!source) return source.error();
   std::map<std::uint64_t, RecordedBundle> bundles;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (;;) {
     const auto more = (*source)->next(frame, {});
     if (!more) return more.error();

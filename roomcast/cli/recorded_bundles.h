@@ -18,7 +18,7 @@ namespace roomcast::cli {
 /// A sensor whose bundle may not be of any use: then why.
 struct RecordedBundle {
   std::string name;
-  Result<align::CalibrationBundle> bundle;
+  Result<alignment::CalibrationBundle> bundle;
 };
 
 /// Told what is being read.

@@ -21,9 +21,9 @@ Result<std::uint64_t> frame_number(const std::string& name) {
 
 Result<SharedView> view_of(const RecordedBundle& recorded) {
   if (!recorded.bundle) return recorded.bundle.error();
-  auto view = align::make_sensor_view(*recorded.bundle);
+  auto view = alignment::make_sensor_view(*recorded.bundle);
   if (!view) return view.error();
-  return SharedView(std::make_shared<const align::SensorView>(std::move(*view)));
+  return SharedView(std::make_shared<const alignment::SensorView>(std::move(*view)));
 }
 
 Result<FrameViews> FrameViews::read(const std::filesystem::path& directory,

@@ -16,9 +16,9 @@
 
 namespace roomcast::cli {
 
-using SharedView = std::shared_ptr<const align::SensorView>;
+using SharedView = std::shared_ptr<const alignment::SensorView>;
 
-/// Errors of the bundle and of align::make_sensor_view.
+/// Errors of the bundle and of alignment::make_sensor_view.
 [[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded);
 
 /// The views of all frames of a TUM recording that any pair names, each made once.

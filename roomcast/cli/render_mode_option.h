@@ -11,8 +11,8 @@
 
 namespace roomcast::cli {
 
-void add_mode_option(CLI::App& command, const std::string& name, RenderMode& mode);
+void add_mode_option(CLI::App& command, const std::string& name, render::RenderMode& mode);
 /// Several, separated by commas.
-void add_modes_option(CLI::App& command, const std::string& name, std::vector<RenderMode>& modes);
+void add_modes_option(CLI::App& command, const std::string& name, std::vector<render::RenderMode>& modes);
 
 }  // namespace roomcast::cli

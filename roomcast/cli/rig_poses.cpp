@@ -8,22 +8,22 @@
 
 namespace roomcast::cli {
 
-Status write_rig_poses(const std::filesystem::path& rig, const align::AlignmentReport& report) {
+Status write_rig_poses(const std::filesystem::path& rig, const alignment::AlignmentReport& report) {
   const bool any = std::any_of(report.sensors.begin(), report.sensors.end(),
-                               [](const align::SensorReport& sensor) { return sensor.placed; });
+                               [](const alignment::SensorReport& sensor) { return sensor.placed; });
   if (!any) {
     return Error{ErrorCode::kUnavailable,
                  "no sensor could be placed, so the poses in rig.json stay as they are"};
   }
-  auto description = read_rig_json(rig / "rig.json");
+  auto description = recording::read_rig_json(rig / "rig.json");
   if (!description) return description.error();
-  for (RigSensorEntry& entry : description->sensors) {
+  for (recording::RigSensorEntry& entry : description->sensors) {
     const auto found =
         std::find_if(report.sensors.begin(), report.sensors.end(),
-                     [&](const align::SensorReport& sensor) { return sensor.id == entry.id; });
+                     [&](const alignment::SensorReport& sensor) { return sensor.id == entry.id; });
     if (found != report.sensors.end()) entry.world_from_depth = found->world_from_depth;
   }
-  return write_file(rig / "rig.json", rig_json_text(*description));
+  return io::write_file(rig / "rig.json", recording::rig_json_text(*description));
 }
 
 }  // namespace roomcast::cli

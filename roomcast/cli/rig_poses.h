@@ -13,6 +13,6 @@ namespace roomcast::cli {
 /// stays. kUnavailable, and nothing is written, when no sensor was placed; errors of read_rig_json
 /// and write_file.
 [[nodiscard]] Status write_rig_poses(const std::filesystem::path& rig,
-                                     const align::AlignmentReport& report);
+                                     const alignment::AlignmentReport& report);
 
 }  // namespace roomcast::cli

@@ -15,20 +15,20 @@ namespace fs = std::filesystem;
 
 /// A rig.json of two sensors that are believed to stand at the origin.
 void write_rig(const fs::path& folder) {
-  RigDescription rig;
+  recording::RigDescription rig;
   rig.fps = 15;
   for (const char* id : {"s0", "s1"}) {
-    RigSensorEntry entry;
+    recording::RigSensorEntry entry;
     entry.id = id;
     entry.path = id;
     entry.world_from_depth = RigidTransform{};
     rig.sensors.push_back(entry);
   }
-  EXPECT_TRUE(write_file(folder / "rig.json", rig_json_text(rig)).ok());
+  EXPECT_TRUE(io::write_file(folder / "rig.json", recording::rig_json_text(rig)).ok());
 }
 
-align::AlignmentReport first_placed() {
-  align::AlignmentReport report;
+alignment::AlignmentReport first_placed() {
+  alignment::AlignmentReport report;
   report.sensors.resize(2);
   report.sensors[0].id = "s0";
   report.sensors[0].placed = true;
@@ -42,7 +42,7 @@ TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
   const TemporaryFolder folder;
   write_rig(folder.path());
   ASSERT_TRUE(write_rig_poses(folder.path(), first_placed()).ok());
-  const auto rig = read_rig_json(folder / "rig.json");
+  const auto rig = recording::read_rig_json(folder / "rig.json");
   ASSERT_TRUE(rig.ok());
   EXPECT_EQ(rig->sensors[0].world_from_depth->translation_m.y(), 1.5);
   EXPECT_FALSE(rig->sensors[1].world_from_depth.has_value()) << "it was not placed";
@@ -52,12 +52,12 @@ TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
 TEST(RigPoses, stay_when_nobody_was_placed) {
   const TemporaryFolder folder;
   write_rig(folder.path());
-  align::AlignmentReport report = first_placed();
+  alignment::AlignmentReport report = first_placed();
   report.sensors[0].placed = false;
   const Status status = write_rig_poses(folder.path(), report);
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().message, testing::HasSubstr("no sensor could be placed"));
-  EXPECT_TRUE(read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());
+  EXPECT_TRUE(recording::read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());
 }
 
 }  // namespace

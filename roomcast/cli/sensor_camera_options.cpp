@@ -8,11 +8,11 @@
 
 namespace roomcast::cli {
 
-void add_camera_options(CLI::App& command, SourceOptions& source) {
-  const std::map<std::string, SyncRole> roles = {{"alone", SyncRole::kAlone},
-                                                 {"primary", SyncRole::kPrimary},
-                                                 {"secondary", SyncRole::kSecondary}};
-  CameraSettings& camera = source.camera;
+void add_camera_options(CLI::App& command, sensor::SourceOptions& source) {
+  const std::map<std::string, source::SyncRole> roles = {{"alone", source::SyncRole::kAlone},
+                                                 {"primary", source::SyncRole::kPrimary},
+                                                 {"secondary", source::SyncRole::kSecondary}};
+  source::CameraSettings& camera = source.camera;
   command.add_option("--calibration", source.calibration,
                      "A camera.json to believe more than the camera: roomcast calibrate writes it");
   command.add_flag("--lock-exposure", camera.lock_exposure,
@@ -25,7 +25,7 @@ void add_camera_options(CLI::App& command, SourceOptions& source) {
           [&camera](int delay) { camera.trigger_delay = std::chrono::microseconds(delay); },
           "How much later than the primary's its pulses come: 160 for each unit before it, so that "
           "time-of-flight cameras do not blind each other")
-      ->check(CLI::Range(0, static_cast<int>(kLongestTriggerDelay.count())));
+      ->check(CLI::Range(0, static_cast<int>(source::kLongestTriggerDelay.count())));
 }
 
 }  // namespace roomcast::cli

@@ -9,6 +9,6 @@
 
 namespace roomcast::cli {
 
-void add_camera_options(CLI::App& command, SourceOptions& source);
+void add_camera_options(CLI::App& command, sensor::SourceOptions& source);
 
 }  // namespace roomcast::cli

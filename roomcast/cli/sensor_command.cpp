@@ -21,16 +21,16 @@ namespace {
 
 struct SensorCommandOptions {
   std::string source;
-  SourceOptions source_options;
-  SensorFeedOptions feed;
+  sensor::SourceOptions source_options;
+  sensor::SensorFeedOptions feed;
   TokenOption token;
   std::string frame_log;
   bool once = false;
   bool verbose = false;
 };
 
-std::string status_text(const std::string& name, const SensorFeedStats& now,
-                        const SensorFeedStats& before) {
+std::string status_text(const std::string& name, const sensor::SensorFeedStats& now,
+                        const sensor::SensorFeedStats& before) {
   if (!now.source.is_there) return name + ": waiting for the camera";
   std::string text = fmt::format(
       "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
@@ -41,15 +41,15 @@ std::string status_text(const std::string& name, const SensorFeedStats& now,
   return text;
 }
 
-Status wait_for_end(const SensorFeed& feed, const std::string& name, const std::stop_token& stop) {
+Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, const std::stop_token& stop) {
   constexpr int kLooksPerSecond = 10;
   StatusLine line;
-  SensorFeedStats before;
+  sensor::SensorFeedStats before;
   for (int look = 1; !stop.stop_requested(); ++look) {
     if (auto result = feed.result()) return *result;
     std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksPerSecond));
     if (look % kLooksPerSecond != 0) continue;
-    const SensorFeedStats now = feed.stats();
+    const sensor::SensorFeedStats now = feed.stats();
     line.show(status_text(name, now, before));
     before = now;
   }
@@ -60,7 +60,7 @@ Status run_sensor(SensorCommandOptions options) {
   StopOnSignal stop;
   options.source_options.loop = !options.once;
   options.source_options.log = stderr_log("sensor", options.verbose);
-  auto source = open_source(options.source, options.source_options);
+  auto source = sensor::open_source(options.source, options.source_options);
   if (!source) return source.error();
   const std::string name =
       options.feed.name.empty() ? (*source)->description().name : options.feed.name;
@@ -69,7 +69,7 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.credential = *std::move(credential);
   options.feed.log = stderr_log("sensor", options.verbose);
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
-  auto feed = SensorFeed::start(std::move(*source), options.feed);
+  auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
   if (!feed) return feed.error();
   return wait_for_end(**feed, name, stop.token());
 }

@@ -18,7 +18,7 @@ namespace {
 
 struct SimulateCommand {
   std::string out;
-  SimulateRigOptions rig;
+  simulator::SimulateRigOptions rig;
   std::string camera = "kinect2";
   double lost_percent = 0.5;
   bool clean = false;
@@ -26,20 +26,20 @@ struct SimulateCommand {
 
 Status run_simulate(SimulateCommand command) {
   StopOnSignal stop;
-  command.rig.sensing.camera = *sim::camera_model_named(command.camera);
+  command.rig.sensing.camera = *simulator::camera_model_named(command.camera);
   command.rig.timing.lost_share = 0.01 * command.lost_percent;
   if (command.clean) command.rig.clean();
   StatusLine line;
-  return simulate_rig(
+  return simulator::simulate_rig(
       command.out, command.rig,
-      [&line](const SimulateProgress& progress) {
+      [&line](const simulator::SimulateProgress& progress) {
         line.show_progress(progress.doing, progress.done, progress.total);
       },
       stop.token());
 }
 
 void add_room_options(CLI::App& command, SimulateCommand& values) {
-  command.add_option("--scene", values.rig.scene, "Which room: " + sim::scene_list());
+  command.add_option("--scene", values.rig.scene, "Which room: " + simulator::scene_list());
   command.add_option("--sensors", values.rig.sensor_count, "How many stand around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
@@ -47,12 +47,12 @@ void add_room_options(CLI::App& command, SimulateCommand& values) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--fps", values.rig.fps, "Frames per second")
-      ->check(CLI::Range(1.0, kMaxSimulatedFps))
+      ->check(CLI::Range(1.0, simulator::kMaxSimulatedFps))
       ->capture_default_str();
   command.add_option("--seed", values.rig.seed, "Of noise, devices and looks")
       ->capture_default_str();
   command.add_option("--speed", values.rig.speed, "Of all motion: 1 as in life, 0.05 slow, 0 none")
-      ->check(CLI::Range(0.0, kMaxSimulatedSpeed))
+      ->check(CLI::Range(0.0, simulator::kMaxSimulatedSpeed))
       ->capture_default_str();
 }
 
@@ -77,7 +77,7 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
   command
       .add_option("--interference", values.rig.sensing.interference_per_minute,
                   "Bursts of infrared interference per minute and sensor")
-      ->check(CLI::Range(0.0, kMaxInterferencePerMinute))
+      ->check(CLI::Range(0.0, simulator::kMaxInterferencePerMinute))
       ->capture_default_str();
   command.add_flag("--clean", values.clean, "Perfect sensors: no errors of any kind");
 }
@@ -86,10 +86,10 @@ void add_truth_options(CLI::App& command, SimulateCommand& values) {
   command.add_flag("--truth-color", values.rig.truth_color,
                    "Write noise-free colour into truth/, too");
   command.add_option("--views", values.rig.views, "Free viewpoints in truth/")
-      ->check(CLI::Range(0, kMaxSimulatedViews))
+      ->check(CLI::Range(0, simulator::kMaxSimulatedViews))
       ->capture_default_str();
   command.add_option("--view-size", values.rig.view_side_px, "Their width and height in pixels")
-      ->check(CLI::Range(16, kMaxSimulatedViewSide))
+      ->check(CLI::Range(16, simulator::kMaxSimulatedViewSide))
       ->capture_default_str();
   command.add_option("--threads", values.rig.threads, "0: one per core")
       ->check(CLI::Range(0, 64))

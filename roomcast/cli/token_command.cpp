@@ -34,9 +34,9 @@ Error wrong_usage(std::string sentence) {
 
 /// The hub's, as the hub finds it.
 Result<std::filesystem::path> find_folder(const TokenCommand& command) {
-  const auto config = find_hub_config(command.config);
+  const auto config = hub::daemon::find_hub_config(command.config);
   if (!config) return config.error();
-  const auto folder = data_folder(command.data.empty() ? config->data : command.data);
+  const auto folder = hub::daemon::data_folder(command.data.empty() ? config->data : command.data);
   if (!folder) return wrong_usage("there is no home folder; name the hub's with --data");
   return *folder;
 }
@@ -58,7 +58,7 @@ Result<std::unique_ptr<hub::HubStore>> open_book(const std::filesystem::path& fo
 
 /// A token may be made before its hub has ever run.
 Result<std::unique_ptr<hub::HubStore>> open_or_begin_book(const std::filesystem::path& folder) {
-  if (auto made = make_data_folder(folder); !made) return made.error();
+  if (auto made = hub::daemon::make_data_folder(folder); !made) return made.error();
   return hub::HubStore::open(folder);
 }
 

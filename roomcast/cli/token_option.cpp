@@ -12,14 +12,14 @@ void add_token_options(CLI::App& command, TokenOption& option) {
   command.add_option("--token-file", option.file, "File whose first word is the token");
 }
 
-Result<Credential> find_credential(const TokenOption& option) {
+Result<client::Credential> find_credential(const TokenOption& option) {
   if (!option.token.empty() && !option.file.empty()) {
     return Error{ErrorCode::kInvalidArgument, "--token and --token-file exclude each other"};
   }
-  if (!option.token.empty()) return credential_of(option.token);
-  if (!option.file.empty()) return read_credential_file(option.file);
+  if (!option.token.empty()) return client::credential_of(option.token);
+  if (!option.file.empty()) return client::read_credential_file(option.file);
   const char* from_environment = std::getenv("ROOMCAST_TOKEN");
-  return credential_of(from_environment == nullptr ? "" : from_environment);
+  return client::credential_of(from_environment == nullptr ? "" : from_environment);
 }
 
 }  // namespace roomcast::cli

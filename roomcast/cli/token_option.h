@@ -21,6 +21,6 @@ void add_token_options(CLI::App& command, TokenOption& option);
 
 /// What was given, if anything; a one-time code where a token is expected is taken for what it is.
 /// kNotFound: no such file. kInvalidArgument: both were given.
-[[nodiscard]] Result<Credential> find_credential(const TokenOption& option);
+[[nodiscard]] Result<client::Credential> find_credential(const TokenOption& option);
 
 }  // namespace roomcast::cli

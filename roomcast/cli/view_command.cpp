@@ -33,7 +33,7 @@ std::optional<RigidTransform> ViewOptions::world_from_view(const RigidTransform&
   if (at.empty()) return std::nullopt;
   const Eigen::Vector3d eye_m = vector_from(at);
   const Eigen::Vector3d forward = start.rotation * Eigen::Vector3d(0, 0, -1);
-  return world_from_view_looking_at(
+  return render::world_from_view_looking_at(
       eye_m, look.empty() ? Eigen::Vector3d(eye_m + forward) : vector_from(look));
 }
 

@@ -14,7 +14,7 @@
 namespace roomcast::cli {
 
 struct ViewOptions {
-  SubscriberOptions subscriber;
+  client::SubscriberOptions subscriber;
   TokenOption token;
   bool headless = false;
   std::string png;
@@ -22,7 +22,7 @@ struct ViewOptions {
   std::vector<int> size = {1280, 720};
   double fov_deg = 60;
   double seconds = 0;
-  RenderMode mode = RenderMode::kBlend;
+  render::RenderMode mode = render::RenderMode::kBlend;
   bool json = false;
   // Of the window.
   bool full_screen = false;

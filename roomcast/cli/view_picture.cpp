@@ -21,11 +21,11 @@ namespace roomcast::cli {
 namespace {
 
 using namespace std::chrono_literals;
-using RoomPtr = std::shared_ptr<const RoomSnapshot>;
+using RoomPtr = std::shared_ptr<const client::RoomSnapshot>;
 constexpr auto kPicturesWithin = 10s;
 
 /// Sensors that are online and have not sent a picture yet.
-std::string missing_sensors(const RoomSnapshot& room) {
+std::string missing_sensors(const client::RoomSnapshot& room) {
   std::string names;
   for (const auto& sensor : room.sensors) {
     if (sensor.online && !sensor.picture) names += (names.empty() ? "" : ", ") + sensor.name;
@@ -34,14 +34,14 @@ std::string missing_sensors(const RoomSnapshot& room) {
 }
 
 /// Connected (else the pictures are old), and all sensors that are there can be seen.
-bool can_be_drawn(const RoomSnapshot& room) {
-  const auto is_seen = [](const RoomSensor& sensor) { return sensor.online && sensor.picture; };
+bool can_be_drawn(const client::RoomSnapshot& room) {
+  const auto is_seen = [](const client::RoomSensor& sensor) { return sensor.online && sensor.picture; };
   return room.connected && std::ranges::any_of(room.sensors, is_seen) &&
          missing_sensors(room).empty();
 }
 
 /// Why there is nothing to draw yet.
-Error still_waiting(const RoomSnapshot& room) {
+Error still_waiting(const client::RoomSnapshot& room) {
   if (!room.connected) return {ErrorCode::kUnavailable, room.problem};
   const std::string missing = missing_sensors(room);
   if (!missing.empty()) {
@@ -54,7 +54,7 @@ Error still_waiting(const RoomSnapshot& room) {
 }
 
 /// The room, once every sensor that is online has sent a picture.
-Result<RoomPtr> wait_for_pictures(const Subscriber& viewer, const std::stop_token& stop) {
+Result<RoomPtr> wait_for_pictures(const client::Subscriber& viewer, const std::stop_token& stop) {
   const auto give_up = std::chrono::steady_clock::now() + kPicturesWithin;
   RoomPtr room = viewer.snapshot();
   while (!can_be_drawn(*room)) {
@@ -67,7 +67,7 @@ Result<RoomPtr> wait_for_pictures(const Subscriber& viewer, const std::stop_toke
   return room;
 }
 
-void watch(const Subscriber& viewer, double seconds, const std::stop_token& stop) {
+void watch(const client::Subscriber& viewer, double seconds, const std::stop_token& stop) {
   StatusLine line;
   const auto begin = std::chrono::steady_clock::now();
   const auto first_sets = viewer.snapshot()->sets_received;
@@ -80,9 +80,9 @@ void watch(const Subscriber& viewer, double seconds, const std::stop_token& stop
   }
 }
 
-ViewCamera camera_for(const ViewOptions& options, const RoomSnapshot& room) {
-  const RigidTransform start = world_from_start_view(room);
-  ViewCamera camera;
+render::ViewCamera camera_for(const ViewOptions& options, const client::RoomSnapshot& room) {
+  const RigidTransform start = viewer::world_from_start_view(room);
+  render::ViewCamera camera;
   camera.width = options.size[0];
   camera.height = options.size[1];
   camera.vertical_fov_rad = options.fov_rad();
@@ -90,21 +90,21 @@ ViewCamera camera_for(const ViewOptions& options, const RoomSnapshot& room) {
   return camera;
 }
 
-Result<ColorImage> draw(const ViewOptions& options, const RoomSnapshot& room) {
-  const ViewCamera camera = camera_for(options, room);
+Result<ColorImage> draw(const ViewOptions& options, const client::RoomSnapshot& room) {
+  const render::ViewCamera camera = camera_for(options, room);
   if (auto status = camera.check(); !status) return status.error();
-  auto context = EglContext::create();
+  auto context = render::EglContext::create();
   if (!context) return context.error();
-  auto target = OffscreenTarget::create(camera.width, camera.height);
+  auto target = render::OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
-  auto view = RoomView::create();
+  auto view = viewer::RoomView::create();
   if (!view) return view.error();
   if (auto status = view->show(room); !status) return status.error();
   if (auto status = view->draw(camera, *target, options.mode); !status) return status.error();
   return target->read_color();
 }
 
-void print_json(const ViewOptions& options, const RoomSnapshot& room) {
+void print_json(const ViewOptions& options, const client::RoomSnapshot& room) {
   nlohmann::json report = {
       {"png", options.png}, {"room", room.room}, {"set_id", room.newest_set.value}};
   for (const auto& sensor : room.sensors) {
@@ -115,7 +115,7 @@ void print_json(const ViewOptions& options, const RoomSnapshot& room) {
          {"placed", sensor.placed},
          {"seq", sensor.picture->seq},
          {"capture_ns", sensor.picture->capture_time.time_since_epoch().count()},
-         {"depth_crc32", depth_crc32(sensor.picture->frame.depth_mm)}});
+         {"depth_crc32", sensor::depth_crc32(sensor.picture->frame.depth_mm)}});
   }
   fmt::print("{}\n", report.dump(1));
 }
@@ -124,9 +124,9 @@ void print_json(const ViewOptions& options, const RoomSnapshot& room) {
 
 Status view_without_window(const ViewOptions& options) {
   StopOnSignal stop;
-  auto viewer = Subscriber::open(options.subscriber);
+  auto viewer = client::Subscriber::open(options.subscriber);
   if (!viewer) return viewer.error();
-  if (auto may = check_may_record((*viewer)->snapshot()->rights); !may) return may;
+  if (auto may = client::check_may_record((*viewer)->snapshot()->rights); !may) return may;
   auto room = wait_for_pictures(**viewer, stop.token());
   if (room && options.seconds > 0) {
     watch(**viewer, options.seconds, stop.token());
@@ -135,7 +135,7 @@ Status view_without_window(const ViewOptions& options) {
   if (!room) return room.error();
   const auto picture = draw(options, **room);
   if (!picture) return picture.error();
-  if (auto status = write_color_png(options.png, *picture); !status) return status;
+  if (auto status = io::write_color_png(options.png, *picture); !status) return status;
   if (options.json) print_json(options, **room);
   return {};
 }

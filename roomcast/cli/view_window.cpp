@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kPivotDistance_m = 3;
 
-DesktopViewerOptions desktop_options(const ViewOptions& options, const RoomSnapshot& room) {
-  DesktopViewerOptions desktop;
+viewer::DesktopViewerOptions desktop_options(const ViewOptions& options, const client::RoomSnapshot& room) {
+  viewer::DesktopViewerOptions desktop;
   desktop.window.title = room.room.empty() ? "roomcast" : room.room + " - roomcast";
   desktop.window.size = {options.size[0], options.size[1]};
   desktop.window.full_screen = options.full_screen;
   desktop.settings.mode = options.mode;
   desktop.settings.vertical_fov_rad = options.fov_rad();
-  if (const auto pose = options.world_from_view(world_from_start_view(room)))
-    desktop.start = view_from_pose(*pose, kPivotDistance_m);
+  if (const auto pose = options.world_from_view(viewer::world_from_start_view(room)))
+    desktop.start = viewer::view_from_pose(*pose, kPivotDistance_m);
   desktop.panel = options.panel;
   desktop.pictures = options.pictures;
   desktop.write_png = write_color_png;
@@ -30,15 +30,15 @@ DesktopViewerOptions desktop_options(const ViewOptions& options, const RoomSnaps
 }
 
 Status check_size(const ViewOptions& options) {
-  ViewCamera camera;
+  render::ViewCamera camera;
   camera.width = options.size[0];
   camera.height = options.size[1];
   return camera.check();
 }
 
 /// Where one is wanted.
-Status may_keep_last_picture(const ViewOptions& options, const Subscriber& hub) {
-  return options.last_picture.empty() ? Status() : check_may_record(hub.snapshot()->rights);
+Status may_keep_last_picture(const ViewOptions& options, const client::Subscriber& hub) {
+  return options.last_picture.empty() ? Status() : client::check_may_record(hub.snapshot()->rights);
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ Status view_in_window(const ViewOptions& options) {
   constexpr int kUnlessTheUserSaysSo = 0;
   ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // one sentence is enough
   StopOnSignal stop;
-  auto hub = Subscriber::open(options.subscriber);
+  auto hub = client::Subscriber::open(options.subscriber);
   if (!hub) return hub.error();
   if (auto may = may_keep_last_picture(options, **hub); !may) return may;
-  auto viewer = DesktopViewer::open(**hub, desktop_options(options, *(*hub)->snapshot()));
+  auto viewer = viewer::DesktopViewer::open(**hub, desktop_options(options, *(*hub)->snapshot()));
   if (!viewer) return viewer.error();
   const auto begin = std::chrono::steady_clock::now();
   const auto is_over = [&] {
@@ -63,7 +63,7 @@ Status view_in_window(const ViewOptions& options) {
   }
   if (options.last_picture.empty()) return {};
   if (auto may = may_keep_last_picture(options, **hub); !may) return may;  // it may be another hub
-  return write_color_png(options.last_picture, (*viewer)->window_picture());
+  return io::write_color_png(options.last_picture, (*viewer)->window_picture());
 }
 
 }  // namespace roomcast::cli

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 nanoseconds scaled(nanoseconds time, double factor) {
@@ -130,4 +130,4 @@ std::optional<ClockEstimate> ClockSync::estimate() const {
   return estimate_at(window_.back().received);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -27,7 +27,7 @@
 #include "roomcast/client/room/clock_estimate.h"
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class ClockSync {
  public:
@@ -74,4 +74,4 @@ class ClockSync {
   std::deque<Exchange> witnesses_;  // of a clock that was set
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

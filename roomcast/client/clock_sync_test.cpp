@@ -10,7 +10,7 @@
 #include "roomcast/client/ping_schedule.h"
 #include "roomcast/client/simulated_clocks.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -179,4 +179,4 @@ TEST(ClockSync, a_way_that_is_always_full_does_not_look_like_a_step) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-namespace roomcast {
+namespace roomcast::client {
 
 Result<Credential> read_credential_file(const std::string& file) {
   std::ifstream stream(file);
@@ -14,4 +14,4 @@ Result<Credential> read_credential_file(const std::string& file) {
   return credential_of(std::move(token));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct Credential {
   std::string token;  // both empty: where everybody may come
@@ -30,4 +30,4 @@ inline void show(const Credential& credential, wire::pb::Join& join) {
   join.set_code(credential.code);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 TEST(Credential, a_code_is_told_from_a_token) {
@@ -25,4 +25,4 @@ TEST(Credential, a_file_without_a_token_is_named) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -19,7 +19,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class FakeHub {
  public:
@@ -126,4 +126,4 @@ class FakeHub {
   std::shared_ptr<Messages> to_say_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

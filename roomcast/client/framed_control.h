@@ -7,7 +7,7 @@
 #include "roomcast/net/framed_message.h"
 #include "roomcast/wire/control.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 [[nodiscard]] inline net::FramedMessagePtr framed_control(const wire::pb::Control& control) {
   net::MessageBuffer buffer;
@@ -15,4 +15,4 @@ namespace roomcast {
   return net::frame_message(std::move(buffer));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

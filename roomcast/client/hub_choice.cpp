@@ -6,7 +6,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 HubChoice::HubChoice(std::vector<net::HubUrl> named, std::uint32_t seed)
     : named_(std::move(named)), hubs_(named_), pace_(seed) {
@@ -48,4 +48,4 @@ std::chrono::nanoseconds HubChoice::nobody_answered() {
   return pace_.next();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

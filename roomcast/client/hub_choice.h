@@ -16,7 +16,7 @@
 #include "roomcast/core/backoff.h"
 #include "roomcast/net/hub_url.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class HubChoice {
  public:
@@ -52,4 +52,4 @@ class HubChoice {
   Backoff pace_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

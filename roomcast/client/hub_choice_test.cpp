@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -78,4 +78,4 @@ TEST(HubChoice, learns_from_its_hub_and_stays_there) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

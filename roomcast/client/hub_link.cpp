@@ -10,7 +10,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 namespace pb = wire::pb;
@@ -275,4 +275,4 @@ void HubLink::take_pong(const pb::ClockPong& pong) {
   if (connection_ && hubs_.has_others()) connection_->set_timings(timings());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

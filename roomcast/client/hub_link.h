@@ -25,7 +25,7 @@
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class HubLinkEvents {
  public:
@@ -125,4 +125,4 @@ class HubLink {
   bool stopped_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

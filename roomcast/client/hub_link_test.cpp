@@ -5,7 +5,7 @@
 
 #include "roomcast/client/fake_hub.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -322,4 +322,4 @@ TEST_F(HubLinkTest, stops_in_good_order_and_without_work_left) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

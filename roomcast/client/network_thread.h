@@ -11,7 +11,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 
-namespace roomcast {
+namespace roomcast::client {
 
 class NetworkThread {
  public:
@@ -50,4 +50,4 @@ class NetworkThread {
   std::jthread thread_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

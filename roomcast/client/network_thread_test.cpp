@@ -4,7 +4,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 TEST(NetworkThread, runs_its_work_elsewhere_and_all_of_it) {
@@ -32,4 +32,4 @@ TEST(NetworkThread, the_last_work_can_end_what_would_go_on) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -12,7 +12,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 namespace pb = wire::pb;
@@ -105,4 +105,4 @@ Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {
   return Asking(*std::move(hubs), options).wait();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

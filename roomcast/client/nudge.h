@@ -12,7 +12,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct NudgeOptions {
   std::string hub_url;
@@ -38,4 +38,4 @@ struct NudgedSensor {
 [[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,
                                     const NudgeOptions& options);
 
-}  // namespace roomcast
+}  // namespace roomcast::client

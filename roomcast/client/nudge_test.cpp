@@ -13,7 +13,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -142,4 +142,4 @@ TEST(Nudged, a_sensor_is_tilted_upwards_about_its_own_horizontal_axis) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <random>
 
-namespace roomcast {
+namespace roomcast::client {
 
 class PingSchedule {
  public:
@@ -51,4 +51,4 @@ class PingSchedule {
   int pings_ = 0;  // on this connection
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -53,4 +53,4 @@ TEST(PingSchedule, of_a_hub_asks_a_whole_window_at_once_and_seldom_then) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -16,7 +16,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 constexpr std::size_t kMaxUnsentFrames =
@@ -344,4 +344,4 @@ PublisherStats Publisher::stats() const {
   return link_->stats();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

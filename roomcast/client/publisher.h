@@ -20,7 +20,7 @@
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct PublisherOptions {
   std::string hub_url;  // "ws://host:port", "host:port", ...
@@ -93,4 +93,4 @@ class Publisher {
   std::unique_ptr<Link> link_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -9,7 +9,7 @@
 #include "roomcast/client/fake_hub.h"
 #include "roomcast/client/network_thread.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -225,4 +225,4 @@ TEST_F(PublisherTest, a_new_connection_begins_with_a_new_key_frame) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

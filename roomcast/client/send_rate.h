@@ -11,7 +11,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class SendRate {
  public:
@@ -46,4 +46,4 @@ class SendRate {
   HostTime last_change_{};
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

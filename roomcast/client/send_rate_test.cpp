@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -50,4 +50,4 @@ TEST(SendRate, is_not_raised_while_frames_still_pile_up) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -10,7 +10,7 @@
 
 #include "roomcast/client/clock_sync.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct SimulatedNetwork {
   double one_way_s = 0.025;
@@ -67,4 +67,4 @@ class SimulatedClocks {
   std::exponential_distribution<double> wake_up_{1};
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -12,7 +12,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 wire::pb::Join join_message(const SubscriberOptions& options) {
@@ -186,4 +186,4 @@ std::optional<Error> Subscriber::failure() const {
   return link_->failure();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -15,7 +15,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct SubscriberOptions {
   std::string hub_url;
@@ -59,4 +59,4 @@ class Subscriber {
   std::unique_ptr<Link> link_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -8,7 +8,7 @@
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 using namespace std::chrono_literals;
@@ -168,4 +168,4 @@ TEST_F(SubscriberTest, what_is_no_address_is_refused_at_once) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

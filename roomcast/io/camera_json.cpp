@@ -9,7 +9,7 @@
 
 #include "roomcast/io/json_fields.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 constexpr double kLargestDepthScale = 1;  // a metre per unit
@@ -181,4 +181,4 @@ std::string camera_json_text(const SensorCalibration& calibration) {
   return camera_json_text(RecordedCamera{.calibration = calibration});
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -20,7 +20,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 struct RecordedCamera {
   SensorCalibration calibration;  // without colour: `color` equals `depth` and counts as registered
@@ -39,4 +39,4 @@ struct RecordedCamera {
 /// The same for depth in millimetres with 0 as invalid.
 [[nodiscard]] std::string camera_json_text(const SensorCalibration& calibration);
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -9,14 +9,14 @@
 #include "roomcast/io/json_fields.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 using nlohmann::json;
 
 Result<RecordedCamera> read(const std::string& text) {
   const TemporaryFolder folder;
-  put_text(folder / "camera.json", text);
+  recording::put_text(folder / "camera.json", text);
   return read_camera_json(folder / "camera.json");
 }
 
@@ -30,13 +30,13 @@ std::string refusal_of(const std::string& text) {
 
 /// A good file after a change.
 std::string changed(const std::function<void(json&)>& change) {
-  json camera = json::parse(camera_json_text(small_calibration()));
+  json camera = json::parse(camera_json_text(recording::small_calibration()));
   change(camera);
   return camera.dump();
 }
 
 TEST(CameraJson, what_is_written_is_read_back) {
-  const SensorCalibration written = small_calibration();
+  const SensorCalibration written = recording::small_calibration();
   const auto camera = read(camera_json_text(written));
   ASSERT_TRUE(camera.ok()) << camera.error().message;
   EXPECT_TRUE(camera->has_color);
@@ -149,4 +149,4 @@ TEST(CameraJson, refuses_what_is_no_json_object) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 constexpr std::size_t kDepthValues = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
@@ -39,4 +39,4 @@ void DepthValues::to_mm(DepthImage& depth) const {
     values[i] = mm_from_value_[values[i]];
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

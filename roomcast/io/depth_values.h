@@ -9,7 +9,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/io/camera_json.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 class DepthValues {
  public:
@@ -22,4 +22,4 @@ class DepthValues {
   std::vector<std::uint16_t> mm_from_value_;  // empty where values are millimetres already
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 DepthImage row(std::initializer_list<std::uint16_t> values) {
@@ -42,4 +42,4 @@ TEST(DepthValues, invalid_values_are_no_readings) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::io

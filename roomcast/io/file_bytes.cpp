@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 struct CloseFile {
@@ -75,4 +75,4 @@ Status append_line(const std::filesystem::path& path, std::string_view line) {
   return write_and_close(path, "ab", with_end.data(), with_end.size());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

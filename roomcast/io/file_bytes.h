@@ -13,7 +13,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 /// Replaces the contents of `bytes` (its memory is used again). kNotFound when there is no such
 /// file, kTooLarge above `limit_bytes`, kMalformed when it cannot be read.
@@ -28,4 +28,4 @@ namespace roomcast {
 /// Adds a line (given without its end) in one write. kUnavailable as above.
 [[nodiscard]] Status append_line(const std::filesystem::path& path, std::string_view line);
 
-}  // namespace roomcast
+}  // namespace roomcast::io

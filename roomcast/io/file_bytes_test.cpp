@@ -5,7 +5,7 @@
 
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 TEST(FileBytes, what_is_written_is_read_back) {
@@ -21,7 +21,7 @@ TEST(FileBytes, writing_leaves_no_unfinished_file) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file(folder / "a", "text").ok());
   ASSERT_TRUE(write_file(folder / "a", "newer").ok());
-  EXPECT_EQ(text_of(folder / "a"), "newer");
+  EXPECT_EQ(recording::text_of(folder / "a"), "newer");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
@@ -29,7 +29,7 @@ TEST(FileBytes, lines_are_added_at_the_end) {
   const TemporaryFolder folder;
   ASSERT_TRUE(append_line(folder / "a", "one").ok());
   ASSERT_TRUE(append_line(folder / "a", "two").ok());
-  EXPECT_EQ(text_of(folder / "a"), "one\ntwo\n");
+  EXPECT_EQ(recording::text_of(folder / "a"), "one\ntwo\n");
 }
 
 TEST(FileBytes, reading_refuses_missing_and_large_files_and_folders) {
@@ -40,7 +40,7 @@ TEST(FileBytes, reading_refuses_missing_and_large_files_and_folders) {
   EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(missing.error().message, (folder / "none").string() + " is missing");
   EXPECT_EQ(read_file(folder.path(), 10, bytes).error().code, ErrorCode::kNotFound);
-  put_text(folder / "large", "12345678901");
+  recording::put_text(folder / "large", "12345678901");
   EXPECT_EQ(read_file(folder / "large", 10, bytes).error().code, ErrorCode::kTooLarge);
 }
 
@@ -54,4 +54,4 @@ TEST(FileBytes, writing_into_a_missing_folder_says_so) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -9,7 +9,7 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/png_codec.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 /// A problem of a codec as a sentence about the file.
@@ -82,4 +82,4 @@ Status write_color_jpeg(const std::filesystem::path& path, ColorView color, int 
   return problem.empty() ? write_file(path, bytes) : not_written(path, problem);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

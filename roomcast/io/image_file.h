@@ -12,7 +12,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/io/jpeg_codec.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 struct ImageSize {
   int width = 0, height = 0;
@@ -50,4 +50,4 @@ class ImageFileReader {
 [[nodiscard]] Status write_color_jpeg(const std::filesystem::path& path, ColorView color,
                                       int quality);
 
-}  // namespace roomcast
+}  // namespace roomcast::io

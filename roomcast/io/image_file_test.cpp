@@ -7,11 +7,11 @@
 #include "roomcast/io/png_codec.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 DepthImage some_depth() {
-  return small_frame(0, 3).depth_mm;
+  return recording::small_frame(0, 3).depth_mm;
 }
 
 ColorImage some_color() {
@@ -24,7 +24,7 @@ ColorImage some_color() {
   return color;
 }
 
-constexpr ImageSize kDepthSize{kSmallWidth, kSmallHeight};
+constexpr ImageSize kDepthSize{recording::kSmallWidth, recording::kSmallHeight};
 constexpr ImageSize kColorSize{64, 48};
 
 class ImageFile : public testing::Test {
@@ -62,7 +62,7 @@ TEST_F(ImageFile, colour_png_comes_back_bit_for_bit) {
 }
 
 TEST_F(ImageFile, mask_comes_back_bit_for_bit_and_is_no_depth) {
-  MaskImage mask(kSmallWidth, kSmallHeight, 0), read;
+  MaskImage mask(recording::kSmallWidth, recording::kSmallHeight, 0), read;
   mask.at(3, 2) = 255;
   mask.at(4, 2) = 7;
   ASSERT_TRUE(write_mask_png(folder_ / "m.png", mask).ok());
@@ -99,9 +99,9 @@ TEST_F(ImageFile, memory_is_used_again) {
 
 TEST_F(ImageFile, missing_and_empty_files_are_refused) {
   expect_refused("none.png", ErrorCode::kNotFound);
-  put_text(folder_ / "empty.png", "");
+  recording::put_text(folder_ / "empty.png", "");
   expect_refused("empty.png", ErrorCode::kMalformed);
-  put_text(folder_ / "text.png", "this is no picture, only text that is long enough");
+  recording::put_text(folder_ / "text.png", "this is no picture, only text that is long enough");
   expect_refused("text.png", ErrorCode::kMalformed);
 }
 
@@ -110,7 +110,7 @@ TEST_F(ImageFile, truncated_files_are_refused_wherever_they_end) {
     ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
     ASSERT_TRUE(write_color_jpeg(folder_ / "c.jpg", some_color(), 95).ok());
     ASSERT_TRUE(write_color_png(folder_ / "c.png", some_color()).ok());
-    for (const char* name : {"d.png", "c.jpg", "c.png"}) truncate_file(folder_ / name, share);
+    for (const char* name : {"d.png", "c.jpg", "c.png"}) recording::truncate_file(folder_ / name, share);
     EXPECT_FALSE(reader_.read_depth(folder_ / "d.png", kDepthSize, depth_).ok()) << share;
     EXPECT_FALSE(reader_.read_color(folder_ / "c.jpg", kColorSize, color_).ok()) << share;
     EXPECT_FALSE(reader_.read_color(folder_ / "c.png", kColorSize, color_).ok()) << share;
@@ -119,9 +119,9 @@ TEST_F(ImageFile, truncated_files_are_refused_wherever_they_end) {
 
 TEST_F(ImageFile, a_flipped_byte_in_a_png_is_noticed) {
   ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
-  std::string bytes = text_of(folder_ / "d.png");
+  std::string bytes = recording::text_of(folder_ / "d.png");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x40);
-  put_text(folder_ / "d.png", bytes);
+  recording::put_text(folder_ / "d.png", bytes);
   EXPECT_FALSE(reader_.read_depth(folder_ / "d.png", kDepthSize, depth_).ok());
 }
 
@@ -138,7 +138,7 @@ TEST_F(ImageFile, pictures_of_another_size_are_refused) {
 }
 
 TEST_F(ImageFile, colour_is_no_depth) {
-  ASSERT_TRUE(write_color_png(folder_ / "c.png", ColorImage(kSmallWidth, kSmallHeight)).ok());
+  ASSERT_TRUE(write_color_png(folder_ / "c.png", ColorImage(recording::kSmallWidth, recording::kSmallHeight)).ok());
   const Status status = reader_.read_depth(folder_ / "c.png", kDepthSize, depth_);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("16-bit grey"), std::string::npos);
@@ -149,11 +149,11 @@ TEST_F(ImageFile, a_header_that_promises_a_huge_picture_costs_nothing) {
   std::vector<std::uint8_t> bytes;
   ASSERT_TRUE(encode_depth_png(some_depth(), bytes).empty());
   bytes[16] = 0x7F;  // the width's highest byte; its checksum no longer fits, either is refused
-  EXPECT_FALSE(decode_depth_png(bytes, DepthImage(kSmallWidth, kSmallHeight).view()).empty());
+  EXPECT_FALSE(decode_depth_png(bytes, DepthImage(recording::kSmallWidth, recording::kSmallHeight).view()).empty());
 }
 
 TEST_F(ImageFile, files_larger_than_any_picture_are_not_read) {
-  put_text(folder_ / "large.png", "");
+  recording::put_text(folder_ / "large.png", "");
   std::filesystem::resize_file(folder_ / "large.png", kMaxImageFileBytes + 1);  // sparse
   expect_refused("large.png", ErrorCode::kTooLarge);
 }
@@ -182,4 +182,4 @@ TEST(JpegCodec, survives_random_damage) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -5,7 +5,7 @@
 
 #include <turbojpeg.h>
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 constexpr const char* kNoMemory = "there is no memory for it";
@@ -75,4 +75,4 @@ std::string JpegCodec::encode(ColorView color, int quality, std::vector<std::uin
   return {};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -10,7 +10,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 class JpegCodec {
  public:
@@ -31,4 +31,4 @@ class JpegCodec {
   void* compressor_ = nullptr;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::io

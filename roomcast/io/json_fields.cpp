@@ -8,7 +8,7 @@
 
 #include "roomcast/io/file_bytes.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 using nlohmann::json;
@@ -175,4 +175,4 @@ std::vector<JsonFields> JsonFields::objects(const char* field) const {
   return objects;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

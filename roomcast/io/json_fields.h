@@ -14,7 +14,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 inline constexpr std::size_t kMaxJsonFileBytes = 4U << 20U;
 inline constexpr std::size_t kMaxJsonArray = 1U << 20U;
@@ -67,4 +67,4 @@ class JsonFields {
   JsonProblems* problems_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 constexpr int kMaxFiles = 9999;
@@ -41,4 +41,4 @@ Result<std::filesystem::path> next_free_path(const std::filesystem::path& folder
                "the folder " + folder.string() + " is full; choose another one"};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -10,7 +10,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 /// How a picture is written: whole or not at all.
 using PictureWriter = std::function<Status(const std::filesystem::path&, ColorView)>;
@@ -24,4 +24,4 @@ using PictureWriter = std::function<Status(const std::filesystem::path&, ColorVi
                                                            const std::string& stem,
                                                            const std::string& suffix);
 
-}  // namespace roomcast
+}  // namespace roomcast::io

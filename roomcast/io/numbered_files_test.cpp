@@ -7,7 +7,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 TEST(PictureFiles, are_numbered_and_never_written_over) {
@@ -34,4 +34,4 @@ TEST(PictureFiles, a_folder_that_cannot_be_made_is_named) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::io

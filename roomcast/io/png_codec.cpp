@@ -9,7 +9,7 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::io {
 namespace {
 
 constexpr int kCompressionLevel = 3;  // of zlib: a third of the time of 6, a few percent larger
@@ -187,4 +187,4 @@ std::string encode_mask_png(MaskView mask, std::vector<std::uint8_t>& bytes) {
   return encode(Pixels::kMask, rows_of(mask), bytes);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::io

@@ -10,7 +10,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::io {
 
 /// Decodes a 16-bit grey PNG of exactly the size of `depth`. Returns what is wrong, or an empty
 /// string.
@@ -30,4 +30,4 @@ namespace roomcast {
 [[nodiscard]] std::string encode_color_png(ColorView color, std::vector<std::uint8_t>& bytes);
 [[nodiscard]] std::string encode_mask_png(MaskView mask, std::vector<std::uint8_t>& bytes);
 
-}  // namespace roomcast
+}  // namespace roomcast::io

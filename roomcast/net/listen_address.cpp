@@ -5,7 +5,7 @@
 
 #include <boost/asio/ip/address.hpp>
 
-namespace roomcast::cli {
+namespace roomcast::net {
 
 Result<ListenAddress> parse_listen_address(const std::string& text) {
   const auto wrong = [&](const std::string& why) {
@@ -29,4 +29,4 @@ Result<ListenAddress> parse_listen_address(const std::string& text) {
   return ListenAddress{host, static_cast<std::uint16_t>(port), address.is_loopback()};
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::net

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::cli {
+namespace roomcast::net {
 
 struct ListenAddress {
   std::string address;
@@ -18,4 +18,4 @@ struct ListenAddress {
 /// kInvalidArgument with what is wrong.
 [[nodiscard]] Result<ListenAddress> parse_listen_address(const std::string& text);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::net

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::cli {
+namespace roomcast::net {
 namespace {
 
 TEST(ListenAddress, both_kinds_of_addresses_are_read) {
@@ -29,4 +29,4 @@ TEST(ListenAddress, what_is_no_address_is_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::net

@@ -1,9 +1,6 @@
 # Writes shader sources into a C++ file, one string_view per shader: shaders/points.vert -> shaders::points_vert.
-#   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" [-DHEADER=roomcast/viewer/people/shader_sources.h] -P embed_shaders.cmake
-# HEADER declares them.
-if(NOT HEADER)
-  set(HEADER roomcast/render/gl/shader_sources.h)
-endif()
+#   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" -DHEADER=roomcast/render/gl/shader_sources.h -DNAMESPACE=roomcast::render::shaders -P embed_shaders.cmake
+# HEADER declares them, in NAMESPACE.
 set(definitions "")
 foreach(shader IN LISTS SHADERS)
   get_filename_component(name "${shader}" NAME)
@@ -14,7 +11,7 @@ endforeach()
 file(WRITE "${OUTPUT}" "// Made from shader files by embed_shaders.cmake; do not edit.
 #include \"${HEADER}\"
 
-namespace roomcast::shaders {
+namespace ${NAMESPACE} {
 
-${definitions}}  // namespace roomcast::shaders
+${definitions}}  // namespace ${NAMESPACE}
 ")

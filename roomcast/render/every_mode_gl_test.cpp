@@ -7,7 +7,7 @@
 
 #include "roomcast/render/true_scene.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -82,4 +82,4 @@ TEST_P(EveryModeOfTrueScene, is_the_same_bit_by_bit_on_the_driver_it_was_kept_fo
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

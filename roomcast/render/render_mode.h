@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace roomcast {
+namespace roomcast::render {
 
 enum class RenderMode {
   kPoints,    // a pixel for each depth pixel: the paper's way
@@ -39,4 +39,4 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
   return mode == RenderMode::kAdaptive || mode == RenderMode::kBlend;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

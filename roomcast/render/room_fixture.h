@@ -9,7 +9,7 @@
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/surface/synthetic_sensor.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 inline constexpr Rgb8 kNothing = {3, 3, 3};
 inline constexpr SensorId kFirst{1}, kSecond{2};
@@ -68,4 +68,4 @@ inline ViewCamera eye_of(const CameraIntrinsics& lens, const RigidTransform& wor
   return camera;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

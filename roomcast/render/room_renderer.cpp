@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace roomcast {
+namespace roomcast::render {
 
 Result<RoomRenderer> RoomRenderer::create() {
   Result<PointRenderer> points = PointRenderer::create();
@@ -180,4 +180,4 @@ void RoomRenderer::draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, Re
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

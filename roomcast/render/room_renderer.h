@@ -21,7 +21,7 @@
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct RenderOptions {
   Rgb8 background = {24, 26, 30};
@@ -104,4 +104,4 @@ class RoomRenderer {
       sensors_;  // in order, so that the same room always gives the same picture
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -5,7 +5,7 @@
 #include "roomcast/render/room_fixture.h"
 #include "roomcast/render/room_renderer.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -263,4 +263,4 @@ TEST_F(Room, an_illegal_look_is_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct TruePoint {
   Eigen::Vector3d in_world;
@@ -53,4 +53,4 @@ inline SensorPictures true_pictures(const CameraIntrinsics& lens,
   return pictures;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

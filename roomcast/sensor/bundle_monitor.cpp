@@ -6,13 +6,13 @@
 
 #include "roomcast/alignment/service/bundle_message.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 namespace {
 
 /// Of the picture's readings. When more of them change, it is the sensor that moves.
 constexpr double kMaxUnsteady = 0.3;
 
-bool stands_still(const align::CalibrationBundle& bundle) {
+bool stands_still(const alignment::CalibrationBundle& bundle) {
   const auto depth = bundle.depth_mm.view();
   const auto moving = std::as_const(bundle.moving).view();
   const std::size_t pixels = depth.pixel_count();
@@ -28,7 +28,7 @@ bool stands_still(const align::CalibrationBundle& bundle) {
 BundleMonitor::BundleMonitor(std::string name, const SensorCalibration& calibration)
     : name_(std::move(name)), calibration_(calibration), capture_(name_, calibration_) {}
 
-Result<BundleUpdate> BundleMonitor::add(const CapturedFrame& frame) {
+Result<BundleUpdate> BundleMonitor::add(const source::CapturedFrame& frame) {
   if (!watch_) return capture(frame);
   if (!same_size(frame.depth_mm.view(), calibration_.depth) ||
       !watch_->moved(frame.depth_mm, frame.capture_time)) {
@@ -40,12 +40,12 @@ Result<BundleUpdate> BundleMonitor::add(const CapturedFrame& frame) {
   return BundleUpdate{.moved = true, .bundle = {}};
 }
 
-Result<BundleUpdate> BundleMonitor::capture(const CapturedFrame& frame) {
+Result<BundleUpdate> BundleMonitor::capture(const source::CapturedFrame& frame) {
   if (frame.color.empty()) return BundleUpdate{};
   const auto enough = capture_.add(frame.depth_mm, frame.color);
   if (enough && !*enough) return BundleUpdate{};
   auto news = enough ? finish() : Result<BundleUpdate>(enough.error());
-  capture_ = align::BundleCapture(name_, calibration_);
+  capture_ = alignment::BundleCapture(name_, calibration_);
   return news;
 }
 
@@ -60,4 +60,4 @@ Result<BundleUpdate> BundleMonitor::finish() {
   return BundleUpdate{.moved = false, .bundle = *std::move(message)};
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

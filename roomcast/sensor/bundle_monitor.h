@@ -13,7 +13,7 @@
 #include "roomcast/source/frame_source.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 
 /// What the hub has to know.
 struct BundleUpdate {
@@ -27,21 +27,21 @@ class BundleMonitor {
 
   /// Frames in the order of their capture. Errors say why the sensor cannot be placed by what it
   /// sees; it tries again with the next frames.
-  [[nodiscard]] Result<BundleUpdate> add(const CapturedFrame& frame);
+  [[nodiscard]] Result<BundleUpdate> add(const source::CapturedFrame& frame);
 
   /// The one that holds, if any.
-  [[nodiscard]] const std::optional<align::CalibrationBundle>& bundle() const { return bundle_; }
+  [[nodiscard]] const std::optional<alignment::CalibrationBundle>& bundle() const { return bundle_; }
 
  private:
-  [[nodiscard]] Result<BundleUpdate> capture(const CapturedFrame& frame);
+  [[nodiscard]] Result<BundleUpdate> capture(const source::CapturedFrame& frame);
   [[nodiscard]] Result<BundleUpdate> finish();
 
   std::string name_;
   SensorCalibration calibration_;
-  align::BundleCapture capture_;
-  std::optional<align::CalibrationBundle> bundle_;
-  std::optional<align::PoseChangeDetector> watch_;  // while there is a bundle
+  alignment::BundleCapture capture_;
+  std::optional<alignment::CalibrationBundle> bundle_;
+  std::optional<alignment::PoseChangeDetector> watch_;  // while there is a bundle
   bool was_moved_ = false;
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 namespace {
 
 using namespace std::chrono_literals;
@@ -14,11 +14,11 @@ using namespace std::chrono_literals;
 class Sensor {
  public:
   explicit Sensor(const RigidTransform& world_from_depth)
-      : bundle_("s0", align::calibration_fixture()) {
+      : bundle_("s0", alignment::calibration_fixture()) {
     stand(world_from_depth);
   }
   void stand(const RigidTransform& world_from_depth) {
-    const auto seen = align::bundle_fixture({}, "s0", world_from_depth);
+    const auto seen = alignment::bundle_fixture({}, "s0", world_from_depth);
     frame_.depth_mm = seen.depth_mm;
     frame_.color = seen.color;
   }
@@ -45,14 +45,14 @@ class Sensor {
   std::string complaint;
 
  private:
-  CapturedFrame frame_;
+  source::CapturedFrame frame_;
   BundleMonitor bundle_;
 };
 
-constexpr int kBundle = static_cast<int>(align::kBundleFrames);
+constexpr int kBundle = static_cast<int>(alignment::kBundleFrames);
 
 TEST(BundleMonitor, the_first_frames_make_a_bundle_and_it_holds) {
-  Sensor sensor(align::corner_pose(2, 1.5));
+  Sensor sensor(alignment::corner_pose(2, 1.5));
   EXPECT_FALSE(sensor.news_of(kBundle - 1).bundle);
   EXPECT_TRUE(sensor.news().bundle);
   const auto later = sensor.news_of(60);
@@ -60,9 +60,9 @@ TEST(BundleMonitor, the_first_frames_make_a_bundle_and_it_holds) {
 }
 
 TEST(BundleMonitor, a_sensor_that_was_moved_says_so_and_makes_another_bundle) {
-  Sensor sensor(align::corner_pose(2, 1.5));
+  Sensor sensor(alignment::corner_pose(2, 1.5));
   const auto first = sensor.news_of(kBundle).bundle;
-  sensor.stand(align::corner_pose(1.9, 1.4));
+  sensor.stand(alignment::corner_pose(1.9, 1.4));
   const auto noticed = sensor.news_of(20);
   EXPECT_TRUE(noticed.moved);
   EXPECT_FALSE(noticed.bundle);
@@ -73,24 +73,24 @@ TEST(BundleMonitor, a_sensor_that_was_moved_says_so_and_makes_another_bundle) {
 }
 
 TEST(BundleMonitor, while_it_is_carried_about_there_is_no_bundle) {
-  Sensor sensor(align::corner_pose(2, 1.5));
+  Sensor sensor(alignment::corner_pose(2, 1.5));
   EXPECT_TRUE(sensor.news_of(kBundle).bundle);
   double x = 2;
   for (int i = 0; i < 3 * kBundle; ++i) {
-    sensor.stand(align::corner_pose(x -= 0.02, 1.5));
+    sensor.stand(alignment::corner_pose(x -= 0.02, 1.5));
     EXPECT_FALSE(sensor.news().bundle);
   }
   EXPECT_TRUE(sensor.news_of(2 * kBundle).bundle) << "it stands still again";
 }
 
 TEST(BundleMonitor, why_there_is_no_bundle_is_told_and_the_next_frames_may_do) {
-  Sensor sensor(align::corner_pose(2, 1.5));
+  Sensor sensor(alignment::corner_pose(2, 1.5));
   sensor.cover();
   EXPECT_FALSE(sensor.news_of(kBundle).bundle);
   EXPECT_FALSE(sensor.complaint.empty());
-  sensor.stand(align::corner_pose(2, 1.5));
+  sensor.stand(alignment::corner_pose(2, 1.5));
   EXPECT_TRUE(sensor.news_of(kBundle).bundle);
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

@@ -9,11 +9,11 @@
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 
 /// Errors of read_camera_json. kInvalidArgument: the file is about pictures of other sizes than
 /// this source gives, or lacks the colour camera that it has.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> with_calibration(
-    std::unique_ptr<FrameSource> source, const std::filesystem::path& camera_json);
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> with_calibration(
+    std::unique_ptr<source::FrameSource> source, const std::filesystem::path& camera_json);
 
-}  // namespace roomcast
+}  // namespace roomcast::sensor

@@ -8,25 +8,25 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/sensor/source_factory.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 namespace {
 
 class Calibrated : public testing::Test {
  protected:
-  std::unique_ptr<FrameSource> source() {
+  std::unique_ptr<source::FrameSource> source() {
     auto opened = open_source("rig:" + rig_.string() + "#s0",
-                              {.pace = Pace::kAsFastAsPossible, .loop = false});
+                              {.pace = source::Pace::kAsFastAsPossible, .loop = false});
     EXPECT_TRUE(opened.ok());
     return std::move(*opened);
   }
-  std::filesystem::path write(const RecordedCamera& camera) {
-    put_text(folder_ / "better.json", camera_json_text(camera));
+  std::filesystem::path write(const io::RecordedCamera& camera) {
+    recording::put_text(folder_ / "better.json", io::camera_json_text(camera));
     return folder_ / "better.json";
   }
 
   TemporaryFolder folder_;
-  const std::filesystem::path rig_ = write_small_rig(folder_);
-  RecordedCamera camera_{.calibration = small_calibration()};
+  const std::filesystem::path rig_ = recording::write_small_rig(folder_);
+  io::RecordedCamera camera_{.calibration = recording::small_calibration()};
 };
 
 TEST_F(Calibrated, frames_come_with_the_files_cameras_and_corrected_depth) {
@@ -39,9 +39,9 @@ TEST_F(Calibrated, frames_come_with_the_files_cameras_and_corrected_depth) {
   EXPECT_DOUBLE_EQ((*better)->description().calibration.depth.fx, 36.5);
   EXPECT_DOUBLE_EQ((*better)->description().calibration.color_from_depth.translation_m.x(), -0.06);
   EXPECT_EQ((*better)->description().name, "s0");
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(*(*better)->next(frame, {}));
-  EXPECT_EQ(small_frame(0, 0).depth_mm.at(0, 0), 1000);
+  EXPECT_EQ(recording::small_frame(0, 0).depth_mm.at(0, 0), 1000);
   EXPECT_EQ(frame.depth_mm.at(0, 0), 1006);
   EXPECT_FALSE(frame.color.empty());
 }
@@ -55,4 +55,4 @@ TEST_F(Calibrated, a_file_about_another_camera_is_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::sensor

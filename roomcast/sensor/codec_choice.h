@@ -4,7 +4,7 @@
 
 #include "roomcast/codec/frame_codec.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 
 struct CodecChoice {
   codec::DepthMode depth_mode = codec::DepthMode::kLive;
@@ -19,4 +19,4 @@ struct CodecChoice {
   }
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

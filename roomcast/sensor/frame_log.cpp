@@ -10,7 +10,7 @@
 
 #include "roomcast/core/crc32.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 
 static_assert(std::endian::native == std::endian::little,
               "depth rows are hashed as they lie in memory");
@@ -39,4 +39,4 @@ void FrameLog::add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm)
   std::fflush(file_.get());
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

@@ -13,7 +13,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 
 [[nodiscard]] std::uint32_t depth_crc32(DepthView depth_mm);
 
@@ -31,4 +31,4 @@ class FrameLog {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

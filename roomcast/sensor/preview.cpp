@@ -6,7 +6,7 @@
 
 #include "roomcast/io/image_file.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 namespace {
 
 constexpr int kQuality = 80;
@@ -38,7 +38,7 @@ Status Preview::show(DepthView depth_mm, ColorView color, HostTime now) {
     std::transform(depth_mm.row(y), depth_mm.row(y) + depth_mm.width, row + depth_mm.width,
                    color_of_depth);
   }
-  return write_color_jpeg(file_, picture_, kQuality);
+  return io::write_color_jpeg(file_, picture_, kQuality);
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

@@ -11,7 +11,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 
 class Preview {
  public:
@@ -32,4 +32,4 @@ class Preview {
 /// 0.5 m red, over yellow, green and cyan to 5 m blue.
 [[nodiscard]] Rgb8 color_of_depth(std::uint16_t depth_mm);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

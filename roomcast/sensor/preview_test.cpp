@@ -6,7 +6,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 namespace {
 
 TEST(Preview, near_is_red_far_is_blue_and_no_reading_is_black) {
@@ -24,7 +24,7 @@ TEST(Preview, shows_colour_beside_distance) {
   const ColorImage color(32, 16, Rgb8{0, 200, 0});
   ASSERT_TRUE(preview.show(depth, color, HostTime(std::chrono::seconds(5))).ok());
   ColorImage picture;
-  ASSERT_TRUE(ImageFileReader().read_color(folder / "now.jpg", {64, 16}, picture).ok());
+  ASSERT_TRUE(io::ImageFileReader().read_color(folder / "now.jpg", {64, 16}, picture).ok());
   EXPECT_NEAR(picture.at(8, 8).g, 200, 10);
   EXPECT_NEAR(picture.at(56, 8).r, 255, 10);
 }
@@ -36,7 +36,7 @@ TEST(Preview, colour_twice_as_fine_is_shown_too) {
   const ColorImage color(64, 32, Rgb8{0, 200, 0});
   ASSERT_TRUE(preview.show(depth, color, HostTime(std::chrono::seconds(5))).ok());
   ColorImage picture;
-  ASSERT_TRUE(ImageFileReader().read_color(folder / "now.jpg", {64, 16}, picture).ok());
+  ASSERT_TRUE(io::ImageFileReader().read_color(folder / "now.jpg", {64, 16}, picture).ok());
   EXPECT_NEAR(picture.at(24, 12).g, 200, 10);
 }
 
@@ -61,4 +61,4 @@ TEST(Preview, a_file_that_cannot_be_written_says_so) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

@@ -16,7 +16,7 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/sensor/source_factory.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 namespace {
 
 using Eigen::Vector2d;
@@ -45,8 +45,8 @@ TrueView read_view(const std::filesystem::path& truth, const nlohmann::json& vie
   const auto& entry = views["views"][i];
   const auto numbers = entry["world_from_view"].get<std::vector<double>>();
   view.world_from_view = transform_from_row_major(numbers).value();
-  ImageFileReader reader;
-  const ImageSize size{kViewSide, kViewSide};
+  io::ImageFileReader reader;
+  const io::ImageSize size{kViewSide, kViewSide};
   EXPECT_TRUE(
       reader.read_depth(truth / entry["depth"].get<std::string>(), size, view.depth_mm).ok());
   EXPECT_TRUE(reader.read_color(truth / entry["color"].get<std::string>(), size, view.color).ok());
@@ -54,8 +54,8 @@ TrueView read_view(const std::filesystem::path& truth, const nlohmann::json& vie
 }
 
 /// Frame `index` of sensor s0, whose colour gain is 1 and whose clock is the truth's.
-CapturedFrame read_frame(FrameSource& source, std::uint64_t index) {
-  CapturedFrame frame;
+source::CapturedFrame read_frame(source::FrameSource& source, std::uint64_t index) {
+  source::CapturedFrame frame;
   while (frame.index != index || frame.depth_mm.empty()) {
     const auto more = source.next(frame, {});
     if (!more.ok() || !*more) break;
@@ -70,8 +70,8 @@ int difference(Rgb8 a, Rgb8 b) {
 
 /// Differences between registered and true colour wherever view and sensor see the same surface
 /// point.
-std::vector<int> differences(const TrueView& view, const SensorDescription& sensor,
-                             const CapturedFrame& frame, const RegisteredColor& registered) {
+std::vector<int> differences(const TrueView& view, const source::SensorDescription& sensor,
+                             const source::CapturedFrame& frame, const RegisteredColor& registered) {
   std::vector<int> all;
   const RigidTransform depth_from_view = sensor.world_from_depth->inverse() * view.world_from_view;
   for (int v = 0; v < kViewSide; ++v) {
@@ -108,15 +108,15 @@ Agreement agreement_of(const std::vector<int>& sorted) {
 class RegisteredHouse : public testing::Test {
  protected:
   void SetUp() override {
-    const auto house = shared_data() / "house3";
+    const auto house = recording::shared_data() / "house3";
     if (!std::filesystem::exists(house / "truth/views.json")) {
-      GTEST_SKIP() << "no recordings at " << shared_data()
+      GTEST_SKIP() << "no recordings at " << recording::shared_data()
                    << "; set ROOMCAST_DATA to test with them";
     }
-    const auto views = nlohmann::json::parse(text_of(house / "truth/views.json"));
+    const auto views = nlohmann::json::parse(recording::text_of(house / "truth/views.json"));
     view_ = read_view(house / "truth", views, 0);
     auto source = open_source("rig:" + house.string() + "#s0",
-                              {.pace = Pace::kAsFastAsPossible, .loop = false});
+                              {.pace = source::Pace::kAsFastAsPossible, .loop = false});
     ASSERT_TRUE(source.ok()) << source.error().message;
     sensor_ = (*source)->description();
     frame_ = read_frame(**source, views["views"][0]["frame"]["s0"].get<std::uint64_t>());
@@ -135,8 +135,8 @@ class RegisteredHouse : public testing::Test {
   }
 
   TrueView view_;
-  SensorDescription sensor_;
-  CapturedFrame frame_;
+  source::SensorDescription sensor_;
+  source::CapturedFrame frame_;
 };
 
 // Measured: 2 grey levels in the median, which is the recorded JPEG noise, and 1.2 % gross errors.
@@ -162,4 +162,4 @@ TEST_F(RegisteredHouse, the_occlusion_test_takes_out_gross_errors_and_little_els
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::sensor

@@ -12,11 +12,11 @@
 #include "roomcast/sensor/preview.h"
 #include "roomcast/sensor/sighting_detector.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 namespace {
 
-PublisherOptions publisher_options(const SensorDescription& sensor, const SensorFeedOptions& feed) {
-  PublisherOptions options;
+client::PublisherOptions publisher_options(const source::SensorDescription& sensor, const SensorFeedOptions& feed) {
+  client::PublisherOptions options;
   options.hub_url = feed.hub_url;
   options.room = feed.room;
   options.credential = feed.credential;
@@ -29,7 +29,7 @@ PublisherOptions publisher_options(const SensorDescription& sensor, const Sensor
   return options;
 }
 
-codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
+codec::FrameEncoderOptions encoder_options(const source::SensorDescription& sensor,
                                            const SensorFeedOptions& feed) {
   codec::FrameEncoderOptions options;
   options.width = sensor.calibration.depth.width;
@@ -47,7 +47,7 @@ codec::FrameEncoderOptions encoder_options(const SensorDescription& sensor,
 
 class SensorFeed::Worker {
  public:
-  Worker(std::unique_ptr<FrameSource> source, HoleRegistration registration,
+  Worker(std::unique_ptr<source::FrameSource> source, HoleRegistration registration,
          std::unique_ptr<codec::FrameEncoder> encoder, const SensorFeedOptions& options,
          std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
@@ -60,7 +60,7 @@ class SensorFeed::Worker {
     if (!options.preview.empty()) preview_.emplace(options.preview);
   }
 
-  void set_publisher(std::unique_ptr<Publisher> publisher) { publisher_ = std::move(publisher); }
+  void set_publisher(std::unique_ptr<client::Publisher> publisher) { publisher_ = std::move(publisher); }
 
   void run(const std::stop_token& stop) {
     Status status;
@@ -82,7 +82,7 @@ class SensorFeed::Worker {
   }
 
   SensorFeedStats stats() const {
-    const PublisherStats sent = publisher_->stats();
+    const client::PublisherStats sent = publisher_->stats();
     return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health()};
   }
   std::optional<Status> result() const {
@@ -124,7 +124,7 @@ class SensorFeed::Worker {
     if (!turn) return {};
     follow_network(turn->rate_share);
     if (auto status = register_color(); !status) return status;
-    auto message = Publisher::begin_frame();
+    auto message = client::Publisher::begin_frame();
     const auto info = encoder_->encode(captured_.depth_mm, registered_.color, known_colors(),
                                        turn->want_key, message.appendable());
     if (!info) return info.error();
@@ -163,10 +163,10 @@ class SensorFeed::Worker {
     return {};
   }
 
-  std::unique_ptr<FrameSource> source_;
+  std::unique_ptr<source::FrameSource> source_;
   const LogSink log_;
-  aligner::BundleMonitor bundle_;
-  aligner::SightingDetector sighting_detector_;
+  BundleMonitor bundle_;
+  SightingDetector sighting_detector_;
   std::string complaint_;  // the last
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
@@ -175,8 +175,8 @@ class SensorFeed::Worker {
   std::optional<FrameLog> frame_log_;
   std::optional<Preview> preview_;
   bool preview_failed_ = false;
-  std::unique_ptr<Publisher> publisher_;
-  CapturedFrame captured_;      // used again from frame to frame
+  std::unique_ptr<client::Publisher> publisher_;
+  source::CapturedFrame captured_;      // used again from frame to frame
   RegisteredColor registered_;  // likewise
 
   mutable std::mutex mutex_;
@@ -192,9 +192,9 @@ SensorFeed::~SensorFeed() {
   thread_.join();
 }
 
-Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSource> source,
+Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<source::FrameSource> source,
                                                       SensorFeedOptions options) {
-  const SensorDescription sensor = source->description();
+  const source::SensorDescription sensor = source->description();
   auto registration =
       HoleRegistration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
   if (!registration) return registration.error();
@@ -208,7 +208,7 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<FrameSourc
   }
   auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
                                          std::move(*encoder), options, std::move(frame_log));
-  auto publisher = Publisher::open(publisher_options(sensor, options));
+  auto publisher = client::Publisher::open(publisher_options(sensor, options));
   if (!publisher) return publisher.error();
   worker->set_publisher(std::move(*publisher));
   return std::unique_ptr<SensorFeed>(new SensorFeed(std::move(worker)));
@@ -221,4 +221,4 @@ std::optional<Status> SensorFeed::result() const {
   return worker_->result();
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

@@ -17,12 +17,12 @@
 #include "roomcast/sensor/codec_choice.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast::cli {
+namespace roomcast::sensor {
 
 struct SensorFeedOptions {
   std::string hub_url;
   std::string room;
-  Credential credential = {};
+  client::Credential credential = {};
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;
@@ -36,14 +36,14 @@ struct SensorFeedStats {
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;
   std::uint64_t bytes_sent = 0;
-  SourceHealth source;
+  source::SourceHealth source;
 };
 
 class SensorFeed {
  public:
   /// Joins the hub, then starts to send. Errors: those of registration, encoder and
   /// Publisher::open.
-  static Result<std::unique_ptr<SensorFeed>> start(std::unique_ptr<FrameSource> source,
+  static Result<std::unique_ptr<SensorFeed>> start(std::unique_ptr<source::FrameSource> source,
                                                    SensorFeedOptions options);
   /// Stops and leaves the hub.
   ~SensorFeed();
@@ -59,4 +59,4 @@ class SensorFeed {
   std::jthread thread_;
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::sensor

@@ -11,11 +11,11 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/sensor/source_factory.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 namespace {
 
 constexpr double kLargestJitter_s = 0.002 + 1e-6;  // of the stamps, as SOURCE.md says; files round
-const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
 struct Expected {
   const char* spec;  // with @ for the data folder
@@ -31,14 +31,14 @@ bool any_reading(const DepthImage& depth) {
 }
 
 TEST_P(SharedData, opens_and_gives_its_frames) {
-  if (!std::filesystem::exists(shared_data() / "README.md")) {
-    GTEST_SKIP() << "no recordings at " << shared_data() << "; set ROOMCAST_DATA to test with them";
+  if (!std::filesystem::exists(recording::shared_data() / "README.md")) {
+    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
   }
   std::string spec = GetParam().spec;
-  spec.replace(spec.find('@'), 1, shared_data().string());
+  spec.replace(spec.find('@'), 1, recording::shared_data().string());
   auto source = open_source(spec, kFastOnce);
   ASSERT_TRUE(source.ok()) << source.error().message;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   int frames = 0, with_color = 0;
   HostTime last = HostTime::min();
   while (frames < GetParam().frames) {
@@ -74,12 +74,12 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(SharedDataHouse, true_capture_times_are_those_of_the_truth) {
-  const auto house = shared_data() / "house3";
+  const auto house = recording::shared_data() / "house3";
   if (!std::filesystem::exists(house / "truth/s0/times.txt")) {
-    GTEST_SKIP() << "no recordings at " << shared_data() << "; set ROOMCAST_DATA to test with them";
+    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
   }
   for (const char* id : {"s0", "s1", "s2"}) {
-    const auto recording = read_rig_recording(house, id);
+    const auto recording = recording::read_rig_recording(house, id);
     ASSERT_TRUE(recording.ok()) << recording.error().message;
     std::ifstream truth(house / "truth" / id / "times.txt");
     std::string header;
@@ -100,4 +100,4 @@ TEST(SharedDataHouse, true_capture_times_are_those_of_the_truth) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::sensor

@@ -5,7 +5,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 namespace {
 
 /// Whether it is time again; then the next time is that much later.
@@ -21,14 +21,14 @@ std::uint64_t wire_time(RoomTime time) {
 
 }  // namespace
 
-void SightingDetector::stand(std::optional<align::CalibrationBundle> bundle) {
+void SightingDetector::stand(std::optional<alignment::CalibrationBundle> bundle) {
   bundle_ = std::move(bundle);
   heads_.reset();
   sees_floor_ = true;
   seen_.Clear();
 }
 
-std::optional<wire::pb::Sightings> SightingDetector::add(const CapturedFrame& frame,
+std::optional<wire::pb::Sightings> SightingDetector::add(const source::CapturedFrame& frame,
                                                          RoomTime taken) {
   if (!bundle_ || !(wanted_.heads() || wanted_.tags())) return std::nullopt;
   if (!same_size(frame.depth_mm.view(), bundle_->calibration.depth)) return std::nullopt;
@@ -39,9 +39,9 @@ std::optional<wire::pb::Sightings> SightingDetector::add(const CapturedFrame& fr
   return std::exchange(seen_, {});
 }
 
-void SightingDetector::look_for_heads(const CapturedFrame& frame, RoomTime taken) {
+void SightingDetector::look_for_heads(const source::CapturedFrame& frame, RoomTime taken) {
   if (!heads_ && sees_floor_) {
-    const auto floor = align::floor_of(*bundle_);
+    const auto floor = alignment::floor_of(*bundle_);
     sees_floor_ = floor.has_value();
     if (floor) heads_.emplace(*bundle_, *floor);
   }
@@ -56,10 +56,10 @@ void SightingDetector::look_for_heads(const CapturedFrame& frame, RoomTime taken
   }
 }
 
-void SightingDetector::look_for_tags(const CapturedFrame& frame, RoomTime taken) {
+void SightingDetector::look_for_tags(const source::CapturedFrame& frame, RoomTime taken) {
   if (!same_size(frame.color.view(), bundle_->calibration.color)) return;
   if (!tags_) tags_.emplace(bundle_->calibration);
-  for (const align::SeenTag& tag : tags_->find(frame.depth_mm.view(), frame.color.view())) {
+  for (const alignment::SeenTag& tag : tags_->find(frame.depth_mm.view(), frame.color.view())) {
     if (seen_.tags_size() >= wire::kMaxSightings) return;
     auto& sighting = *seen_.add_tags();
     sighting.set_room_ns(wire_time(taken));
@@ -70,4 +70,4 @@ void SightingDetector::look_for_tags(const CapturedFrame& frame, RoomTime taken)
   }
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

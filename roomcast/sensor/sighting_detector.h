@@ -13,7 +13,7 @@
 #include "roomcast/source/frame_source.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 
 inline constexpr std::chrono::milliseconds kHeadInterval{110};
 inline constexpr std::chrono::milliseconds kTagInterval{240};  // dearer
@@ -22,25 +22,25 @@ inline constexpr std::chrono::milliseconds kSightingsMessageInterval{500};
 class SightingDetector {
  public:
   /// The sensor stands where it saw this; nothing: it was moved, and nobody knows where it stands.
-  void stand(std::optional<align::CalibrationBundle> bundle);
+  void stand(std::optional<alignment::CalibrationBundle> bundle);
 
   /// What is asked for now.
   void want(const wire::pb::SightingRequest& request) { wanted_ = request; }
 
   /// `taken` is when the frame was. A message when it is time for one.
-  [[nodiscard]] std::optional<wire::pb::Sightings> add(const CapturedFrame& frame, RoomTime taken);
+  [[nodiscard]] std::optional<wire::pb::Sightings> add(const source::CapturedFrame& frame, RoomTime taken);
 
  private:
-  void look_for_heads(const CapturedFrame& frame, RoomTime taken);
-  void look_for_tags(const CapturedFrame& frame, RoomTime taken);
+  void look_for_heads(const source::CapturedFrame& frame, RoomTime taken);
+  void look_for_tags(const source::CapturedFrame& frame, RoomTime taken);
 
   wire::pb::SightingRequest wanted_;
-  std::optional<align::CalibrationBundle> bundle_;
-  std::optional<align::HeadDetector> heads_;  // made when first asked for
+  std::optional<alignment::CalibrationBundle> bundle_;
+  std::optional<alignment::HeadDetector> heads_;  // made when first asked for
   bool sees_floor_ = true;                    // as far as is known
-  std::optional<align::TagTracker> tags_;     // made when first asked for
+  std::optional<alignment::TagTracker> tags_;     // made when first asked for
   std::optional<RoomTime> last_heads_, last_tags_, last_message_;
   wire::pb::Sightings seen_;
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

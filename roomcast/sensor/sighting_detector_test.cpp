@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::aligner {
+namespace roomcast::sensor {
 namespace {
 
 using namespace std::chrono_literals;
@@ -13,12 +13,12 @@ using namespace std::chrono_literals;
 const RigidTransform kStand = world_from_optical_looking_at({2, 1.9, 1.5}, {-0.6, 1.0, -0.3});
 
 /// Somebody stands in the room.
-CapturedFrame frame_with_person() {
-  align::RoomFixture room;
+source::CapturedFrame frame_with_person() {
+  alignment::RoomFixture room;
   room.boxes.push_back({Eigen::Vector3d(-1.02, 0, 0.75), Eigen::Vector3d(-0.58, 1.55, 1.05)});
   room.boxes.push_back({Eigen::Vector3d(-0.88, 1.55, 0.82), Eigen::Vector3d(-0.72, 1.8, 0.98)});
-  CapturedFrame frame;
-  frame.depth_mm = align::invented_depth(room, align::calibration_fixture().depth, kStand);
+  source::CapturedFrame frame;
+  frame.depth_mm = alignment::invented_depth(room, alignment::calibration_fixture().depth, kStand);
   return frame;
 }
 
@@ -42,17 +42,17 @@ class SightingDetectorTest : public testing::Test {
   SightingDetector sighting_detector;
 
  private:
-  CapturedFrame frame_ = frame_with_person();
+  source::CapturedFrame frame_ = frame_with_person();
   RoomTime time_{1h};
 };
 
 TEST_F(SightingDetectorTest, nobody_asks_nobody_is_told) {
-  sighting_detector.stand(align::bundle_fixture({}, "s0", kStand));
+  sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   EXPECT_EQ(heads_told(), 0);
 }
 
 TEST_F(SightingDetectorTest, heads_are_told_of_while_they_are_asked_for) {
-  sighting_detector.stand(align::bundle_fixture({}, "s0", kStand));
+  sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   sighting_detector.want(heads());
   const int told = heads_told();
   EXPECT_GE(told, 10);
@@ -62,11 +62,11 @@ TEST_F(SightingDetectorTest, heads_are_told_of_while_they_are_asked_for) {
 }
 
 TEST_F(SightingDetectorTest, a_sensor_that_was_moved_tells_nothing) {
-  sighting_detector.stand(align::bundle_fixture({}, "s0", kStand));
+  sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   sighting_detector.want(heads());
   sighting_detector.stand(std::nullopt);
   EXPECT_EQ(heads_told(), 0);
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::sensor

@@ -13,7 +13,7 @@
 #include "roomcast/source/camera/camera_source.h"
 #include "roomcast/source/drivers/camera_kinds.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 namespace {
 
 constexpr const char* kKinds =
@@ -53,7 +53,7 @@ std::optional<int> sensor_index(const std::string& text) {
   return index;
 }
 
-Result<std::unique_ptr<FrameSource>> open_kind(const CameraKind& kind, const std::string& place,
+Result<std::unique_ptr<source::FrameSource>> open_kind(const source::CameraKind& kind, const std::string& place,
                                                const SourceOptions& options) {
   if (kind.make == nullptr) {
     return Error{ErrorCode::kUnsupported, "this roomcast was built without " +
@@ -61,45 +61,45 @@ Result<std::unique_ptr<FrameSource>> open_kind(const CameraKind& kind, const std
                                               std::string(kind.cameras) +
                                               "; install it and build again"};
   }
-  CameraSourceOptions camera;
+  source::CameraSourceOptions camera;
   camera.settings = options.camera;
   camera.settings.loop = options.loop;
   camera.log = options.log;
-  return CameraSource::open(kind.make(), place, camera);
+  return source::CameraSource::open(kind.make(), place, camera);
 }
 
-SimulatedSourceOptions simulated(const SourceOptions& options) {
+simulator::SimulatedSourceOptions simulated(const SourceOptions& options) {
   return {.pace = options.pace,
           .fps = options.sim_fps,
           .sensor_count = options.sim_sensor_count,
           .seed = options.sim_seed};
 }
 
-Result<std::unique_ptr<FrameSource>> open_as_it_is(const std::string& text,
+Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& text,
                                                    const SourceOptions& options) {
   const Spec spec = split(text);
   if (spec.kind == "sim") {
     const auto index = sensor_index(spec.sensor);
     if (!index) return invalid(text, "numbers its sensor wrongly");
-    return open_simulated_source(spec.place, *index, simulated(options));
+    return simulator::open_simulated_source(spec.place, *index, simulated(options));
   }
-  if (const CameraKind* kind = camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
+  if (const source::CameraKind* kind = source::camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
   const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
   if (!is_recording) return invalid(text, "names no kind of source");
   if (spec.place.empty()) return invalid(text, "names no recording");
-  const PlaybackOptions playback{.pace = options.pace, .loop = options.loop};
-  if (spec.kind == "mcap") return open_replay_source(spec.place, spec.sensor, playback);
-  if (spec.kind == "rig") return open_rig_source(spec.place, spec.sensor, playback);
-  return open_tum_source(spec.place, playback);
+  const source::PlaybackOptions playback{.pace = options.pace, .loop = options.loop};
+  if (spec.kind == "mcap") return recording::open_replay_source(spec.place, spec.sensor, playback);
+  if (spec.kind == "rig") return recording::open_rig_source(spec.place, spec.sensor, playback);
+  return recording::open_tum_source(spec.place, playback);
 }
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> open_source(const std::string& text,
+Result<std::unique_ptr<source::FrameSource>> open_source(const std::string& text,
                                                  const SourceOptions& options) {
   auto source = open_as_it_is(text, options);
   if (!source || options.calibration.empty()) return source;
   return with_calibration(*std::move(source), options.calibration);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::sensor

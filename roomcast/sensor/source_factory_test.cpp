@@ -5,16 +5,16 @@
 
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::sensor {
 namespace {
 
-const SourceOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
 void expect_opens(const std::string& spec, const std::string& name) {
   auto source = open_source(spec, kFastOnce);
   ASSERT_TRUE(source.ok()) << spec << ": " << source.error().message;
   EXPECT_EQ((*source)->description().name, name);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   const auto more = (*source)->next(frame, {});
   ASSERT_TRUE(more.ok()) << spec << ": " << more.error().message;
   EXPECT_TRUE(*more) << spec;
@@ -22,12 +22,12 @@ void expect_opens(const std::string& spec, const std::string& name) {
 
 TEST(SourceFactory, opens_a_sensor_of_a_rig) {
   const TemporaryFolder folder;
-  expect_opens("rig:" + write_small_rig(folder).string() + "#s1", "s1");
+  expect_opens("rig:" + recording::write_small_rig(folder).string() + "#s1", "s1");
 }
 
 TEST(SourceFactory, opens_a_single_recording) {
   const TemporaryFolder folder;
-  const auto sensor = write_small_rig(folder) / "s0";  // a rig's sensor folder is a TUM folder too
+  const auto sensor = recording::write_small_rig(folder) / "s0";  // a rig's sensor folder is a TUM folder too
   expect_opens("tum:" + sensor.string(), "s0");
 }
 
@@ -54,10 +54,10 @@ TEST(SourceFactory, a_folder_that_is_not_named_or_not_there_is_refused) {
 
 TEST(SourceFactory, lists_the_sensors_of_a_rig) {
   const TemporaryFolder folder;
-  const auto names = rig_sensor_names(write_small_rig(folder).string());
+  const auto names = recording::rig_sensor_names(recording::write_small_rig(folder).string());
   ASSERT_TRUE(names.ok());
   EXPECT_EQ(*names, (std::vector<std::string>{"s0", "s1"}));
-  EXPECT_EQ(rig_sensor_names(folder.path().string()).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(recording::rig_sensor_names(folder.path().string()).error().code, ErrorCode::kNotFound);
 }
 
 TEST(SourceFactory, a_simulated_sensor_is_numbered) {
@@ -74,4 +74,4 @@ TEST(SourceFactory, a_camera_that_is_not_there_or_not_built_in_says_so) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::sensor

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr double kMeterWidth = 48.0;  // pixels
@@ -74,4 +74,4 @@ void ColorCamera::read(float gain, std::uint32_t key, const Work& work, ColorIma
   develop(ColorResponse(gains(gain), true), key, work, color);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

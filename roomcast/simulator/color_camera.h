@@ -13,7 +13,7 @@
 #include "roomcast/simulator/simulated_room.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class ColorCamera {
  public:
@@ -54,4 +54,4 @@ class ColorCamera {
   GaussianTable gaussians_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -10,22 +10,22 @@
 #include "roomcast/geometry/registration.h"
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using std::chrono::milliseconds;
 
 /// A grey wall at 3 m with a black board before it at 2 m, and one camera in front of both.
-sim::Room two_walls() {
-  sim::Room room;
+simulator::Room two_walls() {
+  simulator::Room room;
   room.name = "walls";
   room.size_m = {10, 4, 10};
   room.ambient = Eigen::Vector3f::Constant(0.6F);
-  const auto grey = room.add(sim::painted(sim::Pattern::kPlain, 0xd0d0d0, 0xd0d0d0, 0xd0d0d0, 1));
-  const auto black = room.add(sim::painted(sim::Pattern::kPlain, 0x101010, 0x101010, 0x101010, 1));
+  const auto grey = room.add(simulator::painted(simulator::Pattern::kPlain, 0xd0d0d0, 0xd0d0d0, 0xd0d0d0, 1));
+  const auto black = room.add(simulator::painted(simulator::Pattern::kPlain, 0x101010, 0x101010, 0x101010, 1));
   const Eigen::Affine3f here = Eigen::Affine3f::Identity();
-  sim::add_quad(room.mesh, grey, here, {-5, -3, -3}, {10, 0, 0}, {0, 8, 0});
-  sim::add_quad(room.mesh, black, here, {-0.4F, 0.6F, -2}, {0.8F, 0, 0}, {0, 0.8F, 0});
+  simulator::add_quad(room.mesh, grey, here, {-5, -3, -3}, {10, 0, 0}, {0, 8, 0});
+  simulator::add_quad(room.mesh, black, here, {-0.4F, 0.6F, -2}, {0.8F, 0, 0}, {0, 0.8F, 0});
   return room;
 }
 
@@ -45,20 +45,20 @@ double edge_in_row(const std::vector<double>& row, int from, int to) {
 }
 
 TEST(ColorCamera, edges_of_colour_lie_on_edges_of_depth_after_registration) {
-  const sim::Room room = two_walls();
-  const auto rays = sim::RayScene::build(room.mesh).value();
+  const simulator::Room room = two_walls();
+  const auto rays = simulator::RayScene::build(room.mesh).value();
   for (const auto model :
-       {sim::CameraModel::kKinect2, sim::CameraModel::kAzure, sim::CameraModel::kD435}) {
-    sim::SensingOptions options;
+       {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure, simulator::CameraModel::kD435}) {
+    simulator::SensingOptions options;
     options.camera = model;
-    const sim::SensorUnit unit = sim::make_unit(options, 1, 1);
+    const simulator::SensorUnit unit = simulator::make_unit(options, 1, 1);
     const RigidTransform world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -3});
-    const sim::PlacedCamera depth_camera(unit.exact.depth, world_from_depth);
-    const sim::PlacedCamera fine(sim::resampled(unit.exact.depth, 2.0), world_from_depth);
-    const sim::PlacedCamera color_camera(unit.exact.color,
+    const simulator::PlacedCamera depth_camera(unit.exact.depth, world_from_depth);
+    const simulator::PlacedCamera fine(simulator::resampled(unit.exact.depth, 2.0), world_from_depth);
+    const simulator::PlacedCamera color_camera(unit.exact.color,
                                          world_from_depth * unit.exact.color_from_depth.inverse());
-    const auto depth = sim::trace_depth_plate(room, *rays, depth_camera, fine, false, 0);
-    const auto color = sim::trace_color_plate(room, *rays, color_camera, 0);
+    const auto depth = simulator::trace_depth_plate(room, *rays, depth_camera, fine, false, 0);
+    const auto color = simulator::trace_color_plate(room, *rays, color_camera, 0);
     DepthImage depth_mm(depth.z_m.width(), depth.z_m.height());
     for (std::size_t i = 0; i < depth_mm.view().pixel_count(); ++i)
       depth_mm.data()[i] = static_cast<std::uint16_t>(std::lround(1000.0F * depth.z_m.data()[i]));
@@ -88,7 +88,7 @@ TEST(ColorCamera, edges_of_colour_lie_on_edges_of_depth_after_registration) {
       }
     }
     EXPECT_EQ(rows, 82);
-    EXPECT_LE(largest, 1.0) << sim::name_of(model);
+    EXPECT_LE(largest, 1.0) << simulator::name_of(model);
   }
 }
 
@@ -129,4 +129,4 @@ TEST(ColorCamera, units_have_colours_of_their_own_and_exposure_follows_the_scene
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

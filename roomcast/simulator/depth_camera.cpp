@@ -10,7 +10,7 @@
 #include "roomcast/simulator/sensing/stereo_shadow.h"
 #include "roomcast/simulator/sensing/unit_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 DepthImage rounded_mm(const Image<float>& z_m) {
@@ -198,4 +198,4 @@ void DepthCamera::read(const MovingThings& things, std::uint32_t key, nanosecond
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -14,7 +14,7 @@
 #include "roomcast/simulator/simulated_room.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class DepthCamera {
  public:
@@ -76,4 +76,4 @@ class DepthCamera {
   GaussianTable gaussians_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

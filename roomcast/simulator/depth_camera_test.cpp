@@ -9,7 +9,7 @@
 
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -19,18 +19,18 @@ using std::chrono::milliseconds;
 SimulatedSensor::Options perfect(int index) {
   SimulatedSensor::Options options;
   options.index = index;
-  options.sensing = sim::SensingOptions().clean();
+  options.sensing = simulator::SensingOptions().clean();
   options.sensing.half_color = true;
   return options;
 }
 
 /// The room and everything in it at an instant, as one mesh.
-sim::TriangleMesh whole_mesh(const sim::Room& room, nanoseconds time) {
-  sim::MovingThings things(room);
+simulator::TriangleMesh whole_mesh(const simulator::Room& room, nanoseconds time) {
+  simulator::MovingThings things(room);
   things.move_to(time);
-  sim::TriangleMesh mesh = room.mesh;
+  simulator::TriangleMesh mesh = room.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const sim::TriangleMesh& moving = things.mesh();
+  const simulator::TriangleMesh& moving = things.mesh();
   mesh.positions.insert(mesh.positions.end(), moving.positions.begin(), moving.positions.end());
   mesh.normals.insert(mesh.normals.end(), moving.normals.begin(), moving.normals.end());
   mesh.uv_m.insert(mesh.uv_m.end(), moving.uv_m.begin(), moving.uv_m.end());
@@ -48,9 +48,9 @@ TEST(DepthCamera, drawing_what_moves_over_the_still_room_gives_what_a_full_trace
     for (const auto time : {milliseconds(0), milliseconds(3700)}) {
       sensor->look(time, moment);
       const DepthImage& drawn = sensor->clean_depth_mm(moment);
-      const sim::TriangleMesh mesh = whole_mesh(room->room(), time);
-      const auto rays = sim::RayScene::build(mesh).value();
-      const sim::PlacedCamera& camera = sensor->depth_camera().placed();
+      const simulator::TriangleMesh mesh = whole_mesh(room->room(), time);
+      const auto rays = simulator::RayScene::build(mesh).value();
+      const simulator::PlacedCamera& camera = sensor->depth_camera().placed();
       int differing = 0, moving_seen = 0;
       const auto still = static_cast<std::uint32_t>(room->room().mesh.triangles.size());
       for (int y = 0; y < drawn.height(); ++y) {
@@ -187,4 +187,4 @@ TEST(DepthCamera, the_expected_reading_is_the_mean_of_many) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

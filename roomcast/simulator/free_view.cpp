@@ -7,7 +7,7 @@
 #include "roomcast/core/assert.h"
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -16,7 +16,7 @@ using Eigen::Vector3f;
 /// Whether a sensor sees a point of the world, by what it sees at this instant.
 bool sees(const SimulatedSensor& sensor, DepthView clean_mm, const Vector3d& point_m) {
   constexpr double kBehind_mm = 12.0;
-  const sim::SensorProfile& profile = sensor.unit().profile;
+  const simulator::SensorProfile& profile = sensor.unit().profile;
   const Vector3d in_sensor = sensor.world_from_depth().inverse() * point_m;
   if (in_sensor.z() < static_cast<double>(profile.nearest_m) ||
       in_sensor.z() > static_cast<double>(profile.farthest_m))
@@ -37,9 +37,9 @@ struct Candidate {
   double score = 0;
 };
 
-RigidTransform drawn_place(const sim::Room& room, std::uint32_t key) {
+RigidTransform drawn_place(const simulator::Room& room, std::uint32_t key) {
   const auto signed_unit = [key](std::uint32_t trait) {
-    return 2.0 * static_cast<double>(sim::nth_unit(key, trait)) - 1.0;
+    return 2.0 * static_cast<double>(simulator::nth_unit(key, trait)) - 1.0;
   };
   const Vector3d half = 0.5 * room.size_m.cast<double>();
   const Vector3d eye(0.85 * half.x() * signed_unit(1), 1.55 + 0.25 * signed_unit(2),
@@ -49,7 +49,7 @@ RigidTransform drawn_place(const sim::Room& room, std::uint32_t key) {
   return world_from_optical_looking_at(eye, target);
 }
 
-bool is_free(const sim::RayScene& rays, const Vector3f& eye) {
+bool is_free(const simulator::RayScene& rays, const Vector3f& eye) {
   constexpr float kElbow_m = 0.45F;
   for (int i = 0; i < 27; ++i) {
     const Vector3f way(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
@@ -92,12 +92,12 @@ std::vector<Candidate> candidates(const SimulatedRoom& room,
                                   std::span<const SimulatedSensor* const> sensors,
                                   std::uint64_t seed) {
   constexpr std::uint32_t kDraws = 300;
-  const auto key = sim::hash_of(static_cast<std::uint32_t>(seed), 0x76696577U);
+  const auto key = simulator::hash_of(static_cast<std::uint32_t>(seed), 0x76696577U);
   std::vector<DepthImage> depths;
   for (const SimulatedSensor* sensor : sensors) depths.push_back(sensor->depth_camera().still_mm());
   std::vector<Candidate> found;
   for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
-    const RigidTransform place = drawn_place(room.room(), sim::hash_of(key, draw));
+    const RigidTransform place = drawn_place(room.room(), simulator::hash_of(key, draw));
     if (!is_free(room.rays(), place.translation_m.cast<float>())) continue;
     found.push_back({place, share_seen(room, sensors, depths, place)});
   }
@@ -110,11 +110,11 @@ FreeView::FreeView(const SimulatedRoom& room, const CameraIntrinsics& lens,
                    const RigidTransform& world_from_view, int threads)
     : room_(room),
       camera_(lens, world_from_view),
-      plate_(sim::trace_color_plate(room.room(), room.rays(), camera_, threads)),
+      plate_(simulator::trace_color_plate(room.room(), room.rays(), camera_, threads)),
       layer_(lens.width, lens.height),
       depth_mm_(lens.width, lens.height) {}
 
-void FreeView::look(const sim::MovingThings& things) {
+void FreeView::look(const simulator::MovingThings& things) {
   color_ = plate_.color;
   layer_.draw(things, camera_);
   colors_.light(things, room_.room());
@@ -122,7 +122,7 @@ void FreeView::look(const sim::MovingThings& things) {
   colors_.put(things, layer_, plate_, room_.texels(), color_.view());
   for (int y = 0; y < depth_mm_.height(); ++y) {
     for (int x = 0; x < depth_mm_.width(); ++x) {
-      const bool moving = sim::is_in_front(layer_, plate_.z_m, x, y);
+      const bool moving = simulator::is_in_front(layer_, plate_.z_m, x, y);
       const float z_m = moving ? layer_.z_m().at(x, y) : plate_.z_m.at(x, y);
       depth_mm_.at(x, y) = static_cast<std::uint16_t>(1000.0F * z_m + 0.5F);
     }
@@ -136,7 +136,7 @@ MaskImage FreeView::seen_by(std::span<const SimulatedSensor* const> sensors,
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) {
       if (depth_mm_.at(x, y) == 0) continue;
-      const bool moving = sim::is_in_front(layer_, plate_.z_m, x, y);
+      const bool moving = simulator::is_in_front(layer_, plate_.z_m, x, y);
       const float z_m = moving ? layer_.z_m().at(x, y) : plate_.z_m.at(x, y);
       const Vector3d point = camera_.point(x, y, z_m).cast<double>();
       for (std::size_t s = 0; s < sensors.size(); ++s) {
@@ -165,4 +165,4 @@ std::vector<RigidTransform> free_viewpoints(const SimulatedRoom& room,
   return chosen;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 /// At most so many sensors fit into a mask of who sees a point.
 inline constexpr std::size_t kMaxSeeingSensors = 8;
@@ -23,7 +23,7 @@ class FreeView {
            const RigidTransform& world_from_view, int threads);
 
   /// Looks at the things where they are now.
-  void look(const sim::MovingThings& things);
+  void look(const simulator::MovingThings& things);
 
   [[nodiscard]] const ColorImage& color() const { return color_; }
   [[nodiscard]] const DepthImage& depth_mm() const { return depth_mm_; }
@@ -36,10 +36,10 @@ class FreeView {
 
  private:
   const SimulatedRoom& room_;
-  sim::PlacedCamera camera_;
-  sim::ColorPlate plate_;
-  sim::MovingLayer layer_;
-  sim::MovingColors colors_;
+  simulator::PlacedCamera camera_;
+  simulator::ColorPlate plate_;
+  simulator::MovingLayer layer_;
+  simulator::MovingColors colors_;
   ColorImage color_;
   DepthImage depth_mm_;
 };
@@ -51,4 +51,4 @@ class FreeView {
     const SimulatedRoom& room, std::span<const SimulatedSensor* const> sensors, int count,
     std::uint64_t seed);
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

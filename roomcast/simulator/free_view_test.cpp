@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using std::chrono::milliseconds;
@@ -25,7 +25,7 @@ class FreeViews : public testing::Test {
     for (int i = 0; i < 2; ++i) {
       SimulatedSensor::Options options;
       options.index = i;
-      options.sensing = sim::SensingOptions().clean();
+      options.sensing = simulator::SensingOptions().clean();
       options.sensing.half_color = true;
       sensors_.push_back(SimulatedSensor::open(room_, options).value());
       pointers_.push_back(sensors_.back().get());
@@ -68,10 +68,10 @@ TEST_F(FreeViews, viewpoints_are_apart_in_the_room_and_the_same_for_the_same_see
 TEST_F(FreeViews, depth_is_the_distance_to_the_room_and_who_is_in_it) {
   const auto places = free_viewpoints(*room_, pointers_, 1, 1);
   FreeView view(*room_, small_lens(), places[0], 0);
-  sim::MovingThings things(room_->room());
+  simulator::MovingThings things(room_->room());
   things.move_to(milliseconds(500));
   view.look(things);
-  const sim::PlacedCamera camera(small_lens(), places[0]);
+  const simulator::PlacedCamera camera(small_lens(), places[0]);
   int nearer = 0;
   for (int y = 0; y < 160; ++y) {
     for (int x = 0; x < 160; ++x) {
@@ -88,7 +88,7 @@ TEST_F(FreeViews, depth_is_the_distance_to_the_room_and_who_is_in_it) {
 TEST_F(FreeViews, a_sensors_own_view_is_seen_by_it_nearly_everywhere) {
   const auto depths = depths_at(milliseconds(500));
   FreeView view(*room_, small_lens(), sensors_[0]->world_from_depth(), 0);
-  sim::MovingThings things(room_->room());
+  simulator::MovingThings things(room_->room());
   things.move_to(milliseconds(500));
   view.look(things);
   const MaskImage seen = view.seen_by(pointers_, depths);
@@ -105,4 +105,4 @@ TEST_F(FreeViews, a_sensors_own_view_is_seen_by_it_nearly_everywhere) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

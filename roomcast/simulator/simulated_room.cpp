@@ -7,15 +7,15 @@
 #include "roomcast/simulator/scene/board_bearer.h"
 #include "roomcast/simulator/scene/walkabout.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
-bool let_in(Visitor visitor, sim::Room& room) {
+bool let_in(Visitor visitor, simulator::Room& room) {
   switch (visitor) {
     case Visitor::kWalkabout:
-      return sim::add_walkabout(room);
+      return simulator::add_walkabout(room);
     case Visitor::kBoardBearer:
-      return sim::add_board_bearer(room);
+      return simulator::add_board_bearer(room);
     case Visitor::kNone:
       break;
   }
@@ -27,19 +27,19 @@ bool let_in(Visitor visitor, sim::Room& room) {
 Result<std::shared_ptr<const SimulatedRoom>> SimulatedRoom::build(std::string_view scene,
                                                                   std::uint64_t seed,
                                                                   Visitor visitor) {
-  auto room = sim::build_room(scene, seed);
+  auto room = simulator::build_room(scene, seed);
   if (!room) return std::move(room).error();
   if (!let_in(visitor, *room)) {
     return Error{ErrorCode::kInvalidArgument,
                  "in the scene \"" + room->name + "\" nobody walks whose ways a visitor could go"};
   }
   std::shared_ptr<SimulatedRoom> built(new SimulatedRoom(*std::move(room)));
-  auto rays = sim::RayScene::build(built->room_.mesh);
+  auto rays = simulator::RayScene::build(built->room_.mesh);
   if (!rays) return std::move(rays).error();
   built->rays_ = *std::move(rays);
   built->texels_ =
-      std::make_unique<sim::SurfaceTexels>(built->room_, sim::MovingThings(built->room_));
+      std::make_unique<simulator::SurfaceTexels>(built->room_, simulator::MovingThings(built->room_));
   return std::shared_ptr<const SimulatedRoom>(std::move(built));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 /// Who is in a room instead of its own people.
 enum class Visitor { kNone, kWalkabout, kBoardBearer };
@@ -24,16 +24,16 @@ class SimulatedRoom {
                                                             std::uint64_t seed,
                                                             Visitor visitor = Visitor::kNone);
 
-  [[nodiscard]] const sim::Room& room() const { return room_; }
-  [[nodiscard]] const sim::RayScene& rays() const { return *rays_; }
-  [[nodiscard]] const sim::SurfaceTexels& texels() const { return *texels_; }
+  [[nodiscard]] const simulator::Room& room() const { return room_; }
+  [[nodiscard]] const simulator::RayScene& rays() const { return *rays_; }
+  [[nodiscard]] const simulator::SurfaceTexels& texels() const { return *texels_; }
 
  private:
-  explicit SimulatedRoom(sim::Room room) : room_(std::move(room)) {}
+  explicit SimulatedRoom(simulator::Room room) : room_(std::move(room)) {}
 
-  sim::Room room_;
-  std::unique_ptr<const sim::RayScene> rays_;
-  std::unique_ptr<const sim::SurfaceTexels> texels_;
+  simulator::Room room_;
+  std::unique_ptr<const simulator::RayScene> rays_;
+  std::unique_ptr<const simulator::SurfaceTexels> texels_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -6,13 +6,13 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 Status check(const SimulatedSensor::Options& options) {
-  if (options.count < 1 || options.count > sim::kMaxSimulatedSensors) {
+  if (options.count < 1 || options.count > simulator::kMaxSimulatedSensors) {
     return Error{ErrorCode::kInvalidArgument,
-                 "A simulated room has 1 to " + std::to_string(sim::kMaxSimulatedSensors) +
+                 "A simulated room has 1 to " + std::to_string(simulator::kMaxSimulatedSensors) +
                      " sensors, not " + std::to_string(options.count) + "."};
   }
   if (options.index < 0 || options.index >= options.count) {
@@ -23,7 +23,7 @@ Status check(const SimulatedSensor::Options& options) {
   return {};
 }
 
-RigidTransform stand_pose(const sim::SensorMount& stand) {
+RigidTransform stand_pose(const simulator::SensorMount& stand) {
   return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
 }
 
@@ -43,7 +43,7 @@ Result<std::unique_ptr<SimulatedSensor>> SimulatedSensor::open(
 SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options)
     : room_(std::move(room)),
       options_(options),
-      unit_(sim::make_unit(options.sensing, options.seed, options.index)),
+      unit_(simulator::make_unit(options.sensing, options.seed, options.index)),
       world_from_depth_(
           stand_pose(room_->room().sensor_mounts[static_cast<std::size_t>(options.index)]) *
           options.stand_from_depth),
@@ -52,8 +52,8 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
              options.threads) {}
 
 std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
-  const auto key = sim::hash_of(unit_.key, 6);
-  return sim::hash_of(sim::hash_of(key, static_cast<std::uint32_t>(frame)),
+  const auto key = simulator::hash_of(unit_.key, 6);
+  return simulator::hash_of(simulator::hash_of(key, static_cast<std::uint32_t>(frame)),
                       static_cast<std::uint32_t>(frame >> 32));
 }
 
@@ -87,11 +87,11 @@ void SimulatedSensor::expected_depth(const Moment& moment, DepthImage& depth_mm)
 void SimulatedSensor::read_color(std::uint64_t frame, float exposure, const Moment& moment,
                                  ColorImage& color) const {
   if (!options_.sensing.noise) return color_.expose(exposure, moment.color_, color);
-  color_.read(exposure, sim::hash_of(noise_key(frame), 1), moment.color_, color);
+  color_.read(exposure, simulator::hash_of(noise_key(frame), 1), moment.color_, color);
 }
 
 float SimulatedSensor::next_exposure(nanoseconds scene_time, Moment& moment,
-                                     sim::AutoExposure& control) const {
+                                     simulator::AutoExposure& control) const {
   if (!options_.sensing.auto_exposure) return 1.0F;
   const float gain = control.next(scene_time);
   if (control.is_due(scene_time)) {
@@ -101,4 +101,4 @@ float SimulatedSensor::next_exposure(nanoseconds scene_time, Moment& moment,
   return gain;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

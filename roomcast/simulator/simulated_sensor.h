@@ -18,17 +18,17 @@
 #include "roomcast/simulator/sensing/sensing_options.h"
 #include "roomcast/simulator/simulated_room.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 class SimulatedSensor {
  public:
   struct Options {
     int index = 0;
-    int count = 3;           // how many stand around the room, 1..sim::kMaxSimulatedSensors
+    int count = 3;           // how many stand around the room, 1..simulator::kMaxSimulatedSensors
     std::uint64_t seed = 1;  // what differs between devices, and the noise
     double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
     int threads = 0;         // for tracing the empty room; 0: all cores
-    sim::SensingOptions sensing;
+    simulator::SensingOptions sensing;
     RigidTransform stand_from_depth = {};  // how it was pushed out of its place
   };
 
@@ -41,9 +41,9 @@ class SimulatedSensor {
     friend class SimulatedSensor;
     Moment(const SimulatedSensor& sensor);
     nanoseconds scene_time_{};
-    sim::MovingThings things_;
-    sim::DepthCamera::Work depth_;
-    sim::ColorCamera::Work color_;
+    simulator::MovingThings things_;
+    simulator::DepthCamera::Work depth_;
+    simulator::ColorCamera::Work color_;
   };
 
   /// kInvalidArgument for an index or count out of range.
@@ -54,8 +54,8 @@ class SimulatedSensor {
   [[nodiscard]] const SensorCalibration& calibration() const { return unit_.reported; }
   [[nodiscard]] const SensorCalibration& exact_calibration() const { return unit_.exact; }
   [[nodiscard]] const RigidTransform& world_from_depth() const { return world_from_depth_; }
-  [[nodiscard]] const sim::SensorUnit& unit() const { return unit_; }
-  [[nodiscard]] const sim::DepthCamera& depth_camera() const { return depth_; }
+  [[nodiscard]] const simulator::SensorUnit& unit() const { return unit_; }
+  [[nodiscard]] const simulator::DepthCamera& depth_camera() const { return depth_; }
 
   [[nodiscard]] Moment make_moment() const { return Moment(*this); }
 
@@ -77,8 +77,8 @@ class SimulatedSensor {
 
   /// The exposure gains of consecutive frames: 1 where the unit has no exposure control. Needs no
   /// look before.
-  [[nodiscard]] sim::AutoExposure auto_exposure() const { return color_.auto_exposure(); }
-  float next_exposure(nanoseconds scene_time, Moment& moment, sim::AutoExposure& control) const;
+  [[nodiscard]] simulator::AutoExposure auto_exposure() const { return color_.auto_exposure(); }
+  float next_exposure(nanoseconds scene_time, Moment& moment, simulator::AutoExposure& control) const;
 
  private:
   SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);
@@ -86,10 +86,10 @@ class SimulatedSensor {
 
   std::shared_ptr<const SimulatedRoom> room_;
   Options options_;
-  sim::SensorUnit unit_;
+  simulator::SensorUnit unit_;
   RigidTransform world_from_depth_;
-  sim::DepthCamera depth_;
-  sim::ColorCamera color_;
+  simulator::DepthCamera depth_;
+  simulator::ColorCamera color_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using std::chrono::milliseconds;
@@ -140,23 +140,23 @@ Errors errors_of(const Pictures& seen, int outlier_mm) {
 
 TEST(SimulatedSensor, noisy_depth_stays_near_the_truth_with_few_holes_for_every_camera) {
   for (const auto model :
-       {sim::CameraModel::kKinect2, sim::CameraModel::kAzure, sim::CameraModel::kD435}) {
+       {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure, simulator::CameraModel::kD435}) {
     auto options = small(1);
     options.sensing.camera = model;
     const auto sensor = SimulatedSensor::open(office(), options).value();
-    const bool stereo = model == sim::CameraModel::kD435;  // sigma is 60 mm at 4 m
+    const bool stereo = model == simulator::CameraModel::kD435;  // sigma is 60 mm at 4 m
     const Errors errors = errors_of(pictures(*sensor, milliseconds(700), 3), stereo ? 300 : 50);
-    EXPECT_GT(errors.missing, 0.003) << sim::name_of(model);
+    EXPECT_GT(errors.missing, 0.003) << simulator::name_of(model);
     // The office is 8 m long; the Azure Kinect sees 5.5 m far.
-    const bool short_sighted = model == sim::CameraModel::kAzure;
-    EXPECT_LT(errors.missing, short_sighted ? 0.4 : 0.15) << sim::name_of(model);
-    EXPECT_GT(errors.outliers, 0.0005) << sim::name_of(model);
-    EXPECT_LT(errors.outliers, 0.06) << sim::name_of(model);
-    EXPECT_GT(errors.rms_mm, 1.5) << sim::name_of(model);
-    EXPECT_LT(errors.rms_mm, stereo ? 90.0 : 16.0) << sim::name_of(model);
-    RecordProperty(std::string(sim::name_of(model)) + "_rms_um",
+    const bool short_sighted = model == simulator::CameraModel::kAzure;
+    EXPECT_LT(errors.missing, short_sighted ? 0.4 : 0.15) << simulator::name_of(model);
+    EXPECT_GT(errors.outliers, 0.0005) << simulator::name_of(model);
+    EXPECT_LT(errors.outliers, 0.06) << simulator::name_of(model);
+    EXPECT_GT(errors.rms_mm, 1.5) << simulator::name_of(model);
+    EXPECT_LT(errors.rms_mm, stereo ? 90.0 : 16.0) << simulator::name_of(model);
+    RecordProperty(std::string(simulator::name_of(model)) + "_rms_um",
                    static_cast<int>(1000 * errors.rms_mm));
-    RecordProperty(std::string(sim::name_of(model)) + "_outliers_ppm",
+    RecordProperty(std::string(simulator::name_of(model)) + "_outliers_ppm",
                    static_cast<int>(1e6 * errors.outliers));
   }
 }
@@ -184,4 +184,4 @@ TEST(SimulatedSensor, sensors_out_of_range_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

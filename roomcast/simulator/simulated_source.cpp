@@ -10,7 +10,7 @@
 #include "roomcast/simulator/simulated_sensor.h"
 #include "roomcast/simulator/simulated_spec.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 constexpr nanoseconds kPhaseStep =
@@ -18,20 +18,20 @@ constexpr nanoseconds kPhaseStep =
 constexpr nanoseconds kDeviceOffset =
     std::chrono::milliseconds(1250);  // between the sensors' clocks
 
-class SimulatedSource final : public FrameSource {
+class SimulatedSource final : public source::FrameSource {
  public:
   SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index,
                   const SimulatedSourceOptions& options)
       : stand_(std::move(sensor)),
         pace_(options.pace),
         period_s_(1.0 / options.fps),
-        phase_(pace_ == Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
+        phase_(pace_ == source::Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
         device_offset_(kDeviceOffset * (index + 1)) {
     description_.name = "s" + std::to_string(index);
     description_.calibration = stand_.sensor->calibration();
     description_.world_from_depth = stand_.sensor->world_from_depth();
     description_.fps = options.fps;
-    if (pace_ == Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
+    if (pace_ == source::Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
   }
 
   /// From then on it stands where `moved` does.
@@ -39,11 +39,11 @@ class SimulatedSource final : public FrameSource {
     bump_ = Bump{time_of(next_instant_) + after_opening, Stand(std::move(moved))};
   }
 
-  const SensorDescription& description() const override { return description_; }
+  const source::SensorDescription& description() const override { return description_; }
 
-  Result<bool> next(CapturedFrame& frame, std::stop_token stop) override {
+  Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
     if (stop.stop_requested()) return false;
-    if (pace_ == Pace::kRealTime) {
+    if (pace_ == source::Pace::kRealTime) {
       skip_missed_instants();
       if (!wait_until(HostTime(time_of(next_instant_)), stop)) return false;
     }
@@ -64,14 +64,14 @@ class SimulatedSource final : public FrameSource {
           exposure(sensor->auto_exposure()) {}
     std::unique_ptr<SimulatedSensor> sensor;
     SimulatedSensor::Moment moment;
-    sim::AutoExposure exposure;
+    simulator::AutoExposure exposure;
   };
   struct Bump {
     nanoseconds at;  // scene time
     Stand stand;
   };
 
-  static void capture(Stand& stand, nanoseconds scene_time, CapturedFrame& frame) {
+  static void capture(Stand& stand, nanoseconds scene_time, source::CapturedFrame& frame) {
     const SimulatedSensor& sensor = *stand.sensor;
     sensor.look(scene_time, stand.moment);
     sensor.read_depth(frame.index, stand.moment, frame.depth_mm);
@@ -94,18 +94,18 @@ class SimulatedSource final : public FrameSource {
 
   Stand stand_;
   std::optional<Bump> bump_;
-  Pace pace_;
+  source::Pace pace_;
   double period_s_;
   nanoseconds phase_;
   nanoseconds device_offset_;
-  SensorDescription description_;
+  source::SensorDescription description_;
   std::int64_t next_instant_ = 0;  // of the instants k / fps + phase
   std::uint64_t frame_count_ = 0;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& text,
+Result<std::unique_ptr<source::FrameSource>> open_simulated_source(const std::string& text,
                                                            int sensor_index,
                                                            const SimulatedSourceOptions& options) {
   if (!(options.fps > 0.0 && options.fps <= kMaxSimulatedFps)) {
@@ -132,7 +132,7 @@ Result<std::unique_ptr<FrameSource>> open_simulated_source(const std::string& te
     if (!moved) return std::move(moved).error();
     source->bump_at(nanoseconds(std::llround(1e9 * *spec->bump_at_s)), *std::move(moved));
   }
-  return std::unique_ptr<FrameSource>(std::move(source));
+  return std::unique_ptr<source::FrameSource>(std::move(source));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -17,13 +17,13 @@
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 /// Frames per second that a simulated source may be asked for.
 inline constexpr double kMaxSimulatedFps = 120.0;
 
 struct SimulatedSourceOptions {
-  Pace pace = Pace::kRealTime;
+  source::Pace pace = source::Pace::kRealTime;
   double fps = 15;         // frames per second, above 0 and at most kMaxSimulatedFps
   int sensor_count = 3;    // how many sensors stand around the room
   std::uint64_t seed = 1;  // of noise and furniture
@@ -34,7 +34,7 @@ struct SimulatedSourceOptions {
 /// world_from_depth and options.fps. kNotFound for an unknown scene (the message lists them);
 /// kInvalidArgument for an index, count, rate or option out of range; kUnavailable when the ray
 /// tracer does not start.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_simulated_source(
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
     const std::string& spec, int sensor_index, const SimulatedSourceOptions& options = {});
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -11,14 +11,14 @@
 
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 using std::chrono::milliseconds;
 
 SimulatedSourceOptions as_fast_as_possible() {
   SimulatedSourceOptions options;
-  options.pace = Pace::kAsFastAsPossible;
+  options.pace = source::Pace::kAsFastAsPossible;
   return options;
 }
 
@@ -35,7 +35,7 @@ TEST(SimulatedSource, describes_its_sensor) {
 
 TEST(SimulatedSource, frames_count_from_scene_time_zero_at_the_rate_asked_for) {
   const auto source = open_simulated_source("", 2, as_fast_as_possible()).value();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (int i = 0; i < 4; ++i) {
     ASSERT_TRUE(source->next(frame, {}).value());
     EXPECT_EQ(frame.index, static_cast<std::uint64_t>(i));
@@ -53,7 +53,7 @@ TEST(SimulatedSource, frame_is_what_the_sensor_reports_of_its_instant) {
       SimulatedSensor::open(SimulatedRoom::build("office", 1).value(), options).value();
   auto moment = sensor->make_moment();
   auto control = sensor->auto_exposure();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(source->next(frame, {}).value());
     const nanoseconds time = frame.capture_time.time_since_epoch();
@@ -74,7 +74,7 @@ TEST(SimulatedSource, a_bump_moves_the_sensor_once) {
   const auto still = open_simulated_source("bare,speed=0,clean", 0, options).value();
   const auto bumped =
       open_simulated_source("bare,speed=0,clean,bump_at=1,bump_cm=5", 0, options).value();
-  CapturedFrame one, other;
+  source::CapturedFrame one, other;
   for (int i = 0; i < 4; ++i) {
     ASSERT_TRUE(still->next(one, {}).value() && bumped->next(other, {}).value());
     const bool same =
@@ -88,7 +88,7 @@ TEST(SimulatedSource, real_time_frames_are_instants_of_the_host_clock_that_have_
   SimulatedSourceOptions options;
   options.fps = 100;
   const auto source = open_simulated_source("", 0, options).value();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   HostTime last{};
   for (int i = 0; i < 4; ++i) {
     ASSERT_TRUE(source->next(frame, {}).value());
@@ -103,7 +103,7 @@ TEST(SimulatedSource, sensors_see_instants_a_fixed_phase_apart) {
   SimulatedSourceOptions options;
   options.fps = 50;
   const auto source = open_simulated_source("", 2, options).value();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(source->next(frame, {}).value());
   EXPECT_EQ(frame.capture_time.time_since_epoch().count() % 20'000'000, 2 * 2'300'000);
 }
@@ -113,7 +113,7 @@ TEST(SimulatedSource, stop_ends_the_wait_for_a_frame) {
   options.fps = 0.001;  // the next frame is minutes away
   const auto source = open_simulated_source("", 0, options).value();
   std::stop_source stop;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   std::jthread stopper([&] { stop.request_stop(); });
   const auto got = source->next(frame, stop.get_token());
   ASSERT_TRUE(got);
@@ -137,4 +137,4 @@ TEST(SimulatedSource, unknown_scenes_and_sensors_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -10,7 +10,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 constexpr std::string_view kOptions =
@@ -56,7 +56,7 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
   const std::string_view name = option.substr(0, equals);
   const std::string_view value = option.substr(std::min(equals + 1, option.size()));
   if (name == "camera") {
-    const auto model = sim::camera_model_named(value);
+    const auto model = simulator::camera_model_named(value);
     if (model) spec.sensing.camera = *model;
     return model.has_value();
   }
@@ -104,4 +104,4 @@ Result<SimulatedSpec> parse_simulated_spec(std::string_view text) {
   return spec;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/simulator/sensing/sensing_options.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 inline constexpr double kMaxSimulatedSpeed = 10;
 inline constexpr double kMaxInterferencePerMinute = 60;
@@ -29,7 +29,7 @@ struct SimulatedBump {
 struct SimulatedSpec {
   std::string scene;  // "": the first one
   double speed = 1;   // of all motion: 0.05 is slow motion, 0 stands still
-  sim::SensingOptions sensing;
+  simulator::SensingOptions sensing;
   std::optional<double> bump_at_s;  // after opening
   SimulatedBump bump;
   bool board = false;  // somebody carries one about
@@ -39,4 +39,4 @@ struct SimulatedSpec {
 /// above.
 [[nodiscard]] Result<SimulatedSpec> parse_simulated_spec(std::string_view text);
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

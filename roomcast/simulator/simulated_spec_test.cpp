@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 TEST(SimulatedSpec, alone_it_names_a_scene) {
@@ -12,7 +12,7 @@ TEST(SimulatedSpec, alone_it_names_a_scene) {
   const SimulatedSpec spec = parse_simulated_spec("lab").value();
   EXPECT_EQ(spec.scene, "lab");
   EXPECT_EQ(spec.speed, 1.0);
-  EXPECT_EQ(spec.sensing.camera, sim::CameraModel::kKinect2);
+  EXPECT_EQ(spec.sensing.camera, simulator::CameraModel::kKinect2);
   EXPECT_TRUE(spec.sensing.half_color);
   EXPECT_TRUE(spec.sensing.noise);
 }
@@ -21,7 +21,7 @@ TEST(SimulatedSpec, options_follow_in_any_order) {
   const auto spec =
       parse_simulated_spec("lab,speed=0.05,camera=d435,color=full,interference=6").value();
   EXPECT_EQ(spec.speed, 0.05);
-  EXPECT_EQ(spec.sensing.camera, sim::CameraModel::kD435);
+  EXPECT_EQ(spec.sensing.camera, simulator::CameraModel::kD435);
   EXPECT_FALSE(spec.sensing.half_color);
   EXPECT_EQ(spec.sensing.interference_per_minute, 6.0);
   const auto clean = parse_simulated_spec(",clean").value();
@@ -55,4 +55,4 @@ TEST(SimulatedSpec, what_is_no_option_is_named) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

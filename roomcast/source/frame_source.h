@@ -14,7 +14,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// What a sensor says of itself before its first frame.
 struct SensorDescription {
@@ -67,4 +67,4 @@ class FrameSource {
   [[nodiscard]] virtual Result<bool> next(CapturedFrame& frame, std::stop_token stop) = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -8,7 +8,7 @@
 #include <SDL2/SDL.h>
 #include <epoxy/gl.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using std::chrono::milliseconds;
@@ -21,7 +21,7 @@ constexpr double kPivotDistance_m = 3;
 /// Where the hand would be that holds the laser pointer, from the head.
 const Eigen::Vector3d kPointerPlace_m(0.18, -0.22, -0.1);
 
-bool is_same(const ViewCamera& a, const ViewCamera& b) {
+bool is_same(const render::ViewCamera& a, const render::ViewCamera& b) {
   return a.width == b.width && a.height == b.height && a.vertical_fov_rad == b.vertical_fov_rad &&
          a.world_from_view.rotation == b.world_from_view.rotation &&
          a.world_from_view.translation_m == b.world_from_view.translation_m;
@@ -38,7 +38,7 @@ int scaled(int pixels, double scale) {
 
 }  // namespace
 
-Result<std::unique_ptr<DesktopViewer>> DesktopViewer::open(Subscriber& hub,
+Result<std::unique_ptr<DesktopViewer>> DesktopViewer::open(client::Subscriber& hub,
                                                            DesktopViewerOptions options) {
   auto window = ViewWindow::open(options.window);
   if (!window) return window.error();
@@ -50,7 +50,7 @@ Result<std::unique_ptr<DesktopViewer>> DesktopViewer::open(Subscriber& hub,
       hub, std::move(options), std::move(*window), std::move(*panel_layer), std::move(*room_view)));
 }
 
-DesktopViewer::DesktopViewer(Subscriber& hub, DesktopViewerOptions options,
+DesktopViewer::DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options,
                              std::unique_ptr<ViewWindow> window,
                              std::unique_ptr<PanelLayer> panel_layer, RoomView room_view)
     : hub_(hub),
@@ -142,7 +142,7 @@ void DesktopViewer::obey(ViewerCommand command) {
 void DesktopViewer::choose_mode(ViewerCommand command) {
   const auto number =
       static_cast<std::size_t>(command) - static_cast<std::size_t>(ViewerCommand::kModePoints);
-  settings_.mode = kRenderModes.at(number);
+  settings_.mode = render::kRenderModes.at(number);
 }
 
 void DesktopViewer::set_mouse_look(bool on) {
@@ -166,7 +166,7 @@ void DesktopViewer::advance(HostTime at) {
 }
 
 void DesktopViewer::apply_settings() {
-  RenderOptions look;
+  render::RenderOptions look;
   look.unseen = settings_.unseen;
   look.floor_grid = settings_.floor_grid;
   if (auto status = room_view_.set_look(look); !status)
@@ -208,11 +208,11 @@ ViewState DesktopViewer::start_view() const {
   return options_.start.value_or(view_from_pose(world_from_start_view(*room_), kPivotDistance_m));
 }
 
-ViewCamera DesktopViewer::camera() const {
+render::ViewCamera DesktopViewer::camera() const {
   const PictureSize window = window_->size();
   const double scale =
       settings_.automatic_scale ? automatic_scale_.scale() : settings_.render_scale;
-  ViewCamera camera;
+  render::ViewCamera camera;
   camera.width = scaled(window.width, scale);
   camera.height = scaled(window.height, scale);
   camera.vertical_fov_rad = settings_.vertical_fov_rad;
@@ -220,9 +220,9 @@ ViewCamera DesktopViewer::camera() const {
   return camera;
 }
 
-PersonPose DesktopViewer::pose_publisher() const {
+client::PersonPose DesktopViewer::pose_publisher() const {
   if (is_in_headset()) return headset_->pose();
-  PersonPose pose;
+  client::PersonPose pose;
   pose.world_from_head = world_from_view(navigation_.view());
   pose.pointer = pointer_;
   return pose;
@@ -242,7 +242,7 @@ void DesktopViewer::point() {
       surface_at(*picture_.target(), *drawn_camera_, static_cast<int>(x * drawn_camera_->width),
                  static_cast<int>(y * drawn_camera_->height));
   if (!place_m) return;
-  pointer_ = PointerBeam{world_from_view(navigation_.view()) * kPointerPlace_m, *place_m};
+  pointer_ = client::PointerBeam{world_from_view(navigation_.view()) * kPointerPlace_m, *place_m};
 }
 
 bool DesktopViewer::must_draw() const {
@@ -254,7 +254,7 @@ bool DesktopViewer::must_draw() const {
 void DesktopViewer::draw_room(HostTime begin) {
   point();
   room_view_.people().set_own(pointer_ ? std::optional(pose_publisher()) : std::nullopt);
-  const ViewCamera eye = camera();
+  const render::ViewCamera eye = camera();
   if (auto status = picture_.draw(room_view_, eye, settings_.mode); !status) {
     toasts_.say(Toast::Kind::kError, status.error().message, begin);
     return;
@@ -270,7 +270,7 @@ void DesktopViewer::draw_room(HostTime begin) {
 }
 
 void DesktopViewer::note_shown_pictures(HostTime begin) {
-  for (const RoomSensor& sensor : room_->sensors) {
+  for (const client::RoomSensor& sensor : room_->sensors) {
     if (!sensor.online || !sensor.picture) continue;
     const auto [known, is_first] = shown_seq_.try_emplace(sensor.id, sensor.picture->seq);
     if (!is_first && known->second == sensor.picture->seq) continue;
@@ -288,7 +288,7 @@ void DesktopViewer::show(HostTime at) {
 }
 
 void DesktopViewer::draw_window() {
-  if (const OffscreenTarget* picture = shown_picture()) window_->show(*picture);
+  if (const render::OffscreenTarget* picture = shown_picture()) window_->show(*picture);
   panel_layer_->begin();
   const auto pressed = panel_.draw(facts(now()), settings_);
   panel_layer_->end();
@@ -296,7 +296,7 @@ void DesktopViewer::draw_window() {
 }
 
 /// While somebody wears the headset the window shows what the left eye sees.
-const OffscreenTarget* DesktopViewer::shown_picture() const {
+const render::OffscreenTarget* DesktopViewer::shown_picture() const {
   return is_in_headset() && headset_->left_eye() != nullptr ? headset_->left_eye()
                                                             : picture_.target();
 }
@@ -325,20 +325,20 @@ std::vector<Toast> DesktopViewer::toasts() const {
 
 /// Else it says why not.
 bool DesktopViewer::may_keep_pictures() {
-  const Status may = check_may_record(hub_.snapshot()->rights);
+  const Status may = client::check_may_record(hub_.snapshot()->rights);
   if (!may) say({Toast::Kind::kNotice, may.error().message});
   return may.ok();
 }
 
 void DesktopViewer::save_screenshot() {
   if (!may_keep_pictures()) return;
-  if (const OffscreenTarget* picture = shown_picture()) say(keeper_.save(*picture, room_->room));
+  if (const render::OffscreenTarget* picture = shown_picture()) say(keeper_.save(*picture, room_->room));
 }
 
 void DesktopViewer::start_or_stop_video() {
   if (keeper_.is_recording()) return say(keeper_.stop_video());
   if (!may_keep_pictures()) return;
-  if (const OffscreenTarget* picture = shown_picture())
+  if (const render::OffscreenTarget* picture = shown_picture())
     say(keeper_.start_video(*picture, room_->room));
 }
 
@@ -366,7 +366,7 @@ void DesktopViewer::look_for_headset(HostTime at) {
       headset_looked_for_ != HostTime{} && at - headset_looked_for_ < kHeadsetRetry;
   if (is_soon) return;
   headset_looked_for_ = at;
-  auto opened = xr::HeadsetView::open();
+  auto opened = viewer::xr::HeadsetView::open();
   if (!opened) {
     const std::string trouble = opened.error().message;
     if (std::exchange(headset_trouble_, trouble) == trouble) return;  // told once is enough
@@ -395,4 +395,4 @@ void DesktopViewer::headset_is_over(const Error& why, HostTime at) {
               at);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -27,7 +27,7 @@
 #include "roomcast/viewer/window/view_window.h"
 #include "roomcast/viewer/xr/headset_view.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct DesktopViewerOptions {
   ViewWindowOptions window;
@@ -35,14 +35,14 @@ struct DesktopViewerOptions {
   std::optional<ViewState> start;        // else where the hub puts a viewer
   bool panel = true;                     // open at first
   std::filesystem::path pictures = ".";  // folder for screenshots and videos
-  PictureWriter write_png;               // has to be given
+  io::PictureWriter write_png;               // has to be given
   bool headset = false;                  // draw for one, too, when there is one
 };
 
 class DesktopViewer {
  public:
   /// `hub` outlives it. Errors as ViewWindow::open, PanelLayer::create and RoomView::create.
-  static Result<std::unique_ptr<DesktopViewer>> open(Subscriber& hub, DesktopViewerOptions options);
+  static Result<std::unique_ptr<DesktopViewer>> open(client::Subscriber& hub, DesktopViewerOptions options);
 
   /// One round: input, movement, the newest room, drawing, news for the hub. False: the person
   /// wants to leave.
@@ -55,7 +55,7 @@ class DesktopViewer {
   [[nodiscard]] std::uint64_t pictures_drawn() const { return pictures_drawn_; }
 
  private:
-  DesktopViewer(Subscriber& hub, DesktopViewerOptions options, std::unique_ptr<ViewWindow> window,
+  DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options, std::unique_ptr<ViewWindow> window,
                 std::unique_ptr<PanelLayer> panel_layer, RoomView room_view);
 
   [[nodiscard]] HostTime now() const { return clock_.now(); }
@@ -75,8 +75,8 @@ class DesktopViewer {
   void show(HostTime now);
   void draw_window();
   [[nodiscard]] PanelFacts facts(HostTime now) const;
-  [[nodiscard]] ViewCamera camera() const;
-  [[nodiscard]] PersonPose pose_publisher() const;
+  [[nodiscard]] render::ViewCamera camera() const;
+  [[nodiscard]] client::PersonPose pose_publisher() const;
   [[nodiscard]] bool may_keep_pictures();
   void save_screenshot();
   void start_or_stop_video();
@@ -87,24 +87,24 @@ class DesktopViewer {
   void draw_headset(HostTime now);
   void headset_is_over(const Error& why, HostTime now);
   [[nodiscard]] ViewState start_view() const;
-  [[nodiscard]] const OffscreenTarget* shown_picture() const;
+  [[nodiscard]] const render::OffscreenTarget* shown_picture() const;
 
   SteadyClock clock_;
-  Subscriber& hub_;
+  client::Subscriber& hub_;
   DesktopViewerOptions options_;
   ViewSettings settings_, applied_;
   std::unique_ptr<ViewWindow> window_;  // first: its GL context outlives what follows
   std::unique_ptr<PanelLayer> panel_layer_;
   RoomView room_view_;
   RoomPicture picture_;
-  std::unique_ptr<xr::HeadsetView> headset_;  // null while there is none
+  std::unique_ptr<viewer::xr::HeadsetView> headset_;  // null while there is none
   std::string driver_;
 
-  std::shared_ptr<const RoomSnapshot> room_ = std::make_shared<const RoomSnapshot>();
+  std::shared_ptr<const client::RoomSnapshot> room_ = std::make_shared<const client::RoomSnapshot>();
   std::unordered_map<SensorId, std::uint32_t> shown_seq_;
   Navigation navigation_;
   DesktopInput input_;
-  std::optional<PointerBeam> pointer_;
+  std::optional<client::PointerBeam> pointer_;
   Panel panel_;
   RoomReport report_;
   LatencyBudget latency_;
@@ -117,7 +117,7 @@ class DesktopViewer {
   bool has_start_ = false;      // the view is where it should be at first, or where the person went
   bool picture_is_old_ = true;  // the room, the people or the settings have changed
   bool had_input_ = false;
-  std::optional<ViewCamera> drawn_camera_;
+  std::optional<render::ViewCamera> drawn_camera_;
   RateMeter drawn_rate_;
   std::uint64_t pictures_drawn_ = 0;
   nanoseconds drawing_time_{};
@@ -125,4 +125,4 @@ class DesktopViewer {
   std::string headset_trouble_;  // the last one that was told
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

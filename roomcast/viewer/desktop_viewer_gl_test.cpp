@@ -12,7 +12,7 @@
 #include "roomcast/viewer/desktop_viewer.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -24,11 +24,11 @@ class DesktopViewerTest : public testing::Test {
   void SetUp() override {
     ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
     network.start();
-    auto joined = Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
+    auto joined = client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
     ASSERT_TRUE(joined.ok()) << joined.error().message;
     subscriber = std::move(*joined);
     options.window.size = kSize;
-    options.settings.mode = RenderMode::kMesh;
+    options.settings.mode = render::RenderMode::kMesh;
     options.panel = false;
     options.pictures = folder.path();
     options.write_png = [this](const auto& path, ColorView picture) {
@@ -57,7 +57,7 @@ class DesktopViewerTest : public testing::Test {
 
   /// The hub hangs up, and says this to those who come back.
   void join_a_hub_that_lets_record(bool lets) {
-    on_hub([lets](FakeHub& h) {
+    on_hub([lets](client::FakeHub& h) {
       h.lets_record = lets;
       h.hang_up();
     });
@@ -92,9 +92,9 @@ class DesktopViewerTest : public testing::Test {
     return false;
   }
 
-  NetworkThread network;
-  std::optional<FakeHub> hub{std::in_place, network.io()};
-  std::unique_ptr<Subscriber> subscriber;
+  client::NetworkThread network;
+  std::optional<client::FakeHub> hub{std::in_place, network.io()};
+  std::unique_ptr<client::Subscriber> subscriber;
   TemporaryFolder folder;
   DesktopViewerOptions options;
   std::vector<std::string> written;
@@ -107,7 +107,7 @@ TEST_F(DesktopViewerTest, draws_an_empty_room_and_says_that_it_is_empty) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor is in the room yet."); }));
   const ColorImage picture = viewer->window_picture();
   EXPECT_EQ(picture.width(), kSize.width);
-  EXPECT_EQ(picture.at(160, 5), RenderOptions{}.background);
+  EXPECT_EQ(picture.at(160, 5), render::RenderOptions{}.background);
 }
 
 TEST_F(DesktopViewerTest, walks_and_tells_the_hub_where_it_is) {
@@ -119,7 +119,7 @@ TEST_F(DesktopViewerTest, walks_and_tells_the_hub_where_it_is) {
   const auto told = [&] {
     bool is_told = false;
     const Eigen::Vector3d here = viewer->view().position_m;
-    on_hub([&](FakeHub& h) {
+    on_hub([&](client::FakeHub& h) {
       const auto& last = h.heard.back();
       is_told = last.has_viewer_pose() && std::abs(last.viewer_pose().head().z() - here.z()) < 1e-4;
     });
@@ -210,7 +210,7 @@ TEST_F(DesktopViewerTest, a_video_ends_when_the_room_lets_viewers_record_no_more
 TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resumes) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
   const auto hang_up_and_let_wait = [&](bool wait) {
-    on_hub([wait](FakeHub& h) {
+    on_hub([wait](client::FakeHub& h) {
       h.lets_joins_wait = wait;
       h.hang_up();
     });
@@ -227,18 +227,18 @@ TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resume
 TEST_F(DesktopViewerTest, shows_who_else_is_there) {
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   const ColorImage alone = viewer->window_picture();
-  on_hub([&](FakeHub& h) {
+  on_hub([&](client::FakeHub& h) {
     wire::pb::Control roster;
     auto& entry = *roster.mutable_roster()->add_viewers();
     entry.set_id(9);
     entry.set_name("Grace");
     entry.set_color_rgb(0x2060F0);
     h.say(roster);
-    PersonPose pose;
+    client::PersonPose pose;
     pose.world_from_head =
         world_from_view(viewer->view()) * RigidTransform{Eigen::Matrix3d::Identity(), {0, 0, -1}};
     wire::pb::Control poses;
-    *poses.mutable_viewer_poses()->add_poses() = message_from_pose(pose);
+    *poses.mutable_viewer_poses()->add_poses() = client::message_from_pose(pose);
     poses.mutable_viewer_poses()->mutable_poses(0)->set_viewer_id(9);
     h.say(poses);
   });
@@ -249,7 +249,7 @@ TEST_F(DesktopViewerTest, shows_who_else_is_there) {
 }
 
 TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken_off_or_lost) {
-  xr::TestRuntime& runtime = xr::TestRuntime::instance();
+  viewer::xr::TestRuntime& runtime = viewer::xr::TestRuntime::instance();
   runtime.reset();
   ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
   options.headset = true;
@@ -257,7 +257,7 @@ TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken
   EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
   EXPECT_TRUE(steps_until([&] {
     bool hands_are_told = false;
-    on_hub([&](FakeHub& h) {
+    on_hub([&](client::FakeHub& h) {
       const auto& last = h.heard.back();
       hands_are_told = last.has_viewer_pose() && last.viewer_pose().has_right_hand();
     });
@@ -295,4 +295,4 @@ TEST_F(DesktopViewerTest, ends_when_its_window_is_closed) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/viewer/hub_report.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr std::chrono::seconds kStatsInterval{1};
 
 }  // namespace
 
-void HubReport::follow(const RoomSnapshot& room) {
+void HubReport::follow(const client::RoomSnapshot& room) {
   const bool is_anew = room.self != self_ || room.connected != connected_;
   if (is_anew || room.people.size() > people_) own_.tell_again();
   self_ = room.self;
@@ -16,13 +16,13 @@ void HubReport::follow(const RoomSnapshot& room) {
   people_ = room.people.size();
 }
 
-void HubReport::shown(const RoomSnapshot& room, HostTime now) {
+void HubReport::shown(const client::RoomSnapshot& room, HostTime now) {
   if (room.newest_set == newest_set_) return;
   newest_set_ = room.newest_set;
   shown_rate_.count(now, ++shown_);
 }
 
-void HubReport::tell(const PersonPose& own, const std::optional<LatencyStages>& latency,
+void HubReport::tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
                      HostTime now) {
   own_.is(own);
   if (connected_) {
@@ -36,4 +36,4 @@ void HubReport::tell(const PersonPose& own, const std::optional<LatencyStages>& 
   hub_.send_stats({newest_set_, shown_rate_.per_second(), latency_ms});
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -8,24 +8,24 @@
 #include "roomcast/viewer/report/rate_meter.h"
 #include "roomcast/viewer/walk/pose_publisher.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class HubReport {
  public:
   /// `hub` outlives it.
-  explicit HubReport(Subscriber& hub) : hub_(hub) {}
+  explicit HubReport(client::Subscriber& hub) : hub_(hub) {}
 
   /// Whoever has just come, or is there after a new connection, knows of no pose yet.
-  void follow(const RoomSnapshot& room);
+  void follow(const client::RoomSnapshot& room);
   /// A newer room was drawn.
-  void shown(const RoomSnapshot& room, HostTime now);
+  void shown(const client::RoomSnapshot& room, HostTime now);
   /// Once per round; sends what is due.
-  void tell(const PersonPose& own, const std::optional<LatencyStages>& latency, HostTime now);
+  void tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency, HostTime now);
 
   [[nodiscard]] double shown_per_s() const { return shown_rate_.per_second(); }
 
  private:
-  Subscriber& hub_;
+  client::Subscriber& hub_;
   PosePublisher own_;
   ViewerId self_{};
   std::size_t people_ = 0;
@@ -36,4 +36,4 @@ class HubReport {
   HostTime stats_sent_{};
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

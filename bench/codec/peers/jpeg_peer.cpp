@@ -33,7 +33,7 @@ class Jpeg final : public CodecUnderTest {
     }
   }
 
-  JpegCodec jpeg_;
+  io::JpegCodec jpeg_;
   ColorImage filled_;
   std::vector<std::uint8_t> file_;
 };

@@ -13,11 +13,11 @@ class Png16 final : public CodecUnderTest {
   Result<FrameCost> run(const BenchFrame& frame, bool, BenchFrame& decoded) override {
     file_.clear();
     const CpuStopwatch encoding;
-    std::string fault = encode_depth_png(frame.depth_mm, file_);
+    std::string fault = io::encode_depth_png(frame.depth_mm, file_);
     const double encode_ms = encoding.ms();
     decoded.depth_mm.resize(frame.depth_mm.width(), frame.depth_mm.height());
     const CpuStopwatch decoding;
-    if (fault.empty()) fault = decode_depth_png(file_, decoded.depth_mm.view());
+    if (fault.empty()) fault = io::decode_depth_png(file_, decoded.depth_mm.view());
     if (!fault.empty()) return Error{ErrorCode::kUnavailable, "libpng: " + fault};
     return FrameCost{file_.size(), 0, encode_ms, decoding.ms()};
   }

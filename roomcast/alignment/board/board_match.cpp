@@ -12,7 +12,7 @@
 #include "roomcast/alignment/pair/pair_equations.h"
 #include "roomcast/alignment/pair/rigid_fit.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMaxSightingGap_s = 0.35;  // between sightings of b, to be joined by a line
@@ -164,4 +164,4 @@ Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const 
   return match;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

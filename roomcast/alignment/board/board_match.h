@@ -13,7 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct TagSighting {
   double time_s = 0;
@@ -31,4 +31,4 @@ struct BoardMatch {
 [[nodiscard]] Result<BoardMatch> match_boards(std::span<const TagSighting> a,
                                               std::span<const TagSighting> b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// A tag held for a second at each of some places, turned a little each time.
@@ -85,4 +85,4 @@ TEST(BoardMatch, nothing_seen_is_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

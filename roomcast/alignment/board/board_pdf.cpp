@@ -8,7 +8,7 @@
 #include "roomcast/alignment/board/pdf_page.h"
 #include "roomcast/alignment/board/tag_cells.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kTextHeight_mm = 12;
@@ -65,4 +65,4 @@ Result<std::string> board_pdf(const BoardPage& page) {
   return pdf_page(page.width_mm, page.height_mm, black_cells(*cells, page) + caption(page));
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

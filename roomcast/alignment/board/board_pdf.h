@@ -8,7 +8,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct BoardPage {
   double width_mm = 210, height_mm = 297;  // A4
@@ -24,4 +24,4 @@ inline constexpr double kPageMargin_mm = 10;
 /// The file's bytes. kInvalidArgument for a tag that the family does not have, or a page too small.
 [[nodiscard]] Result<std::string> board_pdf(const BoardPage& page);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

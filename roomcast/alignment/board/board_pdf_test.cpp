@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(BoardPdf, the_tag_is_as_large_as_the_page_allows) {
@@ -33,4 +33,4 @@ TEST(BoardPdf, other_tags_look_different_and_there_are_only_so_many) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

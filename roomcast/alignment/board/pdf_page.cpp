@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Header, objects, table of where they are, trailer.
 std::string pdf_page(double width_mm, double height_mm, const std::string& drawing) {
@@ -28,4 +28,4 @@ std::string pdf_page(double width_mm, double height_mm, const std::string& drawi
                      objects.size() + 1, table_at);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

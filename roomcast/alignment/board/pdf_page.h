@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline constexpr double kPointsPerMm = 72 / 25.4;
 
@@ -13,4 +13,4 @@ inline constexpr double kPointsPerMm = 72 / 25.4;
 /// Helvetica.
 [[nodiscard]] std::string pdf_page(double width_mm, double height_mm, const std::string& drawing);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t*)>;
@@ -36,4 +36,4 @@ std::optional<TagCells> tag_cells(int tag) {
   return cells;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline constexpr int kTagCells = 10;       // across, with the white rim
 inline constexpr int kTagSquareCells = 8;  // of the black square
@@ -20,4 +20,4 @@ using TagCells = std::array<std::array<bool, kTagCells>, kTagCells>;
 /// Nothing for a number that the family does not have.
 [[nodiscard]] std::optional<TagCells> tag_cells(int tag);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(TagCells, a_white_rim_surrounds_a_black_border) {
@@ -23,4 +23,4 @@ TEST(TagCells, tags_differ_and_there_are_587) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -4,11 +4,11 @@
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kBitsCorrected = 1;  // more would take other things for tags
-constexpr double kMinMargin = 30;  // of a detection's contrast
+constexpr double kMinTagMargin = 30;  // of a detection's contrast
 
 }  // namespace
 
@@ -57,7 +57,7 @@ std::vector<TagOutline> TagDetector::find(ColorView color) {
   for (int i = 0; i < zarray_size(found); ++i) {
     apriltag_detection_t* detection = nullptr;
     zarray_get(found, i, &detection);
-    if (static_cast<double>(detection->decision_margin) < kMinMargin) continue;
+    if (static_cast<double>(detection->decision_margin) < kMinTagMargin) continue;
     TagOutline tag{detection->id, {}};
     // The library counts from the corner of the first pixel, we from its middle.
     for (std::size_t c = 0; c < 4; ++c)
@@ -68,4 +68,4 @@ std::vector<TagOutline> TagDetector::find(ColorView color) {
   return tags;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct TagOutline {
   int id = 0;
@@ -36,4 +36,4 @@ class TagDetector {
   std::unique_ptr<Detector> detector_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

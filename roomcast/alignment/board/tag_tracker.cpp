@@ -10,7 +10,7 @@
 
 #include "roomcast/alignment/board/tag_detector.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMinReadings = 25;
@@ -130,4 +130,4 @@ std::vector<SeenTag> TagTracker::find(DepthView depth_mm, ColorView color) {
   return tags;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

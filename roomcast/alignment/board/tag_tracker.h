@@ -15,7 +15,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SeenTag {
   int id = 0;
@@ -40,4 +40,4 @@ class TagTracker {
   std::unique_ptr<Detector> detector_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

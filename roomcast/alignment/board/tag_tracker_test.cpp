@@ -9,7 +9,7 @@
 #include "roomcast/alignment/board/tag_cells.h"
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kSide_m = 0.16;
@@ -125,4 +125,4 @@ TEST(TagTracker, a_room_without_tags_has_none) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 #include "roomcast/alignment/bundle/steady_color.h"
 #include "roomcast/alignment/bundle/steady_depth.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// Leaves every second one, beginning with the first.
@@ -56,4 +56,4 @@ Result<CalibrationBundle> BundleCapture::finish() const {
   return bundle;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 
 #include "roomcast/alignment/bundle/calibration_bundle.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline constexpr std::size_t kBundleFrames = 30;
 inline constexpr std::size_t kBundleColorFrames = 9;  // at most
@@ -37,4 +37,4 @@ class BundleCapture {
   std::size_t colors_apart_ = 1;  // of those seen every so many are kept
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

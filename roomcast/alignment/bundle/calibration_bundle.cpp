@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 Error invalid(const CalibrationBundle& bundle, const std::string& what) {
@@ -92,4 +92,4 @@ Status check(const CalibrationBundle& bundle) {
   return {};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct CalibrationBundle {
   std::string name;  // of the sensor, unique in its room
@@ -36,4 +36,4 @@ inline constexpr double kMinContrast = 2;
 /// dark room).
 [[nodiscard]] Status check(const CalibrationBundle& bundle);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

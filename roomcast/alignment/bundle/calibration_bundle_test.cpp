@@ -9,7 +9,7 @@
 #include "roomcast/alignment/bundle/bundle_capture.h"
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 using testing::HasSubstr;
@@ -124,4 +124,4 @@ TEST(BundleCapture, refuses_frames_of_another_size) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

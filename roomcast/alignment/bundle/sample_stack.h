@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// The samples of one row of pixels, one sub-row per picture.
 template <class T>
@@ -44,4 +44,4 @@ class SampleStack {
   std::vector<T> samples_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

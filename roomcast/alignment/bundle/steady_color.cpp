@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/bundle/sample_stack.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 ColorImage steady_color(std::span<const ColorImage> pictures) {
   ROOMCAST_ASSERT(!pictures.empty());
@@ -25,4 +25,4 @@ ColorImage steady_color(std::span<const ColorImage> pictures) {
   return steady;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

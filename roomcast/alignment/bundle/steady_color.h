@@ -7,9 +7,9 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// One picture at least, all of one size.
 [[nodiscard]] ColorImage steady_color(std::span<const ColorImage> pictures);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

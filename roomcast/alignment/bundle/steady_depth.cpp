@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/bundle/sample_stack.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kNormalSigmaPerMad = 1.4826;
@@ -85,4 +85,4 @@ SteadyDepth steady_depth(std::span<const DepthImage> pictures_mm) {
   return steady;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

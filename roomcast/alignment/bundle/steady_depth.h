@@ -9,7 +9,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SteadyDepth {
   DepthImage depth_mm;  // 0 where there is no reading, or no steady one
@@ -19,4 +19,4 @@ struct SteadyDepth {
 /// One picture at least, all of one size.
 [[nodiscard]] SteadyDepth steady_depth(std::span<const DepthImage> pictures_mm);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

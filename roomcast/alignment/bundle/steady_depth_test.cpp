@@ -8,7 +8,7 @@
 #include "roomcast/alignment/bundle/sample_stack.h"
 #include "roomcast/alignment/bundle/steady_color.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// One pixel over time.
@@ -61,4 +61,4 @@ TEST(SteadyColor, shows_no_ghost_of_what_passed) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,11 +9,11 @@
 #include "roomcast/alignment/board/pdf_page.h"
 #include "roomcast/alignment/board/tag_cells.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
-using align::kPointsPerMm;
-using align::kTagSquareCells;
+using alignment::kPointsPerMm;
+using alignment::kTagSquareCells;
 
 constexpr double kMargin_mm = 10;  // printers leave so much of the page white
 constexpr double kCaption_mm = 8;
@@ -24,7 +24,7 @@ bool is_black_square(int column, int row) {
 }
 
 /// The rim of a tag's cells is white and lies outside of its black square.
-constexpr int kRim = (align::kTagCells - kTagSquareCells) / 2;
+constexpr int kRim = (alignment::kTagCells - kTagSquareCells) / 2;
 
 std::string rectangle(double left_mm, double top_mm, double width_mm, double height_mm,
                       const BoardPage& page) {
@@ -33,7 +33,7 @@ std::string rectangle(double left_mm, double top_mm, double width_mm, double hei
                      kPointsPerMm * height_mm);
 }
 
-std::string draw_tag(const align::TagCells& white, double left_mm, double top_mm, double cell_mm,
+std::string draw_tag(const alignment::TagCells& white, double left_mm, double top_mm, double cell_mm,
                      const BoardPage& page) {
   std::string drawing;
   for (int row = 0; row < kTagSquareCells; ++row) {
@@ -84,7 +84,7 @@ bool is_black(const CharucoBoard& board, const Eigen::Vector2d& point_m) {
   const Eigen::Vector2d cell = in_tag / kTagShare * kTagSquareCells;
   if (cell.minCoeff() < 0 || cell.maxCoeff() >= kTagSquareCells) return false;
   const int white_squares_before = row * board.columns / 2 + column / 2;
-  const auto cells = align::tag_cells(white_squares_before);
+  const auto cells = alignment::tag_cells(white_squares_before);
   if (!cells) return false;
   return !(
       *cells)[static_cast<std::size_t>(cell.y()) + kRim][static_cast<std::size_t>(cell.x()) + kRim];
@@ -114,14 +114,14 @@ Result<std::string> charuco_pdf(const BoardPage& page) {
   }
   for (const BoardTag& tag : tags_of(board)) {
     const auto corners = tag_corners_m(board, tag);
-    drawing += draw_tag(*align::tag_cells(tag.id), left + 1000 * corners[3].x(),
+    drawing += draw_tag(*alignment::tag_cells(tag.id), left + 1000 * corners[3].x(),
                         top + 1000 * corners[3].y(), kTagShare * square_mm / kTagSquareCells, page);
   }
   drawing += fmt::format(
       "BT /F1 9 Tf {:.2f} {:.2f} Td (roomcast calibration board, {} x {} squares. Print at 100 %: "
       "squares are {:.0f} mm wide. Glue it on something flat.) Tj ET\n",
       kPointsPerMm * left, kPointsPerMm * kMargin_mm, board.columns, board.rows, square_mm);
-  return align::pdf_page(page.width_mm, page.height_mm, drawing);
+  return alignment::pdf_page(page.width_mm, page.height_mm, drawing);
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

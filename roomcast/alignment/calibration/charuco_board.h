@@ -14,7 +14,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 struct CharucoBoard {
   int columns = 7, rows = 5;  // squares
@@ -52,4 +52,4 @@ inline constexpr BoardPage kA3Across{420, 297}, kA4Across{297, 210};
 /// kInvalidArgument for a page on which squares would be smaller than 10 mm.
 [[nodiscard]] Result<std::string> charuco_pdf(const BoardPage& page);
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 TEST(CharucoBoard, black_and_white_meet_at_the_corners) {
@@ -76,4 +76,4 @@ TEST(CharucoBoard, what_is_printed_is_what_is_looked_for) {
 }
 
 }  // namespace
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -7,7 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr float kFullResolution = 1;
@@ -18,7 +18,7 @@ constexpr double kFurthestMove_px = 3;
 /// Where one tag expects the board's corners.
 class TagView {
  public:
-  TagView(const CharucoBoard& board, const BoardTag& tag, const align::TagOutline& seen)
+  TagView(const CharucoBoard& board, const BoardTag& tag, const alignment::TagOutline& seen)
       : tag_(tag) {
     std::vector<cv::Point2f> on_board, in_picture;
     const auto corners = tag_corners_m(board, tag);
@@ -62,7 +62,7 @@ CharucoFinder::CharucoFinder(const CharucoBoard& board)
 
 std::vector<SeenCorner> CharucoFinder::find(ColorView color) {
   std::vector<TagView> views;
-  for (const align::TagOutline& seen : detector_.find(color)) {
+  for (const alignment::TagOutline& seen : detector_.find(color)) {
     if (seen.id >= 0 && seen.id < static_cast<int>(tags_.size()))
       views.emplace_back(board_, tags_[static_cast<std::size_t>(seen.id)], seen);
   }
@@ -96,4 +96,4 @@ std::vector<SeenCorner> CharucoFinder::find(ColorView color) {
   return corners;
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

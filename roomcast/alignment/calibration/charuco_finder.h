@@ -12,7 +12,7 @@
 #include "roomcast/alignment/calibration/charuco_board.h"
 #include "roomcast/core/image.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 struct SeenCorner {
   int corner = 0;  // of the board
@@ -29,7 +29,7 @@ class CharucoFinder {
  private:
   CharucoBoard board_;
   std::vector<BoardTag> tags_;
-  align::TagDetector detector_;
+  alignment::TagDetector detector_;
 };
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr int kRounds = 4, kStepsPerRound = 5;
@@ -194,4 +194,4 @@ Result<DepthFit> fit_depth(const CharucoBoard& board, const std::vector<BoardDep
   return fit;
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

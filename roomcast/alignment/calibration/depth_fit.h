@@ -13,7 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 /// What is looked for: true z = scale * reading + bias.
 struct DepthModel {
@@ -53,4 +53,4 @@ struct DepthFit {
 
 inline constexpr std::size_t kFewestDepthViews = 6;
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

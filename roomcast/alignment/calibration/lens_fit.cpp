@@ -5,7 +5,7 @@
 
 #include <opencv2/calib3d.hpp>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 struct Correspondences {
@@ -123,4 +123,4 @@ Result<LensFit> fit_lens(const CharucoBoard& board,
   return fit;
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/calibration/charuco_finder.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 struct CornerError {
   Eigen::Vector2d pixel, error_px;  // seen; seen - expected
@@ -33,4 +33,4 @@ inline constexpr std::size_t kFewestViews = 6;
 inline constexpr std::size_t kFewestCorners = 6;
 inline constexpr double kWorstRms_px = 2;
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

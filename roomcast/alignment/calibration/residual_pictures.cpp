@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr int kWidth = 960, kHeight = 640, kMargin = 60;
@@ -119,4 +119,4 @@ ColorImage depth_error_picture(const DepthFit& depth) {
   return canvas.take();
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

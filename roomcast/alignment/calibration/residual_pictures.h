@@ -6,7 +6,7 @@
 #include "roomcast/alignment/calibration/sensor_calibration.h"
 #include "roomcast/core/image.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 /// Every corner of every view, with its error a hundredfold; the picture shows what part of the
 /// field of view the boards covered.
@@ -15,4 +15,4 @@ namespace roomcast::calibration {
 /// Each view's mean error against its distance: hollow before, filled after.
 [[nodiscard]] ColorImage depth_error_picture(const DepthFit& depth);
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 /// Pixels that are neither paper nor grey.
@@ -38,4 +38,4 @@ TEST(ResidualPictures, views_without_depth_are_left_out) {
 }
 
 }  // namespace
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

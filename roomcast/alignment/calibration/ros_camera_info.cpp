@@ -7,7 +7,7 @@
 
 #include "roomcast/io/file_bytes.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr std::size_t kMatrixNumbers = 9, kLensNumbers = 5;
@@ -55,10 +55,10 @@ Result<CameraIntrinsics> parse_camera_info(const std::string& yaml) {
 
 Result<CameraIntrinsics> read_camera_info(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes;
-  if (Status status = read_file(file, kMaxCameraInfoBytes, bytes); !status) return status.error();
+  if (Status status = io::read_file(file, kMaxCameraInfoBytes, bytes); !status) return status.error();
   auto camera = parse_camera_info({bytes.begin(), bytes.end()});
   if (camera) return camera;
   return Error{camera.error().code, file.string() + ": " + camera.error().message};
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 inline constexpr std::size_t kMaxCameraInfoBytes = 64U << 10U;
 
@@ -20,4 +20,4 @@ inline constexpr std::size_t kMaxCameraInfoBytes = 64U << 10U;
 /// kNotFound, kTooLarge, and the above with the file's name.
 [[nodiscard]] Result<CameraIntrinsics> read_camera_info(const std::filesystem::path& file);
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

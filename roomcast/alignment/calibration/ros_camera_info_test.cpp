@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 const std::string kFile = R"(image_width: 640
@@ -57,4 +57,4 @@ TEST(RosCameraInfo, a_file_that_is_not_there_is_not_found) {
 }
 
 }  // namespace
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 Result<CalibrationReport> calibrate(const CharucoBoard& board, const std::vector<BoardView>& views,
                                     const SensorCalibration& start, bool keep_lens) {
@@ -23,11 +23,11 @@ Result<CalibrationReport> calibrate(const CharucoBoard& board, const std::vector
 
   if (!cameras.color_is_registered) cameras.color_from_depth = depth->model.color_from_depth;
   constexpr double kMetresPerMillimetre = 0.001;
-  RecordedCamera camera;
+  io::RecordedCamera camera;
   camera.calibration = cameras;
   camera.depth_scale_to_metre = kMetresPerMillimetre * depth->model.scale;
   camera.depth_bias_m = depth->model.bias_m;
   return CalibrationReport{std::move(camera), *std::move(lens), *std::move(depth)};
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

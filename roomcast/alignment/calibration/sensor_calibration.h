@@ -11,7 +11,7 @@
 #include "roomcast/alignment/calibration/lens_fit.h"
 #include "roomcast/io/camera_json.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 struct BoardView {
   std::vector<SeenCorner> corners;
@@ -19,7 +19,7 @@ struct BoardView {
 };
 
 struct CalibrationReport {
-  RecordedCamera camera;  // for camera.json
+  io::RecordedCamera camera;  // for camera.json
   LensFit lens;
   DepthFit depth;
 };
@@ -29,4 +29,4 @@ struct CalibrationReport {
                                                   const std::vector<BoardView>& views,
                                                   const SensorCalibration& start, bool keep_lens);
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

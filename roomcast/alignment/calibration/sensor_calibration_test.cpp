@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/calibration/views_fixture.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr int kViews = 20;
@@ -25,7 +25,7 @@ class RenderedBoards : public testing::Test {
     SensorFixture sensor(kinect_fixture(), board());
     CharucoFinder finder(board());
     for (const RigidTransform& pose : held_about(board(), kViews)) {
-      CapturedFrame frame = sensor.see(pose);
+      source::CapturedFrame frame = sensor.see(pose);
       views().push_back({finder.find(frame.color), std::move(frame.depth_mm)});
       poses().push_back(pose);
     }
@@ -68,7 +68,7 @@ TEST_F(RenderedBoards, corners_are_found_to_a_tenth_of_a_pixel) {
 }
 
 TEST_F(RenderedBoards, lens_pose_and_depth_are_found) {
-  const RecordedCamera truth = kinect_fixture();
+  const io::RecordedCamera truth = kinect_fixture();
   const auto report = calibrate(board(), views(), start(), false);
   ASSERT_TRUE(report.ok()) << report.error().message;
   const SensorCalibration& found = report->camera.calibration;
@@ -143,4 +143,4 @@ TEST_F(RenderedBoards, a_board_of_another_size_shows_in_the_depth_not_in_the_len
 }
 
 }  // namespace
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

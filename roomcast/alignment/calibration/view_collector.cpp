@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 std::optional<double> way_px(const std::vector<SeenCorner>& a, const std::vector<SeenCorner>& b) {
   constexpr int kFewest = 4;
@@ -25,7 +25,7 @@ std::optional<double> way_px(const std::vector<SeenCorner>& a, const std::vector
 
 ViewCollector::ViewCollector(const CharucoBoard& board) : finder_(board) {}
 
-ViewCollector::Verdict ViewCollector::add(const CapturedFrame& frame) {
+ViewCollector::Verdict ViewCollector::add(const source::CapturedFrame& frame) {
   const auto before = std::exchange(last_, finder_.find(frame.color));
   if (last_.size() < kMinCorners) return Verdict::kNoBoard;
   const auto moved = way_px(before, last_);
@@ -39,4 +39,4 @@ ViewCollector::Verdict ViewCollector::add(const CapturedFrame& frame) {
   return Verdict::kTaken;
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -10,14 +10,14 @@
 #include "roomcast/alignment/calibration/sensor_calibration.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 class ViewCollector {
  public:
   explicit ViewCollector(const CharucoBoard& board);
 
   enum class Verdict { kNoBoard, kMoving, kSeenBefore, kTaken };
-  Verdict add(const CapturedFrame& frame);
+  Verdict add(const source::CapturedFrame& frame);
 
   [[nodiscard]] const std::vector<BoardView>& views() const { return views_; }
   /// Of the last frame.
@@ -37,4 +37,4 @@ class ViewCollector {
 [[nodiscard]] std::optional<double> way_px(const std::vector<SeenCorner>& a,
                                            const std::vector<SeenCorner>& b);
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/calibration/views_fixture.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 namespace {
 
 using Verdict = ViewCollector::Verdict;
@@ -25,11 +25,11 @@ TEST(ViewCollector, takes_a_board_once_it_is_held_still_somewhere_new) {
   const CharucoBoard board;
   SensorFixture sensor(kinect_fixture(), board);
   ViewCollector collector(board);
-  CapturedFrame nothing;
+  source::CapturedFrame nothing;
   nothing.color.resize(640, 480);
   EXPECT_EQ(collector.add(nothing), Verdict::kNoBoard);
   const auto poses = held_about(board, 2);
-  const CapturedFrame here = sensor.see(poses[0]), there = sensor.see(poses[1]);
+  const source::CapturedFrame here = sensor.see(poses[0]), there = sensor.see(poses[1]);
   EXPECT_EQ(collector.add(here), Verdict::kMoving);
   EXPECT_EQ(collector.add(here), Verdict::kTaken);
   EXPECT_EQ(collector.add(here), Verdict::kSeenBefore);
@@ -39,4 +39,4 @@ TEST(ViewCollector, takes_a_board_once_it_is_held_still_somewhere_new) {
 }
 
 }  // namespace
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

@@ -15,19 +15,19 @@
 #include "roomcast/io/camera_json.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast::calibration {
+namespace roomcast::alignment::calibration {
 
 class SensorFixture {
  public:
   /// `truth`: true depth = reading * depth_scale_to_metre + depth_bias_m.
-  SensorFixture(const RecordedCamera& truth, const CharucoBoard& board)
+  SensorFixture(const io::RecordedCamera& truth, const CharucoBoard& board)
       : truth_(truth),
         board_(board),
         depth_rays_(ray_table(truth.calibration.depth)),
         color_rays_(ray_table(oversampled(truth.calibration.color))) {}
 
-  [[nodiscard]] CapturedFrame see(const RigidTransform& color_from_board) {
-    CapturedFrame frame;
+  [[nodiscard]] source::CapturedFrame see(const RigidTransform& color_from_board) {
+    source::CapturedFrame frame;
     see_color(color_from_board, frame.color);
     see_depth(truth_.calibration.color_from_depth.inverse() * color_from_board, frame.depth_mm);
     return frame;
@@ -97,7 +97,7 @@ class SensorFixture {
     }
   }
 
-  const RecordedCamera truth_;
+  const io::RecordedCamera truth_;
   const CharucoBoard board_;
   const Image<Eigen::Vector2f> depth_rays_, color_rays_;
   std::mt19937 random_{1};
@@ -123,8 +123,8 @@ inline std::vector<RigidTransform> held_about(const CharucoBoard& board, int cou
   return poses;
 }
 
-inline RecordedCamera kinect_fixture() {
-  RecordedCamera truth;
+inline io::RecordedCamera kinect_fixture() {
+  io::RecordedCamera truth;
   SensorCalibration& cameras = truth.calibration;
   cameras.depth = {640, 480, 580, 580, 319.5, 239.5};
   cameras.color = {640, 480, 527.3, 525.1, 324.2, 243.9, 0.09, -0.21, 0, 0.0008, -0.0006};
@@ -138,4 +138,4 @@ inline RecordedCamera kinect_fixture() {
   return truth;
 }
 
-}  // namespace roomcast::calibration
+}  // namespace roomcast::alignment::calibration

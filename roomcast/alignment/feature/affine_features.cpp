@@ -5,7 +5,7 @@
 #include "roomcast/alignment/feature/sift_detector.h"
 #include "roomcast/alignment/view/lift.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr SiftOptions kOfEachTilt{800, 0.015, 15};
@@ -24,4 +24,4 @@ FeatureSet affine_features(const ColorPicture& picture, const DepthSurface& surf
   return set;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

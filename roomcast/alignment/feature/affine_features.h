@@ -8,9 +8,9 @@
 #include "roomcast/alignment/feature/feature_set.h"
 #include "roomcast/alignment/view/color_picture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// With their look-alikes (repeats.h). One place is usually among them several times.
 [[nodiscard]] FeatureSet affine_features(const ColorPicture& picture, const DepthSurface& surface);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

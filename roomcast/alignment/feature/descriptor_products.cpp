@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #endif
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 void descriptor_products_reference(const Descriptor& descriptor, std::span<const Descriptor> others,
                                    std::span<std::int32_t> products) {
@@ -81,4 +81,4 @@ void descriptor_products(const Descriptor& descriptor, std::span<const Descripto
   descriptor_products_reference(descriptor, others, products);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 
 #include "roomcast/alignment/feature/feature_set.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// So many stay in the first-level cache: compare all of a set with one tile of another at a time.
 inline constexpr std::size_t kDescriptorTile = 96;
@@ -23,4 +23,4 @@ void descriptor_products(const Descriptor& descriptor, std::span<const Descripto
 void descriptor_products_reference(const Descriptor& descriptor, std::span<const Descriptor> others,
                                    std::span<std::int32_t> products);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

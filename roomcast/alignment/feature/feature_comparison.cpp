@@ -11,7 +11,7 @@
 #include "roomcast/alignment/feature/repeats.h"
 #include "roomcast/core/vector_loop.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
@@ -158,4 +158,4 @@ FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b,
   return Comparison(a, b, largest_distance).result(largest_distance);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

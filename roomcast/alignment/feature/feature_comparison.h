@@ -11,7 +11,7 @@
 
 #include "roomcast/alignment/feature/feature_set.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct DescriptorMatch {
   std::uint32_t a = 0, b = 0;  // indices
@@ -31,4 +31,4 @@ inline constexpr int kPartners = 3;
 [[nodiscard]] FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b,
                                                  float largest_distance);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/feature/descriptor_products.h"
 #include "roomcast/alignment/feature/repeats.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 Descriptor random_descriptor(std::mt19937& random) {
@@ -125,4 +125,4 @@ TEST(Repeats, a_match_is_worth_less_the_nearer_the_look_alike) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

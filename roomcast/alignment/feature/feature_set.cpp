@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 Descriptor root_descriptor(std::span<const float, kDescriptorSize> histogram) {
   float sum = 0;
@@ -23,4 +23,4 @@ float descriptor_distance(std::int32_t dot) {
   return std::sqrt(std::max(0.F, 2 - 2 * static_cast<float>(dot) / kLargest));
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

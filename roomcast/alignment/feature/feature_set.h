@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline constexpr std::size_t kDescriptorSize = 128;
 /// Length of every descriptor; the largest dot product is its square.
@@ -43,4 +43,4 @@ struct FeatureSet {
 /// Euclidean distance, 0..2, of two descriptors of length 1 that have this dot product.
 [[nodiscard]] float descriptor_distance(std::int32_t dot);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -4,7 +4,7 @@
 #include "roomcast/alignment/feature/sift_detector.h"
 #include "roomcast/alignment/view/lift.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& surface) {
   FeatureSet set;
@@ -17,4 +17,4 @@ FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& sur
   return set;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

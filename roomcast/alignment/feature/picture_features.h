@@ -6,8 +6,8 @@
 #include "roomcast/alignment/feature/feature_set.h"
 #include "roomcast/alignment/view/color_picture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 [[nodiscard]] FeatureSet picture_features(const ColorPicture& picture, const DepthSurface& surface);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

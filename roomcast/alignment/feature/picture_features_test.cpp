@@ -14,7 +14,7 @@
 #include "roomcast/alignment/feature/sift_detector.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 struct Seen {
@@ -171,4 +171,4 @@ TEST(RectifiedFeatures, of_no_planes_are_none) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kCell_m = 0.04F;  // heights are means over 3x3 of them
@@ -72,4 +72,4 @@ std::optional<float> PlaneRelief::height_m(const Eigen::Vector3f& on_plane_m) co
   return found.sum_m / static_cast<float>(found.count);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

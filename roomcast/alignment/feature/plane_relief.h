@@ -15,7 +15,7 @@
 #include "roomcast/alignment/view/depth_surface.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 class PlaneRelief {
  public:
@@ -43,4 +43,4 @@ class PlaneRelief {
   std::vector<Cell> cells_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

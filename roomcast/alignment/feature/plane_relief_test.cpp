@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const Plane kWall{{0, 0, -1}, 3, {}};  // z = 3, seen from the origin
@@ -35,4 +35,4 @@ TEST(PlaneRelief, knows_nothing_where_nothing_is_near_the_plane) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 #include "roomcast/alignment/feature/plane_relief.h"
 #include "roomcast/alignment/feature/sift_detector.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kFinest_m = 0.004F;  // of a pixel of the rectified picture
@@ -170,4 +170,4 @@ FeatureSet rectified_features(const ColorPicture& picture, const DepthSurface& s
   return set;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

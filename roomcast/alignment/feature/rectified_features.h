@@ -11,10 +11,10 @@
 #include "roomcast/alignment/view/color_picture.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 [[nodiscard]] FeatureSet rectified_features(const ColorPicture& picture,
                                             const DepthSurface& surface,
                                             std::span<const Plane> planes);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

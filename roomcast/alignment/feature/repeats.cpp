@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/descriptor_products.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kElsewhere_m = 0.12F;
@@ -50,4 +50,4 @@ float uniqueness(float distance, float look_alike_a, float look_alike_b) {
   return std::clamp(std::min(by_ratio, by_itself), kMinWeight, 1.F);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/feature/feature_set.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Sets `look_alike` of every feature: its descriptor's distance to the nearest one that lies at
 /// least 12 cm away in space.
@@ -20,4 +20,4 @@ void find_look_alikes(FeatureSet& set);
 /// 0.05 (repeats) to 1 (unique): what a match of two features with this distance is worth.
 [[nodiscard]] float uniqueness(float distance, float look_alike_a, float look_alike_b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -16,7 +16,7 @@
 
 #include "roomcast/alignment/bundle/calibration_bundle.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct RoomFixture {
   Eigen::AlignedBox3d walls{Eigen::Vector3d(-2.5, 0, -2), Eigen::Vector3d(2.5, 2.6, 2)};
@@ -159,4 +159,4 @@ inline RigidTransform beside(const RigidTransform& pose, const Eigen::Vector3d& 
   return other;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/view/flat_normals.h"
 #include "roomcast/alignment/view/floor.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMinSurfaceSamples = 200;
@@ -51,4 +51,4 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
                     std::move(in_picture), std::move(on_planes)};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

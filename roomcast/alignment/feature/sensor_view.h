@@ -15,7 +15,7 @@
 #include "roomcast/alignment/view/planes.h"
 #include "roomcast/alignment/view/texture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SensorView {
   std::string name;
@@ -30,4 +30,4 @@ struct SensorView {
 /// Errors of `check`; kInvalidArgument when nothing but depth edges, or one plane, is seen.
 [[nodiscard]] Result<SensorView> make_sensor_view(const CalibrationBundle& bundle);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

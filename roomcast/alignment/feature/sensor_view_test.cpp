@@ -6,7 +6,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(SensorView, sees_features_planes_and_floor) {
@@ -41,4 +41,4 @@ TEST(SensorView, of_readings_without_any_surface_says_what_to_do) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kThinning_m = 0.06F;  // one point for each cell of this size
@@ -167,4 +167,4 @@ std::vector<ShapeMatch> match_shapes(std::span<const ShapeFeature> a,
   return matches;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline constexpr std::size_t kShapeBins = 11;  // of each of three angles
 using ShapeHistogram = std::array<float, 3 * kShapeBins>;
@@ -35,4 +35,4 @@ struct ShapeMatch {
 [[nodiscard]] std::vector<ShapeMatch> match_shapes(std::span<const ShapeFeature> a,
                                                    std::span<const ShapeFeature> b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

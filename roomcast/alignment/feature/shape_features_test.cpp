@@ -8,7 +8,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(ShapeFeatures, are_histograms_of_what_bends) {
@@ -40,4 +40,4 @@ TEST(MatchShapes, finds_each_in_itself) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

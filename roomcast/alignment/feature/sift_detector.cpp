@@ -9,7 +9,7 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kOctaveLayers = 3;
@@ -89,4 +89,4 @@ std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskVie
   return detect(*sift_of(options), grey, mask);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 #include "roomcast/alignment/feature/feature_set.h"
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SiftOptions {
   int most_features = 6000;
@@ -37,4 +37,4 @@ struct SiftFeature {
 [[nodiscard]] std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
                                                           const SiftOptions& options);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

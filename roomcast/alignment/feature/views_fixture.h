@@ -9,7 +9,7 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/feature/sensor_view.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct ViewFixture {
   RigidTransform world_from_depth;
@@ -61,4 +61,4 @@ inline RigidTransform true_pose(const ViewFixture& a, const ViewFixture& b) {
   return a.world_from_depth.inverse() * b.world_from_depth;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

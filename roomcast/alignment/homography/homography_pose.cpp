@@ -14,7 +14,7 @@
 #include "roomcast/alignment/rig/world_frame.h"
 #include "roomcast/alignment/view/lift.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kMaxCorners = 800, kPatchReach = 5, kMinMatches = 8;
@@ -211,4 +211,4 @@ AlignmentReport align_by_homography(std::span<const std::shared_ptr<const Sensor
   return report;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -13,7 +13,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/rig/alignment_report.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct HomographyPose {
   RigidTransform a_from_b;
@@ -28,4 +28,4 @@ struct HomographyPose {
 [[nodiscard]] AlignmentReport align_by_homography(
     std::span<const std::shared_ptr<const SensorView>> views);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

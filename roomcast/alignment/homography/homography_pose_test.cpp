@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// Facing a wall, so that most of what is seen is one plane; a little aside from each other.
@@ -48,4 +48,4 @@ TEST(AlignByHomography, puts_the_first_sensor_into_the_origin) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

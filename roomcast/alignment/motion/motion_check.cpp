@@ -12,7 +12,7 @@
 #include "roomcast/alignment/view/depth_noise.h"
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMaxLandmarks = 3000;
@@ -140,4 +140,4 @@ MotionEvidence MotionCheck::compare(DepthView depth_mm) const {
   return evidence;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -15,7 +15,7 @@
 #include "roomcast/alignment/bundle/calibration_bundle.h"
 #include "roomcast/alignment/view/lens.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// What one picture says. Shares are of the bundle's surface points that can be compared.
 struct MotionEvidence {
@@ -58,4 +58,4 @@ class MotionCheck {
   std::vector<Landmark> landmarks_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -135,4 +135,4 @@ TEST(MotionCheck, an_empty_picture_says_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/motion/pose_change_detector.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinShift_m = 0.014, kMinAngle_rad = 0.0058;  // 0.33 degrees
@@ -38,4 +38,4 @@ bool PoseChangeDetector::moved(DepthView depth_mm, HostTime time) {
   return in_a_row_ >= kLooksInARow || blind_in_a_row_ >= kBlindLooksInARow;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/motion/motion_check.h"
 #include "roomcast/core/clock.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Between two looks.
 inline constexpr std::chrono::milliseconds kLookInterval{400};
@@ -40,4 +40,4 @@ class PoseChangeDetector {
   int blind_in_a_row_ = 0;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 using namespace std::chrono_literals;
@@ -98,4 +98,4 @@ TEST(PoseChangeDetector, a_walker_is_no_motion_of_the_sensor) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

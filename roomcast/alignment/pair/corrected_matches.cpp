@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/pair/corrected_matches.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 Eigen::Vector3f corrected(const ColorPicture& picture, const Eigen::Vector2f& shift_px,
@@ -27,4 +27,4 @@ std::vector<PointMatch> corrected_matches(std::span<const PointMatch> matches,
   return moved;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

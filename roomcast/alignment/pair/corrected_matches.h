@@ -10,7 +10,7 @@
 #include "roomcast/alignment/pair/rigid_fit.h"
 #include "roomcast/alignment/view/color_picture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// The same matches in the same order, with their points moved; pixels stay what was seen.
 [[nodiscard]] std::vector<PointMatch> corrected_matches(std::span<const PointMatch> matches,
@@ -18,4 +18,4 @@ namespace roomcast::align {
                                                         const ColorPicture& b,
                                                         const PairState& state);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 ColorPicture picture() {
@@ -42,4 +42,4 @@ TEST(CorrectedMatches, without_a_shift_all_stays_as_it_is) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

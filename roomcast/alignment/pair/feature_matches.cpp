@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/feature/repeats.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kLargestDescriptorDistance = 0.75F;
@@ -83,4 +83,4 @@ std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b)
   return matches;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

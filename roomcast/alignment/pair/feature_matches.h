@@ -10,7 +10,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/rigid_fit.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct ViewComparison {
   FeatureComparison in_pictures, on_planes;
@@ -43,4 +43,4 @@ void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_
 /// views is left aside.
 [[nodiscard]] std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

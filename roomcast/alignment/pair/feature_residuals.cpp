@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinSigma_px = 0.6, kMaxSigma_px = 3;
@@ -162,4 +162,4 @@ double feature_sigma_px(const ColorPicture& a, const ColorPicture& b, const Pair
   return std::clamp(*middle / kMedianOfRayleigh, kMinSigma_px, kMaxSigma_px);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

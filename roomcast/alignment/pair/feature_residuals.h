@@ -10,7 +10,7 @@
 #include "roomcast/alignment/pair/rigid_fit.h"
 #include "roomcast/alignment/view/color_picture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// How much the places of matched features are believed.
 struct FeatureTrust {
@@ -37,4 +37,4 @@ void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const Pair
 /// Before anything is known about it: static sensors do better, hand-held ones do not.
 inline constexpr double kUsualFeatureSigma_px = 2;
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

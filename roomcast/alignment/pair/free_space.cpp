@@ -6,7 +6,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 // In sigmas of the depth noise. Wide, because hypotheses are tested before they are refined.
@@ -122,4 +122,4 @@ SolidConflict check_solid_conflict(const DepthSurface& a, const DepthSurface& b,
   return conflict;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

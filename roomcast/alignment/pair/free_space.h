@@ -9,7 +9,7 @@
 #include "roomcast/alignment/view/depth_surface.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Shares of the tested points.
 struct FreeSpaceCheck {
@@ -37,4 +37,4 @@ inline constexpr std::size_t kTestedPoints = 1500;
 [[nodiscard]] FreeSpaceCheck check_free_space(const DepthSurface& a, const DepthSurface& b,
                                               const RigidTransform& a_from_b, std::size_t points);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

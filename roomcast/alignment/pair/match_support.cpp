@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kWeightCell_m = 0.10F, kCountCell_m = 0.05F;
@@ -49,4 +49,4 @@ MatchSupport match_support(std::span<const PointMatch> agreeing) {
   return support;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

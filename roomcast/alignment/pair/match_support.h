@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/pair/rigid_fit.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct MatchSupport {
   double weight = 0;  // sum over cells of the best match's weight
@@ -22,4 +22,4 @@ struct MatchSupport {
 
 [[nodiscard]] MatchSupport match_support(std::span<const PointMatch> agreeing);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

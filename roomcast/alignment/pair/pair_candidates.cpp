@@ -8,7 +8,7 @@
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/pair/shape_hypotheses.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kInlier_m = 0.07F;
@@ -196,4 +196,4 @@ PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis,
   return fits_better(after, before) ? after : before;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

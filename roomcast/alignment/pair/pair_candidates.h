@@ -14,7 +14,7 @@
 #include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/spatial_vote.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// What speaks for a pose and what against it.
 struct PoseEvidence {
@@ -95,4 +95,4 @@ class PairCandidates {
   std::vector<PoseEvidence> ranked_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const RigidTransform& truth() {
@@ -215,4 +215,4 @@ TEST(FeatureMatches, weigh_less_where_the_pattern_repeats) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinTrace = 1e-6;
@@ -70,4 +70,4 @@ void move(const PairVector& step, PairState& state) {
   state.b.color_shift_px += step.segment<2>(kOfB + kShift);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/pair/sensor_correction.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -70,4 +70,4 @@ void move(const PairVector& step, PairState& state);
   return 1 / (part * part);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

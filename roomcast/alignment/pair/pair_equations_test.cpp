@@ -12,7 +12,7 @@
 #include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMillimetre = 1e-3, kMilliradian = 1e-3;
@@ -240,4 +240,4 @@ TEST(Settling, finds_colour_that_lies_aside_where_it_is_asked_to) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

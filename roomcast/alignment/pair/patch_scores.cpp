@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kPatchTangent = 0.35;
@@ -36,4 +36,4 @@ void PairScores::add_surface(const Eigen::Vector3d& a_m, const Eigen::Vector3d& 
   }
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 
 #include "roomcast/alignment/pair/pair_equations.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// A patch of a sensor's picture.
 struct PatchScore {
@@ -36,4 +36,4 @@ struct PairScores {
                    double residual_m, double weight);
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

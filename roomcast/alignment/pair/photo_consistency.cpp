@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/pair/reprojected_views.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kReach = 5;           // windows of 11 x 11 grid points
@@ -55,4 +55,4 @@ PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& 
   return {weight / 2, (from_a.correlation + from_b.correlation) / weight};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

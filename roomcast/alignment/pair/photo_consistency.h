@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/pair_equations.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct PhotoConsistency {
   double textured = 0;     // share of a view that is common and has contrast, weighted by contrast
@@ -19,4 +19,4 @@ struct PhotoConsistency {
 [[nodiscard]] PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
                                                        const PairState& state);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/pair/reprojected_views.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kReach = 5;  // windows of 11 x 11 grid points
@@ -198,4 +198,4 @@ PlanarTexture compare_planar_texture(const SensorView& a, const SensorView& b,
   return prints;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

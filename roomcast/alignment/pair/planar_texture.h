@@ -12,7 +12,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/pair_equations.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Places that could be judged, as shares of a view, of both views together.
 struct PlanarTexture {
@@ -42,4 +42,4 @@ struct PlanarTexture {
 [[nodiscard]] PlanarTexture compare_planar_texture(const SensorView& a, const SensorView& b,
                                                    const PairState& state);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

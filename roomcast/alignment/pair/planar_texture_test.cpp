@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// The same room with another poster on the wall that the first two corners look at.
@@ -140,4 +140,4 @@ TEST(PlanarTexture, views_that_share_nothing_say_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kRivalAngle_rad = 4 * std::numbers::pi / 180;
@@ -25,4 +25,4 @@ bool are_rivals(const RigidTransform& one, const RigidTransform& other) {
   return apart.angle_rad > kRivalAngle_rad || apart.distance_m > kRivalDistance_m;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -4,7 +4,7 @@
 
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct PoseDifference {
   double angle_rad = 0;
@@ -19,4 +19,4 @@ struct PoseDifference {
 /// Whether two hypotheses say different things: not mere inaccuracy of the same answer.
 [[nodiscard]] bool are_rivals(const RigidTransform& one, const RigidTransform& other);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 #include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kPoints = 1500;
@@ -45,4 +45,4 @@ PairState refined_pose(const SensorView& a, const SensorView& b,
   return state;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 #include "roomcast/alignment/pair/pair_equations.h"
 #include "roomcast/alignment/pair/rigid_fit.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Where a sensor's colour is thought to lie. It is a few pixels aside of depth where the
 /// calibration is a little off, or the camera moved between both.
@@ -22,4 +22,4 @@ enum class ColorCalibration { kAsCalibrated, kUncertain };
                                      const RigidTransform& a_from_b,
                                      ColorCalibration color = ColorCalibration::kAsCalibrated);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

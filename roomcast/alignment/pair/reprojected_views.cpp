@@ -6,7 +6,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kSameReading = 10;    // sigmas of the depth noise
@@ -108,4 +108,4 @@ double WindowContrast::correlation() const {
   return together / (mine * theirs + kNoiseContrast);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

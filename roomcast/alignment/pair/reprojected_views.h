@@ -11,7 +11,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/sensor_correction.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Two pictures on the same grid, where both are known.
 struct ReprojectedViews {
@@ -85,4 +85,4 @@ struct WindowContrast {
   [[nodiscard]] double correlation() const;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kFlattest =
@@ -43,4 +43,4 @@ std::optional<RigidTransform> fit_a_from_b(std::span<const PointMatch> matches,
   return a_from_b;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// A point seen by both sensors of a pair.
 struct PointMatch {
@@ -30,4 +30,4 @@ struct PointMatch {
   return (rotation * match.b_m + shift - match.a_m).norm();
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const RigidTransform kTruth = world_from_optical_looking_at({0.4, 1.2, -0.3}, {-1, 0.2, 0.8});
@@ -77,4 +77,4 @@ TEST(MatchSupport, only_what_agrees_with_the_pose_counts) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

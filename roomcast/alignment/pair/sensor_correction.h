@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Two of the colour shift; depth offset and depth scale: true depth = (1 + scale) * reading +
 /// offset.
@@ -41,4 +41,4 @@ struct DepthDoubt {
   double offset_m = 0.001, scale = 0.0005, common_scale = 0.0025;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

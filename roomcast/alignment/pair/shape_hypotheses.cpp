@@ -3,7 +3,7 @@
 
 #include "roomcast/alignment/feature/shape_features.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// Shape features lie as far apart as surfaces were thinned, so all of it is coarse.
@@ -21,4 +21,4 @@ std::vector<PoseHypothesis> hypotheses_by_shape(const DepthSurface& a, const Dep
   return vote_for_poses(matches, kVote);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

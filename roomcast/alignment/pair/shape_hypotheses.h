@@ -9,10 +9,10 @@
 #include "roomcast/alignment/pair/spatial_vote.h"
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Best first.
 [[nodiscard]] std::vector<PoseHypothesis> hypotheses_by_shape(const DepthSurface& a,
                                                               const DepthSurface& b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

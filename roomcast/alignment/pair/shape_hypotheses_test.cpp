@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const ViewFixture& beside() {
@@ -27,4 +27,4 @@ TEST(ShapeHypotheses, hold_the_true_pose_without_any_colour) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

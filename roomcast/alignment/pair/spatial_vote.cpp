@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kTolerancePerMetre = 0.012F;
@@ -179,4 +179,4 @@ std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
   return most_supported(std::move(found), options.most_hypotheses);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

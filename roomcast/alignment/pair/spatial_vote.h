@@ -11,7 +11,7 @@
 
 #include "roomcast/alignment/pair/rigid_fit.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct VoteOptions {
   std::size_t most_matches = 1200;  // the heaviest are used
@@ -30,4 +30,4 @@ struct PoseHypothesis {
 [[nodiscard]] std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> matches,
                                                          const VoteOptions& options = {});
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const RigidTransform kTruth = world_from_optical_looking_at({0.4, 1.2, -0.3}, {-1, 0.2, 0.8});
@@ -92,4 +92,4 @@ TEST(SpatialVote, of_too_few_or_senseless_matches_gives_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kPartnerCosine = 0.8F;  // cosine between normals
@@ -163,4 +163,4 @@ double surface_noise(std::span<const SurfacePartner> partners) {
   return std::clamp(*middle / kMedianOfNormal, kMinNoise, kMaxNoise);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 #include "roomcast/alignment/pair/patch_scores.h"
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SurfaceReach {
   float reach_m = 0.05F;      // along the normal; what is further away is another surface
@@ -48,4 +48,4 @@ void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTra
 /// Before anything is known about it.
 inline constexpr double kUsualNoise = 1;
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

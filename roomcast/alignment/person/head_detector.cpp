@@ -12,7 +12,7 @@
 #include "roomcast/alignment/view/depth_surface.h"
 #include "roomcast/alignment/view/floor.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kPixelStep = 2;
@@ -171,7 +171,7 @@ HeadDetector::HeadDetector(const CalibrationBundle& bundle, const Plane& floor)
   const CameraIntrinsics& camera = bundle.calibration.depth;
   plan_->room_mm = bundle.depth_mm;
   plan_->rays = ray_table(camera);
-  plan_->level_from_depth = align::level_from_depth(floor);
+  plan_->level_from_depth = alignment::level_from_depth(floor);
   plan_->area_per_z2 = static_cast<float>(kPixelStep * kPixelStep / (camera.fx * camera.fy));
   plan_->areas_m2.resize(std::size_t{kCells} * kCells);
   plan_->bodies.resize(std::size_t{kCells} * kCells);
@@ -204,4 +204,4 @@ std::vector<Eigen::Vector3f> HeadDetector::find(DepthView depth_mm) {
   return heads;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

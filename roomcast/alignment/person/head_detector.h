@@ -15,7 +15,7 @@
 #include "roomcast/alignment/bundle/calibration_bundle.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Above the floor.
 inline constexpr float kMinHead_m = 1.0F, kMaxHead_m = 2.2F;
@@ -44,4 +44,4 @@ class HeadDetector {
   std::unique_ptr<Plan> plan_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// A body and a head, `tall_m` high in all.
@@ -86,4 +86,4 @@ TEST_F(HeadDetectorTest, furniture_that_was_taken_away_has_none) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 using Eigen::Vector2d;
@@ -284,4 +284,4 @@ Result<TrajectoryMatch> match_walks(std::span<const HeadSighting> a,
   return match;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

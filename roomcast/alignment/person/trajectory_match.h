@@ -18,7 +18,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// A head as seen in a level frame (y up, the floor at y = 0).
 struct HeadSighting {
@@ -43,4 +43,4 @@ struct TrajectoryMatch {
 [[nodiscard]] Result<TrajectoryMatch> match_walks(std::span<const HeadSighting> a,
                                                   std::span<const HeadSighting> b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 using Path = std::function<Eigen::Vector3d(double time_s)>;  // of a head
@@ -116,4 +116,4 @@ TEST(TrajectoryMatch, a_moment_is_not_enough) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

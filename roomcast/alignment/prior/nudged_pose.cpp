@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kFurthest_m = 0.6, kFurthest_rad = 0.35;  // of the answer from the guess
@@ -105,4 +105,4 @@ Result<NudgedPose> refined_prior(const SensorView& view, const RigidTransform& g
   return refined_prior(candidates_of(*partner->view, view), partner->world_from_depth, guess);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 #include "roomcast/alignment/prior/prior_evidence.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct NudgedPose {
   RigidTransform world_from_depth;
@@ -33,4 +33,4 @@ struct NudgedPose {
                                                const RigidTransform& world_from_a,
                                                const RigidTransform& prior_world_from_b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 Result<NudgedPose> answer(const RigidTransform& guess) {
@@ -42,4 +42,4 @@ TEST(NudgedPose, without_placed_sensors_it_is_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/prior/prior_evidence.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinOverlap = 0.05, kMaxConflict = 0.08;
@@ -44,4 +44,4 @@ bool is_too_much(const FreeSpaceCheck& space) {
   return space.conflict() > kMaxConflict;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

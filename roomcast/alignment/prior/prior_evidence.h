@@ -9,7 +9,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/pair_candidates.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Another sensor, whose pose is known.
 struct PlacedView {
@@ -33,4 +33,4 @@ enum class Contradiction { kNone, kShapes, kColors };
 /// Whether one looks through what the other sees, by more than edges that are a little off.
 [[nodiscard]] bool is_too_much(const FreeSpaceCheck& space);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/pose_refinement.h"
 #include "roomcast/alignment/rig/rig_refinement.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kReachOfWalk_m = 1;  // about its middle: as long a lever says how it is turned
@@ -73,4 +73,4 @@ std::optional<EstimatedPlacement> refined_placement(const SensorView& view,
                             1000 * expected_error_m(together, a_from_b * kAhead_m)};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 
 #include "roomcast/alignment/prior/prior_evidence.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct EstimatedPlacement {
   RigidTransform world_from_depth;
@@ -24,4 +24,4 @@ struct EstimatedPlacement {
 [[nodiscard]] std::optional<EstimatedPlacement> refined_placement(
     const SensorView& view, const EstimatedPlacement& found, std::span<const PlacedView> placed);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kOfWalk_mm = 30;
@@ -74,4 +74,4 @@ TEST(SettledPlace, along_a_floor_that_is_all_they_share_it_stays_where_it_was_fo
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -4,7 +4,7 @@
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/prior/nudged_pose.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinSeen = 0.05;  // of a view: so much has to be judged to contradict a pose
@@ -27,4 +27,4 @@ StoredPoseCheck stored_pose_check(const PairCandidates& pair, const RigidTransfo
   return {StoredPoseVerdict::kConfirmed, Contradiction::kNone, found->expected_error_mm};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

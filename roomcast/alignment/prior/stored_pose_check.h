@@ -9,7 +9,7 @@
 #include "roomcast/alignment/pair/pair_candidates.h"
 #include "roomcast/alignment/prior/prior_evidence.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 enum class StoredPoseVerdict { kUntold, kConfirmed, kContradicted };
 
@@ -23,4 +23,4 @@ struct StoredPoseCheck {
                                                 const RigidTransform& world_from_a,
                                                 const RigidTransform& world_from_b);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/views_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// Between both, when the second is said to stand so.
@@ -63,4 +63,4 @@ TEST(StoredPoseCheck, along_a_bare_wall_nothing_tells_whether_it_was_moved) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 #include "roomcast/alignment/pair/sensor_correction.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct PairReport {
   std::string a, b;
@@ -49,4 +49,4 @@ struct AlignmentReport {
   bool has_floor = false;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

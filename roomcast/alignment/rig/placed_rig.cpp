@@ -14,7 +14,7 @@
 #include "roomcast/alignment/rig/rig_refinement.h"
 #include "roomcast/alignment/rig/world_frame.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kHoldingSupport = 6, kHoldingScore = 6;
@@ -267,4 +267,4 @@ AlignmentReport place_rig(std::span<const SensorView* const> views,
   return report;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,10 +9,10 @@
 #include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/alignment/rig/pose_selection.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// `pairs` are all pairs of `views`.
 [[nodiscard]] AlignmentReport place_rig(std::span<const SensorView* const> views,
                                         std::span<const RigPair> pairs);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_check.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// One of two sensors that look past a pillar from either side. They share no surface that faces
@@ -74,4 +74,4 @@ TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

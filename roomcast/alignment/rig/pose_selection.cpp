@@ -8,7 +8,7 @@
 
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kEdgesPerPair = 6;
@@ -16,7 +16,7 @@ constexpr std::size_t kBeam = 24;
 constexpr double kSameAngle_rad = 0.7 * std::numbers::pi / 180, kSameDistance_m = 0.03;
 constexpr double kNoRival = 99;
 
-bool says_the_same(const Placement& one, const Placement& other) {
+bool says_the_same(const PlacedGroups& one, const PlacedGroups& other) {
   if (one.group != other.group) return false;
   for (std::size_t i = 0; i < one.group.size(); ++i) {
     if (are_rivals(one.group_from_sensor[i], other.group_from_sensor[i])) return false;
@@ -66,16 +66,16 @@ std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
   return edges;
 }
 
-Placement nobody_placed(std::size_t sensors) {
-  Placement placement;
+PlacedGroups nobody_placed(std::size_t sensors) {
+  PlacedGroups placement;
   for (std::size_t i = 0; i < sensors; ++i) placement.group.push_back(i);
   placement.group_from_sensor.resize(sensors);
   return placement;
 }
 
 /// `before` with the groups of the edge's two sensors made one.
-Placement joined(const Placement& before, const RigPair& pair, const RigidTransform& a_from_b) {
-  Placement after = before;
+PlacedGroups joined(const PlacedGroups& before, const RigPair& pair, const RigidTransform& a_from_b) {
+  PlacedGroups after = before;
   const std::size_t group_a = before.group[pair.first], group_b = before.group[pair.second];
   const RigidTransform ga_from_gb = before.group_from_sensor[pair.first] * a_from_b *
                                     before.group_from_sensor[pair.second].inverse();
@@ -90,7 +90,7 @@ Placement joined(const Placement& before, const RigPair& pair, const RigidTransf
 }
 
 /// What all the pairs say that this edge brings together.
-PooledEvidence pooled_evidence(const Placement& before, const Placement& after,
+PooledEvidence pooled_evidence(const PlacedGroups& before, const PlacedGroups& after,
                                std::span<const RigPair> pairs, const Edge& edge,
                                LoopEvidence& evidence) {
   PooledEvidence pooled;
@@ -105,13 +105,13 @@ PooledEvidence pooled_evidence(const Placement& before, const Placement& after,
 }
 
 /// The answers with the highest scores, each once.
-void keep_best(std::vector<Placement>& placements, std::size_t most) {
+void keep_best(std::vector<PlacedGroups>& placements, std::size_t most) {
   std::stable_sort(placements.begin(), placements.end(),
-                   [](const Placement& x, const Placement& y) { return x.score > y.score; });
-  std::vector<Placement> kept;
-  for (Placement& placement : placements) {
+                   [](const PlacedGroups& x, const PlacedGroups& y) { return x.score > y.score; });
+  std::vector<PlacedGroups> kept;
+  for (PlacedGroups& placement : placements) {
     if (kept.size() == most) break;
-    const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const Placement& better) {
+    const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const PlacedGroups& better) {
       return says_the_same(placement, better);
     });
     if (is_new) kept.push_back(std::move(placement));
@@ -120,14 +120,14 @@ void keep_best(std::vector<Placement>& placements, std::size_t most) {
 }
 
 /// Every answer that one more edge makes of the answers in `beam`.
-std::vector<Placement> extended(std::span<const Placement> beam, std::span<const Edge> edges,
+std::vector<PlacedGroups> extended(std::span<const PlacedGroups> beam, std::span<const Edge> edges,
                                 std::span<const RigPair> pairs, LoopEvidence& evidence) {
-  std::vector<Placement> next;
-  for (const Placement& before : beam) {
+  std::vector<PlacedGroups> next;
+  for (const PlacedGroups& before : beam) {
     for (const Edge& edge : edges) {
       const RigPair& pair = pairs[edge.pair];
       if (before.together(pair.first, pair.second)) continue;
-      Placement after = joined(before, pair, edge.evidence->a_from_b);
+      PlacedGroups after = joined(before, pair, edge.evidence->a_from_b);
       const PooledEvidence pooled = pooled_evidence(before, after, pairs, edge, evidence);
       if (!is_strong(*edge.evidence) && !is_strong(pooled)) continue;
       after.score = before.score + pooled.score - kPoseCost;
@@ -138,19 +138,19 @@ std::vector<Placement> extended(std::span<const Placement> beam, std::span<const
   return next;
 }
 
-std::size_t largest_group(const Placement& placement) {
+std::size_t largest_group(const PlacedGroups& placement) {
   std::vector<std::size_t> members(placement.group.size());
   for (const std::size_t group : placement.group) ++members[group];
   return static_cast<std::size_t>(std::max_element(members.begin(), members.end()) -
                                   members.begin());
 }
 
-void measure_margins(std::span<const Placement> answers, PoseSelection& selection) {
-  const Placement& best = selection.best;
+void measure_margins(std::span<const PlacedGroups> answers, PoseSelection& selection) {
+  const PlacedGroups& best = selection.best;
   const std::size_t origin = selection.origin;
   selection.margin_to_rival.assign(best.group.size(), kNoRival);
   selection.margin_to_unplaced.assign(best.group.size(), kNoRival);
-  for (const Placement& other : answers) {
+  for (const PlacedGroups& other : answers) {
     const double behind = best.score - other.score;
     for (std::size_t i = 0; i < best.group.size(); ++i) {
       if (!best.together(i, origin)) continue;
@@ -168,8 +168,8 @@ void measure_margins(std::span<const Placement> answers, PoseSelection& selectio
 PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) {
   const std::vector<Edge> edges = edges_of(pairs);
   LoopEvidence evidence(pairs);
-  std::vector<Placement> beam = {nobody_placed(sensors)};
-  std::vector<Placement> answers = beam;
+  std::vector<PlacedGroups> beam = {nobody_placed(sensors)};
+  std::vector<PlacedGroups> answers = beam;
   while (!beam.empty()) {
     beam = extended(beam, edges, pairs, evidence);
     answers.insert(answers.end(), beam.begin(), beam.end());
@@ -177,10 +177,10 @@ PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) 
   PoseSelection selection;
   selection.best =
       *std::max_element(answers.begin(), answers.end(),
-                        [](const Placement& x, const Placement& y) { return x.score < y.score; });
+                        [](const PlacedGroups& x, const PlacedGroups& y) { return x.score < y.score; });
   selection.origin = largest_group(selection.best);
   measure_margins(answers, selection);
   return selection;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

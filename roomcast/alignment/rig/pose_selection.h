@@ -13,7 +13,7 @@
 
 #include "roomcast/alignment/pair/pair_candidates.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// The candidates of two sensors of a rig, by their places in it; first < second.
 struct RigPair {
@@ -22,7 +22,7 @@ struct RigPair {
 };
 
 /// One way to place the sensors.
-struct Placement {
+struct PlacedGroups {
   std::vector<std::size_t> group;  // of each sensor: the lowest sensor it is placed with
   std::vector<RigidTransform> group_from_sensor;  // in the frame of that lowest sensor
   double score = 0;
@@ -36,7 +36,7 @@ struct Placement {
 };
 
 struct PoseSelection {
-  Placement best;
+  PlacedGroups best;
   std::vector<double>
       margin_to_rival;  // per sensor: ahead of the best answer that puts it elsewhere
   std::vector<double>
@@ -46,4 +46,4 @@ struct PoseSelection {
 
 [[nodiscard]] PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kLittleOverlap = 0.08;
@@ -69,4 +69,4 @@ std::string why_pair_says_little(const PairCandidates& pair, const PoseEvidence&
       names(pair));
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/pair/pair_candidates.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Why the pair alone does not settle how its sensors stand to each other. Empty when it does.
 [[nodiscard]] std::string why_pair_is_refused(const PairCandidates& pair);
@@ -16,4 +16,4 @@ namespace roomcast::align {
 [[nodiscard]] std::string why_pair_says_little(const PairCandidates& pair,
                                                const PoseEvidence& at_its_place);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

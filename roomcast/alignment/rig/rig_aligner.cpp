@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/affine_features.h"
 #include "roomcast/alignment/rig/placed_rig.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 // Where the steps begin, of the whole.
@@ -129,4 +129,4 @@ std::vector<RigPair> RigAligner::pairs() const {
   return pairs;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

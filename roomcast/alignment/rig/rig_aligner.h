@@ -18,7 +18,7 @@
 #include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/alignment/rig/pose_selection.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Called before each step with what is being done and how far it is (0..1).
 using AlignProgress = std::function<void(std::string_view step, double done)>;
@@ -58,4 +58,4 @@ class RigAligner {
   std::map<std::string, FeatureSet> affine_features_;  // of whom they were needed
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kMaxAngle_rad = 0.3 * M_PI / 180, kMost_m = 0.015;
@@ -250,4 +250,4 @@ TEST(RigAligner, nobody_or_one_alone_is_no_trouble) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

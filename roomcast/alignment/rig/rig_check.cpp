@@ -6,7 +6,7 @@
 
 #include "roomcast/alignment/pair/planar_texture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kRefinedConflict = 0.0275, kNegligibleRefinedViolation = 0.004;
@@ -110,4 +110,4 @@ std::optional<std::size_t> RigCheck::contradicted_sensor(std::span<const RigPair
   return worst;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

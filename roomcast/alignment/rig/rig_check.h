@@ -13,7 +13,7 @@
 #include "roomcast/alignment/rig/pose_selection.h"
 #include "roomcast/alignment/rig/rig_refinement.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// One way to place the sensors, refined.
 struct RigAnswer {
@@ -42,4 +42,4 @@ class RigCheck {
   std::vector<bool> exact_colors_;  // of sensors whose colours agreed with another's before
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

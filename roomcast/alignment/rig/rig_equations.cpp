@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kDamping = 1e-10;       // of the trace: what nothing holds stays where it is
@@ -120,4 +120,4 @@ std::vector<Matrix6> RigEquations::motion_covariance(const RigScatter& scatter,
   return of_sensors;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -11,7 +11,7 @@
 #include "roomcast/alignment/pair/pair_equations.h"
 #include "roomcast/alignment/rig/rig_scatter.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Of each sensor: motion, then correction.
 inline constexpr Eigen::Index kSensorUnknowns = 6 + kCorrectionUnknowns;
@@ -51,4 +51,4 @@ class RigEquations {
   Eigen::VectorXd gradient_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

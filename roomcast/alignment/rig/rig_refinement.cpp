@@ -9,7 +9,7 @@
 #include "roomcast/alignment/pair/surface_residuals.h"
 #include "roomcast/alignment/rig/rig_equations.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kSteps = 16;
@@ -210,4 +210,4 @@ std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_fro
   return refined;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

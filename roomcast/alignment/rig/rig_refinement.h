@@ -14,7 +14,7 @@
 #include "roomcast/alignment/pair/pair_equations.h"
 #include "roomcast/alignment/rig/pose_selection.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct RefinedSensor {
   RigidTransform origin_from_sensor;
@@ -30,4 +30,4 @@ struct RefinedSensor {
     std::span<const RigidTransform> origin_from_sensor, std::size_t origin,
     std::span<const RigPair> pairs);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/rig/rig_equations.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 void RigScatter::add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
                      const PairScores& scores) {
@@ -46,4 +46,4 @@ double RigScatter::disagreement_m() const {
   return weight > 0 ? std::sqrt(squares / weight) : 0;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 #include "roomcast/alignment/pair/patch_scores.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 class RigScatter {
  public:
@@ -42,4 +42,4 @@ class RigScatter {
   std::map<std::pair<std::size_t, int>, Sum> patches_;  // by sensor and patch
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/surface_residuals.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// The left half of what the second corner sees is `bias_m` too far.
@@ -66,4 +66,4 @@ TEST(RigScatter, smooth_errors_make_poses_doubtful) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kAgreeCosine = 0.9962F;  // 5 degrees
@@ -76,4 +76,4 @@ WorldFrame world_frame(std::span<const Plane> floors_in_origin) {
   return frame;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

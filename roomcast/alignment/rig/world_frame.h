@@ -11,7 +11,7 @@
 #include "roomcast/alignment/view/planes.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct WorldFrame {
   RigidTransform world_from_origin;
@@ -24,4 +24,4 @@ struct WorldFrame {
 /// `plane`, given in b, as seen in a.
 [[nodiscard]] Plane transformed(const RigidTransform& a_from_b, const Plane& plane);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/service/bundle_message.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 using namespace std::chrono_literals;
@@ -108,4 +108,4 @@ void AlignmentWorker::take_bundle(const std::string& sensor, const Bundle& bundl
   placing_.add(*read);
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -18,7 +18,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 struct AlignmentUpdate {
   std::vector<Placement> placements;
@@ -76,4 +76,4 @@ class AlignmentWorker {
   std::jthread thread_;  // last: ends first
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -8,16 +8,16 @@
 #include "roomcast/alignment/service/bundle_message.h"
 #include "roomcast/core/blocking_queue.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
-const RigidTransform kLeft = align::corner_pose(2, 1.5), kRight = align::corner_pose(-2, 1.5);
+const RigidTransform kLeft = alignment::corner_pose(2, 1.5), kRight = alignment::corner_pose(-2, 1.5);
 
 class AlignmentWorkerTest : public testing::Test {
  protected:
   void add(const std::string& sensor, const RigidTransform& world_from_depth,
            std::uint32_t number) {
-    const auto bundle = align::bundle_fixture({}, sensor, world_from_depth);
+    const auto bundle = alignment::bundle_fixture({}, sensor, world_from_depth);
     auto message = *message_from_bundle(bundle);
     message.set_number(number);
     alignment_worker.add(sensor, bundle.calibration, std::move(message));
@@ -65,4 +65,4 @@ TEST_F(AlignmentWorkerTest, a_guess_is_answered_though_nobody_is_lost) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// A tag held for a second at each of six places.
 inline wire::pb::Sightings held_tag(const RigidTransform& world_from_sensor) {
@@ -32,4 +32,4 @@ inline wire::pb::Sightings held_tag(const RigidTransform& world_from_sensor) {
   return seen;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -6,13 +6,13 @@
 
 #include "roomcast/alignment/service/seeded_world.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMaxKept = 2000;
 
-align::TagSighting sighting_of(const wire::pb::TagSighting& message) {
-  align::TagSighting sighting;
+alignment::TagSighting sighting_of(const wire::pb::TagSighting& message) {
+  alignment::TagSighting sighting;
   sighting.time_s = 1e-9 * static_cast<double>(static_cast<std::int64_t>(message.room_ns()));
   sighting.tag = static_cast<int>(message.tag());
   for (int i = 0; i < 4; ++i) {
@@ -42,12 +42,12 @@ Placement BoardPlacer::place_one(const std::string& sensor, const Sightings& see
                                  const KnownPoses& placed) const {
   Placement placement;
   placement.sensor = sensor;
-  const std::vector<align::TagSighting> of_lost(seen.begin(), seen.end());
+  const std::vector<alignment::TagSighting> of_lost(seen.begin(), seen.end());
   for (const auto& [other, world_from_other] : placed) {
     const auto found = seen_.find(other);
     if (found == seen_.end() || other == sensor) continue;
-    const std::vector<align::TagSighting> of_other(found->second.begin(), found->second.end());
-    const auto match = align::match_boards(of_other, of_lost);
+    const std::vector<alignment::TagSighting> of_other(found->second.begin(), found->second.end());
+    const auto match = alignment::match_boards(of_other, of_lost);
     if (!match) {
       placement.note = match.error().message;
       continue;
@@ -88,4 +88,4 @@ std::vector<Placement> BoardPlacer::place(const KnownPoses& placed,
   });
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// Somebody may take so long to hold it everywhere.
 inline constexpr std::chrono::seconds kBoardRemembered{120};
@@ -35,11 +35,11 @@ class BoardPlacer {
  private:
   [[nodiscard]] std::vector<Placement> place_beside(KnownPoses placed,
                                                     const std::set<std::string>& lost) const;
-  using Sightings = std::deque<align::TagSighting>;  // in the order of time
+  using Sightings = std::deque<alignment::TagSighting>;  // in the order of time
   [[nodiscard]] Placement place_one(const std::string& sensor, const Sightings& seen,
                                     const KnownPoses& placed) const;
 
   std::map<std::string, Sightings> seen_;
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

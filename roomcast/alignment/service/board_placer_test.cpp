@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/service/board_fixture.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 const RigidTransform kLeft = world_from_optical_looking_at({-2.5, 2, 0}, {0, 1, 0});
@@ -81,4 +81,4 @@ TEST(BoardPlacer, a_board_that_only_the_lost_sensor_saw_gives_a_reason) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/io/jpeg_codec.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 namespace {
 
@@ -63,8 +63,8 @@ MaskImage mask_of(const DepthImage& zeros_and_ones) {
 
 }  // namespace
 
-Result<wire::pb::CalibrationBundle> message_from_bundle(const align::CalibrationBundle& bundle) {
-  if (auto status = align::check(bundle); !status) return status.error();
+Result<wire::pb::CalibrationBundle> message_from_bundle(const alignment::CalibrationBundle& bundle) {
+  if (auto status = alignment::check(bundle); !status) return status.error();
   wire::pb::CalibrationBundle message;
   auto depth = encode_lossless(bundle.depth_mm);
   if (!depth) return depth.error();
@@ -75,7 +75,7 @@ Result<wire::pb::CalibrationBundle> message_from_bundle(const align::Calibration
     message.set_moving(*std::move(moving));
   }
   std::vector<std::uint8_t> jpeg;
-  if (auto fault = JpegCodec().encode(bundle.color, kJpegQuality, jpeg); !fault.empty()) {
+  if (auto fault = io::JpegCodec().encode(bundle.color, kJpegQuality, jpeg); !fault.empty()) {
     return Error{ErrorCode::kInvalidArgument, fault};
   }
   message.set_color_jpeg(text_of(jpeg));
@@ -85,10 +85,10 @@ Result<wire::pb::CalibrationBundle> message_from_bundle(const align::Calibration
   return message;
 }
 
-Result<align::CalibrationBundle> bundle_from_message(const wire::pb::CalibrationBundle& message,
+Result<alignment::CalibrationBundle> bundle_from_message(const wire::pb::CalibrationBundle& message,
                                                      std::string name,
                                                      const SensorCalibration& calibration) {
-  align::CalibrationBundle bundle;
+  alignment::CalibrationBundle bundle;
   bundle.name = std::move(name);
   bundle.calibration = calibration;
   const int width = calibration.depth.width, height = calibration.depth.height;
@@ -101,10 +101,10 @@ Result<align::CalibrationBundle> bundle_from_message(const wire::pb::Calibration
     bundle.moving = mask_of(*moving);
   }
   bundle.color.resize(calibration.color.width, calibration.color.height);
-  const auto fault = JpegCodec().decode(bytes_of(message.color_jpeg()), bundle.color.view());
+  const auto fault = io::JpegCodec().decode(bytes_of(message.color_jpeg()), bundle.color.view());
   if (!fault.empty()) return Error{ErrorCode::kMalformed, "a bundle's colour picture: " + fault};
   if (message.up_size() == 3) bundle.up.emplace(message.up(0), message.up(1), message.up(2));
   return bundle;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

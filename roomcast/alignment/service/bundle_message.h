@@ -8,16 +8,16 @@
 #include "roomcast/core/result.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// kInvalidArgument when the bundle is of no use; the sentence says why.
 [[nodiscard]] Result<wire::pb::CalibrationBundle> message_from_bundle(
-    const align::CalibrationBundle& bundle);
+    const alignment::CalibrationBundle& bundle);
 
 /// `name` and `calibration` as the roster has them. kMalformed for bytes that are not such
 /// pictures.
-[[nodiscard]] Result<align::CalibrationBundle> bundle_from_message(
+[[nodiscard]] Result<alignment::CalibrationBundle> bundle_from_message(
     const wire::pb::CalibrationBundle& message, std::string name,
     const SensorCalibration& calibration);
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -8,11 +8,11 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
-align::CalibrationBundle some_bundle() {
-  auto bundle = align::bundle_fixture({}, "s0", align::corner_pose(2, 1.5));
+alignment::CalibrationBundle some_bundle() {
+  auto bundle = alignment::bundle_fixture({}, "s0", alignment::corner_pose(2, 1.5));
   bundle.moving = MaskImage(bundle.depth_mm.width(), bundle.depth_mm.height());
   bundle.moving.at(7, 5) = 255;
   bundle.up.emplace(0, -1, 0);
@@ -58,4 +58,4 @@ TEST(BundleMessage, damaged_pictures_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

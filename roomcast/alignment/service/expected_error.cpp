@@ -6,7 +6,7 @@
 
 #include "roomcast/alignment/pair/pose_difference.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kStays_m = 0.05, kStays_rad = 0.02;  // well within what alignment accepts
@@ -19,12 +19,12 @@ bool is_same_place(const RigidTransform& known, const RigidTransform& now,
   const double expected_m =
       std::max(kNegligible_m, 0.001 * kSigmas * std::numbers::sqrt2 * expected_error_mm);
   return is_about_the_same_place(known, now) &&
-         align::difference(known, now).distance_m < expected_m;
+         alignment::difference(known, now).distance_m < expected_m;
 }
 
 bool is_about_the_same_place(const RigidTransform& known, const RigidTransform& now) {
-  const auto apart = align::difference(known, now);
+  const auto apart = alignment::difference(known, now);
   return apart.distance_m < kStays_m && apart.angle_rad < kStays_rad;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -4,7 +4,7 @@
 
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// `expected_error_mm`: one standard deviation of the new pose 2.5 m ahead of the sensor. The known
 /// one, found when less was known, is thought to be as exact at best.
@@ -14,4 +14,4 @@ namespace roomcast::aligner {
 /// Whether both are the same place for all that alignment can be wrong by.
 [[nodiscard]] bool is_about_the_same_place(const RigidTransform& known, const RigidTransform& now);
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 RigidTransform at(double x) {
@@ -26,4 +26,4 @@ TEST(ExpectedError, who_expects_anything_does_not_take_every_place_for_the_same)
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/sensor/source_factory.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 struct Recorded {
@@ -23,22 +23,22 @@ struct Recorded {
 };
 
 Recorded read(const std::string& folder) {
-  SourceOptions options;
-  options.pace = Pace::kAsFastAsPossible;
+  sensor::SourceOptions options;
+  options.pace = source::Pace::kAsFastAsPossible;
   options.loop = false;
-  auto source = open_source("tum:" + folder, options).value();
+  auto source = sensor::open_source("tum:" + folder, options).value();
   Recorded recorded{source->description().calibration.depth, {}};
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   while (source->next(frame, {}).value()) recorded.depth_mm.push_back(frame.depth_mm);
   return recorded;
 }
 
-align::MotionCheck check_of_first_half(const Recorded& recorded) {
+alignment::MotionCheck check_of_first_half(const Recorded& recorded) {
   const std::size_t half = (recorded.depth_mm.size() + 1) / 2;
-  align::CalibrationBundle bundle;
+  alignment::CalibrationBundle bundle;
   bundle.calibration.depth = recorded.camera;
-  bundle.depth_mm = align::steady_depth(std::span(recorded.depth_mm).first(half)).depth_mm;
-  return align::MotionCheck(bundle);
+  bundle.depth_mm = alignment::steady_depth(std::span(recorded.depth_mm).first(half)).depth_mm;
+  return alignment::MotionCheck(bundle);
 }
 
 /// What the sensor would see from where `push` takes it; what hides behind edges stays unknown.
@@ -67,7 +67,7 @@ DepthImage seen_from(const DepthImage& depth_mm, const CameraIntrinsics& camera,
 class MovedRecordings : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    folder_ = shared_data() / GetParam();
+    folder_ = recording::shared_data() / GetParam();
     if (!std::filesystem::exists(folder_))
       GTEST_SKIP() << "no recordings at " << folder_ << "; set ROOMCAST_DATA to test with them";
   }
@@ -79,7 +79,7 @@ TEST_P(MovedRecordings, a_sensor_that_stands_is_not_taken_for_moved) {
   const auto check = check_of_first_half(recorded);
   for (std::size_t i = recorded.depth_mm.size() / 2; i < recorded.depth_mm.size(); ++i) {
     const auto evidence = check.compare(recorded.depth_mm[i].view());
-    EXPECT_NE(align::says_moved(evidence), true)
+    EXPECT_NE(alignment::says_moved(evidence), true)
         << i << ": " << 1000 * evidence.shift_m << " mm, " << evidence.angle_rad << " rad";
   }
 }
@@ -97,7 +97,7 @@ TEST_P(MovedRecordings, half_a_degree_and_two_centimetres_are_seen) {
     for (const RigidTransform& push : {turn, shift}) {
       const auto seen = seen_from(recorded.depth_mm.back(), recorded.camera, push);
       const auto evidence = check.compare(seen.view());
-      const bool says = align::says_moved(evidence) == true;
+      const bool says = alignment::says_moved(evidence) == true;
       noticed += says;
       ++pushes;
       if (!says) {
@@ -116,4 +116,4 @@ INSTANTIATE_TEST_SUITE_P(Real, MovedRecordings,
                                          "azurekinect_ceiling"));
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -6,7 +6,7 @@
 #include "roomcast/alignment/person/head_detector.h"
 #include "roomcast/alignment/service/seeded_world.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMaxHeadsKept = 2000;
@@ -17,9 +17,9 @@ RoomTime room_time(std::uint64_t ns) {
 
 }  // namespace
 
-void PersonPlacer::stand(const std::string& sensor, const std::optional<align::Plane>& floor) {
+void PersonPlacer::stand(const std::string& sensor, const std::optional<alignment::Plane>& floor) {
   forget(sensor);
-  if (floor) sensors_[sensor].level_from_depth = align::level_from_depth(*floor);
+  if (floor) sensors_[sensor].level_from_depth = alignment::level_from_depth(*floor);
 }
 
 void PersonPlacer::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
@@ -42,26 +42,26 @@ const PersonPlacer::Watcher* PersonPlacer::watcher_of(const std::string& sensor)
   return found != sensors_.end() && !found->second.heads.empty() ? &found->second : nullptr;
 }
 
-std::vector<align::HeadSighting> PersonPlacer::sightings_of(const Watcher& watcher,
+std::vector<alignment::HeadSighting> PersonPlacer::sightings_of(const Watcher& watcher,
                                                             const RigidTransform& pose) {
-  std::vector<align::HeadSighting> sightings;
+  std::vector<alignment::HeadSighting> sightings;
   sightings.reserve(watcher.heads.size());
   for (const Head& head : watcher.heads) {
     const double time_s = std::chrono::duration<double>(head.time.time_since_epoch()).count();
-    sightings.push_back(align::head_sighting(pose, time_s, head.seen_m));
+    sightings.push_back(alignment::head_sighting(pose, time_s, head.seen_m));
   }
   return sightings;
 }
 
-std::vector<align::HeadSighting> PersonPlacer::seen_in_world(const KnownPoses& placed) const {
-  std::vector<align::HeadSighting> all;
+std::vector<alignment::HeadSighting> PersonPlacer::seen_in_world(const KnownPoses& placed) const {
+  std::vector<alignment::HeadSighting> all;
   for (const auto& [sensor, world_from_depth] : placed) {
     const Watcher* watcher = watcher_of(sensor);
     if (watcher == nullptr) continue;
     const auto seen = sightings_of(*watcher, world_from_depth);
     all.insert(all.end(), seen.begin(), seen.end());
   }
-  std::ranges::stable_sort(all, {}, &align::HeadSighting::time_s);
+  std::ranges::stable_sort(all, {}, &alignment::HeadSighting::time_s);
   return all;
 }
 
@@ -75,7 +75,7 @@ std::vector<Placement> PersonPlacer::place_beside(KnownPoses known,
     Placement& placement = placements.emplace_back();
     placement.sensor = sensor;
     const auto match =
-        align::match_walks(seen_in_world(known), sightings_of(*watcher, watcher->level_from_depth));
+        alignment::match_walks(seen_in_world(known), sightings_of(*watcher, watcher->level_from_depth));
     if (!match) {
       placement.note = match.error().message;
       continue;
@@ -96,4 +96,4 @@ std::vector<Placement> PersonPlacer::place(const KnownPoses& placed,
   });
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -17,7 +17,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// A walk may have taken so long.
 inline constexpr std::chrono::seconds kWalkRemembered{30};
@@ -26,7 +26,7 @@ class PersonPlacer {
  public:
   /// Where a sensor stands has become known, or changed: what it saw before no longer counts.
   /// Without a floor it takes no part.
-  void stand(const std::string& sensor, const std::optional<align::Plane>& floor);
+  void stand(const std::string& sensor, const std::optional<alignment::Plane>& floor);
   void forget(const std::string& sensor) { sensors_.erase(sensor); }
 
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
@@ -51,12 +51,12 @@ class PersonPlacer {
   [[nodiscard]] std::vector<Placement> place_beside(KnownPoses known,
                                                     const std::set<std::string>& lost,
                                                     const Settle& settle) const;
-  [[nodiscard]] std::vector<align::HeadSighting> seen_in_world(const KnownPoses& placed) const;
-  [[nodiscard]] static std::vector<align::HeadSighting> sightings_of(const Watcher& watcher,
+  [[nodiscard]] std::vector<alignment::HeadSighting> seen_in_world(const KnownPoses& placed) const;
+  [[nodiscard]] static std::vector<alignment::HeadSighting> sightings_of(const Watcher& watcher,
                                                                      const RigidTransform& pose);
   [[nodiscard]] const Watcher* watcher_of(const std::string& sensor) const;
 
   std::map<std::string, Watcher> sensors_;
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

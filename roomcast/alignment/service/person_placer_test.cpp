@@ -6,7 +6,7 @@
 #include "roomcast/alignment/person/head_detector.h"
 #include "roomcast/alignment/service/walk_fixture.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kInside_m = 0.06;
@@ -15,7 +15,7 @@ struct Sensor {
   std::string name;
   RigidTransform world_from_depth;
 
-  [[nodiscard]] align::Plane floor() const {
+  [[nodiscard]] alignment::Plane floor() const {
     const Eigen::Vector3d up = world_from_depth.rotation.transpose() * Eigen::Vector3d::UnitY();
     return {up.cast<float>(), static_cast<float>(world_from_depth.translation_m.y()), {}};
   }
@@ -28,8 +28,8 @@ const Sensor kLeft{"left", world_from_optical_looking_at({-2.5, 2, 0.3}, {0, 1, 
 const Sensor kRight{"right", world_from_optical_looking_at({2.5, 1.8, -0.2}, {0, 1, 0})};
 
 Seeds seeds() {
-  return {{"left", align::level_from_depth(kLeft.floor())},
-          {"right", align::level_from_depth(kRight.floor())}};
+  return {{"left", alignment::level_from_depth(kLeft.floor())},
+          {"right", alignment::level_from_depth(kRight.floor())}};
 }
 
 void as_found(Placement&, const KnownPoses&) {}
@@ -107,4 +107,4 @@ TEST(PersonPlacer, a_sensor_that_sees_no_floor_takes_no_part) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 struct Placement {
   std::string sensor;
@@ -44,4 +44,4 @@ using Seeds = std::vector<std::pair<std::string, RigidTransform>>;
 /// where that can be.
 using Settle = std::function<void(Placement& found, const KnownPoses& placed)>;
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

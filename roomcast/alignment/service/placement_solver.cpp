@@ -12,7 +12,7 @@
 #include "roomcast/alignment/prior/stored_pose_check.h"
 #include "roomcast/alignment/service/expected_error.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 Placement placed_at(const std::string& sensor, const RigidTransform& world_from_depth,
@@ -30,12 +30,12 @@ std::string not_there(const Error& why) {
 
 }  // namespace
 
-void PlacementSolver::add(const align::CalibrationBundle& bundle) {
-  auto view = align::make_sensor_view(bundle);
+void PlacementSolver::add(const alignment::CalibrationBundle& bundle) {
+  auto view = alignment::make_sensor_view(bundle);
   if (!view) return refuse(bundle.name, view.error().message);
   forget(bundle.name);
   walks_.stand(bundle.name, view->floor);
-  views_[bundle.name] = std::make_shared<const align::SensorView>(*std::move(view));
+  views_[bundle.name] = std::make_shared<const alignment::SensorView>(*std::move(view));
   aligner_.add(views_[bundle.name]);
 }
 
@@ -124,8 +124,8 @@ void PlacementSolver::recall(Room& room, std::map<std::string, Placement>& recal
 }
 
 /// Asked with every thought, until somebody moves.
-align::StoredPoseCheck PlacementSolver::witness(const NamedPose& a, const NamedPose& b) {
-  const align::PairCandidates* pair = aligner_.pair(a.sensor, b.sensor);
+alignment::StoredPoseCheck PlacementSolver::witness(const NamedPose& a, const NamedPose& b) {
+  const alignment::PairCandidates* pair = aligner_.pair(a.sensor, b.sensor);
   if (pair == nullptr) return {};
   if (pair->a().name != a.sensor) return witness(b, a);
   CachedPoseCheck& testimony = pose_checks_[{a.sensor, b.sensor}];
@@ -133,7 +133,7 @@ align::StoredPoseCheck PlacementSolver::witness(const NamedPose& a, const NamedP
                                 row_major_from_transform(b.world_from_depth)};
   if (testimony.pair != pair || testimony.poses != poses) {
     testimony = {pair, poses,
-                 align::stored_pose_check(*pair, a.world_from_depth, b.world_from_depth)};
+                 alignment::stored_pose_check(*pair, a.world_from_depth, b.world_from_depth)};
   }
   return testimony.told;
 }
@@ -168,7 +168,7 @@ void PlacementSolver::place_by_nudge(Room& room) {
       try_prior_near_unplaced(sensor, guess, room);
       continue;
     }
-    const auto answer = align::refined_prior(*view->second, guess, views_except(sensor, base));
+    const auto answer = alignment::refined_prior(*view->second, guess, views_except(sensor, base));
     if (answer) {
       keep_nudged(placed_at(sensor, answer->world_from_depth, answer->expected_error_mm), room);
     } else if (!by_hand_.contains(sensor)) {
@@ -186,15 +186,15 @@ void PlacementSolver::keep_nudged(const Placement& found, Room& room) {
 /// Beside one that nobody could place yet, where it is shown meanwhile. That one makes the world.
 void PlacementSolver::try_prior_near_unplaced(const std::string& sensor,
                                               const RigidTransform& guess, Room& room) {
-  const align::SensorView& view = *views_.at(sensor);
-  std::vector<align::PlacedView> others = views_except(sensor, room.told.provisional);
-  std::erase_if(others, [](const align::PlacedView& other) { return !other.view->floor; });
-  const auto answer = align::refined_prior(view, guess, others);
+  const alignment::SensorView& view = *views_.at(sensor);
+  std::vector<alignment::PlacedView> others = views_except(sensor, room.told.provisional);
+  std::erase_if(others, [](const alignment::PlacedView& other) { return !other.view->floor; });
+  const auto answer = alignment::refined_prior(view, guess, others);
   if (!answer) {
     room.placement_of(sensor)->note = not_there(answer.error());
     return;
   }
-  const RigidTransform level = align::level_from_depth(*views_.at(answer->beside)->floor);
+  const RigidTransform level = alignment::level_from_depth(*views_.at(answer->beside)->floor);
   room.place(placed_at(answer->beside, level, 0));
   const RigidTransform level_from_shown =
       level * room.told.provisional.at(answer->beside).inverse();
@@ -213,7 +213,7 @@ Seeds PlacementSolver::seeds(const Room& room) const {
     const auto view = views_.find(sensor);
     if (view == views_.end() || !view->second->floor) continue;
     if (!room.told.remembered.contains(sensor))
-      seeds.emplace_back(sensor, align::level_from_depth(*view->second->floor));
+      seeds.emplace_back(sensor, alignment::level_from_depth(*view->second->floor));
   }
   return seeds;
 }
@@ -262,16 +262,16 @@ void PlacementSolver::settle(Placement& found, const KnownPoses& placed) const {
   const auto view = views_.find(found.sensor);
   if (view == views_.end()) return;
   const auto settled =
-      align::refined_placement(*view->second, {*found.world_from_depth, found.expected_error_mm},
+      alignment::refined_placement(*view->second, {*found.world_from_depth, found.expected_error_mm},
                                views_except(found.sensor, placed));
   if (!settled) return;
   found.world_from_depth = settled->world_from_depth;
   found.expected_error_mm = settled->expected_error_mm;
 }
 
-std::vector<align::PlacedView> PlacementSolver::views_except(const std::string& sensor,
+std::vector<alignment::PlacedView> PlacementSolver::views_except(const std::string& sensor,
                                                              const KnownPoses& placed) const {
-  std::vector<align::PlacedView> others;
+  std::vector<alignment::PlacedView> others;
   for (const auto& [name, pose] : placed) {
     const auto other = views_.find(name);
     if (other != views_.end() && name != sensor) others.push_back({other->second.get(), pose});
@@ -279,4 +279,4 @@ std::vector<align::PlacedView> PlacementSolver::views_except(const std::string& 
   return others;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -24,13 +24,13 @@
 #include "roomcast/alignment/service/room_world.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 class PlacementSolver {
  public:
   /// What a sensor sees. One of that name takes the place of an earlier one. One that is of no use
   /// is reported with its reason, and what was known of the sensor is forgotten.
-  void add(const align::CalibrationBundle& bundle);
+  void add(const alignment::CalibrationBundle& bundle);
   void refuse(const std::string& sensor, const std::string& reason);
   /// What was known of it no longer holds.
   void forget(const std::string& sensor);
@@ -63,13 +63,13 @@ class PlacementSolver {
 
   /// What two sensors said of where they were thought to stand.
   struct CachedPoseCheck {
-    const align::PairCandidates* pair = nullptr;
+    const alignment::PairCandidates* pair = nullptr;
     std::array<std::array<double, 16>, 2> poses{};
-    align::StoredPoseCheck told;
+    alignment::StoredPoseCheck told;
   };
 
   void recall(Room& room, std::map<std::string, Placement>& recalled);
-  [[nodiscard]] align::StoredPoseCheck witness(const NamedPose& a, const NamedPose& b);
+  [[nodiscard]] alignment::StoredPoseCheck witness(const NamedPose& a, const NamedPose& b);
   void place_by_overlap(Room& room, LoneStoredPose lone);
   void place_by_nudge(Room& room);
   void keep_nudged(const Placement& found, Room& room);
@@ -78,12 +78,12 @@ class PlacementSolver {
   [[nodiscard]] Seeds seeds(const Room& room) const;
   void settle(Placement& found, const KnownPoses& placed) const;
   /// What those see that are placed, but for this sensor.
-  [[nodiscard]] std::vector<align::PlacedView> views_except(const std::string& sensor,
+  [[nodiscard]] std::vector<alignment::PlacedView> views_except(const std::string& sensor,
                                                             const KnownPoses& placed) const;
 
-  align::RigAligner aligner_;
-  std::optional<align::AlignmentReport> report_;  // while nothing new was added
-  std::map<std::string, std::shared_ptr<const align::SensorView>> views_;
+  alignment::RigAligner aligner_;
+  std::optional<alignment::AlignmentReport> report_;  // while nothing new was added
+  std::map<std::string, std::shared_ptr<const alignment::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
   std::set<std::string> unplaced_;
   std::map<std::pair<std::string, std::string>, CachedPoseCheck> pose_checks_;
@@ -94,4 +94,4 @@ class PlacementSolver {
   std::map<std::string, Placement> by_hand_;  // guesses that were accepted
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 #include "roomcast/alignment/service/board_fixture.h"
 #include "roomcast/alignment/service/walk_fixture.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 KnownRoom given(const KnownPoses& poses) {
@@ -20,7 +20,7 @@ KnownRoom given(const KnownPoses& poses) {
 }
 
 TEST(PlacementSolver, a_view_of_no_use_is_reported) {
-  auto dark = align::bundle_fixture({}, "dark", align::corner_pose(2, 1.5));
+  auto dark = alignment::bundle_fixture({}, "dark", alignment::corner_pose(2, 1.5));
   dark.color = ColorImage(dark.color.width(), dark.color.height());
   PlacementSolver placing;
   placing.add(dark);
@@ -32,12 +32,12 @@ TEST(PlacementSolver, a_view_of_no_use_is_reported) {
 
 /// A long grey corridor, lit from one side: nothing that is seen there tells how far along it
 /// somebody stands.
-align::CalibrationBundle in_corridor(const std::string& name,
+alignment::CalibrationBundle in_corridor(const std::string& name,
                                      const RigidTransform& world_from_depth) {
-  align::RoomFixture corridor;
+  alignment::RoomFixture corridor;
   corridor.walls = {Eigen::Vector3d(-30, 0, -2), Eigen::Vector3d(30, 2.6, 1.8)};
   corridor.boxes.clear();
-  return align::without_pattern(align::bundle_fixture(corridor, name, world_from_depth));
+  return alignment::without_pattern(alignment::bundle_fixture(corridor, name, world_from_depth));
 }
 
 TEST(PlacementSolver, a_walk_tells_where_a_sensor_stands_and_what_both_see_how_exactly) {
@@ -75,27 +75,27 @@ Placement of(const std::string& sensor, const std::vector<Placement>& placements
 }
 
 double apart_m(const RigidTransform& one, const RigidTransform& other) {
-  return align::difference(one, other).distance_m;
+  return alignment::difference(one, other).distance_m;
 }
 
 bool same_bits(const std::optional<RigidTransform>& one, const RigidTransform& other) {
   return one && row_major_from_transform(*one) == row_major_from_transform(other);
 }
 
-const RigidTransform kLeft = align::corner_pose(2, 1.5), kRight = align::corner_pose(-2, 1.5);
-const RigidTransform kThird = align::corner_pose(-2, -1.5);
+const RigidTransform kLeft = alignment::corner_pose(2, 1.5), kRight = alignment::corner_pose(-2, 1.5);
+const RigidTransform kThird = alignment::corner_pose(-2, -1.5);
 const RigidTransform kFirst = world_from_optical_looking_at({-1, 1.7, -1.6}, {-0.3, 0.6, 1});
 const RigidTransform kSecond = world_from_optical_looking_at({1, 1.7, -1.6}, {0.3, 0.6, 1});
 
 TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_joins) {
   PlacementSolver placing;
-  placing.add(align::bundle_fixture({}, "left", kLeft));
-  placing.add(align::bundle_fixture({}, "right", kRight));
+  placing.add(alignment::bundle_fixture({}, "left", kLeft));
+  placing.add(alignment::bundle_fixture({}, "right", kRight));
   const auto two = placing.solve({});
   ASSERT_TRUE(of("left", two).world_from_depth && of("right", two).world_from_depth);
   KnownRoom room;
   for (const Placement& placement : two) room.found[placement.sensor] = *placement.world_from_depth;
-  placing.add(align::bundle_fixture({}, "third", kThird));
+  placing.add(alignment::bundle_fixture({}, "third", kThird));
   const auto three = placing.solve(room);
   EXPECT_TRUE(of("third", three).world_from_depth);
   EXPECT_TRUE(same_bits(of("left", three).world_from_depth, room.found.at("left")));
@@ -105,11 +105,11 @@ TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_join
 TEST(PlacementSolver, a_room_that_is_remembered_is_verified_and_stays_where_it_was) {
   const KnownPoses before = {{"left", kLeft}, {"right", kRight}};
   PlacementSolver placing;
-  placing.add(align::bundle_fixture({}, "left", kLeft));
+  placing.add(alignment::bundle_fixture({}, "left", kLeft));
   const auto alone = placing.solve(remembered(before));
   EXPECT_FALSE(of("left", alone).world_from_depth) << "nothing to compare it with yet";
   EXPECT_FALSE(of("left", alone).withdrawn);
-  placing.add(align::bundle_fixture({}, "right", kRight));
+  placing.add(alignment::bundle_fixture({}, "right", kRight));
   const auto both = placing.solve(remembered(before));
   EXPECT_TRUE(same_bits(of("left", both).world_from_depth, kLeft));
   EXPECT_TRUE(same_bits(of("right", both).world_from_depth, kRight));
@@ -118,8 +118,8 @@ TEST(PlacementSolver, a_room_that_is_remembered_is_verified_and_stays_where_it_w
 
 TEST(PlacementSolver, who_was_moved_while_it_was_away_is_placed_where_it_stands_now) {
   PlacementSolver placing;
-  placing.add(align::bundle_fixture({}, "left", kLeft));
-  placing.add(align::bundle_fixture({}, "right", kRight));
+  placing.add(alignment::bundle_fixture({}, "left", kLeft));
+  placing.add(alignment::bundle_fixture({}, "right", kRight));
   KnownRoom room = given({{"left", kLeft}});
   room.remembered = {{"right", kThird}};
   const auto right = of("right", placing.solve(room));
@@ -175,7 +175,7 @@ TEST_F(Corridor, where_nothing_tells_a_remembered_sensor_stays_and_a_walk_is_ask
 
 TEST_F(Corridor, a_walk_replaces_a_remembered_pose_that_does_not_hold) {
   KnownRoom room = given({{"first", kFirst}});
-  room.remembered = {{"second", align::beside(kSecond, {1, 0, 0}, 0)}};
+  room.remembered = {{"second", alignment::beside(kSecond, {1, 0, 0}, 0)}};
   walk();
   const auto walked = of("second", placing.solve(room));
   ASSERT_TRUE(walked.world_from_depth) << walked.note;
@@ -226,18 +226,18 @@ TEST_F(Corridor, whom_a_board_has_placed_a_walk_places_others_beside) {
 }
 
 TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world) {
-  align::RoomFixture symmetric = align::nearly_symmetric_room();
+  alignment::RoomFixture symmetric = alignment::nearly_symmetric_room();
   symmetric.boxes.pop_back();
-  const auto one_pose = align::corner_pose(2, -1.5), other_pose = align::corner_pose(-2, 1.5);
+  const auto one_pose = alignment::corner_pose(2, -1.5), other_pose = alignment::corner_pose(-2, 1.5);
   const RigidTransform truth = one_pose.inverse() * other_pose;
   PlacementSolver placing;
-  placing.add(align::bundle_fixture(symmetric, "one", one_pose));
-  placing.add(align::bundle_fixture(symmetric, "other", other_pose));
+  placing.add(alignment::bundle_fixture(symmetric, "one", one_pose));
+  placing.add(alignment::bundle_fixture(symmetric, "other", other_pose));
   KnownRoom room;
-  room.provisional["one"] = align::beside(one_pose, {9, 0.3, 4}, 1);
+  room.provisional["one"] = alignment::beside(one_pose, {9, 0.3, 4}, 1);
   for (const Placement& placement : placing.solve(room))
     ASSERT_FALSE(placement.world_from_depth) << "turned by half the room looks alike";
-  placing.nudge("other", align::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
+  placing.nudge("other", alignment::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
   const auto placements = placing.solve(room);
   const auto one = of("one", placements), other = of("other", placements);
   ASSERT_TRUE(one.world_from_depth && other.world_from_depth) << other.note;
@@ -246,4 +246,4 @@ TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

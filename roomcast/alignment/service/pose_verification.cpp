@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
-using align::StoredPoseVerdict;
+using alignment::StoredPoseVerdict;
 
 class Recollecting {
  public:
@@ -29,7 +29,7 @@ class Recollecting {
     double expected_error_mm = 0;  // of the best confirmation
     bool confirmed = false, contradicted = false;
     std::string by;  // who contradicts
-    align::Contradiction contradiction = align::Contradiction::kNone;
+    alignment::Contradiction contradiction = alignment::Contradiction::kNone;
   };
 
   /// Whether that settled somebody's pose, so that others may be compared with it.
@@ -94,7 +94,7 @@ class Recollecting {
     placement.withdrawn = true;
     placement.note =
         std::string("It was moved while it was away: ") +
-        (verdict.contradiction == align::Contradiction::kColors ? "the colours" : "what it sees") +
+        (verdict.contradiction == alignment::Contradiction::kColors ? "the colours" : "what it sees") +
         " would not fit what " + verdict.by + " sees where it stood.";
     told_.untold.erase(sensor);
   }
@@ -111,4 +111,4 @@ StoredPoseChecks verify_stored_poses(const KnownPoses& remembered, const KnownPo
   return Recollecting(remembered, known, witness).finish();
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

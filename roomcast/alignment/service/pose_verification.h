@@ -12,7 +12,7 @@
 #include "roomcast/alignment/prior/stored_pose_check.h"
 #include "roomcast/alignment/service/placement.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 struct NamedPose {
   std::string sensor;
@@ -20,7 +20,7 @@ struct NamedPose {
 };
 
 /// What two sensors say of where they are thought to stand.
-using PosePairCheck = std::function<align::StoredPoseCheck(const NamedPose& a, const NamedPose& b)>;
+using PosePairCheck = std::function<alignment::StoredPoseCheck(const NamedPose& a, const NamedPose& b)>;
 
 struct StoredPoseChecks {
   std::map<std::string, Placement> confirmed;
@@ -33,4 +33,4 @@ struct StoredPoseChecks {
                                                    const KnownPoses& known,
                                                    const PosePairCheck& witness);
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
-using align::StoredPoseCheck;
-using align::StoredPoseVerdict;
+using alignment::StoredPoseCheck;
+using alignment::StoredPoseVerdict;
 
 RigidTransform at(double x) {
   RigidTransform pose;
@@ -25,8 +25,8 @@ PosePairCheck sees(std::map<std::string, double> truth) {
     const double said = (b.world_from_depth.translation_m - a.world_from_depth.translation_m).x();
     if (std::abs(said) > 1.5 && std::abs(apart) > 1.5) return {};
     if (std::abs(said - apart) < 0.01)
-      return {StoredPoseVerdict::kConfirmed, align::Contradiction::kNone, 6};
-    return {StoredPoseVerdict::kContradicted, align::Contradiction::kShapes, 0};
+      return {StoredPoseVerdict::kConfirmed, alignment::Contradiction::kNone, 6};
+    return {StoredPoseVerdict::kContradicted, alignment::Contradiction::kShapes, 0};
   };
 }
 
@@ -75,4 +75,4 @@ TEST(StoredPoseChecks, who_sees_nothing_of_the_others_stays_untold) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

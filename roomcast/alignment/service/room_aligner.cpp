@@ -14,7 +14,7 @@
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 namespace {
 
@@ -38,7 +38,7 @@ KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
 
 }  // namespace
 
-class RoomAligner::Link final : public HubLinkEvents {
+class RoomAligner::Link final : public client::HubLinkEvents {
  public:
   Link(std::vector<net::HubUrl> hubs, RoomAlignerOptions options)
       : options_(std::move(options)),
@@ -60,7 +60,7 @@ class RoomAligner::Link final : public HubLinkEvents {
   }
   void on_frame(net::MessageBuffer) override {}  // a hub sends an aligner none
   net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate&) override {}
+  void on_clock(const client::ClockEstimate&) override {}
   void on_down(const Error& reason, bool final) override {
     sensors_.clear();  // a hub that starts again knows nobody yet: that is not to forget them
     if (options_.log) options_.log(final ? LogLevel::kError : LogLevel::kWarning, reason.message);
@@ -78,8 +78,8 @@ class RoomAligner::Link final : public HubLinkEvents {
     bool has_unplaced = false;
     const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
-      auto calibration = calibration_from_message(entry.calibration());
-      const auto pose = read_transform(entry.world_from_depth());
+      auto calibration = client::calibration_from_message(entry.calibration());
+      const auto pose = client::read_transform(entry.world_from_depth());
       if (!calibration || !pose) continue;
       sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
       has_unplaced |= entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
@@ -111,7 +111,7 @@ class RoomAligner::Link final : public HubLinkEvents {
 
   void take_nudge(const pb::Nudge& nudge) {
     const auto sensor = sensors_.find(nudge.sensor_id());
-    const auto pose = read_transform(nudge.world_from_depth());
+    const auto pose = client::read_transform(nudge.world_from_depth());
     if (sensor != sensors_.end() && pose) alignment_worker_.nudge(sensor->second.name, *pose);
   }
 
@@ -145,7 +145,7 @@ class RoomAligner::Link final : public HubLinkEvents {
         found.set_withdrawn(placement.withdrawn);
         found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
         if (placement.world_from_depth) {
-          write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
+          client::write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
         }
       }
     }
@@ -168,8 +168,8 @@ class RoomAligner::Link final : public HubLinkEvents {
   std::map<std::uint32_t, Sensor> sensors_;  // by id; the network thread's own, as is what follows
   std::map<std::string, std::string> logged_;  // of each sensor the last sentence
   bool asked_for_sightings_ = false;
-  NetworkThread network_;
-  HubLink link_;
+  client::NetworkThread network_;
+  client::HubLink link_;
   AlignmentWorker alignment_worker_;  // last: ends first, and tells nobody after that
 };
 
@@ -183,4 +183,4 @@ Result<std::unique_ptr<RoomAligner>> RoomAligner::open(RoomAlignerOptions option
       new RoomAligner(std::make_unique<Link>(*std::move(hubs), std::move(options))));
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

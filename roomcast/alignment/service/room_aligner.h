@@ -10,7 +10,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 struct RoomAlignerOptions {
   std::string hub_url;
@@ -33,4 +33,4 @@ class RoomAligner {
   std::unique_ptr<Link> link_;
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -13,21 +13,21 @@
 #include "roomcast/client/subscriber.h"
 #include "roomcast/hub/server/running_hub.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 using namespace std::chrono_literals;
 
 class RoomAlignerTest : public testing::Test {
  protected:
-  std::unique_ptr<Publisher> add_sensor(const std::string& name,
+  std::unique_ptr<client::Publisher> add_sensor(const std::string& name,
                                         const RigidTransform& world_from_depth) {
-    const auto bundle = align::bundle_fixture({}, name, world_from_depth);
-    PublisherOptions options;
+    const auto bundle = alignment::bundle_fixture({}, name, world_from_depth);
+    client::PublisherOptions options;
     options.hub_url = hub_.url();
     options.name = name;
     options.calibration = bundle.calibration;
-    auto publisher = *Publisher::open(options);
+    auto publisher = *client::Publisher::open(options);
     publisher->send_bundle(*message_from_bundle(bundle));
     return publisher;
   }
@@ -36,14 +36,14 @@ class RoomAlignerTest : public testing::Test {
 };
 
 TEST_F(RoomAlignerTest, sensors_of_a_running_room_are_placed) {
-  const auto first_pose = align::corner_pose(2, 1.5), second_pose = align::corner_pose(-2, 1.5);
+  const auto first_pose = alignment::corner_pose(2, 1.5), second_pose = alignment::corner_pose(-2, 1.5);
   const auto first = add_sensor("left", first_pose);
   const auto aligner = RoomAligner::open(
       {.hub_url = hub_.url(), .room = {}, .token = hub_.server().own_token(), .log = {}});
   ASSERT_TRUE(aligner.ok()) << aligner.error().message;
   const auto second = add_sensor("right", second_pose);
 
-  const auto viewer = *Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = {}, .log = {}});
+  const auto viewer = *client::Subscriber::open({.hub_url = hub_.url(), .room = {}, .name = {}, .log = {}});
   const auto both_placed = [&] {
     const auto room = viewer->snapshot();
     return room->sensors.size() == 2 && room->sensors[0].placed && room->sensors[1].placed;
@@ -76,4 +76,4 @@ TEST_F(RoomAlignerTest, an_aligner_without_a_token_places_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

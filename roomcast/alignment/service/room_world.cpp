@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/service/expected_error.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 constexpr auto kNotConnected =
@@ -23,7 +23,7 @@ struct Anchor {
 
 /// How the report has to be moved so that the sensors whose poses are known stay where they are:
 /// each of them proposes, and the others vote.
-Anchor anchor_of(const align::AlignmentReport& report, const KnownPoses& known) {
+Anchor anchor_of(const alignment::AlignmentReport& report, const KnownPoses& known) {
   Anchor best;
   for (const auto& anchor : report.sensors) {
     const auto pose = known.find(anchor.id);
@@ -41,10 +41,10 @@ Anchor anchor_of(const align::AlignmentReport& report, const KnownPoses& known) 
 
 /// Without an anchor nobody has a place. `known`: who stays there if that is as exact as can be
 /// expected.
-std::vector<Placement> placements_of(const align::AlignmentReport& report,
+std::vector<Placement> placements_of(const alignment::AlignmentReport& report,
                                      const std::optional<Anchor>& anchor, const KnownPoses& known) {
   std::vector<Placement> placements;
-  for (const align::SensorReport& sensor : report.sensors) {
+  for (const alignment::SensorReport& sensor : report.sensors) {
     Placement& placement = placements.emplace_back();
     placement.sensor = sensor.id;
     if (!sensor.placed) {
@@ -69,7 +69,7 @@ auto count_here(const KnownPoses& poses, const std::set<std::string>& away) {
 
 /// How the report lies in the room; nothing where nobody knows.
 std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
-                                const align::AlignmentReport& report, LoneStoredPose lone) {
+                                const alignment::AlignmentReport& report, LoneStoredPose lone) {
   constexpr int kAgree = 2;
   for (const KnownPoses& poses : {known.given, found}) {
     if (const Anchor anchor = anchor_of(report, poses); anchor.votes > 0) return anchor;
@@ -92,7 +92,7 @@ void leave_lone_memory(const KnownPoses& remembered, std::vector<Placement>& pla
 
 }  // namespace
 
-std::vector<Placement> RoomWorld::place(const align::AlignmentReport& report,
+std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report,
                                         const KnownRoom& known, LoneStoredPose lone_memory) {
   KnownPoses found = settled(known);
   const auto lone = lone_world(report, known);
@@ -118,7 +118,7 @@ std::vector<Placement> RoomWorld::place(const align::AlignmentReport& report,
   return placements;
 }
 
-std::optional<std::string> RoomWorld::lone_world(const align::AlignmentReport& report,
+std::optional<std::string> RoomWorld::lone_world(const alignment::AlignmentReport& report,
                                                  const KnownRoom& known) const {
   if (!known.given.empty() || count_here(known.remembered, known.away) > 0) return std::nullopt;
   std::optional<std::string> lone;
@@ -127,8 +127,8 @@ std::optional<std::string> RoomWorld::lone_world(const align::AlignmentReport& r
     if (lone || !provisional_.contains(sensor)) return std::nullopt;
     lone = sensor;
   }
-  const auto says = std::ranges::find(report.sensors, lone.value_or(""), &align::SensorReport::id);
-  const bool others = std::ranges::any_of(report.sensors, &align::SensorReport::placed);
+  const auto says = std::ranges::find(report.sensors, lone.value_or(""), &alignment::SensorReport::id);
+  const bool others = std::ranges::any_of(report.sensors, &alignment::SensorReport::placed);
   if (says == report.sensors.end() || says->placed || !others) return std::nullopt;
   return lone;
 }
@@ -140,4 +140,4 @@ KnownPoses RoomWorld::settled(const KnownRoom& known) const {
   return poses;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -15,7 +15,7 @@
 #include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/alignment/service/placement.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// Whether a single remembered pose may be what the world holds on to, when nothing better is here.
 enum class LoneStoredPose { kDoubted, kTrusted };
@@ -27,7 +27,7 @@ class RoomWorld {
   /// sensor was moved unnoticed. Poses that were given go before those that were found, and those
   /// before remembered ones, of which two have to agree unless nothing better is here (`lone`).
   /// Whom the report places alone it says nothing of: a remembered one is not placed by it.
-  [[nodiscard]] std::vector<Placement> place(const align::AlignmentReport& report,
+  [[nodiscard]] std::vector<Placement> place(const alignment::AlignmentReport& report,
                                              const KnownRoom& known,
                                              LoneStoredPose lone = LoneStoredPose::kTrusted);
 
@@ -37,10 +37,10 @@ class RoomWorld {
  private:
   /// The only sensor that stands in the room, in a world that was made up for it alone, when others
   /// stand together without it: it gives way.
-  [[nodiscard]] std::optional<std::string> lone_world(const align::AlignmentReport& report,
+  [[nodiscard]] std::optional<std::string> lone_world(const alignment::AlignmentReport& report,
                                                       const KnownRoom& known) const;
 
   std::set<std::string> provisional_;  // the sensors that were placed in a world that was made up
 };
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 namespace {
 
 RigidTransform at(double x) {
@@ -12,22 +12,22 @@ RigidTransform at(double x) {
   return pose;
 }
 
-align::AlignmentReport report_of(std::vector<align::SensorReport> sensors) {
-  align::AlignmentReport report;
+alignment::AlignmentReport report_of(std::vector<alignment::SensorReport> sensors) {
+  alignment::AlignmentReport report;
   report.sensors = std::move(sensors);
   return report;
 }
 
-align::SensorReport placed(const std::string& id, double x) {
-  align::SensorReport sensor;
+alignment::SensorReport placed(const std::string& id, double x) {
+  alignment::SensorReport sensor;
   sensor.id = id;
   sensor.placed = true;
   sensor.world_from_depth = at(x);
   return sensor;
 }
 
-align::SensorReport lost(const std::string& id) {
-  align::SensorReport sensor;
+alignment::SensorReport lost(const std::string& id) {
+  alignment::SensorReport sensor;
   sensor.id = id;
   sensor.reason = "turn it towards another";
   return sensor;
@@ -128,7 +128,7 @@ TEST(RoomWorld, a_provisional_one_joins_the_given_one_where_something_connects_t
   EXPECT_EQ(x_of(later[0]), 18) << "it stands in the given world now";
 }
 
-align::SensorReport placed_within(const std::string& id, double x, double expected_error_mm) {
+alignment::SensorReport placed_within(const std::string& id, double x, double expected_error_mm) {
   auto sensor = placed(id, x);
   sensor.expected_error_mm = expected_error_mm;
   return sensor;
@@ -202,4 +202,4 @@ TEST(RoomWorld, who_cannot_be_placed_is_told_why) {
 }
 
 }  // namespace
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

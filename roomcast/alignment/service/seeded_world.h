@@ -10,7 +10,7 @@
 
 #include "roomcast/alignment/service/placement.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 /// `place_beside(placed, lost)` says of the lost where they stand. Without seeds, nobody is placed
 /// beside nobody.
@@ -37,4 +37,4 @@ std::vector<Placement> place_or_seed(const KnownPoses& placed, const std::set<st
   return reasons;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -10,7 +10,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::aligner {
+namespace roomcast::alignment {
 
 inline Eigen::Vector3d strolling_head(double time_s) {
   const double angle = 0.5 * time_s + 0.8 * std::sin(0.45 * time_s);
@@ -33,4 +33,4 @@ inline wire::pb::Sightings stroll_seen_from(const RigidTransform& world_from_dep
   return seen;
 }
 
-}  // namespace roomcast::aligner
+}  // namespace roomcast::alignment

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// What `of_pixel` says, `factor` times smaller: the mean of factor x factor pixels.
@@ -109,4 +109,4 @@ ColorPicture color_picture(ColorView color, const SensorCalibration& calibration
   return picture;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct Pinhole {
   float fx = 1, fy = 1, cx = 0, cy = 0;
@@ -44,4 +44,4 @@ inline constexpr int kLargestPictureWidth = 1000;
 [[nodiscard]] ColorPicture color_picture(ColorView color, const SensorCalibration& calibration,
                                          const DepthSurface& surface);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

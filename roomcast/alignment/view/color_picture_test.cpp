@@ -9,7 +9,7 @@
 #include "roomcast/alignment/view/seen_corner_fixture.h"
 #include "roomcast/alignment/view/texture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(ColorPicture, large_pictures_are_made_smaller_and_keep_their_geometry) {
@@ -53,4 +53,4 @@ TEST(Texture, knows_the_grey_of_every_point_it_holds) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,10 +5,10 @@
 // remains after averaging over time is mostly bias.
 #pragma once
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 [[nodiscard]] constexpr float depth_sigma_m(float z_m) {
   return 0.004F + 0.0015F * z_m * z_m;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -8,7 +8,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kSmoothReach = 2;          // pixels, of the bilateral filter
@@ -107,4 +107,4 @@ DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera) {
   return surface;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

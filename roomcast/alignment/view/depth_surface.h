@@ -13,7 +13,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct SurfacePoint {
   Eigen::Vector3f point_m;
@@ -36,4 +36,4 @@ inline constexpr float kFarthestSurface_m = 7;
 /// Sizes as those of `camera`, which has been checked.
 [[nodiscard]] DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

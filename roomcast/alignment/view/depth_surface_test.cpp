@@ -9,7 +9,7 @@
 #include "roomcast/alignment/view/floor.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const RigidTransform kPose = corner_pose(2, 1.5);
@@ -97,4 +97,4 @@ TEST(Floor, is_not_a_wall_and_heeds_gravity) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

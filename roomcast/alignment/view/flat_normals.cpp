@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kFlatThickness_m = 0.02F;  // and the depth noise
@@ -31,4 +31,4 @@ void flatten_normals(std::span<const Plane> planes, DepthSurface& surface) {
   for (SurfacePoint& sample : surface.samples) flatten(planes, sample);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

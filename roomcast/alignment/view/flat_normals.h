@@ -10,9 +10,9 @@
 #include "roomcast/alignment/view/depth_surface.h"
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Gives every point that lies on one of the planes that plane's normal.
 void flatten_normals(std::span<const Plane> planes, DepthSurface& surface);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

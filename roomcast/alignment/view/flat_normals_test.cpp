@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 const Plane kWall{{0, 0, -1}, 2, {}};  // two metres ahead
@@ -46,4 +46,4 @@ TEST(FlatNormals, where_the_surface_is_not_smooth_there_is_no_normal) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

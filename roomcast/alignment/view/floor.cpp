@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/view/floor.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kBelow_m = -0.08F;
@@ -36,4 +36,4 @@ std::optional<Plane> find_floor(std::span<const Plane> planes,
   return Plane{largest->normal, largest->offset_m, {}};
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

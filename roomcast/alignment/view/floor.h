@@ -9,7 +9,7 @@
 
 #include "roomcast/alignment/view/planes.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// Without points of its own. Nothing where there is no such plane, for instance when the largest
 /// plane that faces up is a table's.
@@ -17,4 +17,4 @@ namespace roomcast::align {
                                               std::span<const SurfacePoint> samples,
                                               const std::optional<Eigen::Vector3d>& up);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/view/lens.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 float f(double x) {
@@ -22,4 +22,4 @@ Lens::Lens(const CameraIntrinsics& camera)
       p2_(f(camera.p2)),
       largest_r2_(f(widest_radius_squared(camera))) {}
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

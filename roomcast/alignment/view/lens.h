@@ -8,7 +8,7 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 class Lens {
  public:
@@ -33,4 +33,4 @@ class Lens {
   float fx_, fy_, cx_, cy_, k1_, k2_, k3_, p1_, p2_, largest_r2_;
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

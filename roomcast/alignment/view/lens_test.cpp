@@ -5,7 +5,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kSinglePrecision_px = 1e-3F;
@@ -30,4 +30,4 @@ TEST(Lens, projects_nothing_from_behind_or_far_outside) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

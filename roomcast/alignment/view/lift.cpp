@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kEdgeStep_m = 0.01F, kEdgeStepPerDepth = 0.04F;  // within 3x3 pixels
@@ -98,4 +98,4 @@ std::optional<Eigen::Vector3f> lift(const ColorPicture& picture, const DepthSurf
   return ray.at(z_m);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

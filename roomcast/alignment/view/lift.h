@@ -12,7 +12,7 @@
 #include "roomcast/alignment/view/color_picture.h"
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 /// The surface point seen at `pixel`, in the depth camera's frame; nothing where there is no depth,
 /// or an edge. `surface` is what `picture` was made with.
@@ -20,4 +20,4 @@ namespace roomcast::align {
                                                   const DepthSurface& surface,
                                                   const Eigen::Vector2f& pixel);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

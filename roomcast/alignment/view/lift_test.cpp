@@ -10,7 +10,7 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/seen_corner_fixture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(Lift, lifts_a_pixel_to_the_surface_that_is_seen_there) {
@@ -67,4 +67,4 @@ TEST(Lift, is_exact_on_surfaces_that_are_seen_aslant) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

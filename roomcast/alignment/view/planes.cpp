@@ -8,7 +8,7 @@
 
 #include "roomcast/alignment/view/depth_noise.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr int kTrials = 60;
@@ -91,4 +91,4 @@ std::vector<Plane> find_planes(std::span<const SurfacePoint> samples) {
   return planes;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -12,7 +12,7 @@
 
 #include "roomcast/alignment/view/depth_surface.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct Plane {
   Eigen::Vector3f normal;                 // unit, towards the camera
@@ -31,4 +31,4 @@ inline constexpr float kSmallestPlaneShare = 0.03F;
 /// Largest first found first; the order and the planes depend on the samples only.
 [[nodiscard]] std::vector<Plane> find_planes(std::span<const SurfacePoint> samples);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/view/color_picture.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 inline const RigidTransform kPose = corner_pose(2, 1.5);
 
@@ -15,4 +15,4 @@ struct Seen {
   ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
 };
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

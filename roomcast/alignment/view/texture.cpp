@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
@@ -103,4 +103,4 @@ std::optional<float> texture_tint(const Texture& texture, const Eigen::Vector2f&
   return soft_at(texture.soft_tint, pixel);
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -13,7 +13,7 @@
 #include "roomcast/alignment/view/depth_surface.h"
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct TexturedPoint {
   int x = 0, y = 0;  // in the grid
@@ -40,4 +40,4 @@ struct Texture {
 [[nodiscard]] std::optional<float> texture_tint(const Texture& texture,
                                                 const Eigen::Vector2f& pixel);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 /// `fold(a, b)` over the window, first along rows, then along columns. Outside the picture there is
@@ -53,4 +53,4 @@ WindowRange window_range(const Image<float>& z_m, int reach) {
   return range;
 }
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

@@ -5,7 +5,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 
 struct WindowRange {
   Image<float> nearest_m;   // kNothing where the window holds no reading
@@ -18,4 +18,4 @@ inline constexpr float kNothing_m = 1e3F;
 /// Windows of 2 * reach + 1 pixels; those at the border are never complete.
 [[nodiscard]] WindowRange window_range(const Image<float>& z_m, int reach);
 
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

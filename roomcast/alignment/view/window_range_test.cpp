@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::align {
+namespace roomcast::alignment {
 namespace {
 
 TEST(WindowRange, finds_nearest_and_farthest_around) {
@@ -34,4 +34,4 @@ TEST(WindowRange, says_where_there_is_nothing_at_all) {
 }
 
 }  // namespace
-}  // namespace roomcast::align
+}  // namespace roomcast::alignment

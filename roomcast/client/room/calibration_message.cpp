@@ -5,7 +5,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 static_assert(kMaxImageSide == wire::kMaxImageSide,
@@ -76,4 +76,4 @@ Result<RigidTransform> read_transform(const google::protobuf::RepeatedField<doub
       std::span(row_major.data(), static_cast<std::size_t>(row_major.size())));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -10,7 +10,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 [[nodiscard]] wire::pb::Calibration message_from_calibration(const SensorCalibration& calibration);
 
@@ -24,4 +24,4 @@ void write_transform(const RigidTransform& transform,
 [[nodiscard]] Result<RigidTransform> read_transform(
     const google::protobuf::RepeatedField<double>& row_major);
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 SensorCalibration some_calibration() {
@@ -38,4 +38,4 @@ TEST(CalibrationMessage, numbers_that_are_no_camera_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

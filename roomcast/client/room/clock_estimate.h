@@ -6,7 +6,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct ClockEstimate {
   HostTime at{};                  // of the newest exchange
@@ -22,4 +22,4 @@ struct ClockEstimate {
   }
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -8,7 +8,7 @@
 
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class FrameChain {
  public:
@@ -25,4 +25,4 @@ class FrameChain {
   std::optional<std::uint32_t> base_seq_;  // the newest layer-0 frame that was decoded
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 wire::FrameHeader frame(std::uint32_t seq, std::uint32_t base_seq, std::uint8_t layer = 0) {
@@ -40,4 +40,4 @@ TEST(FrameChain, once_broken_only_a_key_frame_helps) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 void write_part(const RigidTransform& world_from_part, wire::pb::Pose& part) {
@@ -62,4 +62,4 @@ PersonPose pose_from_message(const wire::pb::ViewerPose& message) {
   return pose;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -10,7 +10,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 /// A laser pointer's light.
 struct PointerBeam {
@@ -29,4 +29,4 @@ struct PersonPose {
 /// Of a message that wire::decode_control has let through.
 [[nodiscard]] PersonPose pose_from_message(const wire::pb::ViewerPose& message);
 
-}  // namespace roomcast
+}  // namespace roomcast::client

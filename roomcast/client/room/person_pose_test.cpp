@@ -6,7 +6,7 @@
 
 #include "roomcast/wire/control_check.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 constexpr double kFloatRounding = 1e-6;
@@ -44,4 +44,4 @@ TEST(PersonPose, what_is_sent_follows_the_rules_of_the_wire) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -18,7 +18,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 /// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same
 /// object.
@@ -73,4 +73,4 @@ struct RoomSnapshot {
   std::uint64_t bytes_received = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

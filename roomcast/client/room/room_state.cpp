@@ -7,7 +7,7 @@
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.connected = true;
@@ -169,4 +169,4 @@ std::shared_ptr<const RoomSnapshot> RoomState::snapshot() {
   return std::make_shared<const RoomSnapshot>(room_);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

@@ -16,7 +16,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 class RoomState {
  public:
@@ -64,4 +64,4 @@ class RoomState {
   std::unordered_map<SensorId, SensorDecoding> decoding_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::client

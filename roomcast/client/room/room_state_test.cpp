@@ -6,7 +6,7 @@
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::client {
 namespace {
 
 constexpr int kWidth = 32, kHeight = 24;
@@ -245,4 +245,4 @@ TEST_F(RoomStateTest, a_lost_connection_keeps_the_room_and_says_why) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::client

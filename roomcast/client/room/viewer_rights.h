@@ -5,7 +5,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::client {
 
 struct ViewerRights {
   bool may_record = false;  // keep pictures of the room: recordings, videos, stills
@@ -22,4 +22,4 @@ struct ViewerRights {
   return Error{ErrorCode::kUnavailable, "this room does not let viewers export"};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::client

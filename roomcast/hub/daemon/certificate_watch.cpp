@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 CertificateWatch::CertificateWatch(std::filesystem::path certificate, std::filesystem::path key,
                                    Take take, std::atomic<bool>& asked, LogSink log,
@@ -45,4 +45,4 @@ void CertificateWatch::look() {
   log_(LogLevel::kWarning, "the old certificate is kept: " + taken.error().message);
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -15,7 +15,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/net/tls/certificate.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 class CertificateWatch {
  public:
@@ -39,4 +39,4 @@ class CertificateWatch {
   std::jthread thread_;  // last: uses all of the above
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

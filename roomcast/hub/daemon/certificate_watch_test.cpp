@@ -11,7 +11,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
 using namespace std::chrono_literals;
@@ -84,4 +84,4 @@ TEST_F(CertificateWatchTest, what_cannot_be_loaded_leaves_the_old_one) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 namespace fs = std::filesystem;
 
@@ -49,4 +49,4 @@ Status check_folder(const fs::path& folder) {
   return unusable(std::string("is not for this user: ") + std::strerror(errno));
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 /// $XDG_STATE_HOME/roomcast, else ~/.local/state/roomcast, else nothing.
 [[nodiscard]] std::optional<std::filesystem::path> default_data_folder();
@@ -25,4 +25,4 @@ namespace roomcast::cli {
 /// or written. kUnavailable: no, and why.
 [[nodiscard]] Status check_folder(const std::filesystem::path& folder);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

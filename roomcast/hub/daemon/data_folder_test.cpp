@@ -7,7 +7,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
 TEST(DataFolder, is_the_one_that_was_named) {
@@ -43,4 +43,4 @@ TEST(DataFolder, what_is_or_lies_in_a_file_is_none) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 std::string own_hub_url(const OwnHub& hub) {
   std::string host = hub.listen_address;
@@ -30,7 +30,7 @@ void HubAligners::trust(const net::Fingerprint& certificate) {
 /// A room that was closed and opened again gets a new one: the old one has given up.
 void HubAligners::start(const std::string& room) {
   const std::lock_guard lock(mutex_);
-  auto started = aligner::RoomAligner::open(
+  auto started = alignment::RoomAligner::open(
       {.hub_url = own_hub_url(hub_), .room = room, .token = token_, .log = log_});
   if (!started) return log_(LogLevel::kWarning, started.error().message);
   aligners_[room] = *std::move(started);
@@ -43,4 +43,4 @@ void HubAligners::stop(const std::string& room) {
     ending_.emplace_back([aligner = std::move(stopped.mapped())]() mutable { aligner.reset(); });
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

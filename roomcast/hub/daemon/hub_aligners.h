@@ -16,7 +16,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/net/tls/fingerprint.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 struct OwnHub {
   std::string listen_address = "127.0.0.1";
@@ -46,8 +46,8 @@ class HubAligners {
   std::mutex mutex_;
   OwnHub hub_;
   std::string token_;
-  std::map<std::string, std::unique_ptr<aligner::RoomAligner>> aligners_;  // by room
+  std::map<std::string, std::unique_ptr<alignment::RoomAligner>> aligners_;  // by room
   std::vector<std::jthread> ending_;  // each waits for an aligner's last thought
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

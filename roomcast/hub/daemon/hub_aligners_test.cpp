@@ -5,7 +5,7 @@
 
 #include "roomcast/net/hub_url.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
 TEST(HubAligners, a_hub_that_listens_everywhere_is_reached_on_loopback) {
@@ -29,4 +29,4 @@ TEST(HubAligners, an_encrypted_hub_is_trusted_by_its_certificate) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

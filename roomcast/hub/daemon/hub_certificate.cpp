@@ -9,7 +9,7 @@
 
 #include "roomcast/hub/daemon/data_folder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 namespace fs = std::filesystem;
 
@@ -72,4 +72,4 @@ Result<std::optional<net::Certificate>> find_hub_certificate(const HubCertificat
   return std::optional(*std::move(certificate));
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

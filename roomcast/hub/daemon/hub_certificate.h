@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/net/tls/certificate.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 struct HubCertificateOptions {
   std::string certificate_file, key_file;  // PEM
@@ -30,4 +30,4 @@ struct HubCertificateOptions {
 [[nodiscard]] Result<std::optional<net::Certificate>> find_hub_certificate(
     const HubCertificateOptions& options);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(HubCertificate, options_that_contradict_each_other_are_wrong_usage) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -7,7 +7,7 @@
 
 #include "roomcast/io/numbered_files.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 namespace {
 
@@ -38,7 +38,7 @@ void HubRecorders::trust(const net::Fingerprint& certificate) {
 hub::RoomRecording HubRecorders::as_it_is(const Recording& recording) {
   hub::RoomRecording said = recording.said;
   if (!recording.recorder) return said;
-  const RecorderStats stats = recording.recorder->stats();
+  const recording::RecorderStats stats = recording.recorder->stats();
   said.frames = stats.frames;
   said.bytes = stats.file_bytes;
   const auto length = std::chrono::steady_clock::now() - recording.since;
@@ -65,7 +65,7 @@ Status HubRecorders::start(const std::string& room) {
   }
   recording.said = {.state = RecordingState::kStarting, .file = {}, .problem = {}};
   // One that has failed goes on the worker, too: it may wait for the disk.
-  std::shared_ptr<Recorder> before = std::move(recording.recorder);
+  std::shared_ptr<recording::Recorder> before = std::move(recording.recorder);
   boost::asio::post(orders_, [this, room, before = std::move(before)]() mutable {
     before.reset();
     open(room);
@@ -81,14 +81,14 @@ Status HubRecorders::stop(const std::string& room) {
     return Error{ErrorCode::kInvalidArgument, "the room " + room + " is not being recorded"};
   }
   recording.said.state = RecordingState::kStopping;
-  const std::shared_ptr<Recorder> recorder = std::move(recording.recorder);
+  const std::shared_ptr<recording::Recorder> recorder = std::move(recording.recorder);
   boost::asio::post(orders_, [this, room, recorder] { finish(room, *recorder); });
   return {};
 }
 
-Result<std::unique_ptr<Recorder>> HubRecorders::open_recorder(
+Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
     const std::string& room, const std::filesystem::path& file) const {
-  RecorderOptions options;
+  recording::RecorderOptions options;
   {
     const std::lock_guard lock(mutex_);
     options.hub_url = own_hub_url(hub_);
@@ -97,13 +97,13 @@ Result<std::unique_ptr<Recorder>> HubRecorders::open_recorder(
   options.room = room;
   options.path = file;
   options.log = log_;
-  return Recorder::open(std::move(options));
+  return recording::Recorder::open(std::move(options));
 }
 
 void HubRecorders::open(const std::string& room) {
-  const auto file = next_free_path(folder_, file_stem(room), ".mcap");
+  const auto file = io::next_free_path(folder_, io::file_stem(room), ".mcap");
   auto recorder =
-      file ? open_recorder(room, *file) : Result<std::unique_ptr<Recorder>>(file.error());
+      file ? open_recorder(room, *file) : Result<std::unique_ptr<recording::Recorder>>(file.error());
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
   if (!recorder) {
@@ -117,7 +117,7 @@ void HubRecorders::open(const std::string& room) {
   recording.recorder = *std::move(recorder);
 }
 
-void HubRecorders::finish(const std::string& room, Recorder& recorder) {
+void HubRecorders::finish(const std::string& room, recording::Recorder& recorder) {
   const Status finished = recorder.finish();
   const std::lock_guard lock(mutex_);
   hub::RoomRecording& said = recordings_[room].said;
@@ -126,4 +126,4 @@ void HubRecorders::finish(const std::string& room, Recorder& recorder) {
   if (!finished) said.problem = finished.error().message;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

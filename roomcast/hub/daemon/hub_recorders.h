@@ -20,7 +20,7 @@
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/recording/recorder/recorder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 class HubRecorders final : public hub::RoomRecordings {
  public:
@@ -41,7 +41,7 @@ class HubRecorders final : public hub::RoomRecordings {
  private:
   struct Recording {
     hub::RoomRecording said;  // all of it while there is no recorder
-    std::unique_ptr<Recorder> recorder;
+    std::unique_ptr<recording::Recorder> recorder;
     std::chrono::steady_clock::time_point since;
   };
 
@@ -49,8 +49,8 @@ class HubRecorders final : public hub::RoomRecordings {
 
   // On the worker.
   void open(const std::string& room);
-  void finish(const std::string& room, Recorder& recorder);
-  Result<std::unique_ptr<Recorder>> open_recorder(const std::string& room,
+  void finish(const std::string& room, recording::Recorder& recorder);
+  Result<std::unique_ptr<recording::Recorder>> open_recorder(const std::string& room,
                                                   const std::filesystem::path& file) const;
 
   const std::filesystem::path folder_;
@@ -65,4 +65,4 @@ class HubRecorders final : public hub::RoomRecordings {
   std::jthread worker_;  // last: uses all of the above
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -9,7 +9,7 @@
 #include "roomcast/hub/server/running_hub.h"
 #include "roomcast/recording/room/room_recording.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
 using namespace std::chrono_literals;
@@ -80,4 +80,4 @@ TEST_F(HubRecordersTest, of_a_room_that_was_never_kept_there_is_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

@@ -10,7 +10,7 @@
 #include "roomcast/hub/daemon/hub_certificate.h"
 #include "roomcast/net/peer_name.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 namespace {
 
@@ -54,7 +54,7 @@ Result<hub::HubConfig> find_hub_config(const std::string& file) {
                                [](const char* name) -> const char* { return std::getenv(name); });
 }
 
-Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& listen) {
+Result<bool> decide_encryption(hub::HubConfig& config, const net::ListenAddress& listen) {
   const bool has_certificate =
       config.tls_self_signed || !config.tls_cert.empty() || !config.tls_key.empty();
   if (has_certificate && config.insecure) {
@@ -70,38 +70,38 @@ std::size_t threads_of(const hub::HubConfig& config) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-Result<std::optional<upstream::UpstreamOptions>> upstream_of(const hub::HubConfig& config) {
-  if (config.upstream_hubs.empty()) return std::optional<upstream::UpstreamOptions>();
-  upstream::UpstreamOptions options;
+Result<std::optional<hub::federation::UpstreamOptions>> upstream_of(const hub::HubConfig& config) {
+  if (config.upstream_hubs.empty()) return std::optional<hub::federation::UpstreamOptions>();
+  hub::federation::UpstreamOptions options;
   for (const std::string& address : config.upstream_hubs) {
     auto hub = net::parse_hub_url(address);
     if (!hub) return hub.error();
     options.hubs.push_back(*std::move(hub));
   }
   auto credential = config.upstream_token_file.empty()
-                        ? Result<Credential>(Credential{})
-                        : read_credential_file(config.upstream_token_file);
+                        ? Result<client::Credential>(client::Credential{})
+                        : client::read_credential_file(config.upstream_token_file);
   if (!credential) return credential.error();
   options.credential = *std::move(credential);
   return std::optional(std::move(options));
 }
 
-Result<std::optional<cluster::ClusterOptions>> cluster_of(const hub::HubConfig& config) {
-  if (config.nats_servers.empty()) return std::optional<cluster::ClusterOptions>();
-  cluster::ClusterOptions options;
+Result<std::optional<hub::federation::ClusterOptions>> cluster_of(const hub::HubConfig& config) {
+  if (config.nats_servers.empty()) return std::optional<hub::federation::ClusterOptions>();
+  hub::federation::ClusterOptions options;
   options.nats = {.servers = config.nats_servers,
                   .credentials_file = config.nats_credentials,
                   .ca_file = config.nats_ca,
                   .cert_file = config.nats_cert,
                   .key_file = config.nats_key};
-  if (auto status = cluster::check(options.nats); !status) return status.error();
+  if (auto status = hub::federation::check(options.nats); !status) return status.error();
   options.public_url = config.public_url;
   options.cores = static_cast<float>(threads_of(config));
   options.busy_share = static_cast<float>(config.busy_percent) / 100;
   return std::optional(std::move(options));
 }
 
-Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const ListenAddress& listen,
+Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const net::ListenAddress& listen,
                                        bool encrypted) {
   const bool open = config.access == "anyone" || (config.access == "auto" && listen.loopback);
   auto rooms = hub::rooms_of(config, open ? hub::Who::kAnyone : hub::Who::kToken);
@@ -120,4 +120,4 @@ Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const Liste
   return options;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

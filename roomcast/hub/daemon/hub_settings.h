@@ -14,7 +14,7 @@
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/net/listen_address.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 
 /// What the file says (no file: nothing), and over it the environment. The sentence of an error
 /// begins with the file's name.
@@ -22,21 +22,21 @@ namespace roomcast::cli {
 
 /// Does the hub encrypt? Beyond this machine it does unless told otherwise, with a certificate that
 /// it makes for itself where none is named. kInvalidArgument: it cannot do both.
-[[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config, const ListenAddress& listen);
+[[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config, const net::ListenAddress& listen);
 
 /// Whose rooms the hub serves on; nothing where no other hub is named. kInvalidArgument: not a
 /// hub's address. kNotFound: there is no token in the file.
-[[nodiscard]] Result<std::optional<upstream::UpstreamOptions>> upstream_of(
+[[nodiscard]] Result<std::optional<hub::federation::UpstreamOptions>> upstream_of(
     const hub::HubConfig& config);
 
 /// With whom it shares its rooms; nothing where no NATS server is named. Errors of
-/// cluster::check().
-[[nodiscard]] Result<std::optional<cluster::ClusterOptions>> cluster_of(
+/// hub::federation::check().
+[[nodiscard]] Result<std::optional<hub::federation::ClusterOptions>> cluster_of(
     const hub::HubConfig& config);
 
 /// All but certificate, folders and log. Whoever reaches a hub from elsewhere needs a token unless
 /// the configuration says that anyone may come.
 [[nodiscard]] Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
-                                                     const ListenAddress& listen, bool encrypted);
+                                                     const net::ListenAddress& listen, bool encrypted);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

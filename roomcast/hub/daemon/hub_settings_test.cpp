@@ -7,11 +7,11 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cli {
+namespace roomcast::hub::daemon {
 namespace {
 
-const ListenAddress kHere{.address = "127.0.0.1", .port = 0, .loopback = true};
-const ListenAddress kEverywhere{.address = "0.0.0.0", .port = 0, .loopback = false};
+const net::ListenAddress kHere{.address = "127.0.0.1", .port = 0, .loopback = true};
+const net::ListenAddress kEverywhere{.address = "0.0.0.0", .port = 0, .loopback = false};
 
 TEST(HubSettings, on_this_machine_anyone_may_come_and_from_elsewhere_a_token_is_needed) {
   EXPECT_EQ(hub_options_of({}, kHere, false)->rooms.at(0).view, hub::Who::kAnyone);
@@ -82,4 +82,4 @@ TEST(HubSettings, other_hubs_are_named_by_address_and_a_file_with_a_token) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::hub::daemon

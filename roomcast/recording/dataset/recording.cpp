@@ -11,7 +11,7 @@
 #include "roomcast/recording/dataset/rig_json.h"
 #include "roomcast/recording/dataset/tum_list.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,7 +147,7 @@ Result<Span> span_of(const fs::path& directory, const RigDescription& rig) {
 Result<Recording> read_recording(const fs::path& folder, std::string name, double fps,
                                  const std::vector<ListedFile>& depth_files,
                                  nanoseconds clock_offset) {
-  auto camera = read_camera_json(folder / "camera.json");
+  auto camera = io::read_camera_json(folder / "camera.json");
   if (!camera.ok()) return camera.error();
   auto frames = read_frames(folder, depth_files, fps, camera->has_color, clock_offset);
   if (!frames.ok()) return frames.error();
@@ -206,4 +206,4 @@ Result<std::vector<std::string>> rig_sensor_names(const std::filesystem::path& d
   return names;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -14,7 +14,7 @@
 #include "roomcast/io/camera_json.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct RecordedFrame {
   std::uint64_t index =
@@ -26,8 +26,8 @@ struct RecordedFrame {
 };
 
 struct Recording {
-  SensorDescription description;
-  RecordedCamera camera;
+  source::SensorDescription description;
+  io::RecordedCamera camera;
   std::vector<RecordedFrame> frames;  // one at least, in the order of time
   nanoseconds start{};                // true time at which playback begins
   nanoseconds loop_duration{};        // after which it begins again; longer than the frames last
@@ -47,4 +47,4 @@ struct Recording {
 /// the nearest in time within half a frame, unless associations.txt says which.
 [[nodiscard]] Result<Recording> read_tum_recording(const std::filesystem::path& directory);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

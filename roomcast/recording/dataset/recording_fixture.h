@@ -16,7 +16,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_writer.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -44,8 +44,8 @@ inline SensorCalibration small_calibration() {
 }
 
 /// Depth that tells sensor, frame and pixel; one smooth colour per frame.
-inline CapturedFrame small_frame(int sensor, std::uint64_t index) {
-  CapturedFrame frame;
+inline source::CapturedFrame small_frame(int sensor, std::uint64_t index) {
+  source::CapturedFrame frame;
   frame.index = index;
   frame.depth_mm.resize(kSmallWidth, kSmallHeight);
   for (int y = 0; y < kSmallHeight; ++y) {
@@ -93,4 +93,4 @@ inline std::filesystem::path shared_data() {
 #endif
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

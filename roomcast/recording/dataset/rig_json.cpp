@@ -6,7 +6,7 @@
 
 #include "roomcast/io/json_fields.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr int kVersion = 1;
@@ -14,13 +14,13 @@ constexpr double kLargestClockOffset_s = 1e9;
 constexpr double kLargestRate_ppm = 1e4;
 constexpr std::uint64_t kLargestFrameNumber = 1U << 31U;
 
-double limited(const JsonFields& fields, const char* field, double largest) {
+double limited(const io::JsonFields& fields, const char* field, double largest) {
   const double value = fields.number(field, 0);
   if (!(std::abs(value) <= largest)) fields.reject(field, "is far too large");
   return value;
 }
 
-RigSensorEntry read_sensor(const JsonFields& fields) {
+RigSensorEntry read_sensor(const io::JsonFields& fields) {
   RigSensorEntry sensor;
   sensor.id = fields.text("id");
   if (!is_sensor_name(sensor.id)) fields.reject("id", "must be a name of 1 to 64 bytes");
@@ -34,7 +34,7 @@ RigSensorEntry read_sensor(const JsonFields& fields) {
   return sensor;
 }
 
-void check_sensors(const JsonFields& fields, const std::vector<RigSensorEntry>& sensors) {
+void check_sensors(const io::JsonFields& fields, const std::vector<RigSensorEntry>& sensors) {
   if (sensors.empty() || sensors.size() > kMaxRigSensors) {
     fields.reject("sensors", "must list 1 to " + std::to_string(kMaxRigSensors) + " sensors");
   }
@@ -73,10 +73,10 @@ bool stays_inside(const std::filesystem::path& path) {
 }
 
 Result<RigDescription> read_rig_json(const std::filesystem::path& path) {
-  const auto json = read_json_object(path);
+  const auto json = io::read_json_object(path);
   if (!json.ok()) return json.error();
-  JsonProblems problems(path);
-  const JsonFields fields(*json, "", problems);
+  io::JsonProblems problems(path);
+  const io::JsonFields fields(*json, "", problems);
   if (fields.number("version", kVersion) != kVersion) {
     return Error{ErrorCode::kUnsupported,
                  path.string() + " is of a version that is not known here"};
@@ -85,7 +85,7 @@ Result<RigDescription> read_rig_json(const std::filesystem::path& path) {
   rig.fps = fields.number("fps");
   if (!(rig.fps > 0 && rig.fps <= kMaxFps)) fields.reject("fps", "must be above 0 and at most 240");
   rig.source = fields.text("source", "");
-  for (const JsonFields& sensor : fields.objects("sensors")) {
+  for (const io::JsonFields& sensor : fields.objects("sensors")) {
     rig.sensors.push_back(read_sensor(sensor));
   }
   check_sensors(fields, rig.sensors);
@@ -104,4 +104,4 @@ std::string rig_json_text(const RigDescription& rig) {
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

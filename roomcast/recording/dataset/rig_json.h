@@ -23,7 +23,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 inline constexpr std::size_t kMaxRigSensors = 32;
 inline constexpr std::size_t kMaxSensorNameBytes = 64;
@@ -56,4 +56,4 @@ struct RigDescription {
 /// Whether a relative path stays inside the folder that it starts from.
 [[nodiscard]] bool stays_inside(const std::filesystem::path& path);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -8,7 +8,7 @@
 
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using nlohmann::json;
@@ -102,4 +102,4 @@ TEST(RigJson, paths_that_leave_the_folder_are_recognised) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

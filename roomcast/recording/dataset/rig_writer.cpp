@@ -13,7 +13,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,7 +74,7 @@ Status make_sensor_folders(const fs::path& folder) {
     fs::create_directories(folder / name, error);
     if (error) return cannot_make(folder / name, error);
     const fs::path list = folder / (std::string(name) + ".txt");
-    if (Status status = write_file(list, "# timestamp path\n"); !status.ok()) return status;
+    if (Status status = io::write_file(list, "# timestamp path\n"); !status.ok()) return status;
   }
   return {};
 }
@@ -95,7 +95,7 @@ std::string list_line(nanoseconds timestamp, const std::string& file) {
   return std::string(seconds) + " " + file;
 }
 
-Status check_frame(const SensorCalibration& calibration, const CapturedFrame& frame) {
+Status check_frame(const SensorCalibration& calibration, const source::CapturedFrame& frame) {
   const auto is = [](const auto& image, const CameraIntrinsics& camera) {
     return image.width() == camera.width && image.height() == camera.height;
   };
@@ -139,8 +139,8 @@ Status RigWriter::write_cameras() const {
   for (const RigSensor& sensor : sensors_) {
     const fs::path folder = directory_ / sensor.description.name;
     if (Status status = make_sensor_folders(folder); !status.ok()) return status;
-    const std::string text = camera_json_text(sensor.description.calibration);
-    if (Status status = write_file(folder / "camera.json", text); !status.ok()) return status;
+    const std::string text = io::camera_json_text(sensor.description.calibration);
+    if (Status status = io::write_file(folder / "camera.json", text); !status.ok()) return status;
   }
   return {};
 }
@@ -148,11 +148,11 @@ Status RigWriter::write_cameras() const {
 Status RigWriter::write_rig_json(const std::string& source) const {
   RigDescription rig{fps_, source, {}};
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    const SensorDescription& description = sensors_[i].description;
+    const source::SensorDescription& description = sensors_[i].description;
     rig.sensors.push_back({description.name, description.name, description.world_from_depth,
                            sensors_[i].clock_offset_s, sensors_[i].rate_ppm, progress_[i].dropped});
   }
-  return write_file(directory_ / "rig.json", rig_json_text(rig));
+  return io::write_file(directory_ / "rig.json", rig_json_text(rig));
 }
 
 Status RigWriter::check_index(const Progress& progress, std::uint64_t index) {
@@ -170,16 +170,16 @@ void RigWriter::note_written(Progress& progress, std::uint64_t index) {
   progress.next_index = index + 1;
 }
 
-Status RigWriter::write_pictures(std::size_t sensor, const CapturedFrame& frame) const {
+Status RigWriter::write_pictures(std::size_t sensor, const source::CapturedFrame& frame) const {
   ROOMCAST_ASSERT(sensor < sensors_.size());
-  const SensorDescription& description = sensors_[sensor].description;
+  const source::SensorDescription& description = sensors_[sensor].description;
   if (Status status = check_frame(description.calibration, frame); !status.ok()) return status;
   const fs::path folder = directory_ / description.name;
   const fs::path depth = folder / numbered(frame.index, "depth", ".png");
-  if (Status status = write_depth_png(depth, frame.depth_mm); !status.ok()) return status;
+  if (Status status = io::write_depth_png(depth, frame.depth_mm); !status.ok()) return status;
   if (frame.color.empty()) return {};
   const fs::path color = folder / numbered(frame.index, "rgb", ".jpg");
-  return write_color_jpeg(color, frame.color, options_.jpeg_quality);
+  return io::write_color_jpeg(color, frame.color, options_.jpeg_quality);
 }
 
 Status RigWriter::list(std::size_t sensor, std::uint64_t index, bool has_color,
@@ -189,10 +189,10 @@ Status RigWriter::list(std::size_t sensor, std::uint64_t index, bool has_color,
   const fs::path folder = directory_ / sensors_[sensor].description.name;
   if (has_color) {
     const std::string line = list_line(timestamp, numbered(index, "rgb", ".jpg"));
-    if (Status status = append_line(folder / "rgb.txt", line); !status.ok()) return status;
+    if (Status status = io::append_line(folder / "rgb.txt", line); !status.ok()) return status;
   }
   const std::string line = list_line(timestamp, numbered(index, "depth", ".png"));
-  if (Status status = append_line(folder / "depth.txt", line); !status.ok()) return status;
+  if (Status status = io::append_line(folder / "depth.txt", line); !status.ok()) return status;
   note_written(progress_[sensor], index);
   return {};
 }
@@ -205,7 +205,7 @@ Status RigWriter::drop(std::size_t sensor, std::uint64_t index) {
   return {};
 }
 
-Status RigWriter::add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp) {
+Status RigWriter::add(std::size_t sensor, const source::CapturedFrame& frame, nanoseconds timestamp) {
   ROOMCAST_ASSERT(sensor < sensors_.size());
   if (Status status = check_index(progress_[sensor], frame.index); !status.ok()) return status;
   if (Status status = write_pictures(sensor, frame); !status.ok()) return status;
@@ -216,4 +216,4 @@ Status RigWriter::finish() {
   return write_rig_json(options_.source);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

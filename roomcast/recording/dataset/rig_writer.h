@@ -16,11 +16,11 @@
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// One sensor of a rig: what it says of itself, and how its clock differs from true time.
 struct RigSensor {
-  SensorDescription
+  source::SensorDescription
       description;  // `name` becomes id and folder; `fps` is not used, the rig has one rate
   double clock_offset_s = 0;  // stamp = true time + offset
   double rate_ppm = 0;        // its clock runs this much too fast
@@ -43,11 +43,11 @@ class RigWriter {
   /// Writes depth, and colour if there is any, as number `frame.index`; numbers must grow and gaps
   /// become the rig's dropped frames. kInvalidArgument for wrong sizes or a number that does not
   /// grow; kUnavailable if the disk fails.
-  [[nodiscard]] Status add(std::size_t sensor, const CapturedFrame& frame, nanoseconds timestamp);
+  [[nodiscard]] Status add(std::size_t sensor, const source::CapturedFrame& frame, nanoseconds timestamp);
 
   /// The two halves of `add`, for many frames at a time: the pictures, by any threads, and then, in
   /// order, their lines in the lists.
-  [[nodiscard]] Status write_pictures(std::size_t sensor, const CapturedFrame& frame) const;
+  [[nodiscard]] Status write_pictures(std::size_t sensor, const source::CapturedFrame& frame) const;
   [[nodiscard]] Status list(std::size_t sensor, std::uint64_t index, bool has_color,
                             nanoseconds timestamp);
   /// Says that this number, higher than those before, was lost. Gaps need no saying, ends do.
@@ -76,4 +76,4 @@ class RigWriter {
   RigWriterOptions options_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

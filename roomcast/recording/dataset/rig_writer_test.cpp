@@ -6,7 +6,7 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 std::vector<RigSensor> sensors_named(const std::vector<std::string>& names) {
@@ -111,7 +111,7 @@ TEST(RigWriter, refuses_frames_of_another_size_and_numbers_that_do_not_grow) {
   ASSERT_TRUE(writer->add(0, small_frame(0, 5), nanoseconds(5)).ok());
   EXPECT_FALSE(writer->add(0, small_frame(0, 5), nanoseconds(6)).ok());
   EXPECT_FALSE(writer->add(0, small_frame(0, 1U << 30U), nanoseconds(6)).ok());
-  CapturedFrame frame = small_frame(0, 6);
+  source::CapturedFrame frame = small_frame(0, 6);
   frame.color.resize(10, 10);
   EXPECT_FALSE(writer->add(0, frame, nanoseconds(6)).ok());
   frame = small_frame(0, 6);
@@ -140,4 +140,4 @@ TEST(RigWriter, a_disk_that_fails_is_reported) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -9,7 +9,7 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr std::size_t kMaxListBytes = 64U << 20U;
@@ -48,7 +48,7 @@ Error bad_line(const std::filesystem::path& path, std::size_t line, const std::s
 template <class Use>
 Status for_each_line(const std::filesystem::path& path, const Use& use) {
   std::vector<std::uint8_t> bytes;
-  if (Status status = read_file(path, kMaxListBytes, bytes); !status.ok()) return status;
+  if (Status status = io::read_file(path, kMaxListBytes, bytes); !status.ok()) return status;
   std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -141,4 +141,4 @@ std::vector<std::string> associate_by_time(const std::vector<ListedFile>& depth_
   return color_of_depth;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -13,7 +13,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct ListedFile {
   nanoseconds timestamp{};
@@ -38,4 +38,4 @@ struct ListedFile {
 /// "103.231313" -> nanoseconds, without a detour over floating point. False for anything else.
 [[nodiscard]] bool parse_seconds(std::string_view text, nanoseconds& time);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

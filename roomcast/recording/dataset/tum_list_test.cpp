@@ -5,7 +5,7 @@
 
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 TEST(ParseSeconds, keeps_every_digit) {
@@ -93,4 +93,4 @@ TEST(AssociateByTime, takes_the_nearest_within_the_tolerance) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

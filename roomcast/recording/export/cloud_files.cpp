@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 void append(std::string_view text, std::vector<std::uint8_t>& out) {
@@ -58,4 +58,4 @@ void append_pcd(const PointCloud& cloud, std::vector<std::uint8_t>& out) {
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -10,9 +10,9 @@
 
 #include "roomcast/recording/export/point_cloud.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 void append_ply(const PointCloud& cloud, std::vector<std::uint8_t>& out);
 void append_pcd(const PointCloud& cloud, std::vector<std::uint8_t>& out);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 DepthPoints::DepthPoints(const CameraIntrinsics& camera)
     : camera_(camera),
@@ -55,4 +55,4 @@ void DepthPoints::find_normal(int x, int y) {
   normals_.at(x, y) = normal.dot(here) > 0 ? Eigen::Vector3f(-normal) : normal;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

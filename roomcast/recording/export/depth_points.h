@@ -10,7 +10,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class DepthPoints {
  public:
@@ -49,4 +49,4 @@ class DepthPoints {
   return 0.002F + 0.0015F * z_m * z_m;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

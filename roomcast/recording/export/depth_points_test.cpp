@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 const CameraIntrinsics kCamera = {
@@ -56,4 +56,4 @@ TEST(DepthPoints, rims_and_holes_are_no_surface) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -10,12 +10,12 @@
 
 #include "roomcast/io/file_bytes.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 Status FolderWriter::create(const FrameSet& set) {
   std::vector<RigSensor> rig(sensors_.size());
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    SensorDescription& description = rig[i].description;
+    source::SensorDescription& description = rig[i].description;
     description.name = sensors_[i].name;
     description.calibration = {sensors_[i].depth, sensors_[i].depth, {}, true};
     fps_ = std::max(fps_, sensors_[i].fps);
@@ -60,11 +60,11 @@ Status FolderWriter::add_pose(const SetFrame& frame) const {
   std::snprintf(line, sizeof(line), "%.9f %.6f %.6f %.6f %.8f %.8f %.8f %.8f",
                 std::chrono::duration<double>(frame.time).count(), place.x(), place.y(), place.z(),
                 turn.x(), turn.y(), turn.z(), turn.w());
-  return append_line(folder_ / sensors_[frame.sensor].name / "groundtruth.txt", line);
+  return io::append_line(folder_ / sensors_[frame.sensor].name / "groundtruth.txt", line);
 }
 
 Status FolderWriter::finish() {
   return writer_ ? writer_->finish() : Status();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

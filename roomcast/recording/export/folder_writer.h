@@ -13,7 +13,7 @@
 #include "roomcast/recording/dataset/rig_writer.h"
 #include "roomcast/recording/export/set_writer.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class FolderWriter final : public SetWriter {
  public:
@@ -43,8 +43,8 @@ class FolderWriter final : public SetWriter {
   const bool groundtruth_;
   double fps_ = 0;
   std::optional<RigWriter> writer_;
-  CapturedFrame captured_;
+  source::CapturedFrame captured_;
   ExportTotals totals_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -12,7 +12,7 @@
 
 #include "roomcast/recording/export/foxglove.pb.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr const char* kWorld = "world";
@@ -50,7 +50,7 @@ void collect(const google::protobuf::FileDescriptor& file,
 }
 
 template <class Message>
-mcap::SchemaId add_schema(mcap::Writer& writer) {
+recording::mcap::SchemaId add_schema(recording::mcap::Writer& writer) {
   google::protobuf::FileDescriptorSet files;
   collect(*Message::descriptor()->file(), files);
   const std::string bytes = files.SerializeAsString();
@@ -125,7 +125,7 @@ foxglove::FrameTransform transform_message(const std::string& sensor,
 
 Result<FoxgloveWriter> FoxgloveWriter::create(const std::filesystem::path& path,
                                               const std::vector<SetSensor>& sensors) {
-  auto writer = mcap::Writer::create(path);
+  auto writer = recording::mcap::Writer::create(path);
   if (!writer) return writer.error();
   FoxgloveWriter foxglove(std::move(*writer));
   foxglove.add_channels(sensors);
@@ -195,7 +195,7 @@ Status FoxgloveWriter::add_video(SensorChannels& channels, const SetFrame& frame
   return write(channels.video, message, frame.time);
 }
 
-Status FoxgloveWriter::write(mcap::ChannelId channel, const google::protobuf::Message& message,
+Status FoxgloveWriter::write(recording::mcap::ChannelId channel, const google::protobuf::Message& message,
                              nanoseconds time) {
   const std::string bytes = message.SerializeAsString();
   return writer_.add_message(
@@ -206,4 +206,4 @@ Status FoxgloveWriter::write(mcap::ChannelId channel, const google::protobuf::Me
        .data = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}});
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

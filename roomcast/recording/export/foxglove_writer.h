@@ -22,7 +22,7 @@ namespace google::protobuf {
 class Message;
 }
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class FoxgloveWriter {
  public:
@@ -36,23 +36,23 @@ class FoxgloveWriter {
  private:
   struct SensorChannels {
     SetSensor sensor;
-    mcap::ChannelId video{}, camera{};
+    recording::mcap::ChannelId video{}, camera{};
     std::unique_ptr<codec::Vp9ColorEncoder> encoder;  // made with its first colour picture
     std::uint32_t pictures = 0;
     std::shared_ptr<const codec::DecodedFrame> last;
   };
 
-  explicit FoxgloveWriter(mcap::Writer writer) : writer_(std::move(writer)) {}
+  explicit FoxgloveWriter(recording::mcap::Writer writer) : writer_(std::move(writer)) {}
   void add_channels(const std::vector<SetSensor>& sensors);
   [[nodiscard]] Status add_sensor(const SetFrame& frame);
   [[nodiscard]] Status add_video(SensorChannels& channels, const SetFrame& frame);
-  [[nodiscard]] Status write(mcap::ChannelId channel, const google::protobuf::Message& message,
+  [[nodiscard]] Status write(recording::mcap::ChannelId channel, const google::protobuf::Message& message,
                              nanoseconds time);
 
-  mcap::Writer writer_;
+  recording::mcap::Writer writer_;
   std::vector<SensorChannels> sensors_;
-  mcap::ChannelId points_{}, transforms_{};
+  recording::mcap::ChannelId points_{}, transforms_{};
   std::uint32_t sequence_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using nlohmann::json;
@@ -238,4 +238,4 @@ Status GltfScene::append(const FrameSet& set, std::vector<std::uint8_t>& out) {
   return {};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

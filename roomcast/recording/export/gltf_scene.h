@@ -12,7 +12,7 @@
 #include "roomcast/recording/export/depth_points.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 inline constexpr int kTextureQuality = 90;  // of JPEG
 
@@ -27,7 +27,7 @@ class GltfScene {
  private:
   std::vector<SetSensor> sensors_;
   std::vector<DepthPoints> points_;  // by sensor
-  JpegCodec jpeg_;
+  io::JpegCodec jpeg_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 Eigen::Isometry3f isometry(const RigidTransform& transform) {
@@ -156,4 +156,4 @@ void thin_out(PointCloud& cloud, float voxel_m) {
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -16,7 +16,7 @@
 #include "roomcast/recording/export/point_cloud.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct MergedCloudOptions {
   std::optional<Eigen::AlignedBox3f> crop_m;  // what is outside is left out
@@ -55,4 +55,4 @@ class MergedCloud {
 /// One point for each cube that has any: the mean of place, normal and colour.
 void thin_out(PointCloud& cloud, float voxel_m);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -7,7 +7,7 @@
 
 #include "roomcast/recording/export/wall_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr std::size_t kOfOneSensor = 62 * 46;  // all but the picture's border
@@ -83,4 +83,4 @@ TEST(MergedCloud, refuses_options_that_make_no_sense) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -10,7 +10,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct PointCloud {
   std::vector<Eigen::Vector3f> points_m;
@@ -30,4 +30,4 @@ struct PointCloud {
   }
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -12,7 +12,7 @@
 #include "roomcast/recording/export/foxglove_writer.h"
 #include "roomcast/recording/export/gltf_scene.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 std::string numbered(std::uint64_t set, const char* ending) {
@@ -37,7 +37,7 @@ class SetFiles : public SetWriter {
     bytes_.clear();
     if (auto status = append(set, bytes_); !status) return status;
     ++totals_.sets;
-    return write_file(path, bytes_);
+    return io::write_file(path, bytes_);
   }
   Status finish() final { return {}; }
   ExportTotals totals() const final { return totals_; }
@@ -169,4 +169,4 @@ Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
       std::make_unique<FolderWriter>(out, sensors, format == ExportFormat::kTum));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -16,7 +16,7 @@
 #include "roomcast/recording/export/merged_cloud.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 enum class ExportFormat {
   kPly,       // set_NNNNNN.ply: merged cloud
@@ -53,4 +53,4 @@ class SetWriter {
     ExportFormat format, const std::filesystem::path& out, const std::vector<SetSensor>& sensors,
     const MergedCloudOptions& cloud);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

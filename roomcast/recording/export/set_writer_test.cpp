@@ -13,7 +13,7 @@
 #include "roomcast/recording/export/wall_fixture.h"
 #include "roomcast/recording/mcap/reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 class SetWriterTest : public testing::Test {
@@ -71,7 +71,7 @@ TEST_F(SetWriterTest, a_foxglove_file_has_the_channels_that_programs_look_for) {
   auto writer = make(ExportFormat::kFoxglove);
   ASSERT_TRUE((*writer)->add(wall_set()).ok());
   ASSERT_TRUE((*writer)->finish().ok());
-  const auto file = mcap::Reader::open(out / "room.mcap");
+  const auto file = recording::mcap::Reader::open(out / "room.mcap");
   ASSERT_TRUE(file.ok());
   std::map<std::string, std::string> schema_of;
   for (const auto& [id, channel] : file->summary().channels)
@@ -107,4 +107,4 @@ TEST(GltfScene, an_empty_set_is_a_file_without_meshes) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr int kFarthest_mm = 6000;
@@ -69,4 +69,4 @@ ColorImage ThumbnailStrip::picture() const {
   return picture;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -10,7 +10,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class ThumbnailStrip {
  public:
@@ -35,4 +35,4 @@ class ThumbnailStrip {
   std::size_t every_ = 1, count_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

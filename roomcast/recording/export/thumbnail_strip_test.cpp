@@ -5,7 +5,7 @@
 
 #include "roomcast/recording/export/wall_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 /// The second sensor has no colour; it comes nearer from set to set.
@@ -49,4 +49,4 @@ TEST(ThumbnailStrip, nothing_is_an_empty_picture) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -8,7 +8,7 @@
 
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 inline std::vector<SetSensor> wall_sensors() {
   const CameraIntrinsics camera = {
@@ -35,4 +35,4 @@ inline FrameSet wall_set() {
   return set;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

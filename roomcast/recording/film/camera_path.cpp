@@ -11,7 +11,7 @@
 #include "roomcast/io/json_fields.h"
 #include "roomcast/render/view/view_camera.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr double kSwing_rad = 25 * std::numbers::pi / 180;  // to either side
@@ -44,7 +44,7 @@ Eigen::Vector3d hermite(const std::vector<CameraKey>& keys, std::size_t key, dou
 }
 
 RigidTransform looking(const CameraKey& key) {
-  return world_from_view_looking_at(key.eye_m, key.target_m);
+  return render::world_from_view_looking_at(key.eye_m, key.target_m);
 }
 
 }  // namespace
@@ -79,11 +79,11 @@ RigidTransform CameraPath::world_from_view(double time_s) const {
 }
 
 Result<CameraPath> read_camera_path(const std::filesystem::path& file) {
-  const auto json = read_json_object(file);
+  const auto json = io::read_json_object(file);
   if (!json) return json.error();
-  JsonProblems problems(file);
+  io::JsonProblems problems(file);
   std::vector<CameraKey> keys;
-  for (const JsonFields& fields : JsonFields(*json, "", problems).objects("keys")) {
+  for (const io::JsonFields& fields : io::JsonFields(*json, "", problems).objects("keys")) {
     const auto place = [&](const char* field) {
       const auto numbers = fields.numbers(field);
       if (numbers.size() == 3) return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
@@ -98,7 +98,7 @@ Result<CameraPath> read_camera_path(const std::filesystem::path& file) {
   return Error{path.error().code, file.string() + ": " + path.error().message};
 }
 
-CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& pivot_m,
+CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& viewer::pivot_m,
                          double length_s) {
   const double longest_s = kSwingKeyEvery_s * (CameraPath::kMaxKeys - 2);
   std::vector<CameraKey> keys;
@@ -110,4 +110,4 @@ CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& pi
   return std::move(CameraPath::create(std::move(keys))).value();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

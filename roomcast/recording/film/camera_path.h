@@ -13,7 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct CameraKey {
   double time_s = 0;
@@ -45,7 +45,7 @@ class CameraPath {
 [[nodiscard]] Result<CameraPath> read_camera_path(const std::filesystem::path& file);
 
 /// A slow swing to both sides about the vertical through `pivot_m`, from `eye_m`.
-[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& pivot_m,
+[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& viewer::pivot_m,
                                        double length_s);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -12,7 +12,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/io/file_bytes.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using Eigen::Vector3d;
@@ -87,7 +87,7 @@ TEST(SwingingPath, keeps_its_distance_and_swings_to_both_sides) {
 class CameraPathFile : public testing::Test {
  protected:
   Result<CameraPath> read(const std::string& text) {
-    EXPECT_TRUE(write_file(file_, text).ok());
+    EXPECT_TRUE(io::write_file(file_, text).ok());
     return read_camera_path(file_);
   }
 
@@ -113,4 +113,4 @@ TEST_F(CameraPathFile, that_is_wrong_is_named_with_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

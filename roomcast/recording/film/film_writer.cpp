@@ -6,7 +6,7 @@
 
 #include "roomcast/io/image_file.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr double kUsualDistance_m = 2.5;  // of what a sensor that sees nothing would see
@@ -41,19 +41,19 @@ CameraPath swing_before(const FrameSet& set, double length_s) {
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSensor>& sensors,
                                                        FilmOptions options,
-                                                       std::unique_ptr<VideoSink> sink) {
-  const ViewCamera camera{.world_from_view = {},
+                                                       std::unique_ptr<viewer::VideoSink> sink) {
+  const render::ViewCamera camera{.world_from_view = {},
                           .vertical_fov_rad = options.vertical_fov_rad,
                           .width = options.size.width,
                           .height = options.size.height};
   if (auto status = camera.check(); !status) return status.error();
-  auto context = EglContext::create();
+  auto context = render::EglContext::create();
   if (!context) return context.error();
-  auto target = OffscreenTarget::create(camera.width, camera.height);
+  auto target = render::OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
-  auto renderer = RoomRenderer::create();
+  auto renderer = render::RoomRenderer::create();
   if (!renderer) return renderer.error();
-  RenderOptions look;
+  render::RenderOptions look;
   look.floor_grid = false;
   if (auto status = renderer->set_look(look); !status) return status.error();
   return std::unique_ptr<FilmWriter>(new FilmWriter(
@@ -62,7 +62,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSens
 }
 
 FilmWriter::FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options,
-                       ViewCamera camera, Stage stage, std::unique_ptr<VideoSink> sink)
+                       render::ViewCamera camera, Stage stage, std::unique_ptr<viewer::VideoSink> sink)
     : sensors_(sensors),
       options_(std::move(options)),
       camera_(camera),
@@ -130,9 +130,9 @@ Status FilmWriter::show(const FrameSet& set) {
 namespace {
 
 /// A file that gets its name when it is whole.
-class NamedWhenWhole final : public VideoSink {
+class NamedWhenWhole final : public viewer::VideoSink {
  public:
-  NamedWhenWhole(std::unique_ptr<VideoSink> inner, std::filesystem::path part,
+  NamedWhenWhole(std::unique_ptr<viewer::VideoSink> inner, std::filesystem::path part,
                  std::filesystem::path name)
       : inner_(std::move(inner)), part_(std::move(part)), name_(std::move(name)) {}
 
@@ -147,11 +147,11 @@ class NamedWhenWhole final : public VideoSink {
   }
 
  private:
-  std::unique_ptr<VideoSink> inner_;
+  std::unique_ptr<viewer::VideoSink> inner_;
   const std::filesystem::path part_, name_;
 };
 
-Result<std::unique_ptr<VideoSink>> open_sink(const std::filesystem::path& out,
+Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path& out,
                                              const FilmOptions& options) {
   const auto file = out / "film.mp4", part = out / "film.part.mp4", folder = out / "film";
   std::error_code error;
@@ -166,10 +166,10 @@ Result<std::unique_ptr<VideoSink>> open_sink(const std::filesystem::path& out,
                    "there is " + path.string() + " already; a film is made anew or not at all"};
     }
   }
-  if (!is_on_path("ffmpeg")) return open_png_sequence(folder, write_color_png);
-  auto ffmpeg = open_ffmpeg(part, options.size, options.fps);
+  if (!viewer::is_on_path("ffmpeg")) return viewer::open_png_sequence(folder, write_color_png);
+  auto ffmpeg = viewer::open_ffmpeg(part, options.size, options.fps);
   if (!ffmpeg) return ffmpeg.error();
-  return std::unique_ptr<VideoSink>(
+  return std::unique_ptr<viewer::VideoSink>(
       std::make_unique<NamedWhenWhole>(std::move(*ffmpeg), part, file));
 }
 
@@ -185,4 +185,4 @@ Result<std::unique_ptr<SetWriter>> make_film(const std::filesystem::path& out,
   return std::unique_ptr<SetWriter>(std::move(*writer));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

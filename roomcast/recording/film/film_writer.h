@@ -17,13 +17,13 @@
 #include "roomcast/render/view/offscreen_target.h"
 #include "roomcast/viewer/capture/video_sink.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct FilmOptions {
-  PictureSize size = {1280, 720};
+  viewer::PictureSize size = {1280, 720};
   int fps = 30;
   double vertical_fov_rad = 1.047;
-  RenderMode mode = RenderMode::kBlend;
+  render::RenderMode mode = render::RenderMode::kBlend;
   std::optional<CameraPath> path;  // nothing: a slow swing before what the first sensor sees
   double length_s = 0;             // of the film, for the swing
 };
@@ -33,7 +33,7 @@ class FilmWriter final : public SetWriter {
   /// kInvalidArgument for a size or an angle that is none; kUnavailable where there is no GL.
   static Result<std::unique_ptr<FilmWriter>> create(const std::vector<SetSensor>& sensors,
                                                     FilmOptions options,
-                                                    std::unique_ptr<VideoSink> sink);
+                                                    std::unique_ptr<viewer::VideoSink> sink);
 
   Status add(const FrameSet& set) override;
   /// Shows the last set for one picture, and ends the file.
@@ -42,12 +42,12 @@ class FilmWriter final : public SetWriter {
 
  private:
   struct Stage {
-    EglContext context;
-    OffscreenTarget target;
-    RoomRenderer renderer;
+    render::EglContext context;
+    render::OffscreenTarget target;
+    render::RoomRenderer renderer;
   };
-  FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options, ViewCamera camera,
-             Stage stage, std::unique_ptr<VideoSink> sink);
+  FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options, render::ViewCamera camera,
+             Stage stage, std::unique_ptr<viewer::VideoSink> sink);
   void begin(const FrameSet& set);
   Status draw_before(double time_s);
   Status draw();
@@ -55,9 +55,9 @@ class FilmWriter final : public SetWriter {
 
   const std::vector<SetSensor> sensors_;
   const FilmOptions options_;
-  ViewCamera camera_;
+  render::ViewCamera camera_;
   Stage stage_;
-  std::unique_ptr<VideoSink> sink_;
+  std::unique_ptr<viewer::VideoSink> sink_;
   std::optional<CameraPath> path_;
   nanoseconds begin_{};  // of the film, in the recording
   ExportTotals totals_;
@@ -69,4 +69,4 @@ class FilmWriter final : public SetWriter {
                                                            const std::vector<SetSensor>& sensors,
                                                            FilmOptions options);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -7,12 +7,12 @@
 #include "roomcast/recording/export/wall_fixture.h"
 #include "roomcast/recording/film/film_writer.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using namespace std::chrono_literals;
 
-class KeepingSink final : public VideoSink {
+class KeepingSink final : public viewer::VideoSink {
  public:
   explicit KeepingSink(std::vector<ColorImage>& pictures) : pictures_(pictures) {}
   Status write(ColorView frame) override {
@@ -47,7 +47,7 @@ class FilmTest : public testing::Test {
     FilmOptions options;
     options.size = {64, 48};
     options.fps = 20;
-    options.mode = RenderMode::kMesh;
+    options.mode = render::RenderMode::kMesh;
     options.path = std::move(path);
     auto writer =
         FilmWriter::create(wall_sensors(), options, std::make_unique<KeepingSink>(pictures_));
@@ -97,7 +97,7 @@ TEST_F(FilmTest, without_a_path_it_looks_at_what_the_first_sensor_sees) {
   FilmOptions options;
   options.size = {64, 48};
   options.length_s = 1;
-  options.mode = RenderMode::kMesh;
+  options.mode = render::RenderMode::kMesh;
   auto writer =
       FilmWriter::create(wall_sensors(), options, std::make_unique<KeepingSink>(pictures_));
   ASSERT_TRUE((*writer)->add(set_at(0s, kRed)).ok());
@@ -113,4 +113,4 @@ TEST_F(FilmTest, refuses_a_size_that_is_none) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

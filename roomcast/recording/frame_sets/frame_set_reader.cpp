@@ -4,7 +4,7 @@
 #include "roomcast/recording/frame_sets/recorded_sets.h"
 #include "roomcast/recording/frame_sets/rig_sets.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 Result<std::unique_ptr<FrameSetReader>> open_frame_sets(const std::filesystem::path& path,
                                                         nanoseconds from) {
@@ -13,4 +13,4 @@ Result<std::unique_ptr<FrameSetReader>> open_frame_sets(const std::filesystem::p
   return open_folder_sets(path, from);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -18,7 +18,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct SetSensor {
   std::string name;
@@ -62,4 +62,4 @@ class FrameSetReader {
 [[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_frame_sets(
     const std::filesystem::path& path, nanoseconds from = {});
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -7,7 +7,7 @@
 #include "roomcast/recording/dataset/rig_writer.h"
 #include "roomcast/recording/room/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using recording::RecordingFixtureRoom;
@@ -71,7 +71,7 @@ void write_rig(const std::filesystem::path& folder) {
   for (int instant = 0; instant < 4; ++instant) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (i == 1 && instant == 1) continue;
-      CapturedFrame frame;
+      source::CapturedFrame frame;
       frame.depth_mm = RecordingFixtureRoom::depth(instant);
       frame.color = RecordingFixtureRoom::color(static_cast<int>(i));
       frame.index = static_cast<std::uint64_t>(instant);
@@ -107,4 +107,4 @@ TEST(FrameSetReader, says_what_is_no_recording) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

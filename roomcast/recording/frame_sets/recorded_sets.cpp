@@ -12,7 +12,7 @@
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using recording::MessageKind;
@@ -63,7 +63,7 @@ class RecordedSets final : public FrameSetReader {
     open_set_ = header->set;
     unix_minus_room_ = recorded.message.publish_time - header->capture_time.time_since_epoch();
     const auto outcome = state_.frame(recorded.message.data);
-    has_frames_ |= outcome && *outcome != RoomState::FrameOutcome::kNeedsKey;
+    has_frames_ |= outcome && *outcome != client::RoomState::FrameOutcome::kNeedsKey;
     if (before) return true;
     return header->last && close_set(set);
   }
@@ -73,14 +73,14 @@ class RecordedSets final : public FrameSetReader {
     const auto room = state_.snapshot();
     set.frames.clear();
     set.time = {};
-    for (const RoomSensor& sensor : room->sensors) add(sensor, set);
+    for (const client::RoomSensor& sensor : room->sensors) add(sensor, set);
     std::ranges::sort(set.frames, {}, &SetFrame::sensor);
     std::erase_if(set.frames,
                   [&](const SetFrame& frame) { return set.time - frame.time > kOldestInSet; });
     return !set.frames.empty();
   }
 
-  void add(const RoomSensor& sensor, FrameSet& set) {
+  void add(const client::RoomSensor& sensor, FrameSet& set) {
     const auto index = index_of_.find(sensor.name);
     if (index == index_of_.end() || !sensor.picture) return;
     SetFrame frame;
@@ -99,7 +99,7 @@ class RecordedSets final : public FrameSetReader {
   std::map<std::string, std::size_t> index_of_;
   RecordingCursor cursor_;
   SteadyClock clock_;  // when a picture was read, which nobody asks
-  RoomState state_{clock_};
+  client::RoomState state_{clock_};
   nanoseconds unix_minus_room_{};
   SetId open_set_{};
   bool has_frames_ = false;  // of the open set
@@ -114,7 +114,7 @@ Result<std::unique_ptr<FrameSetReader>> open_recorded_sets(const std::filesystem
   if (!recording) return recording.error();
   std::vector<SetSensor> sensors;
   for (const auto& sensor : recording->sensors()) {
-    const auto calibration = calibration_from_message(sensor.entry.calibration());
+    const auto calibration = client::calibration_from_message(sensor.entry.calibration());
     if (!calibration) return calibration.error();
     sensors.push_back({sensor.name, calibration->depth, sensor.entry.fps(),
                        0.001 * static_cast<double>(sensor.entry.expected_error_mm())});
@@ -123,4 +123,4 @@ Result<std::unique_ptr<FrameSetReader>> open_recorded_sets(const std::filesystem
       std::make_unique<RecordedSets>(std::move(*recording), std::move(sensors), from));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -4,10 +4,10 @@
 
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// Errors as RoomRecording::open.
 [[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_recorded_sets(
     const std::filesystem::path& file, nanoseconds from);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

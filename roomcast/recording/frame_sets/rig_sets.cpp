@@ -10,13 +10,13 @@
 #include "roomcast/geometry/registration.h"
 #include "roomcast/recording/playback/recording_source.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 /// One sensor's frames, the next one read ahead.
 class Track {
  public:
-  static Result<Track> open(Result<std::unique_ptr<FrameSource>> source) {
+  static Result<Track> open(Result<std::unique_ptr<source::FrameSource>> source) {
     if (!source) return source.error();
     auto registration = Registration::create((*source)->description().calibration);
     if (!registration) return registration.error();
@@ -25,7 +25,7 @@ class Track {
     return track;
   }
 
-  [[nodiscard]] const SensorDescription& description() const { return source_->description(); }
+  [[nodiscard]] const source::SensorDescription& description() const { return source_->description(); }
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
 
@@ -45,7 +45,7 @@ class Track {
   }
 
  private:
-  Track(std::unique_ptr<FrameSource> source, Registration registration)
+  Track(std::unique_ptr<source::FrameSource> source, Registration registration)
       : source_(std::move(source)), registration_(std::move(registration)) {}
   Status advance() {
     const auto more = source_->next(captured_, {});
@@ -54,10 +54,10 @@ class Track {
     return {};
   }
 
-  std::unique_ptr<FrameSource> source_;
+  std::unique_ptr<source::FrameSource> source_;
   Registration registration_;
   RegisteredColor registered_;
-  CapturedFrame captured_;
+  source::CapturedFrame captured_;
   bool ended_ = false;
 };
 
@@ -66,7 +66,7 @@ class FolderSets final : public FrameSetReader {
   FolderSets(std::vector<Track> tracks, nanoseconds from)
       : tracks_(std::move(tracks)), newest_(tracks_.size()), from_(from) {
     for (const Track& track : tracks_) {
-      const SensorDescription& sensor = track.description();
+      const source::SensorDescription& sensor = track.description();
       sensors_.push_back({sensor.name, sensor.calibration.depth, sensor.fps, 0});
       fps_ = std::max(fps_, sensor.fps);
     }
@@ -124,7 +124,7 @@ class FolderSets final : public FrameSetReader {
 };
 
 Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
-  constexpr PlaybackOptions kOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
+  constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
   std::error_code ignored;
   std::vector<Track> tracks;
   if (std::filesystem::exists(folder / "depth.txt", ignored)) {
@@ -156,4 +156,4 @@ Result<std::unique_ptr<FrameSetReader>> open_folder_sets(const std::filesystem::
   return std::unique_ptr<FrameSetReader>(std::make_unique<FolderSets>(std::move(*tracks), from));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

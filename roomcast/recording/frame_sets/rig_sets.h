@@ -5,10 +5,10 @@
 
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// kNotFound where the folder holds neither; errors of the sources.
 [[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_folder_sets(
     const std::filesystem::path& folder, nanoseconds from);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 const Error kTooShort = {ErrorCode::kMalformed, "it ends too early"};
@@ -78,4 +78,4 @@ std::unique_ptr<ByteSource> bytes_in_memory(std::vector<std::uint8_t> bytes) {
   return std::make_unique<MemorySource>(std::move(bytes));
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -11,7 +11,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 class ByteSource {
  public:
@@ -26,4 +26,4 @@ class ByteSource {
 
 [[nodiscard]] std::unique_ptr<ByteSource> bytes_in_memory(std::vector<std::uint8_t> bytes);
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

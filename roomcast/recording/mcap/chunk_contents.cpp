@@ -8,7 +8,7 @@
 
 #include "roomcast/core/crc32.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 /// Replaces the compressed records in `chunk`, which lie in `bytes`, by what they were.
@@ -70,4 +70,4 @@ Result<ChunkContents> open_chunk(Bytes record) {
   return contents;
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -8,7 +8,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/recording/mcap/record_codec.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 /// Moved, not copied: `messages` refer to `bytes`.
 struct ChunkContents {
@@ -26,4 +26,4 @@ struct ChunkContents {
 /// is wrong, kTooLarge above kMaxChunkBytes, kUnsupported for another compression.
 [[nodiscard]] Result<ChunkContents> open_chunk(Bytes record);
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

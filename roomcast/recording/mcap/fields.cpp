@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/recording/mcap/fields.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 std::uint64_t FieldReader::integer(std::size_t bytes) {
   const auto field = this->bytes(bytes);
@@ -72,4 +72,4 @@ void FieldWriter::channel_map(const std::map<ChannelId, std::uint64_t>& map) {
   }
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

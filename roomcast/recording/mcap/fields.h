@@ -12,7 +12,7 @@
 
 #include "roomcast/recording/mcap/records.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 class FieldReader {
  public:
@@ -75,4 +75,4 @@ void append_record(std::vector<std::uint8_t>& out, Opcode opcode, WriteFields wr
     out[length_at + i] = static_cast<std::uint8_t>(length >> (8 * i));
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

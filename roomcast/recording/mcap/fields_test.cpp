@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 TEST(Fields, come_back_as_they_were_written) {
@@ -61,4 +61,4 @@ TEST(Fields, a_record_tells_its_length) {
 }
 
 }  // namespace
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -9,7 +9,7 @@
 #include "roomcast/recording/mcap/fields.h"
 #include "roomcast/recording/mcap/summary_section.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 struct Place {
@@ -86,4 +86,4 @@ LinearScan scan_from_start(const ByteSource& source) {
   }
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

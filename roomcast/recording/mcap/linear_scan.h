@@ -8,7 +8,7 @@
 #include "roomcast/recording/mcap/byte_source.h"
 #include "roomcast/recording/mcap/records.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 struct LinearScan {
   Summary summary;
@@ -18,4 +18,4 @@ struct LinearScan {
 /// The source begins with kMagic.
 [[nodiscard]] LinearScan scan_from_start(const ByteSource& source);
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 std::string reason(int error) {
@@ -66,4 +66,4 @@ Error OutputFile::take_back() {
                                        (back ? "" : ", and the file now ends in damaged data")};
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

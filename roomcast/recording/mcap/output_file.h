@@ -11,7 +11,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 class OutputFile {
  public:
@@ -42,4 +42,4 @@ class OutputFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -9,7 +9,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 TEST(OutputFile, overwrites_nothing) {
@@ -62,4 +62,4 @@ TEST(OutputFile, a_piece_that_does_not_fit_leaves_no_trace) {
 }
 
 }  // namespace
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -8,7 +8,7 @@
 #include "roomcast/recording/mcap/linear_scan.h"
 #include "roomcast/recording/mcap/summary_section.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 Result<Reader> Reader::open(const std::filesystem::path& path) {
   auto source = open_file(path);
@@ -100,4 +100,4 @@ Error Reader::named(Error error) const {
   return {error.code, name_ + ": " + error.message};
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

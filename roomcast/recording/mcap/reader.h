@@ -15,7 +15,7 @@
 #include "roomcast/recording/mcap/byte_source.h"
 #include "roomcast/recording/mcap/chunk_contents.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 class Reader {
  public:
@@ -52,4 +52,4 @@ class Reader {
   std::uint64_t sound_bytes_ = 0;
 };
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

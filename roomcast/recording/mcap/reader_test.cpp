@@ -13,7 +13,7 @@
 #include "roomcast/recording/mcap/fields.h"
 #include "roomcast/recording/mcap/writer.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 Bytes file_bytes(const std::filesystem::path& path) {
@@ -207,4 +207,4 @@ TEST(McapReader, a_compression_that_it_does_not_know_is_named) {
 }
 
 }  // namespace
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -4,7 +4,7 @@
 #include "roomcast/core/crc32.h"
 #include "roomcast/recording/mcap/fields.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 template <class T>
@@ -223,4 +223,4 @@ std::optional<Record> take_record(ByteView& bytes) {
   return Record{opcode, content};
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -13,7 +13,7 @@
 
 #include "roomcast/recording/mcap/records.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
@@ -63,4 +63,4 @@ struct Record {
 /// whole.
 [[nodiscard]] std::optional<Record> take_record(ByteView& bytes);
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

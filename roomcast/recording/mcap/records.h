@@ -14,7 +14,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 
@@ -103,4 +103,4 @@ struct Summary {
   Statistics statistics;
 };
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

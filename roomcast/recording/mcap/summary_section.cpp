@@ -8,7 +8,7 @@
 #include "roomcast/core/crc32.h"
 #include "roomcast/recording/mcap/fields.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 namespace {
 
 /// The records of one opcode within the summary.
@@ -153,4 +153,4 @@ Result<Summary> read_summary(ByteView section, const Footer& footer) {
   return summary;
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

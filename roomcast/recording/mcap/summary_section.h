@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/recording/mcap/record_codec.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 /// Data end, summary, summary offsets, footer and magic, for a file that is `offset` bytes long.
 void append_end(Bytes& out, const Summary& summary, std::uint64_t offset);
@@ -29,4 +29,4 @@ struct Footer {
 /// when the CRC or a record is wrong.
 [[nodiscard]] Result<Summary> read_summary(ByteView section, const Footer& footer);
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

@@ -9,7 +9,7 @@
 #include "roomcast/recording/mcap/fields.h"
 #include "roomcast/recording/mcap/summary_section.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 Result<Writer> Writer::create(const std::filesystem::path& path, const WriterOptions& options) {
   auto file = OutputFile::create(path);
@@ -114,4 +114,4 @@ Status Writer::finish() {
   return chunk_status ? end_status : chunk_status;
 }
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

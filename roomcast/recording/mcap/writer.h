@@ -18,7 +18,7 @@
 #include "roomcast/recording/mcap/output_file.h"
 #include "roomcast/recording/mcap/record_codec.h"
 
-namespace roomcast::mcap {
+namespace roomcast::recording::mcap {
 
 struct WriterOptions {
   std::string profile;                  // of the MCAP registry, may be empty
@@ -72,4 +72,4 @@ class Writer {
   Bytes scratch_;
 };
 
-}  // namespace roomcast::mcap
+}  // namespace roomcast::recording::mcap

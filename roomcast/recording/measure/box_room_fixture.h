@@ -9,7 +9,7 @@
 
 #include "roomcast/recording/measure/static_room.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 inline const Eigen::Vector3d kBoxRoom_m(4, 3, 5);
 
@@ -52,4 +52,4 @@ inline std::vector<StaticSensor> box_room() {
           box_room_sensor("d", {-1.8, 1.8, 2.3}, {1, 1.2, -1.5})};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -12,7 +12,7 @@
 
 #include "roomcast/recording/export/depth_points.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr int kAround_px = 3;  // readings around a place, to each side
@@ -176,4 +176,4 @@ Result<MeasuredDistance> measure_distance(std::span<const StaticSensor> room,
   return measured;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -14,7 +14,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/recording/measure/static_room.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// A place to measure from, as a person gives it.
 struct PickedPlace {
@@ -48,4 +48,4 @@ inline constexpr double kNearSurface_m = 0.05;
                                                         const PickedPlace& from,
                                                         const PickedPlace& to);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -5,7 +5,7 @@
 
 #include "roomcast/recording/measure/box_room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 PickedPlace at(const Eigen::Vector3d& world_m) {
@@ -61,4 +61,4 @@ TEST(Distance, places_are_pixels_or_points) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -11,7 +11,7 @@
 
 #include "roomcast/recording/export/depth_points.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr double kUnitsPerMetre = 100;
@@ -178,4 +178,4 @@ std::string floor_plan_svg(const FloorPlan& plan, const std::string& title) {
   return svg + "</svg>\n";
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -13,7 +13,7 @@
 #include "roomcast/recording/measure/static_room.h"
 #include "roomcast/recording/measure/wall_finder.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct FloorPlan {
   std::vector<Wall> walls;
@@ -27,4 +27,4 @@ inline constexpr double kPlanCell_m = 0.04;
 
 [[nodiscard]] std::string floor_plan_svg(const FloorPlan& plan, const std::string& title);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -5,7 +5,7 @@
 
 #include "roomcast/recording/measure/box_room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 TEST(FloorPlan, an_empty_room_has_its_four_walls_with_corners) {
@@ -65,4 +65,4 @@ TEST(WallFinder, nothing_is_found_in_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

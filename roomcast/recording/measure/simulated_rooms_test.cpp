@@ -15,7 +15,7 @@
 #include "roomcast/recording/measure/floor_plan.h"
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr int kSensors = 3, kFrames = 7;
@@ -29,16 +29,16 @@ struct SeenRoom {
 
 SeenRoom look_at(std::string_view scene, std::uint64_t seed) {
   SeenRoom seen;
-  const auto room = *SimulatedRoom::build(scene, seed);
+  const auto room = *simulator::SimulatedRoom::build(scene, seed);
   seen.size_m = room->room().size_m.cast<double>();
   for (int i = 0; i < kSensors; ++i) {
-    SimulatedSensor::Options options;
+    simulator::SimulatedSensor::Options options;
     options.index = i;
     options.count = kSensors;
     options.seed = seed;
     options.speed = 0;
     options.sensing.half_color = true;
-    const auto sensor = *SimulatedSensor::open(room, options);
+    const auto sensor = *simulator::SimulatedSensor::open(room, options);
     auto moment = sensor->make_moment();
     sensor->look({}, moment);
     std::vector<DepthImage> depths_mm(kFrames);
@@ -46,7 +46,7 @@ SeenRoom look_at(std::string_view scene, std::uint64_t seed) {
       sensor->read_depth(static_cast<std::uint64_t>(f), moment,
                          depths_mm[static_cast<std::size_t>(f)]);
     seen.sensors.push_back({"s" + std::to_string(i), sensor->calibration().depth,
-                            sensor->world_from_depth(), 0, align::steady_depth(depths_mm).depth_mm,
+                            sensor->world_from_depth(), 0, alignment::steady_depth(depths_mm).depth_mm,
                             kFrames});
     const auto& exact = sensor->exact_calibration().depth;
     const DepthImage& clean_mm = sensor->clean_depth_mm(moment);
@@ -189,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SimulatedRooms, testing::Values("bare", "living
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/bundle/steady_depth.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 /// The frames of one sensor that its median is made of.
@@ -60,7 +60,7 @@ Result<std::vector<StaticSensor>> gather_static_room(
     if (!gathered[i].seen || (!gathered[i].world_from_depth && !alone)) continue;
     room.push_back(
         {sensors[i].name, sensors[i].depth, gathered[i].world_from_depth.value_or(RigidTransform()),
-         sensors[i].expected_error_m, align::steady_depth(gathered[i].depths_mm).depth_mm,
+         sensors[i].expected_error_m, alignment::steady_depth(gathered[i].depths_mm).depth_mm,
          gathered[i].depths_mm.size()});
   }
   if (!room.empty()) return room;
@@ -69,4 +69,4 @@ Result<std::vector<StaticSensor>> gather_static_room(
                "(roomcast align finds those of a rig)"};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

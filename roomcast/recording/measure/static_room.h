@@ -14,7 +14,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct StaticSensor {
   std::string name;
@@ -35,4 +35,4 @@ inline constexpr std::size_t kMaxStaticFrames = 30;
 [[nodiscard]] Result<std::vector<StaticSensor>> gather_static_room(
     FrameSetReader& reader, const std::function<void(std::size_t sets)>& progress = {});
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

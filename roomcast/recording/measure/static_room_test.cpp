@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 /// A wall 2 m away before which somebody stands in two of five frames.
@@ -57,4 +57,4 @@ TEST(StaticRoom, sensors_without_a_place_are_left_out_unless_there_is_but_one) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

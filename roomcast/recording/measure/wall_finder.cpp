@@ -12,7 +12,7 @@
 
 #include "roomcast/recording/export/depth_points.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 constexpr double kMaxTilt = 0.2;   // of an upright surface's normal: some 12 degrees
@@ -286,4 +286,4 @@ std::vector<Wall> find_walls(std::span<const UprightPoint> all) {
   return walls;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

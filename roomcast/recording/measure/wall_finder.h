@@ -19,7 +19,7 @@
 
 #include "roomcast/recording/measure/static_room.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// A point of an upright surface.
 struct UprightPoint {
@@ -45,4 +45,4 @@ inline constexpr double kLowest_m = 0.1, kHighest_m = 2.6;
 /// Largest first.
 [[nodiscard]] std::vector<Wall> find_walls(std::span<const UprightPoint> points);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

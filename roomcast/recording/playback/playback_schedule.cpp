@@ -6,7 +6,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
@@ -16,11 +16,11 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
 }  // namespace
 
 PlaybackSchedule::PlaybackSchedule(std::vector<nanoseconds> positions, nanoseconds loop_duration,
-                                   Pace pace, bool loop, HostTime opened)
+                                   source::Pace pace, bool loop, HostTime opened)
     : positions_(std::move(positions)), loop_duration_(loop_duration), pace_(pace), loop_(loop) {
   ROOMCAST_ASSERT(!positions_.empty());
   ROOMCAST_ASSERT(positions_.back() - positions_.front() < loop_duration_);
-  if (pace_ == Pace::kRealTime && !loop_) origin_ = opened - positions_.front();
+  if (pace_ == source::Pace::kRealTime && !loop_) origin_ = opened - positions_.front();
 }
 
 HostTime PlaybackSchedule::when(std::int64_t number) const {
@@ -41,7 +41,7 @@ std::int64_t PlaybackSchedule::first_not_before(HostTime time) const {
 std::optional<PlaybackSchedule::Due> PlaybackSchedule::next(HostTime now) {
   const auto count = static_cast<std::int64_t>(positions_.size());
   std::int64_t number = last_ ? *last_ + 1 : 0;
-  if (pace_ == Pace::kRealTime) {
+  if (pace_ == source::Pace::kRealTime) {
     const std::int64_t newest_due = first_not_before(now + nanoseconds(1)) - 1;
     if (!last_ && loop_) number = first_not_before(now);
     if (last_) number = std::max(number, loop_ ? newest_due : std::min(newest_due, count - 1));
@@ -52,4 +52,4 @@ std::optional<PlaybackSchedule::Due> PlaybackSchedule::next(HostTime now) {
   return Due{static_cast<std::size_t>(frame), when(number)};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -16,13 +16,13 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class PlaybackSchedule {
  public:
   /// `positions`: when each frame comes after the start of the loop, growing, spread over less than
   /// `loop_duration`; one at least. `opened`: now.
-  PlaybackSchedule(std::vector<nanoseconds> positions, nanoseconds loop_duration, Pace pace,
+  PlaybackSchedule(std::vector<nanoseconds> positions, nanoseconds loop_duration, source::Pace pace,
                    bool loop, HostTime opened);
 
   struct Due {
@@ -39,10 +39,10 @@ class PlaybackSchedule {
 
   std::vector<nanoseconds> positions_;
   nanoseconds loop_duration_;
-  Pace pace_;
+  source::Pace pace_;
   bool loop_;
   HostTime origin_;                   // when position 0 of round 0 is due
   std::optional<std::int64_t> last_;  // frames are numbered on from round to round
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -6,7 +6,7 @@
 
 #include "roomcast/core/interruptible_wait.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 std::vector<nanoseconds> positions_of(const Recording& recording) {
@@ -17,20 +17,20 @@ std::vector<nanoseconds> positions_of(const Recording& recording) {
   return positions;
 }
 
-ImageSize size_of(const CameraIntrinsics& camera) {
+io::ImageSize size_of(const CameraIntrinsics& camera) {
   return {camera.width, camera.height};
 }
 
-Result<std::unique_ptr<FrameSource>> play(Result<Recording> recording,
-                                          const PlaybackOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> play(Result<Recording> recording,
+                                          const source::PlaybackOptions& options) {
   if (!recording.ok()) return recording.error();
-  return std::unique_ptr<FrameSource>(
+  return std::unique_ptr<source::FrameSource>(
       std::make_unique<RecordingSource>(std::move(*recording), options, SteadyClock().now()));
 }
 
 }  // namespace
 
-RecordingSource::RecordingSource(Recording recording, const PlaybackOptions& options,
+RecordingSource::RecordingSource(Recording recording, const source::PlaybackOptions& options,
                                  HostTime opened)
     : recording_(std::move(recording)),
       schedule_(positions_of(recording_), recording_.loop_duration, options.pace, options.loop,
@@ -38,7 +38,7 @@ RecordingSource::RecordingSource(Recording recording, const PlaybackOptions& opt
       pace_(options.pace),
       depth_values_(recording_.camera) {}
 
-Result<bool> RecordingSource::next(CapturedFrame& frame, std::stop_token stop) {
+Result<bool> RecordingSource::next(source::CapturedFrame& frame, std::stop_token stop) {
   if (stop.stop_requested()) return false;
   const auto due = schedule_.next(SteadyClock().now());
   if (!due) return false;
@@ -47,10 +47,10 @@ Result<bool> RecordingSource::next(CapturedFrame& frame, std::stop_token stop) {
   frame.index = recorded.index;
   frame.device_time = recorded.device_time;
   frame.capture_time = due->when;
-  return pace_ == Pace::kAsFastAsPossible || wait_until(due->when, stop);
+  return pace_ == source::Pace::kAsFastAsPossible || wait_until(due->when, stop);
 }
 
-Status RecordingSource::read_pictures(const RecordedFrame& recorded, CapturedFrame& frame) {
+Status RecordingSource::read_pictures(const RecordedFrame& recorded, source::CapturedFrame& frame) {
   const SensorCalibration& calibration = recording_.description.calibration;
   Status status = reader_.read_depth(recorded.depth, size_of(calibration.depth), frame.depth_mm);
   if (!status.ok()) return status;
@@ -62,15 +62,15 @@ Status RecordingSource::read_pictures(const RecordedFrame& recorded, CapturedFra
   return reader_.read_color(recorded.color, size_of(calibration.color), frame.color);
 }
 
-Result<std::unique_ptr<FrameSource>> open_rig_source(const std::string& directory,
+Result<std::unique_ptr<source::FrameSource>> open_rig_source(const std::string& directory,
                                                      const std::string& sensor,
-                                                     const PlaybackOptions& options) {
+                                                     const source::PlaybackOptions& options) {
   return play(read_rig_recording(directory, sensor), options);
 }
 
-Result<std::unique_ptr<FrameSource>> open_tum_source(const std::string& directory,
-                                                     const PlaybackOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_tum_source(const std::string& directory,
+                                                     const source::PlaybackOptions& options) {
   return play(read_tum_recording(directory), options);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -17,35 +17,35 @@
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/playback/playback_schedule.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
-class RecordingSource final : public FrameSource {
+class RecordingSource final : public source::FrameSource {
  public:
-  RecordingSource(Recording recording, const PlaybackOptions& options, HostTime opened);
+  RecordingSource(Recording recording, const source::PlaybackOptions& options, HostTime opened);
 
-  [[nodiscard]] const SensorDescription& description() const override {
+  [[nodiscard]] const source::SensorDescription& description() const override {
     return recording_.description;
   }
   /// After an error (kNotFound, kMalformed, kTooLarge: a picture file is missing or damaged)
   /// playback goes on with the next frame.
-  [[nodiscard]] Result<bool> next(CapturedFrame& frame, std::stop_token stop) override;
+  [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override;
 
  private:
-  [[nodiscard]] Status read_pictures(const RecordedFrame& recorded, CapturedFrame& frame);
+  [[nodiscard]] Status read_pictures(const RecordedFrame& recorded, source::CapturedFrame& frame);
 
   Recording recording_;
   PlaybackSchedule schedule_;
-  Pace pace_;
-  ImageFileReader reader_;
-  DepthValues depth_values_;
+  source::Pace pace_;
+  io::ImageFileReader reader_;
+  io::DepthValues depth_values_;
 };
 
 /// A sensor of a rig folder. Errors of read_rig_recording.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_rig_source(const std::string& directory,
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_rig_source(const std::string& directory,
                                                                    const std::string& sensor,
-                                                                   const PlaybackOptions& options);
+                                                                   const source::PlaybackOptions& options);
 /// A folder in TUM RGB-D layout. Errors of read_tum_recording.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_tum_source(const std::string& directory,
-                                                                   const PlaybackOptions& options);
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_tum_source(const std::string& directory,
+                                                                   const source::PlaybackOptions& options);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -8,16 +8,16 @@
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using std::chrono::milliseconds;
 
-const PlaybackOptions kFastOnce{.pace = Pace::kAsFastAsPossible, .loop = false};
-const PlaybackOptions kFastLoop{.pace = Pace::kAsFastAsPossible, .loop = true};
+const source::PlaybackOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
+const source::PlaybackOptions kFastLoop{.pace = source::Pace::kAsFastAsPossible, .loop = true};
 
-std::unique_ptr<FrameSource> open_rig(const std::filesystem::path& rig, const std::string& sensor,
-                                      const PlaybackOptions& options) {
+std::unique_ptr<source::FrameSource> open_rig(const std::filesystem::path& rig, const std::string& sensor,
+                                      const source::PlaybackOptions& options) {
   auto source = open_rig_source(rig.string(), sensor, options);
   EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
   return source.ok() ? std::move(*source) : nullptr;
@@ -30,7 +30,7 @@ TEST(RigSource, gives_what_was_written) {
   EXPECT_EQ(source->description().name, "s0");
   EXPECT_EQ(source->description().fps, kSmallFps);
   EXPECT_TRUE(source->description().world_from_depth);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (std::uint64_t i = 0; i < 5; ++i) {
     const auto more = source->next(frame, {});
     ASSERT_TRUE(more.ok()) << more.error().message;
@@ -46,7 +46,7 @@ TEST(RigSource, gives_what_was_written) {
 TEST(RigSource, loops_with_the_same_frames_later) {
   const TemporaryFolder folder;
   const auto source = open_rig(write_small_rig(folder), "s0", kFastLoop);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (int i = 0; i < 12; ++i) {
     ASSERT_TRUE(*source->next(frame, {}));
     EXPECT_EQ(frame.index, static_cast<std::uint64_t>(i % 5));
@@ -59,7 +59,7 @@ TEST(RigSource, clock_offsets_are_taken_out_of_capture_times_only) {
   const auto rig = write_small_rig(folder);
   const auto first = open_rig(rig, "s0", kFastOnce);
   const auto second = open_rig(rig, "s1", kFastOnce);
-  CapturedFrame a, b;
+  source::CapturedFrame a, b;
   ASSERT_TRUE(*first->next(a, {}));
   ASSERT_TRUE(*second->next(b, {}));
   EXPECT_EQ(b.capture_time - a.capture_time, milliseconds(3));
@@ -69,7 +69,7 @@ TEST(RigSource, clock_offsets_are_taken_out_of_capture_times_only) {
 TEST(RigSource, a_dropped_frame_stays_a_gap) {
   const TemporaryFolder folder;
   const auto source = open_rig(write_small_rig(folder), "s1", kFastOnce);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   std::vector<std::uint64_t> indices;
   std::vector<HostTime> times;
   while (*source->next(frame, {})) {
@@ -84,7 +84,7 @@ TEST(RigSource, two_sources_play_the_same_instants_in_real_time) {
   const TemporaryFolder folder;
   const auto rig = write_small_rig(folder);
   const auto a = open_rig(rig, "s0", {});
-  CapturedFrame from_a, from_b;
+  source::CapturedFrame from_a, from_b;
   ASSERT_TRUE(*a->next(from_a, {}));
   const auto b = open_rig(rig, "s1", {});  // opened later
   ASSERT_TRUE(*b->next(from_b, {}));
@@ -100,7 +100,7 @@ TEST(RigSource, in_real_time_a_frame_comes_when_it_is_due_and_not_before) {
   const TemporaryFolder folder;
   const auto source = open_rig(write_small_rig(folder), "s0", {});
   const SteadyClock clock;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   HostTime last{};
   for (int i = 0; i < 4; ++i) {
     ASSERT_TRUE(*source->next(frame, {}));
@@ -120,7 +120,7 @@ TEST(RigSource, stop_ends_the_waiting) {
   ASSERT_TRUE(writer->add(0, small_frame(0, 0), nanoseconds(0)).ok());
   const auto source = open_rig(path, "s0", {});  // one frame in 1000 s
   std::stop_source stop;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   std::jthread stopper([&] { stop.request_stop(); });
   EXPECT_FALSE(*source->next(frame, stop.get_token()));
 }
@@ -131,9 +131,9 @@ TEST(RigSource, a_missing_or_damaged_picture_is_named_and_passed_over) {
   std::filesystem::remove(rig / "s0/depth/000001.png");
   truncate_file(rig / "s0/depth/000002.png", 0.7);
   truncate_file(rig / "s0/rgb/000003.jpg", 0.5);
-  ASSERT_TRUE(write_depth_png(rig / "s0/depth/000004.png", DepthImage(8, 8)).ok());
+  ASSERT_TRUE(io::write_depth_png(rig / "s0/depth/000004.png", DepthImage(8, 8)).ok());
   const auto source = open_rig(rig, "s0", kFastOnce);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   EXPECT_TRUE(*source->next(frame, {}));
   const std::pair<ErrorCode, const char*> expected[] = {{ErrorCode::kNotFound, "000001.png"},
                                                         {ErrorCode::kMalformed, "000002.png"},
@@ -181,7 +181,7 @@ TEST(RigSource, values_become_millimetres_and_invalid_ones_zero) {
   put_text(rig / "s0/camera.json", camera);
   const auto source = open_rig(rig, "s0", kFastOnce);
   ASSERT_TRUE(source);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(*source->next(frame, {}));
   EXPECT_EQ(frame.depth_mm.at(0, 0), 2000);
   EXPECT_EQ(frame.depth_mm.at(7, 0), 0);  // 1007 in the file
@@ -197,7 +197,7 @@ std::filesystem::path write_tum(const TemporaryFolder& folder) {
   put_text(path / "depth.txt", "10.00 depth/a.png\n10.10 depth/b.png\n10.20 depth/c.png\n");
   for (const char* name : {"a", "b", "c"}) {
     const auto file = path / "depth" / (std::string(name) + ".png");
-    EXPECT_TRUE(write_depth_png(file, DepthImage(40, 30, 5000)).ok());
+    EXPECT_TRUE(io::write_depth_png(file, DepthImage(40, 30, 5000)).ok());
   }
   return path;
 }
@@ -208,7 +208,7 @@ TEST(TumSource, plays_a_folder_without_colour) {
   ASSERT_TRUE(source.ok()) << source.error().message;
   EXPECT_EQ((*source)->description().name, "office");
   EXPECT_NEAR((*source)->description().fps, 10, 1e-6);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (std::uint64_t i = 0; i < 3; ++i) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
     EXPECT_EQ(frame.index, i);
@@ -222,12 +222,12 @@ TEST(TumSource, takes_the_colour_nearest_in_time) {
   const TemporaryFolder folder;
   const auto path = write_tum(folder);
   put_text(path / "rgb.txt", "9.99 x.png\n10.04 red.png\n10.17 x.png\n10.22 blue.png\n");
-  ASSERT_TRUE(write_color_png(path / "x.png", ColorImage(40, 30, {0, 255, 0})).ok());
-  ASSERT_TRUE(write_color_png(path / "red.png", ColorImage(40, 30, {255, 0, 0})).ok());
-  ASSERT_TRUE(write_color_png(path / "blue.png", ColorImage(40, 30, {0, 0, 255})).ok());
+  ASSERT_TRUE(io::write_color_png(path / "x.png", ColorImage(40, 30, {0, 255, 0})).ok());
+  ASSERT_TRUE(io::write_color_png(path / "red.png", ColorImage(40, 30, {255, 0, 0})).ok());
+  ASSERT_TRUE(io::write_color_png(path / "blue.png", ColorImage(40, 30, {0, 0, 255})).ok());
   auto source = open_tum_source(path.string(), kFastOnce);
   ASSERT_TRUE(source.ok()) << source.error().message;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(*(*source)->next(frame, {}));
   EXPECT_EQ(frame.color.at(0, 0), (Rgb8{0, 255, 0}));
   ASSERT_TRUE(*(*source)->next(frame, {}));
@@ -240,10 +240,10 @@ TEST(TumSource, associations_say_which_colour_belongs_to_which_depth) {
   const TemporaryFolder folder;
   const auto path = write_tum(folder);
   put_text(path / "associations.txt", "12.0 red.png 10.10 depth/b.png\n");
-  ASSERT_TRUE(write_color_png(path / "red.png", ColorImage(40, 30, {255, 0, 0})).ok());
+  ASSERT_TRUE(io::write_color_png(path / "red.png", ColorImage(40, 30, {255, 0, 0})).ok());
   auto source = open_tum_source(path.string(), kFastOnce);
   ASSERT_TRUE(source.ok()) << source.error().message;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(*(*source)->next(frame, {}));
   EXPECT_TRUE(frame.color.empty());
   ASSERT_TRUE(*(*source)->next(frame, {}));
@@ -296,4 +296,4 @@ TEST(Recording, a_rig_loops_after_a_whole_number_of_frames_for_all_sensors) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -14,7 +14,7 @@
 #include "roomcast/recording/room/room_recording.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using recording::RecordedMessage;
@@ -23,16 +23,16 @@ using recording::RecordingCursor;
 using recording::RoomRecording;
 
 /// What was recorded is in the depth grid already, whatever the sensor's colour camera was.
-Result<SensorDescription> describe(const RoomRecording& recording, const RecordedSensor& sensor) {
-  auto calibration = calibration_from_message(sensor.entry.calibration());
+Result<source::SensorDescription> describe(const RoomRecording& recording, const RecordedSensor& sensor) {
+  auto calibration = client::calibration_from_message(sensor.entry.calibration());
   if (!calibration) return calibration.error();
-  SensorDescription description;
+  source::SensorDescription description;
   description.name = sensor.name;
   description.calibration = {calibration->depth, calibration->depth, {}, true};
   description.fps = sensor.entry.fps();
   for (const auto& entry : recording.roster_at(recording.start()).sensors()) {
     if (entry.name() != sensor.name || entry.placement() == wire::pb::PLACEMENT_UNPLACED) continue;
-    auto pose = read_transform(entry.world_from_depth());
+    auto pose = client::read_transform(entry.world_from_depth());
     if (!pose) return pose.error();
     description.world_from_depth = *pose;
   }
@@ -52,10 +52,10 @@ nanoseconds longest_period(const RoomRecording& recording) {
   return longest;
 }
 
-class ReplaySource final : public FrameSource {
+class ReplaySource final : public source::FrameSource {
  public:
-  ReplaySource(RoomRecording recording, const RecordedSensor& sensor, SensorDescription description,
-               std::unique_ptr<codec::FrameDecoder> decoder, const PlaybackOptions& options)
+  ReplaySource(RoomRecording recording, const RecordedSensor& sensor, source::SensorDescription description,
+               std::unique_ptr<codec::FrameDecoder> decoder, const source::PlaybackOptions& options)
       : recording_(std::move(recording)),
         sensor_(sensor),
         description_(std::move(description)),
@@ -67,9 +67,9 @@ class ReplaySource final : public FrameSource {
     begin();
   }
 
-  const SensorDescription& description() const override { return description_; }
+  const source::SensorDescription& description() const override { return description_; }
 
-  Result<bool> next(CapturedFrame& frame, std::stop_token stop) override {
+  Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
     while (!stop.stop_requested()) {
       RecordedMessage recorded;
       const auto more = cursor_.next(recorded);
@@ -82,7 +82,7 @@ class ReplaySource final : public FrameSource {
       if (recorded.message.channel != sensor_.frames_channel) continue;
       if (!decode(recorded.message.data, frame)) continue;
       frame.capture_time = due(recorded.message.publish_time);
-      if (options_.pace == Pace::kAsFastAsPossible) return true;
+      if (options_.pace == source::Pace::kAsFastAsPossible) return true;
       // Who comes late decodes on, as later frames need it, and shows the one that is due.
       if (SteadyClock().now() - frame.capture_time > period_) continue;
       return wait_until(frame.capture_time, stop);
@@ -92,7 +92,7 @@ class ReplaySource final : public FrameSource {
 
  private:
   void begin() {
-    if (options_.pace == Pace::kAsFastAsPossible) return;
+    if (options_.pace == source::Pace::kAsFastAsPossible) return;
     const HostTime now = SteadyClock().now();
     round_began_ = now;
     if (!options_.loop) return;
@@ -111,7 +111,7 @@ class ReplaySource final : public FrameSource {
   HostTime due(nanoseconds taken) const { return round_began_ + (taken - recording_.origin()); }
 
   /// False where it cannot be decoded: after damage, until the next key frame.
-  bool decode(std::span<const std::uint8_t> message, CapturedFrame& frame) {
+  bool decode(std::span<const std::uint8_t> message, source::CapturedFrame& frame) {
     const auto header = wire::parse_frame(message);
     if (!header || !chain_.may_decode(*header)) return false;
     if (!decoder_->decode(message.subspan(header->header_length), decoded_)) {
@@ -133,13 +133,13 @@ class ReplaySource final : public FrameSource {
 
   const RoomRecording recording_;
   const RecordedSensor sensor_;
-  const SensorDescription description_;
+  const source::SensorDescription description_;
   const std::unique_ptr<codec::FrameDecoder> decoder_;
-  const PlaybackOptions options_;
+  const source::PlaybackOptions options_;
   const nanoseconds period_, length_;
   RecordingCursor cursor_;
   HostTime round_began_{};
-  FrameChain chain_;
+  client::FrameChain chain_;
   codec::DecodedFrame decoded_;
   std::uint64_t index_ = 0;
 };
@@ -153,9 +153,9 @@ Error no_such_sensor(const RoomRecording& recording, const std::string& sensor) 
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> open_replay_source(const std::filesystem::path& file,
+Result<std::unique_ptr<source::FrameSource>> open_replay_source(const std::filesystem::path& file,
                                                         const std::string& sensor,
-                                                        const PlaybackOptions& options) {
+                                                        const source::PlaybackOptions& options) {
   auto recording = RoomRecording::open(file);
   if (!recording) return recording.error();
   const auto& sensors = recording->sensors();
@@ -168,7 +168,7 @@ Result<std::unique_ptr<FrameSource>> open_replay_source(const std::filesystem::p
   auto decoder = codec::FrameDecoder::create(grid.width, grid.height);
   if (!decoder) return decoder.error();
   const RecordedSensor chosen = *found;
-  return std::unique_ptr<FrameSource>(std::make_unique<ReplaySource>(
+  return std::unique_ptr<source::FrameSource>(std::make_unique<ReplaySource>(
       std::move(*recording), chosen, std::move(*description), std::move(*decoder), options));
 }
 
@@ -180,4 +180,4 @@ Result<std::vector<std::string>> replay_sensor_names(const std::filesystem::path
   return names;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -13,15 +13,15 @@
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 /// `sensor` by name; empty: the first. Errors as RoomRecording::open; kNotFound for a sensor that
 /// sent nothing (the message lists those that did).
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> open_replay_source(
-    const std::filesystem::path& file, const std::string& sensor, const PlaybackOptions& options);
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_replay_source(
+    const std::filesystem::path& file, const std::string& sensor, const source::PlaybackOptions& options);
 
 /// Those that sent frames, by name. Errors as RoomRecording::open.
 [[nodiscard]] Result<std::vector<std::string>> replay_sensor_names(
     const std::filesystem::path& file);
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -6,16 +6,16 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/room/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using recording::RecordingFixtureRoom;
 
 class ReplaySourceTest : public testing::Test {
  protected:
-  Result<std::unique_ptr<FrameSource>> open(const std::string& sensor, bool loop = false,
-                                            Pace pace = Pace::kAsFastAsPossible) const {
-    PlaybackOptions options;
+  Result<std::unique_ptr<source::FrameSource>> open(const std::string& sensor, bool loop = false,
+                                            source::Pace pace = source::Pace::kAsFastAsPossible) const {
+    source::PlaybackOptions options;
     options.pace = pace;
     options.loop = loop;
     return open_replay_source(path, sensor, options);
@@ -29,7 +29,7 @@ TEST_F(ReplaySourceTest, gives_every_frame_as_it_was) {
   RecordingFixtureRoom().record(path, 12);
   auto source = open("s1");
   ASSERT_TRUE(source.ok()) << source.error().message;
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   for (int instant = 0; instant < 12; ++instant) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
     EXPECT_EQ(frame.depth_mm, RecordingFixtureRoom::depth(instant));
@@ -44,7 +44,7 @@ TEST_F(ReplaySourceTest, gives_every_frame_as_it_was) {
 TEST_F(ReplaySourceTest, knows_where_the_sensor_stood) {
   RecordingFixtureRoom().record(path, 8, true, 5);
   auto source = open("s1");
-  const SensorDescription& description = (*source)->description();
+  const source::SensorDescription& description = (*source)->description();
   EXPECT_EQ(description.name, "s1");
   EXPECT_EQ(description.fps, 10);
   EXPECT_TRUE(description.calibration.color_is_registered);
@@ -55,7 +55,7 @@ TEST_F(ReplaySourceTest, knows_where_the_sensor_stood) {
 TEST_F(ReplaySourceTest, starts_again_at_the_end) {
   RecordingFixtureRoom().record(path, 3);
   auto source = open("s0", true);
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   std::vector<HostTime> times;
   for (int i = 0; i < 7; ++i) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
@@ -73,7 +73,7 @@ TEST_F(ReplaySourceTest, starts_again_at_the_end) {
 TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
   RecordingFixtureRoom().with_last_fps(7).record(path, 3);
   auto first = open("s0", true), second = open("s1", true);
-  CapturedFrame from_first, from_second;
+  source::CapturedFrame from_first, from_second;
   for (int i = 0; i < 7; ++i) {
     ASSERT_TRUE(*(*first)->next(from_first, {}));
     ASSERT_TRUE(*(*second)->next(from_second, {}));
@@ -83,9 +83,9 @@ TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
 
 TEST_F(ReplaySourceTest, a_loop_in_real_time_shows_what_is_due_now) {
   RecordingFixtureRoom().record(path, 20);
-  auto source = open("s0", true, Pace::kRealTime);
+  auto source = open("s0", true, source::Pace::kRealTime);
   const HostTime before = SteadyClock().now();
-  CapturedFrame frame;
+  source::CapturedFrame frame;
   ASSERT_TRUE(*(*source)->next(frame, {}));
   EXPECT_GT(frame.capture_time, before - 2 * RecordingFixtureRoom::kPeriod);
   EXPECT_LT(frame.capture_time, before + std::chrono::seconds(1));
@@ -104,4 +104,4 @@ TEST_F(ReplaySourceTest, lists_the_sensors_that_there_are) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

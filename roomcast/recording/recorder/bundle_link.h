@@ -11,14 +11,14 @@
 #include "roomcast/client/credential.h"
 #include "roomcast/client/hub_link.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
-class BundleLink final : private HubLinkEvents {
+class BundleLink final : private client::HubLinkEvents {
  public:
   using OnBundle = std::function<void(const wire::pb::CalibrationBundle&)>;
 
   BundleLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, const std::string& room,
-             const Credential& credential, OnBundle on_bundle)
+             const client::Credential& credential, OnBundle on_bundle)
       : on_bundle_(std::move(on_bundle)),
         link_(io, std::move(hubs), join_message(room, credential), *this) {
     link_.start();
@@ -26,7 +26,7 @@ class BundleLink final : private HubLinkEvents {
   ~BundleLink() override { link_.stop(); }
 
  private:
-  static wire::pb::Join join_message(const std::string& room, const Credential& credential) {
+  static wire::pb::Join join_message(const std::string& room, const client::Credential& credential) {
     wire::pb::Join join;
     join.set_room(room);
     join.set_name("recorder");
@@ -41,11 +41,11 @@ class BundleLink final : private HubLinkEvents {
   }
   void on_frame(net::MessageBuffer) override {}
   net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate&) override {}
+  void on_clock(const client::ClockEstimate&) override {}
   void on_down(const Error&, bool) override {}
 
   OnBundle on_bundle_;
-  HubLink link_;
+  client::HubLink link_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

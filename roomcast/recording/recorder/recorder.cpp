@@ -17,7 +17,7 @@
 #include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording_writer.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 namespace pb = wire::pb;
@@ -37,7 +37,7 @@ pb::Join join_message(const RecorderOptions& options) {
 
 }  // namespace
 
-class Recorder::Link final : public HubLinkEvents {
+class Recorder::Link final : public client::HubLinkEvents {
  public:
   Link(std::vector<net::HubUrl> hubs, RecorderOptions options)
       : options_(std::move(options)),
@@ -88,9 +88,9 @@ class Recorder::Link final : public HubLinkEvents {
   }
 
   void on_welcome(const pb::Welcome& welcome) override {
-    const ViewerRights rights{.may_record = welcome.may_record(),
+    const client::ViewerRights rights{.may_record = welcome.may_record(),
                               .may_export = welcome.may_export()};
-    if (auto may = check_may_record(rights); !may) return fail(may.error());
+    if (auto may = client::check_may_record(rights); !may) return fail(may.error());
     clock_is_known_ = false;
     held_.clear();
     {
@@ -105,7 +105,7 @@ class Recorder::Link final : public HubLinkEvents {
   }
   void on_frame(net::MessageBuffer message) override { take(Held(std::move(message))); }
   net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate& estimate) override;
+  void on_clock(const client::ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 
  private:
@@ -144,9 +144,9 @@ class Recorder::Link final : public HubLinkEvents {
   std::deque<Held> held_;                                        // until the clock is known
   std::map<std::uint32_t, pb::CalibrationBundle> held_bundles_;  // until the roster is known
   bool finished_ = false;
-  NetworkThread network_;
+  client::NetworkThread network_;
   boost::asio::steady_timer chunk_timer_;
-  HubLink link_;
+  client::HubLink link_;
   std::optional<BundleLink> bundles_;
 };
 
@@ -163,7 +163,7 @@ void Recorder::Link::make_file(const std::string& room) {
   changed_.notify_all();
 }
 
-void Recorder::Link::on_clock(const ClockEstimate& estimate) {
+void Recorder::Link::on_clock(const client::ClockEstimate& estimate) {
   if (clock_is_known_ || !writer_) return;
   clock_is_known_ = true;
   const HostTime now = SteadyClock().now();
@@ -278,4 +278,4 @@ std::string Recorder::room() const {
   return link_->room();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -16,12 +16,12 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct RecorderOptions {
   std::string hub_url;
   std::string room;  // empty: the hub's only one
-  Credential credential = {};
+  client::Credential credential = {};
   bool bundles = false;  // kept, too: what sensors can be placed by; takes an admin's token
   std::filesystem::path path;
   LogSink log;
@@ -58,4 +58,4 @@ class Recorder {
   std::unique_ptr<Link> link_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -12,7 +12,7 @@
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/recording/room/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using namespace std::chrono_literals;
@@ -44,17 +44,17 @@ class RecorderTest : public testing::Test {
   void say_roster() {
     wire::pb::Control control;
     *control.mutable_roster() = room.roster();
-    on_hub([&](FakeHub& h) { h.say(control); });
+    on_hub([&](client::FakeHub& h) { h.say(control); });
   }
   std::vector<std::uint8_t> say_frame(int sensor, int instant) {
     auto bytes = room.frame(sensor, instant);
-    on_hub([&](FakeHub& h) { h.say(net::frame_message(net::MessageBuffer(bytes))); });
+    on_hub([&](client::FakeHub& h) { h.say(net::frame_message(net::MessageBuffer(bytes))); });
     return bytes;
   }
   bool joined_again() {
     return within_5_s([&] {
       int joins = 0;
-      on_hub([&](FakeHub& h) { joins = h.joins; });
+      on_hub([&](client::FakeHub& h) { joins = h.joins; });
       return joins == 2;
     });
   }
@@ -65,8 +65,8 @@ class RecorderTest : public testing::Test {
     return done();
   }
 
-  NetworkThread network;
-  std::optional<FakeHub> hub{std::in_place, network.io()};
+  client::NetworkThread network;
+  std::optional<client::FakeHub> hub{std::in_place, network.io()};
   recording::RecordingFixtureRoom room;
   TemporaryFolder folder;
   std::filesystem::path path = folder / "room.mcap";
@@ -109,7 +109,7 @@ TEST_F(RecorderTest, what_comes_without_more_is_on_disk_within_a_second) {
 
 TEST_F(RecorderTest, says_that_it_records) {
   ASSERT_TRUE(open().ok());
-  on_hub([](FakeHub& h) { EXPECT_TRUE(h.heard.at(0).join().viewer().records()); });
+  on_hub([](client::FakeHub& h) { EXPECT_TRUE(h.heard.at(0).join().viewer().records()); });
 }
 
 TEST_F(RecorderTest, shows_its_token_and_joins_as_an_aligner_too_where_bundles_are_kept) {
@@ -119,7 +119,7 @@ TEST_F(RecorderTest, shows_its_token_and_joins_as_an_aligner_too_where_bundles_a
   ASSERT_TRUE(open(std::move(options)).ok());
   std::vector<wire::pb::Control> heard;
   EXPECT_TRUE(within_5_s([&] {
-    on_hub([&](FakeHub& h) { heard = h.heard; });
+    on_hub([&](client::FakeHub& h) { heard = h.heard; });
     return heard.size() == 2;
   }));
   for (const auto& control : heard) EXPECT_EQ(control.join().token(), "sesame");
@@ -135,7 +135,7 @@ TEST_F(RecorderTest, overwrites_nothing) {
 }
 
 TEST_F(RecorderTest, a_refusal_leaves_no_file) {
-  on_hub([](FakeHub& h) { h.refuse_joins_with = wire::pb::ERROR_NO_SUCH_ROOM; });
+  on_hub([](client::FakeHub& h) { h.refuse_joins_with = wire::pb::ERROR_NO_SUCH_ROOM; });
   ASSERT_FALSE(open().ok());
   EXPECT_FALSE(std::filesystem::exists(path));
 }
@@ -145,7 +145,7 @@ TEST_F(RecorderTest, goes_on_when_the_hub_comes_back) {
   say_roster();
   say_frame(0, 0);
   EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 1; }));
-  on_hub([](FakeHub& h) { h.hang_up(); });
+  on_hub([](client::FakeHub& h) { h.hang_up(); });
   EXPECT_TRUE(joined_again());
   say_roster();
   say_frame(0, 5);
@@ -177,7 +177,7 @@ TEST_F(RecorderTest, a_full_disk_ends_the_recording_with_a_sentence_and_the_file
 }
 
 TEST_F(RecorderTest, a_room_that_does_not_let_viewers_record_is_not_kept) {
-  on_hub([](FakeHub& h) { h.lets_record = false; });
+  on_hub([](client::FakeHub& h) { h.lets_record = false; });
   const auto status = open();
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().message, "this room does not let viewers record");
@@ -186,7 +186,7 @@ TEST_F(RecorderTest, a_room_that_does_not_let_viewers_record_is_not_kept) {
 
 TEST_F(RecorderTest, a_recording_ends_where_the_hub_lets_it_record_no_more) {
   ASSERT_TRUE(open().ok());
-  on_hub([](FakeHub& h) {
+  on_hub([](client::FakeHub& h) {
     h.lets_record = false;
     h.hang_up();
   });
@@ -198,7 +198,7 @@ TEST_F(RecorderTest, the_file_says_where_the_room_is_not_to_be_exported_also_lat
   ASSERT_TRUE(open().ok());
   say_roster();
   say_frame(0, 0);
-  on_hub([](FakeHub& h) {
+  on_hub([](client::FakeHub& h) {
     h.lets_export = false;
     h.hang_up();
   });
@@ -214,4 +214,4 @@ TEST_F(RecorderTest, the_file_says_where_the_room_is_not_to_be_exported_also_lat
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

@@ -10,7 +10,7 @@
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using namespace std::chrono_literals;
@@ -21,11 +21,11 @@ using recording::RecordingCursor;
 constexpr auto kLookForTurn = 2ms;
 constexpr auto kGiveUpTurn = 2s;  // the hub is away: what is due now is left out
 
-Result<PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
+Result<client::PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
                                            const RoomPlayerOptions& options) {
-  auto calibration = calibration_from_message(entry.calibration());
+  auto calibration = client::calibration_from_message(entry.calibration());
   if (!calibration) return calibration.error();
-  PublisherOptions publisher;
+  client::PublisherOptions publisher;
   publisher.hub_url = options.hub_url;
   publisher.room = options.room;
   publisher.credential = options.credential;
@@ -34,7 +34,7 @@ Result<PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
   publisher.fps = entry.fps() * options.speed;
   publisher.log = options.log;
   if (entry.placement() != wire::pb::PLACEMENT_UNPLACED) {
-    auto pose = read_transform(entry.world_from_depth());
+    auto pose = client::read_transform(entry.world_from_depth());
     if (!pose) return pose.error();
     publisher.world_from_depth = *pose;
   }
@@ -68,7 +68,7 @@ Status RoomPlayer::join() {
   for (const auto& sensor : recording_.sensors()) {
     auto options = publisher_options(sensor.entry, options_);
     if (!options) return options.error();
-    auto publisher = Publisher::open(std::move(*options));
+    auto publisher = client::Publisher::open(std::move(*options));
     if (!publisher) return publisher.error();
     sensors_[sensor.frames_channel].publisher = std::move(*publisher);
   }
@@ -132,7 +132,7 @@ Result<bool> RoomPlayer::play_from(nanoseconds from, const std::stop_token& stop
   }
 }
 
-Status RoomPlayer::send(Sensor& sensor, const mcap::Message& message, HostTime capture_time,
+Status RoomPlayer::send(Sensor& sensor, const recording::mcap::Message& message, HostTime capture_time,
                         const std::stop_token& stop) {
   const auto header = wire::parse_frame(message.data);
   if (!header || !sensor.chain.may_decode(*header)) return {};
@@ -148,7 +148,7 @@ Status RoomPlayer::send(Sensor& sensor, const mcap::Message& message, HostTime c
     return {};
   }
   sensor.session = turn->session;
-  auto copy = Publisher::begin_frame();
+  auto copy = client::Publisher::begin_frame();
   copy.append(message.data.subspan(header->header_length));
   if (!sensor.publisher->publish(*turn, {header->key, header->layer}, capture_time,
                                  std::move(copy))) {
@@ -176,4 +176,4 @@ PlayProgress RoomPlayer::progress() const {
   return {position_s_, published_};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

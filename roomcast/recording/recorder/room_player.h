@@ -19,12 +19,12 @@
 #include "roomcast/core/result.h"
 #include "roomcast/recording/room/room_recording.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 struct RoomPlayerOptions {
   std::string hub_url;
   std::string room;            // empty: the hub's only one
-  Credential credential = {};  // shown by every sensor
+  client::Credential credential = {};  // shown by every sensor
   double from_s = 0;           // where in the recording to begin: with the key frames before that
   double speed = 1;            // 2: twice as fast
   bool loop = false;
@@ -53,8 +53,8 @@ class RoomPlayer {
 
  private:
   struct Sensor {
-    std::unique_ptr<Publisher> publisher;
-    FrameChain chain;  // of what was sent
+    std::unique_ptr<client::Publisher> publisher;
+    client::FrameChain chain;  // of what was sent
     std::uint64_t session = 0;
   };
 
@@ -64,15 +64,15 @@ class RoomPlayer {
   void send_bundles();
   /// Once from `from` to the end. False when stopped.
   Result<bool> play_from(nanoseconds from, const std::stop_token& stop);
-  Status send(Sensor& sensor, const mcap::Message& message, HostTime capture_time,
+  Status send(Sensor& sensor, const recording::mcap::Message& message, HostTime capture_time,
               const std::stop_token& stop);
   void wait_until_sent(const std::stop_token& stop) const;
 
   const recording::RoomRecording& recording_;
   const RoomPlayerOptions options_;
-  std::map<mcap::ChannelId, Sensor> sensors_;
+  std::map<recording::mcap::ChannelId, Sensor> sensors_;
   std::atomic<double> position_s_ = 0;
   std::atomic<std::uint64_t> published_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

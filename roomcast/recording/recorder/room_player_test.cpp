@@ -11,7 +11,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/room/recording_fixture.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 using recording::RecordingFixtureRoom;
@@ -47,8 +47,8 @@ class RoomPlayerTest : public testing::Test {
     return frames.get_future().get();
   }
 
-  NetworkThread network;
-  std::optional<FakeHub> hub{std::in_place, network.io()};
+  client::NetworkThread network;
+  std::optional<client::FakeHub> hub{std::in_place, network.io()};
   TemporaryFolder folder;
   std::filesystem::path path = folder / "room.mcap";
   std::optional<RoomRecording> recording;
@@ -114,4 +114,4 @@ TEST_F(RoomPlayerTest, refuses_a_speed_that_makes_no_sense) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

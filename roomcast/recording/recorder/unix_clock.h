@@ -7,7 +7,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::recording {
 
 class UnixClock {
  public:
@@ -22,4 +22,4 @@ class UnixClock {
       std::chrono::system_clock::now().time_since_epoch() - SteadyClock().now().time_since_epoch();
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::recording

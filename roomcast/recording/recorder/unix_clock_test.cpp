@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::recording {
 namespace {
 
 TEST(UnixClock, begins_with_the_time_of_day_and_goes_on_evenly) {
@@ -16,4 +16,4 @@ TEST(UnixClock, begins_with_the_time_of_day_and_goes_on_evenly) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::recording

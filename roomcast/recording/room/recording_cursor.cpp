@@ -8,11 +8,11 @@
 namespace roomcast::recording {
 namespace {
 
-bool is_sound(const mcap::Message& message) {
+bool is_sound(const recording::mcap::Message& message) {
   return is_plausible(message.log_time) && is_plausible(message.publish_time);
 }
 
-bool is_sound_frame(const mcap::Message& message) {
+bool is_sound_frame(const recording::mcap::Message& message) {
   const auto header = wire::parse_frame(message.data);
   return header && is_plausible(header->capture_time.time_since_epoch());
 }

@@ -13,7 +13,7 @@ namespace roomcast::recording {
 struct RecordedMessage {
   /// kFrame only where wire::parse_frame takes it and its times are plausible.
   MessageKind kind = MessageKind::kOther;
-  mcap::Message message;  // its data is valid until the next call of next()
+  recording::mcap::Message message;  // its data is valid until the next call of next()
 };
 
 class RecordingCursor {
@@ -29,7 +29,7 @@ class RecordingCursor {
  private:
   const RoomRecording* recording_;
   std::size_t next_chunk_;
-  mcap::ChunkContents chunk_;
+  recording::mcap::ChunkContents chunk_;
   std::size_t next_message_ = 0;
 };
 

@@ -81,8 +81,8 @@ class RecordingFixtureRoom {
       entry.set_online(true);
       entry.set_fps(i + 1 == static_cast<int>(encoders_.size()) ? last_fps_ : 10);
       entry.set_placement(placed ? wire::pb::PLACEMENT_ALIGNED : wire::pb::PLACEMENT_UNPLACED);
-      *entry.mutable_calibration() = message_from_calibration(calibration());
-      write_transform(placed ? world_from_depth(i) : RigidTransform(),
+      *entry.mutable_calibration() = client::message_from_calibration(calibration());
+      client::write_transform(placed ? world_from_depth(i) : RigidTransform(),
                       *entry.mutable_world_from_depth());
     }
     return roster;

@@ -22,19 +22,19 @@ std::optional<wire::pb::Roster> parse_roster(std::span<const std::uint8_t> bytes
   return std::move(*control.mutable_roster());
 }
 
-bool holds(const mcap::ChunkIndex& chunk, mcap::ChannelId channel) {
+bool holds(const recording::mcap::ChunkIndex& chunk, recording::mcap::ChannelId channel) {
   return chunk.message_index_offsets.empty() || chunk.message_index_offsets.contains(channel);
 }
 
 }  // namespace
 
 Result<RoomRecording> RoomRecording::open(const std::filesystem::path& path) {
-  auto file = mcap::Reader::open(path);
+  auto file = recording::mcap::Reader::open(path);
   if (!file) return file.error();
   return from(std::move(*file));
 }
 
-Result<RoomRecording> RoomRecording::from(mcap::Reader file) {
+Result<RoomRecording> RoomRecording::from(recording::mcap::Reader file) {
   RoomRecording recording(std::move(file));
   if (auto status = recording.read_about(); !status) return status.error();
   if (auto status = recording.check_times(); !status) return status.error();
@@ -73,19 +73,19 @@ void RoomRecording::find_origin() {
   constexpr nanoseconds kLongestWay = std::chrono::seconds(10);  // from a sensor to the recorder
   origin_ = start();
   const auto first =
-      file_.summary().chunks.empty() ? Result<mcap::ChunkContents>(Error()) : file_.chunk(0);
+      file_.summary().chunks.empty() ? Result<recording::mcap::ChunkContents>(Error()) : file_.chunk(0);
   if (!first) return;
-  for (const mcap::Message& message : first->messages) {
+  for (const recording::mcap::Message& message : first->messages) {
     if (kind_of(message.channel) == MessageKind::kFrame && is_plausible(message.publish_time))
       origin_ = std::min(origin_, message.publish_time);
   }
   origin_ = std::max(origin_, start() - kLongestWay);
 }
 
-MessageKind RoomRecording::kind_of(mcap::ChannelId id) const {
+MessageKind RoomRecording::kind_of(recording::mcap::ChannelId id) const {
   const auto found = file_.summary().channels.find(id);
   if (found == file_.summary().channels.end()) return MessageKind::kOther;
-  const mcap::Channel& channel = found->second;
+  const recording::mcap::Channel& channel = found->second;
   if (channel.topic == kRosterTopic) return MessageKind::kRoster;
   if (channel.topic == kPosesTopic) return MessageKind::kPoses;
   if (channel.topic == kClockTopic) return MessageKind::kClock;
@@ -95,18 +95,18 @@ MessageKind RoomRecording::kind_of(mcap::ChannelId id) const {
 }
 
 Status RoomRecording::read_rosters() {
-  std::set<mcap::ChannelId> channels;
+  std::set<recording::mcap::ChannelId> channels;
   for (const auto& [id, channel] : file_.summary().channels) {
     if (kind_of(id) == MessageKind::kRoster) channels.insert(id);
   }
-  const auto has_roster = [&](const mcap::ChunkIndex& chunk) {
-    return std::ranges::any_of(channels, [&](mcap::ChannelId id) { return holds(chunk, id); });
+  const auto has_roster = [&](const recording::mcap::ChunkIndex& chunk) {
+    return std::ranges::any_of(channels, [&](recording::mcap::ChannelId id) { return holds(chunk, id); });
   };
   for (std::size_t i = 0; i < file_.summary().chunks.size(); ++i) {
     if (!has_roster(file_.summary().chunks[i])) continue;
     const auto chunk = file_.chunk(i);
     if (!chunk) continue;  // damaged: who plays it will hear of that
-    for (const mcap::Message& message : chunk->messages) {
+    for (const recording::mcap::Message& message : chunk->messages) {
       if (!channels.contains(message.channel)) continue;
       if (auto roster = parse_roster(message.data))
         rosters_.push_back({message.log_time, std::move(*roster)});
@@ -166,13 +166,13 @@ const wire::pb::Roster& RoomRecording::roster_at(nanoseconds time) const {
 std::size_t RoomRecording::chunk_to_decode_from(nanoseconds time,
                                                 std::span<const RecordedSensor> sensors) const {
   const auto& chunks = file_.summary().chunks;
-  std::set<mcap::ChannelId> without_key;
+  std::set<recording::mcap::ChannelId> without_key;
   for (const RecordedSensor& sensor : sensors) without_key.insert(sensor.frames_channel);
   for (std::size_t i = chunks.size(); i-- > 0;) {
     if (chunks[i].start_time > time) continue;
     const auto chunk = file_.chunk(i);
     if (!chunk) continue;
-    for (const mcap::Message& message : chunk->messages) {
+    for (const recording::mcap::Message& message : chunk->messages) {
       if (message.publish_time > time || !without_key.contains(message.channel)) continue;
       const auto header = wire::parse_frame(message.data);
       if (header && header->key) without_key.erase(message.channel);

@@ -26,7 +26,7 @@ struct RecordedRoster {
 
 struct RecordedSensor {
   std::string name;
-  mcap::ChannelId frames_channel{};
+  recording::mcap::ChannelId frames_channel{};
   std::uint64_t frame_count = 0;
   wire::pb::SensorEntry entry;  // of the last roster that has it
 };
@@ -45,7 +45,7 @@ class RoomRecording {
   /// kNotFound; kMalformed when it is no MCAP file; kUnsupported when it is one, but of no room, or
   /// of a later version.
   static Result<RoomRecording> open(const std::filesystem::path& path);
-  static Result<RoomRecording> from(mcap::Reader reader);
+  static Result<RoomRecording> from(recording::mcap::Reader reader);
 
   [[nodiscard]] const std::string& room() const { return room_; }
   [[nodiscard]] nanoseconds start() const { return file_.summary().statistics.start_time; }
@@ -65,8 +65,8 @@ class RoomRecording {
   /// Why its end is missing, in a sentence; nothing when it is whole.
   [[nodiscard]] const std::optional<std::string>& damage() const { return file_.damage(); }
 
-  [[nodiscard]] const mcap::Reader& file() const { return file_; }
-  [[nodiscard]] MessageKind kind_of(mcap::ChannelId channel) const;
+  [[nodiscard]] const recording::mcap::Reader& file() const { return file_; }
+  [[nodiscard]] MessageKind kind_of(recording::mcap::ChannelId channel) const;
 
   /// From which chunk on one has to read to decode these sensors' frames at `time`: the one with
   /// the last key frame before, of the sensor whose key frame is oldest.
@@ -74,7 +74,7 @@ class RoomRecording {
                                                  std::span<const RecordedSensor> sensors) const;
 
  private:
-  explicit RoomRecording(mcap::Reader file) : file_(std::move(file)) {}
+  explicit RoomRecording(recording::mcap::Reader file) : file_(std::move(file)) {}
   Status read_about();
   Status read_rosters();
   [[nodiscard]] Status check_times() const;
@@ -82,7 +82,7 @@ class RoomRecording {
   void find_sensors();
   void place_from_the_beginning();
 
-  mcap::Reader file_;
+  recording::mcap::Reader file_;
   std::string room_;
   bool may_be_exported_ = true;
   nanoseconds origin_{};

@@ -63,7 +63,7 @@ TEST_F(RoomRecordingTest, what_was_recorded_before_a_sensor_was_placed_has_its_p
   ASSERT_EQ(recording->rosters().size(), 2u);
   const auto& entry = recording->roster_at(RecordingFixtureRoom::came(0)).sensors(1);
   EXPECT_EQ(entry.placement(), wire::pb::PLACEMENT_ALIGNED);
-  EXPECT_EQ(read_transform(entry.world_from_depth())->translation_m.x(), 0.5);
+  EXPECT_EQ(client::read_transform(entry.world_from_depth())->translation_m.x(), 0.5);
 }
 
 TEST_F(RoomRecordingTest, without_its_end_it_loses_no_more_than_the_open_chunk) {
@@ -82,13 +82,13 @@ TEST_F(RoomRecordingTest, decodes_from_the_key_frames_before_a_moment) {
   const auto time = RecordingFixtureRoom::capture(28) + RecordingFixtureRoom::kUnixMinusRoom;
   RecordingCursor cursor(*recording, recording->chunk_to_decode_from(time, recording->sensors()));
   const SteadyClock clock;
-  RoomState state(clock);
+  client::RoomState state(clock);
   ASSERT_TRUE(state.roster(recording->roster_at(time)).ok());
   RecordedMessage message;
   std::uint32_t first_seq = 0, decoded = 0;
   while (*cursor.next(message)) {
     if (message.kind != MessageKind::kFrame || message.message.publish_time > time) continue;
-    if (*state.frame(message.message.data) == RoomState::FrameOutcome::kNeedsKey) continue;
+    if (*state.frame(message.message.data) == client::RoomState::FrameOutcome::kNeedsKey) continue;
     if (decoded++ == 0) first_seq = wire::parse_frame(message.message.data)->seq;
   }
   EXPECT_GE(first_seq, 20u) << "it did not start from the beginning";
@@ -126,7 +126,7 @@ TEST_F(RoomRecordingTest, a_damaged_chunk_is_reported_and_the_next_one_is_read) 
 
 TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
   {
-    auto writer = mcap::Writer::create(path);
+    auto writer = recording::mcap::Writer::create(path);
     ASSERT_TRUE(writer->finish().ok());
   }
   const auto recording = open();

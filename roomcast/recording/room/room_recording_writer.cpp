@@ -13,7 +13,7 @@ namespace roomcast::recording {
 namespace {
 
 /// With this any reader of Protobuf schemas understands the messages.
-mcap::SchemaId add_schema(mcap::Writer& writer, const google::protobuf::Descriptor& message) {
+recording::mcap::SchemaId add_schema(recording::mcap::Writer& writer, const google::protobuf::Descriptor& message) {
   google::protobuf::FileDescriptorSet files;
   message.file()->CopyTo(files.add_file());
   const std::string bytes = files.SerializeAsString();
@@ -21,7 +21,7 @@ mcap::SchemaId add_schema(mcap::Writer& writer, const google::protobuf::Descript
                            {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
-mcap::SchemaId add_clock_schema(mcap::Writer& writer) {
+recording::mcap::SchemaId add_clock_schema(recording::mcap::Writer& writer) {
   constexpr std::string_view kText =
       R"({"type":"object","properties":{)"
       R"("unix_minus_room_ns":{"type":"string"},"error_ns":{"type":"string"}}})";
@@ -35,7 +35,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 }  // namespace
 
-RoomRecordingWriter::RoomRecordingWriter(mcap::Writer writer, std::string room)
+RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::string room)
     : writer_(std::move(writer)),
       about_{{"version", std::string(kFormatVersion)}, {"room", std::move(room)}} {
   schemas_.frame = writer_.add_schema("roomcast.Frame", "", {});
@@ -47,7 +47,7 @@ RoomRecordingWriter::RoomRecordingWriter(mcap::Writer writer, std::string room)
 
 Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::path& path,
                                                         const std::string& room) {
-  auto writer = mcap::Writer::create(path);
+  auto writer = recording::mcap::Writer::create(path);
   if (!writer) return writer.error();
   RoomRecordingWriter recording(std::move(*writer), room);
   if (auto status = recording.writer_.add_metadata(kMetadataName, recording.about_); !status)
@@ -62,9 +62,9 @@ Status RoomRecordingWriter::forbid_export() {
 }
 
 RoomRecordingWriter::Stream& RoomRecordingWriter::stream(std::string_view topic,
-                                                         mcap::SchemaId schema,
+                                                         recording::mcap::SchemaId schema,
                                                          std::string_view encoding,
-                                                         mcap::StringMap metadata) {
+                                                         recording::mcap::StringMap metadata) {
   const auto [found, is_new] = streams_.try_emplace(std::string(topic));
   if (is_new)
     found->second.channel = writer_.add_channel(schema, topic, encoding, std::move(metadata));

@@ -37,7 +37,7 @@ class RoomRecordingWriter {
   /// The file says that it is not to be exported; also later on, of all that is in it.
   [[nodiscard]] Status forbid_export();
 
-  // Each fails with kUnavailable when the disk does: see mcap::Writer::add_message.
+  // Each fails with kUnavailable when the disk does: see recording::mcap::Writer::add_message.
   [[nodiscard]] Status add_clock(const RoomClock& clock, nanoseconds log_time);
   [[nodiscard]] Status add_roster(const wire::pb::Roster& roster, nanoseconds log_time);
   [[nodiscard]] Status add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time);
@@ -56,22 +56,22 @@ class RoomRecordingWriter {
 
  private:
   struct Stream {
-    mcap::ChannelId channel{};
+    recording::mcap::ChannelId channel{};
     std::uint32_t next_sequence = 0;
   };
   struct Schemas {
-    mcap::SchemaId frame, roster, poses, bundle, clock;
+    recording::mcap::SchemaId frame, roster, poses, bundle, clock;
   };
 
-  RoomRecordingWriter(mcap::Writer writer, std::string room);
-  Stream& stream(std::string_view topic, mcap::SchemaId schema, std::string_view encoding,
-                 mcap::StringMap metadata = {});
+  RoomRecordingWriter(recording::mcap::Writer writer, std::string room);
+  Stream& stream(std::string_view topic, recording::mcap::SchemaId schema, std::string_view encoding,
+                 recording::mcap::StringMap metadata = {});
   Status add(Stream& stream, std::span<const std::uint8_t> data, nanoseconds log_time,
              nanoseconds publish_time);
   Status add(Stream& stream, const google::protobuf::MessageLite& message, nanoseconds log_time);
 
-  mcap::Writer writer_;
-  mcap::StringMap about_;
+  recording::mcap::Writer writer_;
+  recording::mcap::StringMap about_;
   Schemas schemas_;
   RoomClock clock_;
   std::map<std::string, Stream> streams_;  // by topic

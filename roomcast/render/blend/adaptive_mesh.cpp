@@ -5,7 +5,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/blend/.
@@ -81,4 +81,4 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
   glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

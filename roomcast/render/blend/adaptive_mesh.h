@@ -10,7 +10,7 @@
 #include "roomcast/render/surface/surface_mesh.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct AdaptiveMesh {
   GlBuffer indices;  // GL_TRIANGLES, 32 bits, counter-clockwise as the sensor sees them
@@ -37,4 +37,4 @@ class AdaptiveMesher {
   GlBuffer tile_indices_, tile_counts_, tile_offsets_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

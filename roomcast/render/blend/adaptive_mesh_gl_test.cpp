@@ -6,7 +6,7 @@
 #include "roomcast/render/blend/adaptive_mesh.h"
 #include "roomcast/render/gl/gl_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Triangle = std::array<GLuint, 3>;
@@ -136,4 +136,4 @@ TEST_F(AdaptiveMeshTest, without_readings_there_is_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -5,7 +5,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 Result<AdaptiveRenderer> AdaptiveRenderer::create() {
   auto program = make_layer_program(shaders::adaptive_vert, shaders::adaptive_frag);
@@ -24,4 +24,4 @@ void AdaptiveRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& ey
   glDisable(GL_CULL_FACE);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 #include "roomcast/render/blend/surface_layer.h"
 #include "roomcast/render/view/offscreen_target.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class AdaptiveRenderer {
  public:
@@ -26,4 +26,4 @@ class AdaptiveRenderer {
   LayerPainter painter_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -2,7 +2,7 @@
 #include "roomcast/render/blend/adaptive_renderer.h"
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,4 +49,4 @@ TEST_F(AdaptiveTest, its_depth_is_that_of_the_surface) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -6,7 +6,7 @@
 #include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/blend/.
@@ -124,4 +124,4 @@ void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& ot
   carve_.run(sensor.intrinsics().width, sensor.intrinsics().height);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -15,7 +15,7 @@
 #include "roomcast/render/blend/lost_depth.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 /// Of another sensor, to look through what this one remembers.
 struct OtherSensor {
@@ -68,4 +68,4 @@ class BackgroundUpdater {
   SurfaceCleaner cleaner_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

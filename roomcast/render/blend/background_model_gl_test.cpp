@@ -3,7 +3,7 @@
 #include "roomcast/render/blend/background_model.h"
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -115,4 +115,4 @@ TEST_F(BackgroundModelTest, a_light_that_is_switched_on_is_seen_at_once) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

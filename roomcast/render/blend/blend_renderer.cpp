@@ -7,7 +7,7 @@
 #include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr std::size_t kLevels = 10;  // the coarsest covers 1024 pixels
@@ -174,4 +174,4 @@ void BlendRenderer::resolve(const OffscreenTarget& target) {
   target.bind();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -14,7 +14,7 @@
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 /// What is shown where no sensor sees anything, or a surface without its colour.
 enum class Unseen {
@@ -62,4 +62,4 @@ class BlendRenderer {
   std::vector<Level> levels_;  // each half of the one before, the first half of an eye's picture
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -2,7 +2,7 @@
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -98,4 +98,4 @@ TEST_F(BlendTest, the_same_room_gives_the_same_picture) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -6,7 +6,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/blend/.
@@ -129,4 +129,4 @@ void SurfaceCleaner::run_on_colors(const ComputePass& pass, const CleanSurface& 
   pass.run(surface.color_scale * surface.width, surface.color_scale * surface.height);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

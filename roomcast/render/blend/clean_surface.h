@@ -12,7 +12,7 @@
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
@@ -69,4 +69,4 @@ class SurfaceCleaner {
   AdaptiveMesher mesher_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -3,7 +3,7 @@
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/render/surface/synthetic_sensor.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 const CameraIntrinsics kLens = pinhole(40, 30, 40);
@@ -93,4 +93,4 @@ TEST_F(CleanSurfaceTest, quality_falls_with_distance_slant_and_towards_edges) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr int kGridStep = 6;                    // every so many pixels a place is compared
@@ -130,4 +130,4 @@ Eigen::Vector3f ColorMatching::gain(SensorId sensor) const {
   return picture->second.log_gain.array().exp().matrix();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -15,7 +15,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class ColorMatching {
  public:
@@ -53,4 +53,4 @@ class ColorMatching {
   bool is_news_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -5,7 +5,7 @@
 
 #include "roomcast/render/surface/synthetic_sensor.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 const CameraIntrinsics kLens = pinhole(120, 90, 100);
@@ -79,4 +79,4 @@ TEST(ColorMatching, does_without_sensors_that_have_no_colour_and_those_that_left
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::render {
 
 Result<ComputePass> ComputePass::create(std::initializer_list<std::string_view> sources) {
   auto program = make_program({{GL_COMPUTE_SHADER, sources}});
@@ -38,4 +38,4 @@ void bind_image(GLuint unit, const GlLayers& layers, ImageAccess access, GLenum 
   glBindImageTexture(unit, layers.name(), 0, GL_TRUE, 0, static_cast<GLenum>(access), format);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/render/gl/gl_program.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class ComputePass {
  public:
@@ -38,4 +38,4 @@ void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenu
 /// All of its layers.
 void bind_image(GLuint unit, const GlLayers& layers, ImageAccess access, GLenum format);
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -6,7 +6,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/blend/judge_lost.comp and cover_lost.comp.
@@ -50,4 +50,4 @@ void LostDepth::cover(const SensorSurface& sensor, const Known& known, const Out
   cover_.run(width, height);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -9,7 +9,7 @@
 #include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class LostDepth {
  public:
@@ -34,4 +34,4 @@ class LostDepth {
   ComputePass judge_, cover_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

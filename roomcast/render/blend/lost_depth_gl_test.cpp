@@ -3,7 +3,7 @@
 #include "roomcast/render/blend/lost_depth.h"
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -88,4 +88,4 @@ TEST_F(LostDepthTest, where_readings_always_came_and_went_the_wall_stays) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

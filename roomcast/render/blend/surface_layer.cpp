@@ -4,7 +4,7 @@
 #include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr float kBackgroundSetback_m = 0.03F;
@@ -41,4 +41,4 @@ void LayerPainter::draw(const GlProgram& program, const SurfaceLayer& layer,
   glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(command));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

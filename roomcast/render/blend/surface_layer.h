@@ -10,7 +10,7 @@
 #include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct SurfaceLayer {
   SensorId sensor;
@@ -36,4 +36,4 @@ class LayerPainter {
   GlVertexArray vertices_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr int kGlMajor = 4;
@@ -130,4 +130,4 @@ std::string EglContext::driver_name() const {
   return text(GL_RENDERER) + ", " + text(GL_VERSION);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -13,7 +13,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 /// What the driver had to complain about. Only errors, undefined behaviour and deprecated use are
 /// kept.
@@ -51,4 +51,4 @@ class EglContext {
   std::unique_ptr<GlComplaints> complaints_;  // on the heap: the driver keeps its address
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 
 #include "roomcast/render/gl/gl_context.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr GLenum kNoSuchCapability = 0xBEEF;
@@ -83,4 +83,4 @@ TEST(EglContextDeathTest, says_what_to_install_where_there_is_no_opengl) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

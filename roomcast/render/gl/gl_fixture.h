@@ -9,7 +9,7 @@
 
 #include "roomcast/render/gl/gl_context.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class GlTest : public ::testing::Test {
  protected:
@@ -28,4 +28,4 @@ class GlTest : public ::testing::Test {
   std::optional<EglContext> context_;  // destroyed after the members of the test
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

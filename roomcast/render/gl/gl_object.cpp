@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/gl/gl_object.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 GLuint GlBufferKind::create() {
   GLuint name = 0;
@@ -85,4 +85,4 @@ GlBuffer make_buffer(GLsizeiptr bytes) {
   return buffer;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

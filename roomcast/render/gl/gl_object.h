@@ -8,7 +8,7 @@
 
 #include <epoxy/gl.h>
 
-namespace roomcast {
+namespace roomcast::render {
 
 template <class Kind>
 class GlObject {
@@ -73,4 +73,4 @@ using GlTexture = GlObject<GlTextureKind>;
 /// A buffer of fixed size that the CPU does not touch. Its content is undefined.
 [[nodiscard]] GlBuffer make_buffer(GLsizeiptr bytes);
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/render/gl/gl_object.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using GlObjectTest = GlTest;
@@ -37,4 +37,4 @@ TEST_F(GlObjectTest, assigning_a_new_object_deletes_the_old_one) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

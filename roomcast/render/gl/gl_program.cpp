@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr std::string_view kVersionLine = "#version 450 core\n";
@@ -68,4 +68,4 @@ Result<GlProgram> make_program(std::initializer_list<GlStage> stages) {
                   glGetProgramInfoLog);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/render/gl/gl_object.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct GlProgramKind {
   static GLuint create();
@@ -25,4 +25,4 @@ struct GlStage {
 /// kUnsupported with the compiler's or linker's own log.
 [[nodiscard]] Result<GlProgram> make_program(std::initializer_list<GlStage> stages);
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -2,7 +2,7 @@
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/render/gl/gl_program.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using GlProgramTest = GlTest;
@@ -33,4 +33,4 @@ TEST_F(GlProgramTest, a_link_error_comes_back_with_the_linkers_log) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

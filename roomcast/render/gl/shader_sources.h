@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace roomcast::shaders {
+namespace roomcast::render::shaders {
 
 extern const std::string_view adaptive_frag;
 extern const std::string_view adaptive_mesh_comp;
@@ -49,4 +49,4 @@ extern const std::string_view surroundings_comp;
 extern const std::string_view weighted_color_comp;
 extern const std::string_view whole_picture_vert;
 
-}  // namespace roomcast::shaders
+}  // namespace roomcast::render::shaders

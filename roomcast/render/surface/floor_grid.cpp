@@ -5,7 +5,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/floor_grid.*.
@@ -54,4 +54,4 @@ void FloorGrid::draw(const Eyes& eyes, Rgb8 line) const {
   glColorMaski(kSensors, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

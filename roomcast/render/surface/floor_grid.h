@@ -8,7 +8,7 @@
 #include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class FloorGrid {
  public:
@@ -24,4 +24,4 @@ class FloorGrid {
   GlVertexArray no_attributes_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -2,7 +2,7 @@
 #include "roomcast/render/room_fixture.h"
 #include "roomcast/render/surface/floor_grid.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -52,4 +52,4 @@ TEST_F(FloorGridTest, nothing_is_drawn_above_the_horizon_or_when_switched_off) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

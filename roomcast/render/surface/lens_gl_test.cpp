@@ -4,7 +4,7 @@
 
 #include "roomcast/render/room_fixture.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector2d;
@@ -105,4 +105,4 @@ TEST_P(LensTest, pixels_that_no_ray_reaches_draw_nothing) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -3,7 +3,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 Result<MeshRenderer> MeshRenderer::create() {
   Result<GlProgram> program =
@@ -31,4 +31,4 @@ void MeshRenderer::draw(const SensorSurface& surface, const SurfaceMesh& mesh,
   glDisable(GL_CULL_FACE);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

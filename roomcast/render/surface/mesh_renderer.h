@@ -7,7 +7,7 @@
 #include "roomcast/render/surface/surface_mesh.h"
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 class MeshRenderer {
  public:
@@ -24,4 +24,4 @@ class MeshRenderer {
   GlVertexArray vertices_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

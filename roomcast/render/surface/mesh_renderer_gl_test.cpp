@@ -4,7 +4,7 @@
 #include "roomcast/render/room_fixture.h"
 #include "roomcast/render/surface/mesh_renderer.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -95,4 +95,4 @@ TEST_F(MeshTest, color_is_interpolated_between_depth_pixels) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

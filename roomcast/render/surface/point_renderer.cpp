@@ -6,7 +6,7 @@
 
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/points.*.
@@ -55,4 +55,4 @@ void PointRenderer::draw(const SensorSurface& surface, const SurfaceView& view,
   glDrawArraysInstanced(GL_POINTS, 0, surface.pixel_count(), view.eyes.count());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

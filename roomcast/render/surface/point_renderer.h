@@ -10,7 +10,7 @@
 #include "roomcast/render/surface/sensor_surface.h"
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 enum class PointSize { kOnePixel, kAsSurface };
 
@@ -28,4 +28,4 @@ class PointRenderer {
   GlVertexArray no_attributes_;               // a core context draws nothing without one
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include "roomcast/render/room_fixture.h"
 #include "roomcast/render/surface/point_renderer.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -93,4 +93,4 @@ TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/sensor_surface.glsl.
@@ -103,4 +103,4 @@ void SensorSurface::bind() const {
   glBindTextureUnit(kSeenUnit, seen_.name());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

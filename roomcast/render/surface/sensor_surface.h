@@ -12,7 +12,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/render/gl/gl_object.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 /// The largest depth picture that is drawn (an Azure Kinect's widest is a quarter of it).
 inline constexpr int kMaxSurfacePixels = 4 * 1024 * 1024;
@@ -54,4 +54,4 @@ class SensorSurface {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

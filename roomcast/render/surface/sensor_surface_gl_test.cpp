@@ -6,7 +6,7 @@
 #include "roomcast/render/surface/sensor_surface.h"
 #include "roomcast/render/surface/synthetic_sensor.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using SensorSurfaceTest = GlTest;
@@ -127,4 +127,4 @@ TEST_F(SensorSurfaceTest, illegal_and_oversized_lenses_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -6,7 +6,7 @@
 #include "roomcast/core/assert.h"
 #include "roomcast/render/gl/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/surface_mesh.comp.
@@ -78,4 +78,4 @@ void SurfaceMesher::update(const SensorSurface& surface, const SurfaceMeshOption
   glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

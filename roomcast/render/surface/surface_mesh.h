@@ -9,7 +9,7 @@
 #include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct SurfaceMeshOptions {
   /// A triangle is dropped when its corners lie further apart in depth than this plus a share of
@@ -50,4 +50,4 @@ class SurfaceMesher {
   GlProgram program_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

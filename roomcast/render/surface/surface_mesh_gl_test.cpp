@@ -6,7 +6,7 @@
 #include "roomcast/render/surface/surface_mesh.h"
 #include "roomcast/render/surface/synthetic_sensor.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Triangle = std::array<GLuint, 3>;
@@ -102,4 +102,4 @@ TEST_F(SurfaceMeshTest, it_follows_the_newest_picture_and_the_options) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 inline constexpr Rgb8 kRed = {220, 30, 40}, kGreen = {20, 200, 60}, kBlue = {30, 60, 210},
                       kYellow = {230, 210, 20};
@@ -45,4 +45,4 @@ void fill_box(Image<T>& image, int x0, int y0, int x1, int y1, T value) {
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -3,7 +3,7 @@
 
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 constexpr GLint kEyes = 15;  // uniform of shaders/eyes.glsl
@@ -54,4 +54,4 @@ EyeBorders::~EyeBorders() {
   for (const GLenum plane : kPlanes) glDisable(plane);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -13,7 +13,7 @@
 #include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/view_camera.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 inline constexpr int kMaxEyes = 2;
 
@@ -64,4 +64,4 @@ class EyeBorders {
   bool are_there_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 #include "roomcast/render/true_scene.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -209,4 +209,4 @@ TEST_F(EyesTest, need_a_picture_with_room_for_both) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -8,7 +8,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 bool legal_side(int pixels) {
@@ -106,4 +106,4 @@ Image<std::int32_t> OffscreenTarget::read_sensors(int eye) const {
   return read_back<std::int32_t>(sensors_, eye, GL_RED_INTEGER, GL_INT);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -10,7 +10,7 @@
 #include "roomcast/render/gl/gl_object.h"
 #include "roomcast/render/view/view_camera.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 /// In `OffscreenTarget::read_sensors`, a pixel that no sensor drew.
 inline constexpr std::int32_t kDrawnByNoSensor = -1;
@@ -56,4 +56,4 @@ class OffscreenTarget {
   GlFramebuffer framebuffer_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::render

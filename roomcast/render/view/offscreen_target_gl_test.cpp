@@ -3,7 +3,7 @@
 #include "roomcast/render/surface/synthetic_sensor.h"
 #include "roomcast/render/view/offscreen_target.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using OffscreenTargetTest = GlTest;
@@ -41,4 +41,4 @@ TEST_F(OffscreenTargetTest, illegal_sizes_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/view/surface_view.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 // As in shaders/.
@@ -36,4 +36,4 @@ Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform) {
   return matrix;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

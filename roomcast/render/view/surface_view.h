@@ -10,7 +10,7 @@
 #include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/eyes.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct SurfaceView {
   SensorId sensor;
@@ -28,4 +28,4 @@ void set_surface_view(const GlProgram& program, const SurfaceView& view);
 /// The OpenGL matrix of a transform.
 [[nodiscard]] Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform);
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -33,4 +33,4 @@ TEST(SurfaceView, keeps_its_precision_far_from_the_origin) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

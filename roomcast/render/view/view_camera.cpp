@@ -6,7 +6,7 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 Error invalid(const char* sentence) {
@@ -62,4 +62,4 @@ RigidTransform world_from_view_looking_at(const Eigen::Vector3d& eye_m,
   return world_from_optical_looking_at(eye_m, target_m) * optical_from_view();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::render {
 
 struct ViewCamera {
   RigidTransform world_from_view;
@@ -36,4 +36,4 @@ struct ViewCamera {
 [[nodiscard]] RigidTransform world_from_view_looking_at(const Eigen::Vector3d& eye_m,
                                                         const Eigen::Vector3d& target_m);
 
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -10,7 +10,7 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -71,4 +71,4 @@ TEST(ViewCamera, looking_at_a_target_puts_it_straight_ahead_and_up_above) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::render

@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::AngleAxisf;
@@ -243,4 +243,4 @@ Quaternionf palm_down(const Isometry3f& body, Side side, float up_rad) {
   return palms_inward(body, up_rad) * Quaternionf(about_fingers);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -10,7 +10,7 @@
 #include "roomcast/simulator/people/itinerary.h"
 #include "roomcast/simulator/people/skeleton.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Eased 0..1: how deep somebody is in what they do at a stop.
 [[nodiscard]] float depth_of(const Itinerary::Stay& stay, float ramp_s);
@@ -44,4 +44,4 @@ struct HandTarget {
 /// Palm down or towards what is ahead, fingers ahead.
 [[nodiscard]] Eigen::Quaternionf palm_down(const Eigen::Isometry3f& body, Side side, float up_rad);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -9,7 +9,7 @@
 #include "roomcast/simulator/people/surface_net.h"
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Isometry3f;
@@ -202,4 +202,4 @@ void BodySkin::bend(const Pose& pose, TriangleMesh& out, std::size_t first) cons
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/simulator/people/body_solids.h"
 #include "roomcast/simulator/people/moving_things.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class BodySkin {
  public:
@@ -43,4 +43,4 @@ class BodySkin {
   std::array<Eigen::Isometry3f, kBoneCount> bone_from_cutting_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Isometry3f;
@@ -249,4 +249,4 @@ std::vector<BodyPiece> body_pieces(const Build& build, const Outfit& outfit, con
   return pieces;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 #include "roomcast/simulator/people/skeleton.h"
 #include "roomcast/simulator/people/solid.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct BodyPiece {
   Solid solid;
@@ -21,4 +21,4 @@ struct BodyPiece {
 [[nodiscard]] std::vector<BodyPiece> body_pieces(const Build& build, const Outfit& outfit,
                                                  const Pose& cutting, const Measures& measures);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

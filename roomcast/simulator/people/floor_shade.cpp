@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/tracing/lighting.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -103,4 +103,4 @@ void FloorShade::work_out(std::span<const ShadeBall> balls, const Room& room) {
   if (!area_.isEmpty()) area_ = area_.intersection(map_);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

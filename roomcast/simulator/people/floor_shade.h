@@ -14,7 +14,7 @@
 #include "roomcast/simulator/people/moving_things.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class FloorShade {
  public:
@@ -44,4 +44,4 @@ class FloorShade {
   Eigen::AlignedBox2f map_, area_;  // what the cells cover; what is visibly shaded of that
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::AngleAxisf;
@@ -110,4 +110,4 @@ float Footsteps::phase_at(float time_s) const {
   return std::fmod(time_s, 2.0F * beat_s_) / (2.0F * beat_s_);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -14,7 +14,7 @@
 #include "roomcast/simulator/people/itinerary.h"
 #include "roomcast/simulator/people/skeleton.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Footsteps {
  public:
@@ -50,4 +50,4 @@ class Footsteps {
   std::vector<Step> steps_;  // even ones are the left foot's
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 #include "roomcast/core/assert.h"
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -173,4 +173,4 @@ std::size_t Itinerary::last_stop(float time_s) const {
   return leg_at(time_s).stop;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -12,7 +12,7 @@
 
 #include "roomcast/simulator/scene/person.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Itinerary {
  public:
@@ -62,4 +62,4 @@ class Itinerary {
   bool rests_for_ever_ = false;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -191,4 +191,4 @@ MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
   return point;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

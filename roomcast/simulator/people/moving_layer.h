@@ -16,7 +16,7 @@
 #include "roomcast/simulator/people/picture_tiles.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class MovingLayer {
  public:
@@ -81,4 +81,4 @@ struct MovingPoint {
   return std::clamp(-normal.dot(direction) / lengths, 0.0F, 1.0F);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 #include "roomcast/simulator/people/moving_picture.h"
 #include "roomcast/simulator/sensing/depth_reading.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr int kFineTile = 8;  // pixels
@@ -67,4 +67,4 @@ void MovingOutline::find(const MovingLayer& layer, const Image<float>& plate_z_m
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

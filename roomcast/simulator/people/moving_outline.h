@@ -11,7 +11,7 @@
 #include "roomcast/simulator/people/moving_layer.h"
 #include "roomcast/simulator/people/picture_tiles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class MovingOutline {
  public:
@@ -42,4 +42,4 @@ class MovingOutline {
   PictureTiles fine_tiles_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 #include "roomcast/simulator/sensing/sensor_unit.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Sees = MovingOutline::Sees;
@@ -83,4 +83,4 @@ TEST_F(Outline, is_nowhere_when_nobody_is_in_front) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

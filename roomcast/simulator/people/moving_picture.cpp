@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/tracing/lighting.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Array4f;
@@ -144,4 +144,4 @@ void MovingColors::put(const MovingThings& things, const MovingLayer& layer,
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

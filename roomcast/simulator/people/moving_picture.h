@@ -12,7 +12,7 @@
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Whether the layer shows something nearer than the plate at a pixel.
 [[nodiscard]] inline bool is_in_front(const MovingLayer& layer, const Image<float>& plate_z_m,
@@ -56,4 +56,4 @@ class MovingColors {
   Image<std::uint8_t> front_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -4,7 +4,7 @@
 #include "roomcast/simulator/people/body_skin.h"
 #include "roomcast/simulator/people/performance.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -127,4 +127,4 @@ void MovingThings::move_to(nanoseconds scene_time) {
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -14,7 +14,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// One piece of somebody, or a thing: a run of triangles (and of vertices) and the box about it.
 struct MovingPart {
@@ -59,4 +59,4 @@ class MovingThings {
   std::vector<ShadeBall> shade_balls_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

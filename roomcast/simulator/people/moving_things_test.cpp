@@ -10,7 +10,7 @@
 #include "roomcast/simulator/people/moving_picture.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -208,4 +208,4 @@ TEST(FloorShade, is_dark_under_the_feet_and_gone_far_away) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::AngleAxisf;
@@ -258,4 +258,4 @@ HandGoal Performance::hand_at(const Moment& now, Side side) const {
   return goal;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

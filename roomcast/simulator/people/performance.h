@@ -11,7 +11,7 @@
 #include "roomcast/simulator/people/itinerary.h"
 #include "roomcast/simulator/people/skeleton.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Performance {
  public:
@@ -52,4 +52,4 @@ class Performance {
   Footsteps footsteps_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Isometry3f;
@@ -227,4 +227,4 @@ TEST(Performance, who_exercises_goes_down_and_swings_both_hands_above_the_head) 
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

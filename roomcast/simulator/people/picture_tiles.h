@@ -8,7 +8,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class PictureTiles {
  public:
@@ -35,4 +35,4 @@ class PictureTiles {
   Image<std::uint8_t> wanted_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::AngleAxisf;
@@ -149,4 +149,4 @@ Pose cutting_pose(const Measures& m) {
   return solve_pose(goals, m);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -14,7 +14,7 @@
 
 #include "roomcast/simulator/scene/person.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 enum class Side : std::uint8_t { kLeft, kRight };
 inline constexpr std::array<Side, 2> kSides = {Side::kLeft, Side::kRight};
@@ -105,4 +105,4 @@ struct PoseGoals {
 /// Legs straight and a little apart, arms hanging away from the body: where skins are cut.
 [[nodiscard]] Pose cutting_pose(const Measures& measures);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -92,4 +92,4 @@ Vector3f Solid::outward(const Vector3f& at) const {
   return slope.norm() > 1e-9F ? Vector3f(slope.normalized()) : Vector3f(Vector3f::UnitY());
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

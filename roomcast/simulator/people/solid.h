@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Solid {
  public:
@@ -46,4 +46,4 @@ class Solid {
   Eigen::AlignedBox3f box_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -113,4 +113,4 @@ SurfaceNet surface_net(const Solid& solid, float cell_m) {
   return net;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

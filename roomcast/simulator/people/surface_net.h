@@ -13,7 +13,7 @@
 
 #include "roomcast/simulator/people/solid.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct SurfaceNet {
   std::vector<Eigen::Vector3f> positions;
@@ -22,4 +22,4 @@ struct SurfaceNet {
 
 [[nodiscard]] SurfaceNet surface_net(const Solid& solid, float cell_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Array4f;
@@ -68,4 +68,4 @@ Array4f SurfaceTexels::at(SurfaceIndex surface, const Vector2f& uv_m) const {
          down * ((1.0F - across) * value(x, y + 1) + across * value(x + 1, y + 1));
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/simulator/people/moving_things.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class SurfaceTexels {
  public:
@@ -30,4 +30,4 @@ class SurfaceTexels {
   std::vector<Sheet> sheets_;  // by surface; without texels where nothing moving wears it
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

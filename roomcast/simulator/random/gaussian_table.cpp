@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 /// Where the upper tail of the normal distribution holds `tail`, by Newton's method from `start`.
@@ -37,4 +37,4 @@ GaussianTable::GaussianTable() : quantiles_(kSize), shuffled_(kSize + kRun) {
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class GaussianTable {
  public:
@@ -30,4 +30,4 @@ class GaussianTable {
   std::vector<std::int8_t> shuffled_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

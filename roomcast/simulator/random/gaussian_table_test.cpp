@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(GaussianTable, holds_the_quantiles_of_the_normal_distribution) {
@@ -39,4 +39,4 @@ TEST(GaussianTable, runs_have_mean_0_and_the_deviation_they_promise) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -10,7 +10,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Random {
  public:
@@ -35,4 +35,4 @@ class Random {
   std::uint32_t count_ = 0;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 float lattice_value(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
@@ -51,4 +51,4 @@ float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves
   return sum;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 [[nodiscard]] constexpr std::uint32_t mix_bits(std::uint32_t x) {
   x ^= x >> 16;
@@ -43,4 +43,4 @@ namespace roomcast::sim {
 [[nodiscard]] float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves,
                                   float footprint_m, std::uint32_t seed);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

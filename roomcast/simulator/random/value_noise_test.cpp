@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(ValueNoise, is_continuous_across_lattice_lines) {
@@ -35,4 +35,4 @@ TEST(ValueNoise, values_of_one_hash_are_independent) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

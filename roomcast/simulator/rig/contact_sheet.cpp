@@ -10,7 +10,7 @@
 #include "roomcast/simulator/simulated_room.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 constexpr int kSensors = 4;
@@ -32,7 +32,7 @@ CameraIntrinsics lens_of(int width, double focal_share) {
   return lens;
 }
 
-RigidTransform pose_of(const sim::SensorMount& stand) {
+RigidTransform pose_of(const simulator::SensorMount& stand) {
   return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
 }
 
@@ -46,10 +46,10 @@ class Studio {
 
   /// Share of the picture that shows people, those behind furniture left out; more than enough of
   /// them counts as enough.
-  [[nodiscard]] float people_in_view(const sim::SensorMount& stand, double lens) {
+  [[nodiscard]] float people_in_view(const simulator::SensorMount& stand, double lens) {
     constexpr float kEnough = 0.05F;
-    const sim::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(stand));
-    sim::MovingLayer layer(camera.width(), camera.height());
+    const simulator::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(stand));
+    simulator::MovingLayer layer(camera.width(), camera.height());
     layer.draw(things_, camera);
     int seen = 0, all = 0;
     for (int y = 0; y < camera.height(); y += 2) {
@@ -63,13 +63,13 @@ class Studio {
     return std::min(kEnough, static_cast<float>(seen) / static_cast<float>(all));
   }
 
-  [[nodiscard]] ColorImage photograph(const sim::SensorMount& stand, int width, double lens) {
-    const sim::PlacedCamera camera(lens_of(width, lens), pose_of(stand));
-    const auto plate = sim::trace_color_plate(room_.room(), room_.rays(), camera, threads_);
+  [[nodiscard]] ColorImage photograph(const simulator::SensorMount& stand, int width, double lens) {
+    const simulator::PlacedCamera camera(lens_of(width, lens), pose_of(stand));
+    const auto plate = simulator::trace_color_plate(room_.room(), room_.rays(), camera, threads_);
     ColorImage picture = plate.color;
-    sim::MovingLayer layer(camera.width(), camera.height());
+    simulator::MovingLayer layer(camera.width(), camera.height());
     layer.draw(things_, camera);
-    sim::MovingColors colors;
+    simulator::MovingColors colors;
     colors.light(things_, room_.room());
     colors.put_shade(room_.room(), camera, plate, picture.view());
     colors.put(things_, layer, plate, room_.texels(), picture.view());
@@ -77,14 +77,14 @@ class Studio {
   }
 
   /// A corner at eye height or above from which most of the people can be seen.
-  [[nodiscard]] sim::SensorMount free_view() {
+  [[nodiscard]] simulator::SensorMount free_view() {
     const Eigen::Vector3f middle(0, 0.75F, 0);
-    sim::SensorMount best;
+    simulator::SensorMount best;
     float most = -1.0F;
     for (int corner = 0; corner < 4; ++corner) {
       const float x = (corner & 1) != 0 ? 1.0F : -1.0F;
       const float z = (corner & 2) != 0 ? 1.0F : -1.0F;
-      const sim::SensorMount stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
+      const simulator::SensorMount stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
                                     z * (0.5F * room_.room().size_m.z() - 0.3F)},
                                    middle};
       const float seen = people_in_view(stand, kFreeLens);
@@ -115,7 +115,7 @@ class Studio {
  private:
   const SimulatedRoom& room_;
   int threads_;
-  sim::MovingThings things_;
+  simulator::MovingThings things_;
 };
 
 void paste(ColorView picture, int left, int top, ImageView<Rgb8> sheet) {
@@ -154,15 +154,15 @@ Status write_contact_sheets(const std::filesystem::path& folder, const ContactSh
   if (error)
     return Error{ErrorCode::kUnavailable, "Cannot make the folder " + folder.string() + "."};
   int count = 0;
-  for (const std::string_view scene : sim::kSceneNames) {
+  for (const std::string_view scene : simulator::kSceneNames) {
     auto sheet = contact_sheet(scene, options);
     if (!sheet) return std::move(sheet).error();
     const auto path = folder / (std::string(scene) + ".jpg");
-    Status written = write_color_jpeg(path, sheet->view(), kContactSheetQuality);
+    Status written = io::write_color_jpeg(path, sheet->view(), kContactSheetQuality);
     if (!written) return written;
-    if (done) done(++count, static_cast<int>(sim::kSceneNames.size()));
+    if (done) done(++count, static_cast<int>(simulator::kSceneNames.size()));
   }
   return {};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 struct ContactSheetOptions {
   std::uint64_t seed = 1;
@@ -33,4 +33,4 @@ inline constexpr int kContactSheetQuality = 74;  // of the JPEG files
                                           const ContactSheetOptions& options,
                                           const std::function<void(int done, int total)>& done);
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 ContactSheetOptions small() {
@@ -46,4 +46,4 @@ TEST(ContactSheet, unknown_scenes_and_sizes_are_refused) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -10,7 +10,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,10 +29,10 @@ Status make_folder(const fs::path& path) {
                "cannot make the folder " + path.string() + ": " + error.message()};
 }
 
-std::string true_rig(double fps, std::span<const RigSensor> sensors, const std::string& source) {
-  RigDescription rig{fps, "truth of: " + source, {}};
-  for (const RigSensor& sensor : sensors) {
-    const SensorDescription& description = sensor.description;
+std::string true_rig(double fps, std::span<const recording::RigSensor> sensors, const std::string& source) {
+  recording::RigDescription rig{fps, "truth of: " + source, {}};
+  for (const recording::RigSensor& sensor : sensors) {
+    const source::SensorDescription& description = sensor.description;
     rig.sensors.push_back({description.name,
                            description.name,
                            description.world_from_depth,
@@ -40,13 +40,13 @@ std::string true_rig(double fps, std::span<const RigSensor> sensors, const std::
                            sensor.rate_ppm,
                            {}});
   }
-  return rig_json_text(rig);
+  return recording::rig_json_text(rig);
 }
 
 }  // namespace
 
-RigTruth::RigTruth(const fs::path& directory, std::span<const RigSensor> sensors) {
-  for (const RigSensor& sensor : sensors) folders_.push_back(directory / sensor.description.name);
+RigTruth::RigTruth(const fs::path& directory, std::span<const recording::RigSensor> sensors) {
+  for (const recording::RigSensor& sensor : sensors) folders_.push_back(directory / sensor.description.name);
 }
 
 Status RigTruth::make_folders(std::size_t sensor, const SensorCalibration& calibration,
@@ -57,23 +57,23 @@ Status RigTruth::make_folders(std::size_t sensor, const SensorCalibration& calib
     if (Status made = make_folder(folder / "color"); !made) return made;
   }
   for (const auto& [name, text] :
-       {std::pair<const char*, std::string>{"camera.json", camera_json_text(calibration)},
+       {std::pair<const char*, std::string>{"camera.json", io::camera_json_text(calibration)},
         {"times.txt", "# frame true_time_s\n"},
         {"gains.txt", "# frame red green blue, of linear light\n"}}) {
-    if (Status written = write_file(folder / name, text); !written) return written;
+    if (Status written = io::write_file(folder / name, text); !written) return written;
   }
   return {};
 }
 
 Result<RigTruth> RigTruth::create(const fs::path& directory, double fps,
-                                  std::span<const RigSensor> sensors, const std::string& source,
+                                  std::span<const recording::RigSensor> sensors, const std::string& source,
                                   bool with_color) {
   RigTruth truth(directory, sensors);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     Status made = truth.make_folders(i, sensors[i].description.calibration, with_color);
     if (!made) return std::move(made).error();
   }
-  Status written = write_file(directory / "rig.json", true_rig(fps, sensors, source));
+  Status written = io::write_file(directory / "rig.json", true_rig(fps, sensors, source));
   if (!written) return std::move(written).error();
   return truth;
 }
@@ -82,13 +82,13 @@ Status RigTruth::write_depth(std::size_t sensor, std::uint64_t frame, DepthView 
                              MaskView moving) const {
   const std::string name = numbered(frame, ".png");
   const fs::path& folder = folders_[sensor];
-  if (Status written = write_depth_png(folder / name, depth_mm); !written) return written;
-  return write_mask_png(folder / "moving" / name, moving);
+  if (Status written = io::write_depth_png(folder / name, depth_mm); !written) return written;
+  return io::write_mask_png(folder / "moving" / name, moving);
 }
 
 Status RigTruth::write_color(std::size_t sensor, std::uint64_t frame, ColorView color) const {
   const fs::path path = folders_[sensor] / "color" / numbered(frame, ".jpg");
-  return write_color_jpeg(path, color, kTruthJpegQuality);
+  return io::write_color_jpeg(path, color, kTruthJpegQuality);
 }
 
 Status RigTruth::list(std::size_t sensor, std::uint64_t frame, nanoseconds true_time,
@@ -96,11 +96,11 @@ Status RigTruth::list(std::size_t sensor, std::uint64_t frame, nanoseconds true_
   char line[96];
   std::snprintf(line, sizeof(line), "%" PRIu64 " %.9f", frame,
                 static_cast<double>(true_time.count()) * 1e-9);
-  if (Status written = append_line(folders_[sensor] / "times.txt", line); !written) return written;
+  if (Status written = io::append_line(folders_[sensor] / "times.txt", line); !written) return written;
   std::snprintf(line, sizeof(line), "%" PRIu64 " %.5f %.5f %.5f", frame,
                 static_cast<double>(gains[0]), static_cast<double>(gains[1]),
                 static_cast<double>(gains[2]));
-  return append_line(folders_[sensor] / "gains.txt", line);
+  return io::append_line(folders_[sensor] / "gains.txt", line);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -15,7 +15,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/recording/dataset/rig_writer.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 inline constexpr int kTruthJpegQuality = 97;
 
@@ -24,7 +24,7 @@ class RigTruth {
   /// Makes `directory` with the exact calibrations and poses of `sensors`. kUnavailable when the
   /// disk fails.
   static Result<RigTruth> create(const std::filesystem::path& directory, double fps,
-                                 std::span<const RigSensor> sensors, const std::string& source,
+                                 std::span<const recording::RigSensor> sensors, const std::string& source,
                                  bool with_color);
 
   [[nodiscard]] Status write_depth(std::size_t sensor, std::uint64_t frame, DepthView depth_mm,
@@ -37,11 +37,11 @@ class RigTruth {
                             const std::array<float, 3>& gains) const;
 
  private:
-  RigTruth(const std::filesystem::path& directory, std::span<const RigSensor> sensors);
+  RigTruth(const std::filesystem::path& directory, std::span<const recording::RigSensor> sensors);
   [[nodiscard]] Status make_folders(std::size_t sensor, const SensorCalibration& calibration,
                                     bool with_color) const;
 
   std::vector<std::filesystem::path> folders_;  // by sensor
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -13,7 +13,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/simulator/free_view.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ double seconds(nanoseconds time) {
 }
 
 /// The recorded (not lost) frame of a sensor nearest to an instant.
-std::uint64_t nearest_frame(const sim::FrameClock& clock, nanoseconds time, int frames) {
+std::uint64_t nearest_frame(const simulator::FrameClock& clock, nanoseconds time, int frames) {
   std::uint64_t best = 0;
   for (std::uint64_t frame = 1; frame < static_cast<std::uint64_t>(frames); ++frame) {
     if (clock.is_lost(frame)) continue;
@@ -47,18 +47,18 @@ std::uint64_t nearest_frame(const sim::FrameClock& clock, nanoseconds time, int 
 /// One instant: who is where, and what the sensors see of it.
 struct Instant {
   nanoseconds time;
-  sim::MovingThings things;
+  simulator::MovingThings things;
   std::vector<DepthImage> sensor_depths;
 };
 
 std::vector<Instant> instants_of(const SimulatedRoom& room,
                                  std::span<const SimulatedSensor* const> sensors,
-                                 const sim::FrameClock& clock, const RigViewsOptions& options) {
+                                 const simulator::FrameClock& clock, const RigViewsOptions& options) {
   std::vector<Instant> instants;
   for (const int third : {1, 2}) {
     if (options.frames < 3 && third == 2) break;
     const auto frame = static_cast<std::uint64_t>(third * options.frames / 3);
-    Instant instant{clock.true_time(frame), sim::MovingThings(room.room(), options.speed), {}};
+    Instant instant{clock.true_time(frame), simulator::MovingThings(room.room(), options.speed), {}};
     instant.things.move_to(instant.time);
     for (const SimulatedSensor* sensor : sensors) {
       auto moment = sensor->make_moment();
@@ -89,7 +89,7 @@ json heading(const CameraIntrinsics& lens) {
 }
 
 json entry(int view, int number, const Instant& instant, const RigidTransform& world_from_view,
-           std::span<const sim::FrameClock> clocks, int frames) {
+           std::span<const simulator::FrameClock> clocks, int frames) {
   const std::string name = "view_" + std::to_string(view) + "_t" + std::to_string(number);
   json nearest = json::object(), difference = json::object();
   for (std::size_t s = 0; s < clocks.size(); ++s) {
@@ -111,16 +111,16 @@ json entry(int view, int number, const Instant& instant, const RigidTransform& w
 Status write_pictures(const fs::path& folder, const json& names, const FreeView& view,
                       const MaskImage& seen) {
   const auto path = [&](const char* which) { return folder / names[which].get<std::string>(); };
-  if (Status written = write_color_png(path("color"), view.color()); !written) return written;
-  if (Status written = write_depth_png(path("depth"), view.depth_mm()); !written) return written;
-  return write_mask_png(path("seen"), seen);
+  if (Status written = io::write_color_png(path("color"), view.color()); !written) return written;
+  if (Status written = io::write_depth_png(path("depth"), view.depth_mm()); !written) return written;
+  return io::write_mask_png(path("seen"), seen);
 }
 
 }  // namespace
 
 Status write_rig_views(const fs::path& folder, const SimulatedRoom& room,
                        std::span<const SimulatedSensor* const> sensors,
-                       std::span<const sim::FrameClock> clocks, const RigViewsOptions& options,
+                       std::span<const simulator::FrameClock> clocks, const RigViewsOptions& options,
                        const std::function<void(int done, int total)>& progress) {
   const CameraIntrinsics lens = view_lens(options.side_px);
   const auto places = free_viewpoints(room, sensors, options.count, options.seed);
@@ -141,7 +141,7 @@ Status write_rig_views(const fs::path& folder, const SimulatedRoom& room,
       if (progress) progress(++done, total);
     }
   }
-  return write_file(folder / "views.json", description.dump(1) + "\n");
+  return io::write_file(folder / "views.json", description.dump(1) + "\n");
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

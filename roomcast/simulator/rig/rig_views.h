@@ -15,7 +15,7 @@
 #include "roomcast/simulator/sensing/frame_clock.h"
 #include "roomcast/simulator/simulated_sensor.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 struct RigViewsOptions {
   int count = 4;           // viewpoints
@@ -30,8 +30,8 @@ struct RigViewsOptions {
 /// it has less than three frames). kUnavailable when the disk fails.
 [[nodiscard]] Status write_rig_views(const std::filesystem::path& folder, const SimulatedRoom& room,
                                      std::span<const SimulatedSensor* const> sensors,
-                                     std::span<const sim::FrameClock> clocks,
+                                     std::span<const simulator::FrameClock> clocks,
                                      const RigViewsOptions& options,
                                      const std::function<void(int done, int total)>& progress);
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

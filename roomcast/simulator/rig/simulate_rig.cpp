@@ -17,7 +17,7 @@
 #include "roomcast/simulator/simulated_source.h"
 #include "roomcast/simulator/simulated_spec.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,7 +45,7 @@ Status check(const SimulateRigOptions& options) {
 /// One sensor of the recording: what it sees, when, and how its colour is exposed.
 struct Actor {
   std::unique_ptr<SimulatedSensor> sensor;
-  sim::FrameClock clock;
+  simulator::FrameClock clock;
   std::vector<float> exposures;  // by frame
 };
 using Actors = std::vector<Actor>;
@@ -63,7 +63,7 @@ Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
     auto sensor = SimulatedSensor::open(room, {i, options.sensor_count, options.seed, options.speed,
                                                options.threads, options.sensing});
     if (!sensor) return std::move(sensor).error();
-    const sim::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
+    const simulator::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
     actors.push_back({*std::move(sensor), clock, {}});
   }
   return actors;
@@ -87,11 +87,11 @@ Status meter(Actors& actors, int frames, int threads) {
 
 enum class Calibration { kReported, kExact };
 
-std::vector<RigSensor> rig_sensors(const Actors& actors, Calibration which) {
-  std::vector<RigSensor> rig;
+std::vector<recording::RigSensor> rig_sensors(const Actors& actors, Calibration which) {
+  std::vector<recording::RigSensor> rig;
   for (const Actor& actor : actors) {
     const SimulatedSensor& sensor = *actor.sensor;
-    RigSensor entry;
+    recording::RigSensor entry;
     entry.description.name = "s" + std::to_string(rig.size());
     entry.description.calibration =
         which == Calibration::kExact ? sensor.exact_calibration() : sensor.calibration();
@@ -103,16 +103,16 @@ std::vector<RigSensor> rig_sensors(const Actors& actors, Calibration which) {
   return rig;
 }
 
-std::string provenance(const SimulateRigOptions& options, const sim::Room& room) {
+std::string provenance(const SimulateRigOptions& options, const simulator::Room& room) {
   return "simulated by roomcast: scene " + room.name + ", seed " + std::to_string(options.seed) +
-         ", camera " + std::string(sim::name_of(options.sensing.camera)) +
+         ", camera " + std::string(simulator::name_of(options.sensing.camera)) +
          (options.sensing.noise ? "" : ", without noise");
 }
 
 /// Renders frames and writes them. One thread's share of the memory is a Desk.
 class Production {
  public:
-  Production(const SimulateRigOptions& options, const Actors& actors, RigWriter& rig,
+  Production(const SimulateRigOptions& options, const Actors& actors, recording::RigWriter& rig,
              RigTruth& truth, int threads)
       : options_(options), actors_(actors), rig_(rig), truth_(truth) {
     desks_.resize(static_cast<std::size_t>(threads));
@@ -156,7 +156,7 @@ class Production {
  private:
   struct Desk {
     std::vector<SimulatedSensor::Moment> moments;  // by sensor
-    CapturedFrame frame;
+    source::CapturedFrame frame;
     MaskImage moving;
     ColorImage color;
   };
@@ -183,13 +183,13 @@ class Production {
 
   const SimulateRigOptions& options_;
   const Actors& actors_;
-  RigWriter& rig_;
+  recording::RigWriter& rig_;
   RigTruth& truth_;
   std::vector<Desk> desks_;
 };
 
 Status write_frames(const SimulateRigOptions& options, const Actors& actors, int frames,
-                    int threads, RigWriter& rig, RigTruth& truth, const SimulateWatcher& watcher,
+                    int threads, recording::RigWriter& rig, RigTruth& truth, const SimulateWatcher& watcher,
                     const std::stop_token& stop) {
   Production production(options, actors, rig, truth, threads);
   const int tasks = frames * static_cast<int>(actors.size());
@@ -209,7 +209,7 @@ Status write_views(const fs::path& folder, const SimulateRigOptions& options,
                    const SimulateWatcher& watcher) {
   if (options.views == 0) return {};
   std::vector<const SimulatedSensor*> sensors;
-  std::vector<sim::FrameClock> clocks;
+  std::vector<simulator::FrameClock> clocks;
   for (const Actor& actor : actors) {
     sensors.push_back(actor.sensor.get());
     clocks.push_back(actor.clock);
@@ -229,10 +229,10 @@ void remove_contents(const fs::path& directory) {
 }
 
 Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
-                 const SimulatedRoom& room, Actors& actors, RigWriter& rig,
+                 const SimulatedRoom& room, Actors& actors, recording::RigWriter& rig,
                  const SimulateWatcher& watcher, const std::stop_token& stop) {
   const std::string source = provenance(options, room.room());
-  const int threads = sim::thread_count(options.threads);
+  const int threads = simulator::thread_count(options.threads);
   const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
   auto truth =
       RigTruth::create(directory / "truth", options.fps, rig_sensors(actors, Calibration::kExact),
@@ -255,7 +255,7 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   if (!room) return std::move(room).error();
   auto actors = open_actors(*room, options, watcher);
   if (!actors) return std::move(actors).error();
-  auto rig = RigWriter::create(directory, options.fps, rig_sensors(*actors, Calibration::kReported),
+  auto rig = recording::RigWriter::create(directory, options.fps, rig_sensors(*actors, Calibration::kReported),
                                {provenance(options, (*room)->room()), 90});
   if (!rig) return std::move(rig).error();
   Status written = write_rig(directory, options, **room, *actors, *rig, watcher, stop);
@@ -263,4 +263,4 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   return written;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -27,7 +27,7 @@
 #include "roomcast/simulator/sensing/frame_clock.h"
 #include "roomcast/simulator/sensing/sensing_options.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 
 inline constexpr double kMaxSimulatedSeconds = 3600;
 inline constexpr int kMaxSimulatedViews = 16;
@@ -40,8 +40,8 @@ struct SimulateRigOptions {
   double fps = 30;         // above 0, at most kMaxSimulatedFps
   std::uint64_t seed = 1;  // noise, devices, and how things look
   double speed = 1;        // of all motion, 0..kMaxSimulatedSpeed: 0.05 slow motion, 0 stands still
-  sim::SensingOptions sensing;
-  sim::TimingOptions timing;
+  simulator::SensingOptions sensing;
+  simulator::TimingOptions timing;
   bool truth_color = false;  // noise-free colour in truth/, too
   int views = 4;             // free viewpoints in truth/, 0..kMaxSimulatedViews
   int view_side_px = 1000;   // of their square pictures, 16..kMaxSimulatedViewSide
@@ -50,7 +50,7 @@ struct SimulateRigOptions {
   /// Perfect sensors that take their frames together.
   void clean() {
     sensing = sensing.clean();
-    timing = sim::TimingOptions::perfect();
+    timing = simulator::TimingOptions::perfect();
   }
 };
 
@@ -68,4 +68,4 @@ using SimulateWatcher = std::function<void(const SimulateProgress&)>;
                                   const SimulateRigOptions& options,
                                   const SimulateWatcher& watcher = {}, std::stop_token stop = {});
 
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -17,7 +17,7 @@
 #include "roomcast/recording/playback/recording_source.h"
 #include "roomcast/simulator/simulated_source.h"
 
-namespace roomcast {
+namespace roomcast::simulator {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ class SimulateRig : public testing::Test {
 };
 
 DepthImage read_depth(const fs::path& path) {
-  ImageFileReader reader;
+  io::ImageFileReader reader;
   DepthImage depth_mm;
   EXPECT_TRUE(reader.read_depth(path, {512, 424}, depth_mm)) << path;
   return depth_mm;
@@ -58,21 +58,21 @@ SimulateRigOptions brief() {
 
 TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
   SimulateRigOptions options = brief();
-  options.timing = sim::TimingOptions::perfect();
+  options.timing = simulator::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
   const auto recorded =
-      open_rig_source(folder_.string(), "s0", {.pace = Pace::kAsFastAsPossible, .loop = false})
+      recording::open_rig_source(folder_.string(), "s0", {.pace = source::Pace::kAsFastAsPossible, .loop = false})
           .value();
   const auto live =
-      open_simulated_source("office", 0, {.pace = Pace::kAsFastAsPossible, .sensor_count = 1})
+      open_simulated_source("office", 0, {.pace = source::Pace::kAsFastAsPossible, .sensor_count = 1})
           .value();
-  const SensorDescription& description = recorded->description();
+  const source::SensorDescription& description = recorded->description();
   EXPECT_EQ(description.name, "s0");
   EXPECT_EQ(description.calibration.depth, live->description().calibration.depth);
   ASSERT_TRUE(description.world_from_depth);
   EXPECT_TRUE(description.world_from_depth->rotation.isApprox(
       live->description().world_from_depth->rotation, 1e-6));
-  CapturedFrame played, shown;
+  source::CapturedFrame played, shown;
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(recorded->next(played, {}).value());
     ASSERT_TRUE(live->next(shown, {}).value());
@@ -99,11 +99,11 @@ TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still)
   SimulateRigOptions options = brief();
   options.truth_color = true;
   options.speed = 0;
-  options.timing = sim::TimingOptions::perfect();
+  options.timing = simulator::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
   EXPECT_EQ(read_depth(folder_ / "truth/s0/000000.png"),
             read_depth(folder_ / "truth/s0/000001.png"));
-  ImageFileReader reader;
+  io::ImageFileReader reader;
   MaskImage moving;
   ASSERT_TRUE(reader.read_mask(folder_ / "truth/s0/moving/000000.png", {512, 424}, moving));
   const auto count = std::count(moving.data(), moving.data() + moving.view().pixel_count(), 255);
@@ -128,9 +128,9 @@ TEST_F(SimulateRig, clocks_and_losses_are_as_the_rig_says) {
   options.seconds = 2;
   options.timing.lost_share = 0.2;
   ASSERT_TRUE(simulate_rig(folder_, options));
-  const RigDescription rig = read_rig_json(folder_ / "rig.json").value();
+  const recording::RigDescription rig = recording::read_rig_json(folder_ / "rig.json").value();
   std::size_t lost = 0;
-  for (const RigSensorEntry& sensor : rig.sensors) {
+  for (const recording::RigSensorEntry& sensor : rig.sensors) {
     const fs::path folder = folder_ / sensor.path;
     const auto truth = lines_of(folder_ / "truth" / sensor.path / "times.txt");
     ASSERT_EQ(truth.size(), 30U);
@@ -171,7 +171,7 @@ TEST_F(SimulateRig, free_views_lie_in_the_truth_with_the_frames_nearest_to_them)
   EXPECT_EQ(view["frame"]["s0"], 2);
   EXPECT_EQ(view["frame_minus_view_s"]["s0"], 0.0);
   EXPECT_EQ(view["world_from_view"].size(), 16U);
-  ImageFileReader reader;
+  io::ImageFileReader reader;
   DepthImage depth_mm;
   MaskImage seen;
   ASSERT_TRUE(reader.read_depth(folder_ / "truth/view_0_t1_depth.png", {120, 120}, depth_mm));
@@ -224,7 +224,7 @@ TEST_F(SimulateRig, reports_every_picture) {
   ASSERT_TRUE(simulate_rig(folder_, options, watcher));
   EXPECT_EQ(calls, 6);
   EXPECT_EQ(last_total, 6);
-  EXPECT_EQ(read_rig_json(folder_ / "rig.json")->sensors.size(), 2U);
+  EXPECT_EQ(recording::read_rig_json(folder_ / "rig.json")->sensors.size(), 2U);
 }
 
 TEST_F(SimulateRig, stopped_it_leaves_a_shorter_recording) {
@@ -236,7 +236,7 @@ TEST_F(SimulateRig, stopped_it_leaves_a_shorter_recording) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kClosed);
   EXPECT_EQ(lines_of(folder_ / "s0/depth.txt").size(), 2U);
-  EXPECT_EQ(read_rig_json(folder_ / "rig.json")->source.find("not finished"), std::string::npos);
+  EXPECT_EQ(recording::read_rig_json(folder_ / "rig.json")->source.find("not finished"), std::string::npos);
 }
 
 TEST_F(SimulateRig, a_failure_leaves_nothing_behind) {
@@ -278,4 +278,4 @@ TEST_F(SimulateRig, a_folder_that_holds_something_is_left_alone) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -21,4 +21,4 @@ inline constexpr float kPi = std::numbers::pi_v<float>;
   return t * t * (3.0F - 2.0F * t);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

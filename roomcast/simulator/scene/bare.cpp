@@ -4,7 +4,7 @@
 #include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 /// One paint for all walls and the ceiling, one even cover for the floor.
@@ -56,4 +56,4 @@ std::optional<Room> try_bare(std::uint32_t seed) {
   return room;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/scene/walkabout.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -83,4 +83,4 @@ bool add_board_bearer(Room& room) {
   return true;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// The black square's side: as on an A3 page.
 inline constexpr float kBoardTagSide_m = 0.2216F;
@@ -16,4 +16,4 @@ inline constexpr int kBoardTag = 0;
 /// where nobody walks about.
 [[nodiscard]] bool add_board_bearer(Room& room);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/people/performance.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(BoardBearer, somebody_carries_the_board_through_the_room_and_sensor_mounts_still_with_it) {
@@ -33,4 +33,4 @@ TEST(BoardBearer, a_room_in_which_nobody_walks_stays_as_it_is) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

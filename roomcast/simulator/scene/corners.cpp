@@ -4,7 +4,7 @@
 #include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 std::optional<Room> try_corners(std::uint32_t seed) {
   Random random(seed);
@@ -47,4 +47,4 @@ std::optional<Room> try_corners(std::uint32_t seed) {
   return room;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

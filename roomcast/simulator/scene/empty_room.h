@@ -7,7 +7,7 @@
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/scene/sensor_mounts.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 using DrawStands = Stands(const Eigen::Vector3f& room_size_m, Random& random);
 
@@ -27,4 +27,4 @@ using DrawStands = Stands(const Eigen::Vector3f& room_size_m, Random& random);
   return plan;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

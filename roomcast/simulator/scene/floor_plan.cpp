@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/scene/furniture.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -163,4 +163,4 @@ std::optional<Affine3f> FloorPlan::on_wall_at(const Vector3f& size_m, float midd
   return std::nullopt;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -15,7 +15,7 @@
 #include "roomcast/simulator/scene/footprint.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 inline constexpr int kAnyWall = -1;
 
@@ -68,4 +68,4 @@ class FloorPlan {
   std::vector<WallPatch> wall_patches_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

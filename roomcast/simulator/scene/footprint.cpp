@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 using Eigen::Vector2f;
 
@@ -40,4 +40,4 @@ bool contains(const Footprint& footprint, const Vector2f& point_m) {
          std::abs(way.dot(footprint.front())) <= footprint.half_m.y();
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

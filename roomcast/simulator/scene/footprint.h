@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct Footprint {
   Eigen::Vector2f centre_m = Eigen::Vector2f::Zero();
@@ -25,4 +25,4 @@ struct Footprint {
 [[nodiscard]] bool overlap(const Footprint& a, const Footprint& b, float gap_m);
 [[nodiscard]] bool contains(const Footprint& footprint, const Eigen::Vector2f& point_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

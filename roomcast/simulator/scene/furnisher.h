@@ -10,7 +10,7 @@
 #include "roomcast/simulator/scene/furniture.h"
 #include "roomcast/simulator/scene/palette.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Furnisher {
  public:
@@ -78,4 +78,4 @@ struct Seat {
 [[nodiscard]] Seat seat_of_sofa(const Eigen::Affine3f& sofa, float along_m);
 [[nodiscard]] Seat seat_of_chair(const Eigen::Affine3f& chair, float height_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

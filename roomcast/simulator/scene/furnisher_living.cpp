@@ -7,7 +7,7 @@
 #include "roomcast/simulator/scene/angles.h"
 #include "roomcast/simulator/scene/furnisher.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -261,4 +261,4 @@ void Furnisher::set_out(const Affine3f& on_top, const Vector2f& size_m, int coun
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

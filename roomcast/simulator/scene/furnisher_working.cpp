@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/scene/furnisher.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -196,4 +196,4 @@ void Furnisher::panels() {
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

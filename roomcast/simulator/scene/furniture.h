@@ -10,7 +10,7 @@
 
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Local frame standing on the floor at (x, z); a positive yaw turns its front from +z towards +x.
 [[nodiscard]] Eigen::Affine3f standing_at(float x_m, float z_m, float yaw_rad = 0.0F);
@@ -101,4 +101,4 @@ void add_wall_screen(Room& room, const Eigen::Affine3f& on_wall, SurfaceIndex pl
 /// or x (2, 3).
 [[nodiscard]] Eigen::Affine3f on_wall(const Room& room, int wall, float along_m, float height_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/scene/furniture.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -133,4 +133,4 @@ void add_monitor(Room& room, const Affine3f& at, SurfaceIndex plastic, const Sur
   add_centred_quad(room, head, room.add(screen), size, 0.009F);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

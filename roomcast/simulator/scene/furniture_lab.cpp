@@ -9,7 +9,7 @@
 #include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/furniture.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -213,4 +213,4 @@ void add_wall_screen(Room& room, const Affine3f& on_wall, SurfaceIndex plastic,
            {0, size_m.y(), 0});
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -9,7 +9,7 @@
 #include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/furniture.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -218,4 +218,4 @@ void add_bicycle(Room& room, const Affine3f& at, std::uint32_t seed) {
   add_ring(room, at, metal, pedals + Vector3f(0, 0, 0.05F), 0.08F, 0.006F);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

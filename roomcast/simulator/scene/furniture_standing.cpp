@@ -6,7 +6,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/furniture.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -241,4 +241,4 @@ void add_office_chair(Room& room, const Affine3f& at, SurfaceIndex cloth, Surfac
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

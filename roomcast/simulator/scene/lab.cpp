@@ -4,7 +4,7 @@
 #include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -90,4 +90,4 @@ std::optional<Room> try_lab(std::uint32_t seed) {
   return room;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 #include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -140,4 +140,4 @@ std::optional<Room> try_meeting(std::uint32_t seed) {
   return room;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

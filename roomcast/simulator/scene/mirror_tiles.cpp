@@ -7,7 +7,7 @@
 #include "roomcast/simulator/scene/routes.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -98,4 +98,4 @@ std::optional<Room> try_mirror_tiles(std::uint32_t seed) {
   return room;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 struct Tones {
@@ -169,4 +169,4 @@ Person draw_person(Room& room, Random& random) {
   return person;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

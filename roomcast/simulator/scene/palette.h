@@ -6,7 +6,7 @@
 #include "roomcast/simulator/scene/furniture.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct Palette {
   SurfaceIndex wood, dark_wood;  // of most furniture; of legs and frames
@@ -25,4 +25,4 @@ void add_plain_shell(Room& room, FloorKind floor, Random& random);
 /// A person in their own build, clothes, skin and hair, without anything to do yet.
 [[nodiscard]] Person draw_person(Room& room, Random& random);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

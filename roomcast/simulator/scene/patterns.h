@@ -9,7 +9,7 @@
 
 #include "roomcast/simulator/scene/surface.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Between two colours; the share is clamped to 0..1.
 inline Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float share_of_b) {
@@ -51,4 +51,4 @@ Eigen::Vector3f rack_face(const Surface& s, const Eigen::Vector2f& at_m, float f
 Eigen::Vector3f tag(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f keys(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -126,4 +126,4 @@ Vector3f carpet_tiles(const Surface& s, const Vector2f& at_m, float footprint_m)
   return color * (1.0F + 0.30F * strands + 0.30F * flecks + 0.10F * stains);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -101,4 +101,4 @@ Vector3f denim(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(cloth, s.trim, 0.7F * seam);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Array2f;
@@ -41,4 +41,4 @@ Vector3f face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(color, 0.35F * s.accent, lips * oval(at_m, {0.0F, 0.0335F}, {0.022F, 0.0014F}, 0.8F));
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

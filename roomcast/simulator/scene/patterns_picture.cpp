@@ -5,7 +5,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -157,4 +157,4 @@ Vector3f poster(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(s.base, s.trim, p.y() < 0.30F ? words : 0.0F);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

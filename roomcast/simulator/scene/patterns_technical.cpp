@@ -8,7 +8,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -143,4 +143,4 @@ Vector3f keys(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return mix(s.base, letter && blur < 0.3F ? s.trim : s.accent, top);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -12,7 +12,7 @@
 
 #include "roomcast/simulator/scene/triangle_mesh.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 enum class HairStyle : std::uint8_t { kShort, kLong, kBun, kCurly };
 
@@ -74,4 +74,4 @@ struct Person {
   std::optional<Burden> burden;  // rests where the last kPutDown left it
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/scene/scenes.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using TryBuild = std::optional<Room> (*)(std::uint32_t seed);
@@ -53,4 +53,4 @@ Result<Room> build_room(std::string_view scene, std::uint64_t seed) {
                                          "\"; the scenes are " + scene_list() + "."};
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

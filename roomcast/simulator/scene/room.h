@@ -17,7 +17,7 @@
 #include "roomcast/simulator/scene/surface.h"
 #include "roomcast/simulator/scene/triangle_mesh.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct Light {
   Eigen::Vector3f position_m;
@@ -62,4 +62,4 @@ inline constexpr std::array<std::string_view, 8> kSceneNames = {
 /// for another name.
 [[nodiscard]] Result<Room> build_room(std::string_view scene, std::uint64_t seed);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -10,7 +10,7 @@
 #include "roomcast/simulator/people/moving_things.h"
 #include "roomcast/simulator/people/performance.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using testing::HasSubstr;
@@ -199,4 +199,4 @@ TEST(Room, unknown_scene_is_refused_with_a_list_of_scenes) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -130,4 +130,4 @@ Waypoint typing_at(const Eigen::Affine3f& desk) {
   return stop;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

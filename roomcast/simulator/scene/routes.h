@@ -11,7 +11,7 @@
 #include "roomcast/simulator/scene/floor_plan.h"
 #include "roomcast/simulator/scene/furnisher.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class Route {
  public:
@@ -56,4 +56,4 @@ template <class Build>
   return apart;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -9,7 +9,7 @@
 
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// 5.6..6.2 x 4.8..5.2 m. Somebody walks about, sits down on the sofa and looks for a book.
 std::optional<Room> try_livingroom(std::uint32_t seed);
@@ -29,4 +29,4 @@ std::optional<Room> try_mirror_tiles(std::uint32_t seed);
 /// 5 x 4.2 m with sensors in its corners.
 std::optional<Room> try_corners(std::uint32_t seed);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

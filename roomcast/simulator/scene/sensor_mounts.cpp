@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -65,4 +65,4 @@ Stands draw_sensor_mounts_on_tripods(const Vector3f& size, Random& random) {
   return sensor_mounts;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

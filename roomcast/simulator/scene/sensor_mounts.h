@@ -7,7 +7,7 @@
 #include "roomcast/simulator/random/random.h"
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 inline constexpr int kTripods = 4;
 
@@ -26,4 +26,4 @@ using Stands = std::array<SensorMount, kMaxSimulatedSensors>;
 [[nodiscard]] Stands draw_sensor_mounts_on_tripods(const Eigen::Vector3f& room_size_m,
                                                    Random& random);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

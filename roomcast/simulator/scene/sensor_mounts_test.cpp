@@ -10,7 +10,7 @@
 #include "roomcast/simulator/tracing/placed_camera.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Cell = std::tuple<int, int, int>;
@@ -94,4 +94,4 @@ TEST(Stands, those_in_corners_are_high_up_and_face_each_other) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

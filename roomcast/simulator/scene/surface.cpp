@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/scene/patterns.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 float linear_from_srgb_byte(std::uint32_t byte) {
@@ -130,4 +130,4 @@ Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m, f
   return surface.base;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 enum class Pattern {
   kPlain,
@@ -85,4 +85,4 @@ struct Surface {
 [[nodiscard]] Eigen::Vector3f albedo_at(const Surface& surface, const Eigen::Vector2f& at_m,
                                         float footprint_m);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/scene/angles.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Affine3f;
@@ -187,4 +187,4 @@ void add_curtain(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world
   add_smooth_grid(mesh, surface, world_from_local, 10 * fold_count, 6, point);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

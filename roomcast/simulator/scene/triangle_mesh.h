@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Index into Room::surfaces.
 using SurfaceIndex = std::uint16_t;
@@ -58,4 +58,4 @@ void add_leaf(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& w
 void add_curtain(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                  const Eigen::Vector2f& size_m, float fold_depth_m, int fold_count);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

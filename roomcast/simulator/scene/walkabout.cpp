@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -59,4 +59,4 @@ bool add_walkabout(Room& room) {
   return true;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/scene/room.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// The first of a room's people who goes from place to place; null when nobody does.
 [[nodiscard]] const Person* whoever_walks(const Room& room);
@@ -21,4 +21,4 @@ namespace roomcast::sim {
 /// walks.
 [[nodiscard]] bool add_walkabout(Room& room);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/people/performance.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(Walkabout, somebody_goes_through_the_room_upright_and_keeps_moving) {
@@ -35,4 +35,4 @@ TEST(Walkabout, a_room_in_which_nobody_walks_stays_as_it_is) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

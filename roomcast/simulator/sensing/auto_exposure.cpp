@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 float AutoExposure::next(nanoseconds scene_time) {
   constexpr float kLag_s = 0.4F;
@@ -30,4 +30,4 @@ void AutoExposure::meter(nanoseconds scene_time, float brightness) {
   log_aim_ = std::clamp(std::log(wanted_ / std::max(brightness, 1e-4F)), -kLargest, kLargest);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class AutoExposure {
  public:
@@ -29,4 +29,4 @@ class AutoExposure {
   bool started_ = false, has_metered_ = false;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using std::chrono::milliseconds;
@@ -53,4 +53,4 @@ TEST(AutoExposure, meters_five_times_a_second) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

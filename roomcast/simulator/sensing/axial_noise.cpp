@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr float kRightAngle = 0.5F * std::numbers::pi_v<float>;
@@ -41,4 +41,4 @@ float stereo_sigma_mm(float z_m, float focal_px, float baseline_mm, float subpix
   return z_mm * z_mm * subpixel / (focal_px * baseline_mm);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 // in millimetres against range z in metres and angle of incidence theta in radians. Pure functions.
 #pragma once
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Kinect v2: 1.5 - 0.5 z + 0.3 z^2 + 0.1 z^1.5 theta^2 / (pi/2 - theta)^2.
 /// Fankhauser, Bloesch, Rodriguez, Kaestner, Hutter, Siegwart, "Kinect v2 for mobile robot
@@ -21,4 +21,4 @@ namespace roomcast::sim {
 /// Sweetser, Woodfill, "Tuning depth cameras for best performance", Intel.
 [[nodiscard]] float stereo_sigma_mm(float z_m, float focal_px, float baseline_mm, float subpixel);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

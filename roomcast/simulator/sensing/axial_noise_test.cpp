@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(AxialNoise, kinect2_values_by_hand) {
@@ -35,4 +35,4 @@ TEST(AxialNoise, stereo_grows_with_the_square_of_the_range) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

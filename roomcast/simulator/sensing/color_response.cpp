@@ -7,7 +7,7 @@
 #include "roomcast/core/assert.h"
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr float kReadSigma = 0.0004F;   // of full scale, linear
@@ -85,4 +85,4 @@ float mean_brightness(ColorView picture) {
   return static_cast<float>(sum / static_cast<double>(picture.pixel_count()));
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/simulator/random/gaussian_table.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class ColorResponse {
  public:
@@ -39,4 +39,4 @@ class ColorResponse {
 /// Mean linear light of a picture, weighted 0.2126, 0.7152, 0.0722.
 [[nodiscard]] float mean_brightness(ColorView picture);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

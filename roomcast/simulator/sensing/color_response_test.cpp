@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 ColorImage exposed(const ColorImage& light, const ColorResponse& response, std::uint32_t key = 3) {
@@ -70,4 +70,4 @@ TEST(ColorResponse, levels_and_light_are_inverse) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
@@ -51,4 +51,4 @@ float DepthBias::wiggle_mm(float z_m) const {
   return wiggle_mm_ * std::sin(kTurn / kWiggleLength_m * z_m + wiggle_phase_);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

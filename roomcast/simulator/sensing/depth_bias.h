@@ -13,7 +13,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/simulator/sensing/sensor_profile.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class DepthBias {
  public:
@@ -36,4 +36,4 @@ class DepthBias {
   float stereo_mm_ = 0;  // millimetres per pixel of disparity at one metre; 0: time of flight
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

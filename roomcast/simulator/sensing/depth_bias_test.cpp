@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(DepthBias, none_is_none) {
@@ -52,4 +52,4 @@ TEST(DepthBias, differs_between_units) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

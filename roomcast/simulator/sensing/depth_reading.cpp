@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 float signal_strength(float infrared, float facing, float z_m) {
   return infrared * facing / std::max(z_m * z_m, 1e-6F);
@@ -29,4 +29,4 @@ OtherSurface other_surface(const DepthReading& centre, const std::array<FineSamp
           strength / count / here};
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

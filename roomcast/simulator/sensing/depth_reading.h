@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// How much of a camera's own light comes back from a surface, in units of a perfect white one
 /// metre in front of it: infrared * cos(incidence) / z^2.
@@ -39,4 +39,4 @@ struct DepthReading {
 [[nodiscard]] OtherSurface other_surface(const DepthReading& centre,
                                          const std::array<FineSample, 4>& samples);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(DepthReading, signal_falls_with_the_square_of_the_range_and_with_slant) {
@@ -37,4 +37,4 @@ TEST(DepthReading, what_returns_no_light_weighs_nothing_and_nothing_is_no_surfac
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr float kGrazing = 0.1219F;  // cos 83 degrees
@@ -132,4 +132,4 @@ void StillDepth::read(const DepthSensing& sensing, const FrameNoise& noise,
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

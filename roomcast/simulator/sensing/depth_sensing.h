@@ -31,7 +31,7 @@
 #include "roomcast/simulator/sensing/interference.h"
 #include "roomcast/simulator/sensing/sensor_profile.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Surfaces that return this share of the light have the formulas' noise.
 inline constexpr float kReferenceReflectance = 0.5F;
@@ -97,4 +97,4 @@ class StillDepth {
   std::vector<Uncertain> uncertain_;  // pixels with more than Gaussian noise
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

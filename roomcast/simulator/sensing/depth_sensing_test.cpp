@@ -10,7 +10,7 @@
 #include "roomcast/simulator/sensing/axial_noise.h"
 #include "roomcast/simulator/sensing/unit_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr int kSide = 64;
@@ -212,4 +212,4 @@ TEST(DepthSensing, the_same_key_gives_the_same_reading_alone_and_in_the_picture)
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

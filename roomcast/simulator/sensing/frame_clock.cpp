@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr std::uint32_t kPhase = 41, kOffset = 42, kRate = 43, kJitter = 44, kSingle = 45,
@@ -18,7 +18,7 @@ constexpr double kMeanBurst = 0.5 * static_cast<double>(kShortestBurst + kLonges
 double unit(std::uint32_t key, std::uint32_t trait) {
   return static_cast<double>(nth_unit(key, trait));
 }
-double signed_unit(std::uint32_t key, std::uint32_t trait) {
+double clock_unit(std::uint32_t key, std::uint32_t trait) {
   return 2.0 * unit(key, trait) - 1.0;
 }
 
@@ -35,8 +35,8 @@ double bounded_gaussian(std::uint32_t hash) {
 }  // namespace
 
 FrameClock::FrameClock(const TimingOptions& options, double fps, std::uint32_t unit_key)
-    : offset_s_(options.clock_offset_s * signed_unit(unit_key, kOffset)),
-      rate_ppm_(options.rate_ppm * signed_unit(unit_key, kRate)),
+    : offset_s_(options.clock_offset_s * clock_unit(unit_key, kOffset)),
+      rate_ppm_(options.rate_ppm * clock_unit(unit_key, kRate)),
       jitter_s_(options.jitter_s),
       lost_share_(options.lost_share),
       key_(unit_key) {
@@ -73,4 +73,4 @@ bool FrameClock::is_lost(std::uint64_t frame) const {
   return false;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

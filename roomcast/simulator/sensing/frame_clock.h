@@ -10,7 +10,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Largest values; each sensor draws its own between minus and plus. All zero: a perfect clock.
 struct TimingOptions {
@@ -42,4 +42,4 @@ class FrameClock {
   std::uint32_t key_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

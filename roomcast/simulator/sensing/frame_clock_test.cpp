@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 double seconds(nanoseconds time) {
@@ -69,4 +69,4 @@ TEST(FrameClock, units_differ_in_phase_offset_and_rate) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

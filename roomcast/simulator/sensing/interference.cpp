@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
@@ -51,4 +51,4 @@ std::optional<InterferenceBurst> Interference::at(nanoseconds scene_time) const 
   return std::nullopt;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -12,7 +12,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct InterferenceBurst {
   nanoseconds begin{}, end{};
@@ -39,4 +39,4 @@ class Interference {
   std::uint32_t key_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

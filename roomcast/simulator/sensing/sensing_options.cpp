@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/simulator/sensing/sensing_options.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 std::optional<CameraModel> camera_model_named(std::string_view name) {
   for (const CameraModel model : {CameraModel::kKinect2, CameraModel::kAzure, CameraModel::kD435}) {
@@ -22,4 +22,4 @@ std::string_view name_of(CameraModel model) {
   return "";
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

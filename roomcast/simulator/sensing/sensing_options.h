@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 enum class CameraModel {
   kKinect2,  // time of flight, 512x424; colour 1920x1080
@@ -36,4 +36,4 @@ struct SensingOptions {
   }
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/sensing/axial_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 CameraIntrinsics lens(int width, int height, double focal, double cx, double cy) {
@@ -142,4 +142,4 @@ SensorProfile profile_of(CameraModel model, bool half_color) {
   return profile;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/simulator/sensing/sensing_options.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 enum class DepthPrinciple { kTimeOfFlight, kStereo };
 
@@ -31,4 +31,4 @@ struct SensorProfile {
 
 [[nodiscard]] SensorProfile profile_of(CameraModel model, bool half_color);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

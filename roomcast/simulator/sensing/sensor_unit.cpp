@@ -5,7 +5,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 /// Independent numbers -1..1, one after the other.
@@ -95,4 +95,4 @@ SensorUnit make_unit(const SensingOptions& options, std::uint64_t seed, int inde
   return unit;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -9,7 +9,7 @@
 
 #include "roomcast/simulator/sensing/sensor_profile.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Largest calibration errors; each is uniform between minus and plus this.
 inline constexpr double kFocalError = 0.001;  // share of the focal length
@@ -28,4 +28,4 @@ struct SensorUnit {
 
 [[nodiscard]] SensorUnit make_unit(const SensingOptions& options, std::uint64_t seed, int index);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr CameraModel kModels[] = {CameraModel::kKinect2, CameraModel::kAzure, CameraModel::kD435};
@@ -77,4 +77,4 @@ TEST(SensingOptions, cameras_have_names) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 void take_stereo_shadow(DepthView clean_mm, float focal_px, float baseline_mm,
                         ImageView<std::uint16_t> depth_mm) {
@@ -22,4 +22,4 @@ void take_stereo_shadow(DepthView clean_mm, float focal_px, float baseline_mm,
   }
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,11 +6,11 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Zeroes the readings of every pixel whose surface (`clean_mm`: what is really there) is hidden
 /// from the right camera by something else in the picture.
 void take_stereo_shadow(DepthView clean_mm, float focal_px, float baseline_mm,
                         ImageView<std::uint16_t> depth_mm);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

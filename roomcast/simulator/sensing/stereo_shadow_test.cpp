@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 TEST(StereoShadow, lies_left_of_near_things_as_wide_as_the_disparities_differ) {
@@ -29,4 +29,4 @@ TEST(StereoShadow, a_slanted_wall_throws_none_and_the_left_edge_is_not_seen_by_b
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

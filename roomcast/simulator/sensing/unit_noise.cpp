@@ -6,7 +6,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr int kWindow = 4;  // pixels between the nodes of correlated noise
@@ -67,4 +67,4 @@ void fill_unit_noise(DepthPrinciple principle, std::uint32_t key, const Gaussian
   fill_independent(key, gaussians, out);
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -11,10 +11,10 @@
 #include "roomcast/simulator/random/gaussian_table.h"
 #include "roomcast/simulator/sensing/sensor_profile.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Overwrites every pixel of `out`.
 void fill_unit_noise(DepthPrinciple principle, std::uint32_t key, const GaussianTable& gaussians,
                      ImageView<float> out);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr int kWidth = 512, kHeight = 424;
@@ -58,4 +58,4 @@ TEST(UnitNoise, of_stereo_is_correlated_over_the_window_and_not_beyond) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

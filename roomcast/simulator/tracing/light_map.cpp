@@ -8,7 +8,7 @@
 #include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -96,4 +96,4 @@ Vector3f LightMap::arriving(int x, int y, const LitPoint& point, std::uint32_t d
   return sum;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

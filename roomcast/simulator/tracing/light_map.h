@@ -12,7 +12,7 @@
 #include "roomcast/simulator/tracing/lighting.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 class LightMap {
  public:
@@ -43,4 +43,4 @@ class LightMap {
   Image<Node> nodes_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -7,7 +7,7 @@
 
 #include "roomcast/simulator/random/value_noise.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -94,4 +94,4 @@ Vector3f light_leaving(const Surface& surface, const Vector3f& albedo, const Vec
   return (1.0F - surface.glow) * albedo.cwiseProduct(arriving) + surface.glow * albedo;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

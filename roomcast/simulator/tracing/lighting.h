@@ -12,7 +12,7 @@
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// A point that is being lit.
 struct LitPoint {
@@ -41,4 +41,4 @@ struct LitPoint {
 [[nodiscard]] Eigen::Vector3f light_leaving(const Surface& surface, const Eigen::Vector3f& albedo,
                                             const Eigen::Vector3f& arriving);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

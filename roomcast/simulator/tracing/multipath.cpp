@@ -10,7 +10,7 @@
 #include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/tracing/lighting.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector3f;
@@ -115,4 +115,4 @@ Image<float> trace_detours(const Room& room, const RayScene& scene, const Placed
   return detour_m;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

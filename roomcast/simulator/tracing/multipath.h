@@ -17,7 +17,7 @@
 #include "roomcast/simulator/tracing/placed_camera.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// How much too far the surface at each pixel appears along the optical axis, in metres. `z_m`: its
 /// depth.
@@ -25,4 +25,4 @@ namespace roomcast::sim {
                                          const PlacedCamera& camera, ImageView<const float> z_m,
                                          int threads);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

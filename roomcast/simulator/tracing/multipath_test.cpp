@@ -11,7 +11,7 @@
 #include "roomcast/simulator/sensing/sensor_unit.h"
 #include "roomcast/simulator/tracing/static_plate.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 /// Looks from 1 m above the origin towards -z.
@@ -111,4 +111,4 @@ TEST(Multipath, does_not_depend_on_the_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 using Eigen::Vector2d;
 using Eigen::Vector3f;
@@ -57,4 +57,4 @@ PixelBox PlacedCamera::pixels_of_box(const Eigen::Affine3f& world_from_local, co
           inside(most.x() + kBulge + 1.0, width()), inside(most.y() + kBulge + 1.0, height())};
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -12,7 +12,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 /// Columns left <= x < right, rows top <= y < bottom.
 struct PixelBox {
@@ -73,4 +73,4 @@ class PlacedCamera {
   Eigen::AlignedBox2f ray_bounds_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -6,7 +6,7 @@
 
 #include <embree3/rtcore.h>
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -115,4 +115,4 @@ bool RayScene::blocked(const Vector3f& from_m, const Vector3f& to_m) const {
   return ray.tfar < 0.0F;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

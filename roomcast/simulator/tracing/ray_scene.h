@@ -11,7 +11,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/simulator/scene/triangle_mesh.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct RayHit {
   float t = 0;  // in lengths of the direction given
@@ -42,4 +42,4 @@ class RayScene {
   std::unique_ptr<Handles> handles_;
 };
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -11,7 +11,7 @@
 #include "roomcast/simulator/tracing/light_map.h"
 #include "roomcast/simulator/tracing/multipath.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 using Eigen::Vector2f;
@@ -166,4 +166,4 @@ CameraIntrinsics resampled(CameraIntrinsics camera, double factor) {
   return camera;
 }
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

@@ -8,7 +8,7 @@
 #include "roomcast/simulator/tracing/placed_camera.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 
 struct DepthPlate {
   // Through the pixels' centres:
@@ -39,4 +39,4 @@ struct ColorPlate {
 /// The same camera with `factor` times the pixels in each direction, on the same area.
 [[nodiscard]] CameraIntrinsics resampled(CameraIntrinsics camera, double factor);
 
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

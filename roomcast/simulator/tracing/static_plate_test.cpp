@@ -9,7 +9,7 @@
 
 #include "roomcast/simulator/sensing/sensor_unit.h"
 
-namespace roomcast::sim {
+namespace roomcast::simulator {
 namespace {
 
 constexpr float kTolerance_m = 0.001F;
@@ -121,4 +121,4 @@ TEST(StaticPlate, three_sensors_overlap_and_each_sees_something_alone) {
 }
 
 }  // namespace
-}  // namespace roomcast::sim
+}  // namespace roomcast::simulator

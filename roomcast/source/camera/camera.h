@@ -17,7 +17,7 @@
 #include "roomcast/source/camera/camera_settings.h"
 #include "roomcast/source/camera/frame_pairing.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// A camera that is plugged in, or a file that can be opened like one.
 struct CameraInfo {
@@ -75,4 +75,4 @@ class CameraBackend {
                                                              const CameraSettings& settings) = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

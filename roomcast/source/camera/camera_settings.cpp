@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/camera/camera_settings.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 Status CameraSettings::check() const {
   if (trigger_delay < trigger_delay.zero() || trigger_delay > kLongestTriggerDelay)
@@ -28,4 +28,4 @@ Status check_abilities(const std::string& kind, const CameraAbilities& abilities
   return {};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// Hardware synchronisation over a cable: the primary gives the beat.
 enum class SyncRole { kAlone, kPrimary, kSecondary };
@@ -42,4 +42,4 @@ inline constexpr std::chrono::microseconds kLongestTriggerDelay{1'000'000};
 [[nodiscard]] Status check_abilities(const std::string& kind, const CameraAbilities& abilities,
                                      const CameraSettings& settings);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 using std::chrono::microseconds;
@@ -50,4 +50,4 @@ TEST(CameraSettings, nothing_asked_is_never_refused_nor_is_what_the_camera_can) 
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

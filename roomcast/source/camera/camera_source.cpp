@@ -8,7 +8,7 @@
 #include "roomcast/core/interruptible_wait.h"
 #include "roomcast/source/camera/open_camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{100};  // how soon a stop is noticed
@@ -152,4 +152,4 @@ SourceHealth CameraSource::health() const {
   return {newest_.dropped_count() + unpaired_, losses_, is_there_};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

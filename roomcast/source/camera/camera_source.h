@@ -18,7 +18,7 @@
 #include "roomcast/source/camera/device_clock.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 struct CameraSourceOptions {
   CameraSettings settings = {};
@@ -84,4 +84,4 @@ class CameraSource final : public FrameSource {
   std::jthread thread_;       // the last member: it uses all others
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 
 #include "roomcast/source/camera/scripted_camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 using std::chrono::milliseconds;
@@ -144,4 +144,4 @@ TEST_F(CameraAtWork, what_it_cannot_do_is_refused_before_it_is_opened) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

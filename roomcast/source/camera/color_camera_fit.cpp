@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr int kRounds = 12;
@@ -101,4 +101,4 @@ SensorCalibration mirrored(const SensorCalibration& cameras) {
   return out;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 struct MappedPoint {
   Eigen::Vector3d point_m;  // depth camera's frame
@@ -29,4 +29,4 @@ inline constexpr std::size_t kFewestMappedPoints = 500;
 /// The same cameras for pictures flipped left to right.
 [[nodiscard]] SensorCalibration mirrored(const SensorCalibration& cameras);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 SensorCalibration nominal() {
@@ -67,4 +67,4 @@ TEST(Mirrored, cameras_put_a_flipped_point_on_the_flipped_pixel) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

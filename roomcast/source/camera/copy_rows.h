@@ -7,7 +7,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// `picture` keeps its memory where it has this size already. `data` holds `height` rows of
 /// `stride_bytes`, the last one of `width` pixels at least.
@@ -22,4 +22,4 @@ void copy_rows(const void* data, std::ptrdiff_t stride_bytes, int width, int hei
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 HostTime DeviceClock::capture_time(nanoseconds device_time, HostTime arrived) {
   const nanoseconds delay = arrived.time_since_epoch() - device_time;
@@ -49,4 +49,4 @@ nanoseconds TickCounter::time(std::uint64_t ticks) {
   return nanoseconds(std::llround(static_cast<double>(total_) * nanoseconds_per_tick_));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

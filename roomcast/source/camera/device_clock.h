@@ -10,7 +10,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 class DeviceClock {
  public:
@@ -43,4 +43,4 @@ class TickCounter {
   std::uint64_t total_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

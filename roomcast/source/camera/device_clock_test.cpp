@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 using std::chrono::milliseconds;
@@ -67,4 +67,4 @@ TEST(TickCounter, a_small_step_back_is_no_round) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

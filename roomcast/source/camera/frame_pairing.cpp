@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 nanoseconds half_a_period(double fps) {
@@ -46,4 +46,4 @@ void FramePairing::forget() {
   color_time_.reset();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -11,7 +11,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/source/frame_source.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 class FramePairing {
  public:
@@ -46,4 +46,4 @@ class FramePairing {
   std::uint64_t frame_count_ = 0;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 using std::chrono::milliseconds;
@@ -82,4 +82,4 @@ TEST(PairingWithoutColour, every_depth_picture_is_a_frame_and_gives_memory_back)
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 
 #include "roomcast/source/camera/usb_device.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// "", "0" to "99"; anything longer is a serial number.
@@ -62,4 +62,4 @@ Result<std::unique_ptr<Camera>> open_camera(CameraBackend& backend, const std::s
   return camera;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/source/camera/camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// `place`: empty (the camera at position 0), a position in the list, a serial number, a place as
 /// listed, or a file that this kind plays. kInvalidArgument: settings that contradict each other;
@@ -24,4 +24,4 @@ namespace roomcast {
 [[nodiscard]] Result<CameraInfo> choose_camera(const std::vector<CameraInfo>& cameras,
                                                const std::string& kind, const std::string& place);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 
 #include "roomcast/source/camera/scripted_camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 const std::vector<CameraInfo> kTwo = {{"port-a", "Camera", "A003"}, {"port-b", "Camera", ""}};
@@ -54,4 +54,4 @@ TEST(OpenCamera, contradicting_settings_are_refused_before_anything_is_opened) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

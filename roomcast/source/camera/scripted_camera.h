@@ -12,7 +12,7 @@
 
 #include "roomcast/source/camera/camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 class ScriptedBackend : public CameraBackend {
  public:
@@ -116,4 +116,4 @@ inline Result<std::unique_ptr<Camera>> ScriptedBackend::open(const CameraInfo& c
   return std::unique_ptr<Camera>(std::make_unique<Scripted>(*this, camera.serial));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

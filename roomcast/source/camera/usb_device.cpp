@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ std::optional<Error> obstacle_of_kind(const std::vector<UsbCamera>& cameras,
   return std::nullopt;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -12,7 +12,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// A depth camera that is plugged in, whether roomcast was built for its kind or not.
 struct UsbCamera {
@@ -37,4 +37,4 @@ struct UsbCamera {
 [[nodiscard]] std::optional<Error> obstacle_of_kind(const std::vector<UsbCamera>& cameras,
                                                     const std::string& kind);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -9,7 +9,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST_F(Usb, attributes_that_are_missing_or_absurd_do_no_harm) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

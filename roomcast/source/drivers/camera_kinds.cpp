@@ -19,7 +19,7 @@
 #include "roomcast/source/drivers/k4a/k4a_backend.h"
 #endif
 
-namespace roomcast {
+namespace roomcast::source {
 
 const std::vector<CameraKind>& camera_kinds() {
   static const std::vector<CameraKind> kinds = {
@@ -69,4 +69,4 @@ const CameraKind* camera_kind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -10,7 +10,7 @@
 
 #include "roomcast/source/camera/camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 struct CameraKind {
   std::string_view name;     // as a SPEC begins
@@ -23,4 +23,4 @@ struct CameraKind {
 /// Null for a name that is none.
 [[nodiscard]] const CameraKind* camera_kind(std::string_view name);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 TEST(CameraKinds, are_found_by_the_name_their_specs_begin_with) {
@@ -21,4 +21,4 @@ TEST(CameraKinds, those_built_in_answer_to_their_names) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

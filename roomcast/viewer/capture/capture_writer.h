@@ -13,30 +13,30 @@
 #include "roomcast/viewer/capture/video_recorder.h"
 #include "roomcast/viewer/report/toasts.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class CaptureWriter {
  public:
-  CaptureWriter(std::filesystem::path folder, PictureWriter write)
+  CaptureWriter(std::filesystem::path folder, io::PictureWriter write)
       : folder_(std::move(folder)), write_(std::move(write)) {}
 
   /// The room's name becomes part of the file's.
-  Toast save(const OffscreenTarget& picture, const std::string& room);
+  Toast save(const render::OffscreenTarget& picture, const std::string& room);
 
   [[nodiscard]] bool is_recording() const { return video_ != nullptr; }
   /// The file or folder; empty while nothing is recorded.
   [[nodiscard]] const std::string& video_name() const { return name_; }
-  Toast start_video(const OffscreenTarget& picture, const std::string& room);
+  Toast start_video(const render::OffscreenTarget& picture, const std::string& room);
   Toast stop_video();
   /// What is shown now. A video has one size: false when it cannot go on and has to be stopped.
-  bool record(const OffscreenTarget& picture, HostTime now);
+  bool record(const render::OffscreenTarget& picture, HostTime now);
 
  private:
   std::filesystem::path folder_;
-  PictureWriter write_;
+  io::PictureWriter write_;
   std::unique_ptr<VideoRecorder> video_;
   std::string name_;
   PictureSize size_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

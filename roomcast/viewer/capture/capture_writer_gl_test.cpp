@@ -8,23 +8,23 @@
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/capture/capture_writer.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
 
-class CaptureWriterTest : public GlTest {
+class CaptureWriterTest : public render::GlTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    render::GlTest::SetUp();
     ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
-    picture.emplace(*OffscreenTarget::create(8, 6));
+    picture.emplace(*render::OffscreenTarget::create(8, 6));
     picture->clear({1, 2, 3});
   }
   void TearDown() override {
     ::setenv("PATH", path.c_str(), 1);
     picture.reset();
-    GlTest::TearDown();
+    render::GlTest::TearDown();
   }
 
   Status write(const std::filesystem::path& file, ColorView shown) {
@@ -38,7 +38,7 @@ class CaptureWriterTest : public GlTest {
   TemporaryFolder folder;
   std::vector<std::string> written;
   bool disk_is_full = false;
-  std::optional<OffscreenTarget> picture;
+  std::optional<render::OffscreenTarget> picture;
   CaptureWriter keeper{folder.path(),
                        [this](const auto& file, ColorView shown) { return write(file, shown); }};
 };
@@ -69,10 +69,10 @@ TEST_F(CaptureWriterTest, records_until_it_is_stopped) {
 
 TEST_F(CaptureWriterTest, a_video_does_not_change_its_size) {
   keeper.start_video(*picture, "lab");
-  auto larger = OffscreenTarget::create(10, 6);
+  auto larger = render::OffscreenTarget::create(10, 6);
   EXPECT_FALSE(keeper.record(*larger, HostTime(1h)));
   EXPECT_EQ(keeper.stop_video().kind, Toast::Kind::kGood);
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -15,7 +15,7 @@
 
 #include "roomcast/viewer/capture/video_sink.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 Error ffmpeg_failed(const std::string& what) {
@@ -141,4 +141,4 @@ Result<std::unique_ptr<VideoSink>> open_ffmpeg(const std::filesystem::path& file
   return pid.error();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,12 +3,12 @@
 
 #include "roomcast/viewer/capture/video_recorder.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 Result<OpenedVideo> open_video(const std::filesystem::path& folder, const std::string& stem,
-                               PictureSize size, const PictureWriter& write_png) {
+                               PictureSize size, const io::PictureWriter& write_png) {
   const bool has_ffmpeg = is_on_path("ffmpeg");
-  const auto path = next_free_path(folder, stem, has_ffmpeg ? ".mp4" : "-video");
+  const auto path = io::next_free_path(folder, stem, has_ffmpeg ? ".mp4" : "-video");
   if (!path) return path.error();
   if (!has_ffmpeg) {
     return OpenedVideo{open_png_sequence(*path, write_png), *path,
@@ -19,4 +19,4 @@ Result<OpenedVideo> open_video(const std::filesystem::path& folder, const std::s
   return OpenedVideo{std::move(*sink), *path, ""};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

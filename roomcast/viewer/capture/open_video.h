@@ -8,7 +8,7 @@
 
 #include "roomcast/viewer/capture/video_sink.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct OpenedVideo {
   std::unique_ptr<VideoSink> sink;
@@ -20,6 +20,6 @@ struct OpenedVideo {
 /// open_ffmpeg.
 [[nodiscard]] Result<OpenedVideo> open_video(const std::filesystem::path& folder,
                                              const std::string& stem, PictureSize size,
-                                             const PictureWriter& write_png);
+                                             const io::PictureWriter& write_png);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

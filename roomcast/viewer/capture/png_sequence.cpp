@@ -5,12 +5,12 @@
 
 #include "roomcast/viewer/capture/video_sink.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 class PngSequence final : public VideoSink {
  public:
-  PngSequence(std::filesystem::path folder, PictureWriter write)
+  PngSequence(std::filesystem::path folder, io::PictureWriter write)
       : folder_(std::move(folder)), write_(std::move(write)) {}
 
   Status write(ColorView frame) override {
@@ -22,15 +22,15 @@ class PngSequence final : public VideoSink {
 
  private:
   std::filesystem::path folder_;
-  PictureWriter write_;
+  io::PictureWriter write_;
   int count_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<VideoSink> open_png_sequence(const std::filesystem::path& folder,
-                                             PictureWriter write) {
+                                             io::PictureWriter write) {
   return std::make_unique<PngSequence>(folder, std::move(write));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 int FramePace::due(HostTime now) {
   if (!begin_) begin_ = now;
@@ -55,4 +55,4 @@ void VideoRecorder::write_frames() {
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

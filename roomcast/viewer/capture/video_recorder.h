@@ -15,7 +15,7 @@
 #include "roomcast/core/drop_oldest_queue.h"
 #include "roomcast/viewer/capture/video_sink.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// Which frames of a steady video are due. Pure.
 class FramePace {
@@ -68,4 +68,4 @@ class VideoRecorder {
   std::jthread writer_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

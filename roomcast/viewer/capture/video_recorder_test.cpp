@@ -10,7 +10,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/viewer/capture/open_video.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -160,4 +160,4 @@ TEST(Ffmpeg, is_looked_for_on_the_path) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

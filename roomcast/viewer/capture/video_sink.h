@@ -11,7 +11,7 @@
 #include "roomcast/io/numbered_files.h"
 #include "roomcast/viewer/view/view_target.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class VideoSink {
  public:
@@ -24,7 +24,7 @@ class VideoSink {
 
 /// FOLDER/frame-000001.png, ...
 [[nodiscard]] std::unique_ptr<VideoSink> open_png_sequence(const std::filesystem::path& folder,
-                                                           PictureWriter write);
+                                                           io::PictureWriter write);
 
 /// True when a program of this name is on the PATH.
 [[nodiscard]] bool is_on_path(const std::string& program);
@@ -33,4 +33,4 @@ class VideoSink {
 [[nodiscard]] Result<std::unique_ptr<VideoSink>> open_ffmpeg(const std::filesystem::path& file,
                                                              PictureSize size, int fps);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 const ImVec4 kRed = {0.96F, 0.42F, 0.38F, 1};
@@ -54,7 +54,7 @@ bool section(const char* title, bool is_open = true) {
 }
 
 void draw_connection(const PanelFacts& facts) {
-  const RoomSnapshot& room = facts.room;
+  const client::RoomSnapshot& room = facts.room;
   ImGui::TextColored(room.connected ? kGreen : kRed, room.connected ? "live" : "not connected");
   ImGui::SameLine();
   ImGui::Text("%s", room.room.empty() ? "roomcast" : room.room.c_str());
@@ -94,7 +94,7 @@ void draw_latency(const PanelFacts& facts) {
   ImGui::EndTable();
 }
 
-void draw_placement(const RoomSensor& sensor) {
+void draw_placement(const client::RoomSensor& sensor) {
   if (sensor.moved) {
     ImGui::TextColored(kYellow, "moved");
   } else if (!sensor.placed) {
@@ -108,7 +108,7 @@ void draw_placement(const RoomSensor& sensor) {
   }
 }
 
-void draw_sensor(const RoomSensor& sensor, const SensorFigures& figures, ViewSettings& settings) {
+void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures, ViewSettings& settings) {
   ImGui::PushID(sensor.id.value);
   bool is_shown = !settings.hidden.contains(sensor.id);
   if (ImGui::Checkbox(sensor.name.c_str(), &is_shown)) {
@@ -148,7 +148,7 @@ void draw_sensors(const PanelFacts& facts, ViewSettings& settings) {
 
 void draw_people(const PanelFacts& facts) {
   if (!section("People")) return;
-  for (const RoomPerson& person : facts.room.people) {
+  for (const client::RoomPerson& person : facts.room.people) {
     const ImVec4 color(static_cast<float>(person.color.r) / 255,
                        static_cast<float>(person.color.g) / 255,
                        static_cast<float>(person.color.b) / 255, 1);
@@ -164,15 +164,15 @@ void draw_people(const PanelFacts& facts) {
 
 void draw_mode(ViewSettings& settings) {
   if (ImGui::BeginCombo("way of drawing", name_of(settings.mode).data())) {
-    for (const RenderMode mode : kRenderModes) {
+    for (const render::RenderMode mode : render::kRenderModes) {
       if (ImGui::Selectable(name_of(mode).data(), settings.mode == mode)) settings.mode = mode;
     }
     ImGui::EndCombo();
   }
-  if (settings.mode == RenderMode::kBlend) {
+  if (settings.mode == render::RenderMode::kBlend) {
     int unseen = static_cast<int>(settings.unseen);
     ImGui::Combo("what nobody sees", &unseen, "left empty\0small holes filled\0surroundings\0");
-    settings.unseen = static_cast<Unseen>(unseen);
+    settings.unseen = static_cast<render::Unseen>(unseen);
   }
 }
 
@@ -218,7 +218,7 @@ std::optional<ViewerCommand> draw_buttons(const PanelFacts& facts) {
     if (ImGui::Button(label)) pressed = command;
     ImGui::EndDisabled();
   }
-  if (const Status may = check_may_record(facts.room.rights); facts.room.connected && !may)
+  if (const Status may = client::check_may_record(facts.room.rights); facts.room.connected && !may)
     ImGui::TextColored(kQuiet, "%s", may.error().message.c_str());
   if (!facts.video.empty()) ImGui::TextColored(kRed, "recording %s", facts.video.c_str());
   return pressed;
@@ -289,4 +289,4 @@ std::optional<ViewerCommand> Panel::draw(const PanelFacts& facts, ViewSettings& 
   return pressed;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -15,11 +15,11 @@
 #include "roomcast/viewer/view/view_settings.h"
 #include "roomcast/viewer/window/viewer_command.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// Everything that is shown.
 struct PanelFacts {
-  const RoomSnapshot& room;
+  const client::RoomSnapshot& room;
   const RoomFigures& figures;
   std::optional<LatencyStages> latency;
   std::vector<Toast> toasts;
@@ -46,4 +46,4 @@ class Panel {
   bool is_open_ = true, shows_help_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

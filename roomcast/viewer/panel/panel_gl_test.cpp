@@ -7,7 +7,7 @@
 #include "roomcast/viewer/panel/panel.h"
 #include "roomcast/viewer/panel/panel_layer.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr PictureSize kSize = {900, 700};
@@ -33,7 +33,7 @@ class PanelTest : public testing::Test {
   /// Dear ImGui lays out in one frame what it draws in the next.
   ColorImage draw() {
     for (int i = 0; i < 3; ++i) {
-      auto picture = OffscreenTarget::create(kSize.width, kSize.height);
+      auto picture = render::OffscreenTarget::create(kSize.width, kSize.height);
       picture->clear(kRoom);
       window->show(*picture);
       layer->begin();
@@ -61,7 +61,7 @@ class PanelTest : public testing::Test {
 
   std::unique_ptr<ViewWindow> window;
   std::unique_ptr<PanelLayer> layer;
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   RoomReport report;
   std::vector<Toast> toasts;
   ViewSettings settings;
@@ -82,7 +82,7 @@ TEST_F(PanelTest, closed_it_draws_nothing) {
 
 TEST_F(PanelTest, grows_with_each_sensor) {
   const int before = changed_pixels(draw(), 0, 420);
-  RoomSensor& sensor = room.sensors.emplace_back();
+  client::RoomSensor& sensor = room.sensors.emplace_back();
   sensor.name = "left";
   sensor.online = sensor.placed = true;
   report.follow(room, HostTime(std::chrono::hours(1)));
@@ -124,4 +124,4 @@ TEST_F(PanelTest, keys_walk_even_while_it_is_open) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

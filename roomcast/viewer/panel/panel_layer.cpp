@@ -10,7 +10,7 @@
 
 #include "roomcast/viewer/text/font_file.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr float kLetterHeight_units = 15;
@@ -106,4 +106,4 @@ void PanelLayer::end() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

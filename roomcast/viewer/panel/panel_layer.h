@@ -12,7 +12,7 @@
 struct ImGuiContext;
 union SDL_Event;
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class PanelLayer {
  public:
@@ -42,4 +42,4 @@ class PanelLayer {
   bool has_sdl_ = false, has_gl_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr double kEasing_per_s = 14;
@@ -27,7 +27,7 @@ bool ease(RigidTransform& shown, const RigidTransform& wanted, double share) {
   return ease(shown.translation_m, wanted.translation_m, share) || turns;
 }
 
-bool ease(PointerBeam& shown, const PointerBeam& wanted, double share) {
+bool ease(client::PointerBeam& shown, const client::PointerBeam& wanted, double share) {
   const bool from_moves = ease(shown.from_m, wanted.from_m, share);
   return ease(shown.to_m, wanted.to_m, share) || from_moves;
 }
@@ -41,7 +41,7 @@ bool ease(std::optional<Part>& shown, const std::optional<Part>& wanted, double 
   return changes;
 }
 
-bool ease(PersonPose& shown, const PersonPose& wanted, double share) {
+bool ease(client::PersonPose& shown, const client::PersonPose& wanted, double share) {
   bool moves = ease(shown.world_from_head, wanted.world_from_head, share);
   moves |= ease(shown.world_from_left_hand, wanted.world_from_left_hand, share);
   moves |= ease(shown.world_from_right_hand, wanted.world_from_right_hand, share);
@@ -49,19 +49,19 @@ bool ease(PersonPose& shown, const PersonPose& wanted, double share) {
   return moves;
 }
 
-std::string name_of(const RoomPerson& person) {
+std::string name_of(const client::RoomPerson& person) {
   return person.name.empty() ? "viewer " + std::to_string(person.id.value) : person.name;
 }
 
 }  // namespace
 
-void Avatars::follow(const RoomSnapshot& room) {
+void Avatars::follow(const client::RoomSnapshot& room) {
   std::vector<Avatar> people;
-  std::vector<PersonPose> poses;
-  for (const RoomPerson& person : room.people) {
+  std::vector<client::PersonPose> poses;
+  for (const client::RoomPerson& person : room.people) {
     if (person.id == room.self || !person.pose) continue;
     const auto known = std::ranges::find(shown_, person.id, &Avatar::id);
-    const PersonPose& shown = known != shown_.end() ? known->shown : *person.pose;
+    const client::PersonPose& shown = known != shown_.end() ? known->shown : *person.pose;
     people.push_back({person.id, name_of(person), person.color, shown});
     poses.push_back(*person.pose);
   }
@@ -76,4 +76,4 @@ bool Avatars::advance(double seconds) {
   return moves;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

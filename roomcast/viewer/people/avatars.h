@@ -11,19 +11,19 @@
 
 #include "roomcast/client/room/room_snapshot.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct Avatar {
   ViewerId id{};
   std::string name;  // never empty
   Rgb8 color;
-  PersonPose shown;
+  client::PersonPose shown;
 };
 
 class Avatars {
  public:
   /// Everybody but the one who looks. Who has no pose yet is not shown.
-  void follow(const RoomSnapshot& room);
+  void follow(const client::RoomSnapshot& room);
 
   /// True while somebody still moves: draw again.
   bool advance(double seconds);
@@ -32,7 +32,7 @@ class Avatars {
 
  private:
   std::vector<Avatar> shown_;
-  std::vector<PersonPose> wanted_;  // of each of those
+  std::vector<client::PersonPose> wanted_;  // of each of those
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr ViewerId kSelf{1}, kOther{2};
 
-PersonPose pose_at(double x) {
-  PersonPose pose;
+client::PersonPose pose_at(double x) {
+  client::PersonPose pose;
   pose.world_from_head.translation_m = {x, 1.6, 0};
   return pose;
 }
 
-RoomSnapshot room_with(const PersonPose& other, const std::string& name = "Ada") {
-  RoomSnapshot room;
+client::RoomSnapshot room_with(const client::PersonPose& other, const std::string& name = "Ada") {
+  client::RoomSnapshot room;
   room.self = kSelf;
   room.people = {{kSelf, "me", {}, pose_at(9)},
                  {kOther, name, {1, 2, 3}, other},
@@ -49,9 +49,9 @@ TEST(Avatars, glide_to_the_newest_pose_and_come_to_rest) {
 TEST(Avatars, hands_and_beams_come_and_go_at_once) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(0)));
-  PersonPose pointing = pose_at(0);
+  client::PersonPose pointing = pose_at(0);
   pointing.world_from_right_hand = RigidTransform{};
-  pointing.pointer = PointerBeam{{0, 1, 0}, {0, 1, -2}};
+  pointing.pointer = client::PointerBeam{{0, 1, 0}, {0, 1, -2}};
   avatars.follow(room_with(pointing));
   EXPECT_TRUE(avatars.advance(0.001));
   ASSERT_TRUE(avatars.shown()[0].shown.pointer);
@@ -70,9 +70,9 @@ TEST(Avatars, who_has_no_name_is_told_apart_by_a_number) {
 TEST(Avatars, who_left_is_not_shown) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(0)));
-  avatars.follow(RoomSnapshot{});
+  avatars.follow(client::RoomSnapshot{});
   EXPECT_TRUE(avatars.shown().empty());
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -10,7 +10,7 @@
 #include "roomcast/viewer/people/drawing_over.h"
 #include "roomcast/viewer/people/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 // As in shaders/body.*.
@@ -39,17 +39,17 @@ RigidTransform at(const Eigen::Vector3d& place_m) {
 }  // namespace
 
 Result<BodyRenderer> BodyRenderer::create() {
-  Result<GlProgram> program =
-      make_program({{GL_VERTEX_SHADER, {shaders::eyes_glsl, shaders::body_vert}},
+  Result<render::GlProgram> program =
+      render::make_program({{GL_VERTEX_SHADER, {render::shaders::eyes_glsl, shaders::body_vert}},
                     {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
   if (!program) return std::move(program).error();
   return BodyRenderer(std::move(program).value());
 }
 
-BodyRenderer::BodyRenderer(GlProgram program)
-    : program_(std::move(program)), no_attributes_(GlVertexArray::create()) {}
+BodyRenderer::BodyRenderer(render::GlProgram program)
+    : program_(std::move(program)), no_attributes_(render::GlVertexArray::create()) {}
 
-void BodyRenderer::draw(const Eyes& eyes, std::span<const Avatar> avatars) {
+void BodyRenderer::draw(const render::Eyes& eyes, std::span<const Avatar> avatars) {
   const DrawingOver room(DrawingOver::kSolid);
   begin(eyes);
   for (const Avatar& avatar : avatars) {
@@ -58,16 +58,16 @@ void BodyRenderer::draw(const Eyes& eyes, std::span<const Avatar> avatars) {
   }
 }
 
-void BodyRenderer::draw_own(const Eyes& eyes, const PersonPose& self, Rgb8 color) {
+void BodyRenderer::draw_own(const render::Eyes& eyes, const client::PersonPose& self, Rgb8 color) {
   const DrawingOver room(DrawingOver::kSolid);
   begin(eyes);
   draw_hands_and_beam(self, color);
 }
 
-void BodyRenderer::begin(const Eyes& eyes) {
+void BodyRenderer::begin(const render::Eyes& eyes) {
   eyes_ = eyes.count();
-  set_eyes(program_, eyes);
-  set_matrices(program_, kClipFromWorld, clip_from_world(eyes));
+  render::set_eyes(program_, eyes);
+  render::set_matrices(program_, kClipFromWorld, render::clip_from_world(eyes));
   glUseProgram(program_.name());
   glBindVertexArray(no_attributes_.name());
 }
@@ -77,7 +77,7 @@ void BodyRenderer::draw_head(const RigidTransform& world_from_head, Rgb8 color) 
   draw_ball(world_from_head * at(kVisorPlace_m), kVisor_m, kVisorColor, kLit);
 }
 
-void BodyRenderer::draw_hands_and_beam(const PersonPose& pose, Rgb8 color) const {
+void BodyRenderer::draw_hands_and_beam(const client::PersonPose& pose, Rgb8 color) const {
   const Eigen::Vector3d hand_m = Eigen::Vector3d::Constant(kHandRadius_m);
   if (pose.world_from_left_hand) draw_ball(*pose.world_from_left_hand, hand_m, color, kLit);
   if (pose.world_from_right_hand) draw_ball(*pose.world_from_right_hand, hand_m, color, kLit);
@@ -85,7 +85,7 @@ void BodyRenderer::draw_hands_and_beam(const PersonPose& pose, Rgb8 color) const
 }
 
 /// A ball drawn out from one end to the other.
-void BodyRenderer::draw_beam(const PointerBeam& beam, Rgb8 color) const {
+void BodyRenderer::draw_beam(const client::PointerBeam& beam, Rgb8 color) const {
   const Eigen::Vector3d along_m = beam.to_m - beam.from_m;
   RigidTransform world_from_beam = at((beam.from_m + beam.to_m) / 2);
   world_from_beam.rotation =
@@ -97,7 +97,7 @@ void BodyRenderer::draw_beam(const PointerBeam& beam, Rgb8 color) const {
 void BodyRenderer::draw_ball(const RigidTransform& world_from_ball, const Eigen::Vector3d& radii_m,
                              Rgb8 color, float own_light) const {
   const Eigen::Vector3f radii = radii_m.cast<float>().cwiseMax(1e-6F);
-  Eigen::Matrix4f matrix = matrix_from_transform(world_from_ball);
+  Eigen::Matrix4f matrix = render::matrix_from_transform(world_from_ball);
   const Eigen::Matrix3f normals =
       matrix.topLeftCorner<3, 3>() * radii.cwiseInverse().asDiagonal().toDenseMatrix();
   matrix.topLeftCorner<3, 3>() *= radii.asDiagonal().toDenseMatrix();
@@ -110,4 +110,4 @@ void BodyRenderer::draw_ball(const RigidTransform& world_from_ball, const Eigen:
   glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * kSectors * kRings, eyes_);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

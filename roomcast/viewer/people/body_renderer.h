@@ -13,29 +13,29 @@
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/people/avatars.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class BodyRenderer {
  public:
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<BodyRenderer> create();
 
-  void draw(const Eyes& eyes, std::span<const Avatar> avatars);
+  void draw(const render::Eyes& eyes, std::span<const Avatar> avatars);
   /// The hands and the beam of the one who looks; the head is where the eyes are.
-  void draw_own(const Eyes& eyes, const PersonPose& self, Rgb8 color);
+  void draw_own(const render::Eyes& eyes, const client::PersonPose& self, Rgb8 color);
 
  private:
-  explicit BodyRenderer(GlProgram program);
-  void begin(const Eyes& eyes);
+  explicit BodyRenderer(render::GlProgram program);
+  void begin(const render::Eyes& eyes);
   void draw_head(const RigidTransform& world_from_head, Rgb8 color) const;
-  void draw_hands_and_beam(const PersonPose& pose, Rgb8 color) const;
-  void draw_beam(const PointerBeam& beam, Rgb8 color) const;
+  void draw_hands_and_beam(const client::PersonPose& pose, Rgb8 color) const;
+  void draw_beam(const client::PointerBeam& beam, Rgb8 color) const;
   void draw_ball(const RigidTransform& world_from_ball, const Eigen::Vector3d& radii_m, Rgb8 color,
                  float own_light) const;
 
-  GlProgram program_;
-  GlVertexArray no_attributes_;
+  render::GlProgram program_;
+  render::GlVertexArray no_attributes_;
   GLsizei eyes_ = 1;  // of the picture that was begun
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class DrawingOver {
  public:
@@ -37,4 +37,4 @@ class DrawingOver {
   static constexpr GLuint kPicture = 0, kSensors = 1;  // attachments of an OffscreenTarget
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -12,7 +12,7 @@
 #include "roomcast/viewer/people/drawing_over.h"
 #include "roomcast/viewer/people/shader_sources.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 // As in shaders/label.*.
@@ -35,8 +35,8 @@ std::vector<LabelCorner> plate_of(float width_m) {
   return corners;
 }
 
-GlVertexArray vertices_in(const GlBuffer& buffer) {
-  GlVertexArray vertices = GlVertexArray::create();
+render::GlVertexArray vertices_in(const render::GlBuffer& buffer) {
+  render::GlVertexArray vertices = render::GlVertexArray::create();
   const GLuint name = vertices.name();
   glVertexArrayVertexBuffer(name, 0, buffer.name(), 0, sizeof(LabelCorner));
   const auto add = [name](Attribute attribute, std::size_t offset) {
@@ -66,25 +66,25 @@ RigidTransform world_from_label(const RigidTransform& world_from_view,
 }
 
 Result<LabelRenderer> LabelRenderer::create() {
-  Result<GlProgram> program =
-      make_program({{GL_VERTEX_SHADER, {shaders::eyes_glsl, shaders::label_vert}},
+  Result<render::GlProgram> program =
+      render::make_program({{GL_VERTEX_SHADER, {render::shaders::eyes_glsl, shaders::label_vert}},
                     {GL_FRAGMENT_SHADER, {shaders::label_frag}}});
   if (!program) return std::move(program).error();
   return LabelRenderer(std::move(program).value());
 }
 
-void LabelRenderer::draw(const Eyes& eyes, std::span<const Avatar> avatars) {
+void LabelRenderer::draw(const render::Eyes& eyes, std::span<const Avatar> avatars) {
   forget_who_left(avatars);
   const DrawingOver room(DrawingOver::kTransparent);
-  const EyeMatrices clip_from_room = clip_from_world(eyes);
+  const render::EyeMatrices clip_from_room = render::clip_from_world(eyes);
   glUseProgram(program_.name());
-  set_eyes(program_, eyes);
+  render::set_eyes(program_, eyes);
   glBindTextureUnit(0, font_.texture().name());
   glProgramUniform1i(program_.name(), kLetters, 0);
   for (const Avatar& avatar : avatars) {
-    EyeMatrices clip_from_label = clip_from_room;
+    render::EyeMatrices clip_from_label = clip_from_room;
     for (std::size_t eye = 0; eye < clip_from_label.size(); ++eye) {
-      clip_from_label[eye] *= matrix_from_transform(
+      clip_from_label[eye] *= render::matrix_from_transform(
           world_from_label(eyes[eye].world_from_view, avatar.shown.world_from_head));
     }
     draw_label(label_of(avatar), clip_from_label, eyes.count());
@@ -111,7 +111,7 @@ LabelRenderer::Label LabelRenderer::make_label(const std::string& text) const {
   label.text = text;
   label.width_m = letters.width_m;
   label.letter_corners = static_cast<GLsizei>(letters.corners.size());
-  label.corners = GlBuffer::create();
+  label.corners = render::GlBuffer::create();
   glNamedBufferStorage(label.corners.name(),
                        static_cast<GLsizeiptr>(corners.size() * sizeof(LabelCorner)),
                        corners.data(), 0);
@@ -119,10 +119,10 @@ LabelRenderer::Label LabelRenderer::make_label(const std::string& text) const {
   return label;
 }
 
-void LabelRenderer::draw_label(const Label& label, const EyeMatrices& clip_from_label,
+void LabelRenderer::draw_label(const Label& label, const render::EyeMatrices& clip_from_label,
                                GLsizei eyes) const {
   const GLuint program = program_.name();
-  set_matrices(program_, kClipFromLabel, clip_from_label);
+  render::set_matrices(program_, kClipFromLabel, clip_from_label);
   glBindVertexArray(label.vertices.name());
   glProgramUniform2f(program, kPlate, label.width_m / 2 + kPlateMargin_m, kPlateHeight_m / 2);
   glProgramUniform4f(program, kColor, 0.05F, 0.067F, 0.09F, 0.72F);
@@ -132,4 +132,4 @@ void LabelRenderer::draw_label(const Label& label, const EyeMatrices& clip_from_
   glDrawArraysInstanced(GL_TRIANGLES, kPlateCorners, label.letter_corners, eyes);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

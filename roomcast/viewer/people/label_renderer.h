@@ -13,31 +13,31 @@
 #include "roomcast/viewer/people/avatars.h"
 #include "roomcast/viewer/text/label_font.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class LabelRenderer {
  public:
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<LabelRenderer> create();
 
-  void draw(const Eyes& eyes, std::span<const Avatar> avatars);
+  void draw(const render::Eyes& eyes, std::span<const Avatar> avatars);
 
  private:
   struct Label {
     std::string text;
-    GlBuffer corners;
-    GlVertexArray vertices;
+    render::GlBuffer corners;
+    render::GlVertexArray vertices;
     GLsizei letter_corners = 0;
     float width_m = 0;
   };
 
-  explicit LabelRenderer(GlProgram program) : program_(std::move(program)) {}
+  explicit LabelRenderer(render::GlProgram program) : program_(std::move(program)) {}
   const Label& label_of(const Avatar& avatar);
   [[nodiscard]] Label make_label(const std::string& text) const;
-  void draw_label(const Label& label, const EyeMatrices& clip_from_label, GLsizei eyes) const;
+  void draw_label(const Label& label, const render::EyeMatrices& clip_from_label, GLsizei eyes) const;
   void forget_who_left(std::span<const Avatar> avatars);
 
-  GlProgram program_;
+  render::GlProgram program_;
   LabelFont font_;
   std::map<ViewerId, Label> labels_;
 };
@@ -46,4 +46,4 @@ class LabelRenderer {
 [[nodiscard]] RigidTransform world_from_label(const RigidTransform& world_from_view,
                                               const RigidTransform& world_from_head);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

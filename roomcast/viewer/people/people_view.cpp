@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 Result<PeopleView> PeopleView::create() {
   auto bodies = BodyRenderer::create();
@@ -14,18 +14,18 @@ Result<PeopleView> PeopleView::create() {
   return PeopleView(std::move(*bodies), std::move(*labels));
 }
 
-void PeopleView::follow(const RoomSnapshot& room) {
+void PeopleView::follow(const client::RoomSnapshot& room) {
   avatars_.follow(room);
-  const auto self = std::ranges::find(room.people, room.self, &RoomPerson::id);
+  const auto self = std::ranges::find(room.people, room.self, &client::RoomPerson::id);
   if (self != room.people.end()) own_color_ = self->color;
 }
 
-void PeopleView::draw(const Eyes& eyes, const OffscreenTarget& target) {
+void PeopleView::draw(const render::Eyes& eyes, const render::OffscreenTarget& target) {
   target.bind();
-  const EyeBorders borders(eyes);
+  const render::EyeBorders borders(eyes);
   bodies_.draw(eyes, avatars_.shown());
   if (own_) bodies_.draw_own(eyes, *own_, own_color_);
   labels_.draw(eyes, avatars_.shown());
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

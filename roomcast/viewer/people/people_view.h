@@ -11,22 +11,22 @@
 #include "roomcast/viewer/people/body_renderer.h"
 #include "roomcast/viewer/people/label_renderer.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class PeopleView {
  public:
   /// kUnsupported with the driver's log when it does not take the shaders.
   static Result<PeopleView> create();
 
-  void follow(const RoomSnapshot& room);
+  void follow(const client::RoomSnapshot& room);
   /// True while somebody still moves: draw again.
   bool advance(double seconds) { return avatars_.advance(seconds); }
   /// Hands and beam of the one who looks; nothing: neither is seen.
-  void set_own(const std::optional<PersonPose>& own) { own_ = own; }
+  void set_own(const std::optional<client::PersonPose>& own) { own_ = own; }
   [[nodiscard]] std::span<const Avatar> others() const { return avatars_.shown(); }
 
   /// Over the room that `target` holds.
-  void draw(const Eyes& eyes, const OffscreenTarget& target);
+  void draw(const render::Eyes& eyes, const render::OffscreenTarget& target);
 
  private:
   PeopleView(BodyRenderer bodies, LabelRenderer labels)
@@ -35,8 +35,8 @@ class PeopleView {
   BodyRenderer bodies_;
   LabelRenderer labels_;
   Avatars avatars_;
-  std::optional<PersonPose> own_;
+  std::optional<client::PersonPose> own_;
   Rgb8 own_color_ = {255, 90, 60};
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,22 +6,22 @@
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/people/people_view.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr int kSide = 200;
 constexpr Rgb8 kBackground = {20, 20, 20};
 constexpr Rgb8 kBlue = {30, 60, 240};
 
-class PeopleViewTest : public GlTest {
+class PeopleViewTest : public render::GlTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    render::GlTest::SetUp();
     auto made = PeopleView::create();
     ASSERT_TRUE(made.ok()) << made.error().message;
     people.emplace(std::move(*made));
     room.self = ViewerId{1};
-    room.people.push_back({ViewerId{2}, "Ada", kBlue, PersonPose{}});
+    room.people.push_back({ViewerId{2}, "Ada", kBlue, client::PersonPose{}});
     room.people[0].pose->world_from_head = {Eigen::Vector3d(-1, 1, -1).asDiagonal(),
                                             {0, 1.6, -1.5}};
     camera.width = camera.height = kSide;
@@ -29,11 +29,11 @@ class PeopleViewTest : public GlTest {
   }
   void TearDown() override {
     people.reset();
-    GlTest::TearDown();
+    render::GlTest::TearDown();
   }
 
   ColorImage draw() {
-    auto target = OffscreenTarget::create(kSide, kSide);
+    auto target = render::OffscreenTarget::create(kSide, kSide);
     target->clear(kBackground);
     people->follow(room);
     people->draw(camera, *target);
@@ -47,14 +47,14 @@ class PeopleViewTest : public GlTest {
   /// Where a place of the world lies in the picture.
   Eigen::Vector2i pixel_of(const Eigen::Vector3d& world_m) const {
     const Eigen::Vector3d view_m = camera.world_from_view.inverse() * world_m;
-    const double focal = focal_length_px(camera);
+    const double focal = render::focal_length_px(camera);
     return {static_cast<int>(kSide / 2.0 - focal * view_m.x() / view_m.z()),
             static_cast<int>(kSide / 2.0 + focal * view_m.y() / view_m.z())};
   }
 
   std::optional<PeopleView> people;
-  RoomSnapshot room;
-  ViewCamera camera;
+  client::RoomSnapshot room;
+  render::ViewCamera camera;
   Image<std::int32_t> sensors;
   Image<float> depth_m;
 };
@@ -68,7 +68,7 @@ TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
   const auto inside = pixel_of({0.09, 1.6, -1.5}), outside = pixel_of({0.13, 1.6, -1.5});
   EXPECT_TRUE(is_blue(picture.at(inside.x(), inside.y())));
   EXPECT_EQ(picture.at(outside.x(), outside.y()), kBackground);
-  EXPECT_EQ(sensors.at(middle.x(), middle.y()), kDrawnByNoSensor);
+  EXPECT_EQ(sensors.at(middle.x(), middle.y()), render::kDrawnByNoSensor);
 }
 
 TEST_F(PeopleViewTest, the_visor_shows_where_somebody_looks) {
@@ -100,7 +100,7 @@ TEST_F(PeopleViewTest, a_name_stands_above_the_head_and_faces_the_eye) {
 TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_what_is_pointed_at) {
   room.people[0].pose->world_from_right_hand =
       RigidTransform{Eigen::Matrix3d::Identity(), {0.3, 1.4, -1.5}};
-  room.people[0].pose->pointer = PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
+  room.people[0].pose->pointer = client::PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
   const ColorImage picture = draw();
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(0.3, 1.4, -1.5), Eigen::Vector3d(-0.05, 1.35, -1.5),
@@ -114,7 +114,7 @@ TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_what_is_pointed_at) {
 
 TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
   room.people[0].id = room.self;
-  PersonPose own;
+  client::PersonPose own;
   own.world_from_head = camera.world_from_view;
   own.world_from_left_hand = RigidTransform{Eigen::Matrix3d::Identity(), {-0.2, 1.5, -0.6}};
   people->set_own(own);
@@ -125,11 +125,11 @@ TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
 }
 
 TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
-  room.people[0].pose->pointer = PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
-  ViewCamera left = camera, right = camera;
+  room.people[0].pose->pointer = client::PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
+  render::ViewCamera left = camera, right = camera;
   left.world_from_view.translation_m.x() -= 0.4;  // so that each sees the head at another place
   right.world_from_view.translation_m.x() += 0.5;
-  auto both = OffscreenTarget::create(kSide, kSide, 2);
+  auto both = render::OffscreenTarget::create(kSide, kSide, 2);
   ASSERT_TRUE(both.ok());
   both->clear(kBackground);
   people->follow(room);
@@ -169,4 +169,4 @@ TEST_F(PeopleViewTest, any_bytes_can_be_a_name) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -4,11 +4,11 @@
 
 #include <string_view>
 
-namespace roomcast::shaders {
+namespace roomcast::viewer::shaders {
 
 extern const std::string_view body_frag;
 extern const std::string_view body_vert;
 extern const std::string_view label_frag;
 extern const std::string_view label_vert;
 
-}  // namespace roomcast::shaders
+}  // namespace roomcast::viewer::shaders

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 double in_ms(nanoseconds time) {
@@ -21,7 +21,7 @@ std::optional<double> median_of(std::vector<double> values) {
 
 }  // namespace
 
-void LatencyBudget::shown(const SensorPicture& picture, const std::optional<ClockEstimate>& clock,
+void LatencyBudget::shown(const client::SensorPicture& picture, const std::optional<client::ClockEstimate>& clock,
                           HostTime begin, HostTime end) {
   LatencyStages stages;
   stages.decoding_ms = in_ms(picture.decoded - picture.received);
@@ -53,4 +53,4 @@ std::optional<LatencyStages> LatencyBudget::median(HostTime now) const {
                        of(&LatencyStages::total_ms),    of(&LatencyStages::clock_error_ms)};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -10,7 +10,7 @@
 
 #include "roomcast/client/room/room_snapshot.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct LatencyStages {
   std::optional<double> to_here_ms;  // capture to arrival; nothing before the clock is known
@@ -26,7 +26,7 @@ class LatencyBudget {
   static constexpr std::chrono::seconds kWindow{1};
 
   /// `picture` was drawn for the first time, from `begin` to `end`.
-  void shown(const SensorPicture& picture, const std::optional<ClockEstimate>& clock,
+  void shown(const client::SensorPicture& picture, const std::optional<client::ClockEstimate>& clock,
              HostTime begin, HostTime end);
 
   /// Nothing when no new picture was drawn within the window before `now`.
@@ -40,4 +40,4 @@ class LatencyBudget {
   std::deque<Passage> passages_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

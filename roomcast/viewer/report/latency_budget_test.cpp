@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -13,15 +13,15 @@ HostTime at(nanoseconds since_start) {
 }
 
 /// Captured at 0 by a room clock that is 5 s ahead, arrived at 30 ms, decoded in 4 ms.
-SensorPicture picture_at(nanoseconds start) {
-  SensorPicture picture;
+client::SensorPicture picture_at(nanoseconds start) {
+  client::SensorPicture picture;
   picture.capture_time = RoomTime(1h + 5s + start);
   picture.received = at(start + 30ms);
   picture.decoded = at(start + 34ms);
   return picture;
 }
 
-ClockEstimate clock_ahead() {
+client::ClockEstimate clock_ahead() {
   return {at(0s), 5s, 0, 2ms};
 }
 
@@ -56,4 +56,4 @@ TEST(LatencyBudget, says_nothing_of_what_it_cannot_know) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

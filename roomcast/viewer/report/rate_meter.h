@@ -8,7 +8,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class RateMeter {
  public:
@@ -38,4 +38,4 @@ class RateMeter {
   std::deque<Sample> samples_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -36,4 +36,4 @@ TEST(RateMeter, a_count_that_begins_anew_is_no_negative_rate) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using Severity = RoomProblem::Severity;
@@ -15,20 +15,20 @@ std::string with_full_stop(std::string sentence) {
   return sentence;
 }
 
-RoomProblem lost_hub(const RoomSnapshot& room) {
+RoomProblem lost_hub(const client::RoomSnapshot& room) {
   const std::string why = room.problem.empty() ? "there is no connection to the hub" : room.problem;
   return {Severity::kError, "hub",
           "The hub is lost: " + with_full_stop(why) +
               " The last pictures are shown; it is tried again."};
 }
 
-bool is_silent(const RoomSensor& sensor, HostTime now) {
+bool is_silent(const client::RoomSensor& sensor, HostTime now) {
   if (!sensor.picture) return false;
   const Seconds three_frames(sensor.fps > 0 ? 3 / sensor.fps : 0);
   return Seconds(now - sensor.picture->received) > std::max<Seconds>(kSilence, three_frames);
 }
 
-std::optional<RoomProblem> problem_of(const RoomSensor& sensor, HostTime now) {
+std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime now) {
   const std::string name = "Sensor " + sensor.name;
   if (!sensor.online) return RoomProblem{Severity::kNotice, sensor.name, name + " is gone."};
   if (is_silent(sensor, now)) {
@@ -56,17 +56,17 @@ std::optional<RoomProblem> problem_of(const RoomSensor& sensor, HostTime now) {
 
 }  // namespace
 
-std::vector<RoomProblem> room_problems(const RoomSnapshot& room, HostTime now) {
+std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTime now) {
   if (!room.connected) return {lost_hub(room)};
   if (room.sensors.empty()) return {{Severity::kNotice, "room", "No sensor is in the room yet."}};
-  if (std::ranges::none_of(room.sensors, &RoomSensor::online))
+  if (std::ranges::none_of(room.sensors, &client::RoomSensor::online))
     return {{Severity::kError, "room", "All sensors are gone."}};
   std::vector<RoomProblem> problems;
-  for (const RoomSensor& sensor : room.sensors) {
+  for (const client::RoomSensor& sensor : room.sensors) {
     if (auto problem = problem_of(sensor, now)) problems.push_back(std::move(*problem));
   }
   std::ranges::stable_sort(problems, {}, &RoomProblem::severity);
   return problems;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

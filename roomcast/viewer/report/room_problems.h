@@ -9,7 +9,7 @@
 
 #include "roomcast/client/room/room_snapshot.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct RoomProblem {
   enum class Severity { kError, kNotice };
@@ -22,6 +22,6 @@ struct RoomProblem {
 inline constexpr std::chrono::seconds kSilence{3};
 
 /// `now`: of this machine.
-[[nodiscard]] std::vector<RoomProblem> room_problems(const RoomSnapshot& room, HostTime now);
+[[nodiscard]] std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTime now);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

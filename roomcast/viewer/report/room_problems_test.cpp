@@ -3,33 +3,33 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
 
 const HostTime kNow(1h);
 
-RoomSensor good_sensor(const std::string& name) {
-  RoomSensor sensor;
+client::RoomSensor good_sensor(const std::string& name) {
+  client::RoomSensor sensor;
   sensor.name = name;
   sensor.online = sensor.placed = true;
   sensor.fps = 30;
-  auto picture = std::make_shared<SensorPicture>();
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->received = kNow - 20ms;
   sensor.picture = std::move(picture);
   return sensor;
 }
 
-RoomSnapshot good_room() {
-  RoomSnapshot room;
+client::RoomSnapshot good_room() {
+  client::RoomSnapshot room;
   room.connected = true;
   room.sensors = {good_sensor("left"), good_sensor("right")};
   return room;
 }
 
-std::shared_ptr<SensorPicture> picture_from(nanoseconds ago) {
-  auto picture = std::make_shared<SensorPicture>();
+std::shared_ptr<client::SensorPicture> picture_from(nanoseconds ago) {
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->received = kNow - ago;
   return picture;
 }
@@ -39,7 +39,7 @@ TEST(RoomProblems, there_are_none_in_a_good_room) {
 }
 
 TEST(RoomProblems, a_lost_hub_is_the_only_one_that_matters) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[0].online = false;
   room.connected = false;
   room.problem = "the connection to the hub ended: reset";
@@ -52,7 +52,7 @@ TEST(RoomProblems, a_lost_hub_is_the_only_one_that_matters) {
 }
 
 TEST(RoomProblems, a_sensor_that_left_is_named) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[1].online = false;
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 1U);
@@ -60,7 +60,7 @@ TEST(RoomProblems, a_sensor_that_left_is_named) {
 }
 
 TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[0].placed = false;
   room.sensors[0].placement_note = "it shares no surface with the others";
   room.sensors[1].picture = picture_from(5s);
@@ -74,7 +74,7 @@ TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
 }
 
 TEST(RoomProblems, a_sensor_that_nothing_has_confirmed_where_it_is_shown) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[0].unverified = true;
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 1U);
@@ -84,23 +84,23 @@ TEST(RoomProblems, a_sensor_that_nothing_has_confirmed_where_it_is_shown) {
 }
 
 TEST(RoomProblems, a_slow_sensor_is_not_a_silent_one) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[1].fps = 0.5;
   room.sensors[1].picture = picture_from(5s);
   EXPECT_TRUE(room_problems(room, kNow).empty());
 }
 
 TEST(RoomProblems, an_empty_room_and_one_that_everybody_left_differ) {
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.connected = true;
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "No sensor is in the room yet.");
   room = good_room();
-  for (RoomSensor& sensor : room.sensors) sensor.online = false;
+  for (client::RoomSensor& sensor : room.sensors) sensor.online = false;
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "All sensors are gone.");
 }
 
 TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_told) {
-  RoomSnapshot room = good_room();
+  client::RoomSnapshot room = good_room();
   room.sensors[0].moved = true;
   room.sensors[1].picture.reset();
   const auto problems = room_problems(room, kNow);
@@ -110,4 +110,4 @@ TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_told) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -10,7 +10,7 @@
 #include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/viewer/report/rate_meter.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct SensorFigures {
   SensorId id{};
@@ -30,18 +30,18 @@ struct RoomFigures {
 class RoomReport {
  public:
   /// Often, whether or not there is a newer snapshot.
-  void follow(const RoomSnapshot& room, HostTime now);
+  void follow(const client::RoomSnapshot& room, HostTime now);
   [[nodiscard]] const RoomFigures& figures() const { return figures_; }
 
  private:
   struct SensorMeters {
     RateMeter frames, bytes, missed;
   };
-  SensorFigures figures_of(const RoomSensor& sensor, const RoomSnapshot& room, HostTime now);
+  SensorFigures figures_of(const client::RoomSensor& sensor, const client::RoomSnapshot& room, HostTime now);
 
   RateMeter bytes_, sets_;
   std::map<SensorId, SensorMeters> meters_;
   RoomFigures figures_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -14,9 +14,9 @@ HostTime at(nanoseconds since_start) {
 
 TEST(RoomReport, says_what_each_sensor_sends_and_what_is_lost) {
   RoomReport report;
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.sensors.resize(1);
-  RoomSensor& sensor = room.sensors[0];
+  client::RoomSensor& sensor = room.sensors[0];
   sensor.id = SensorId{3};
   for (int i = 0; i <= 60; ++i) {
     sensor.frames_received += 3;
@@ -39,7 +39,7 @@ TEST(RoomReport, says_what_each_sensor_sends_and_what_is_lost) {
 
 TEST(RoomReport, a_room_that_stands_still_slows_down_to_nothing) {
   RoomReport report;
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   for (int i = 0; i < 100; ++i) {
     if (i < 50) room.sets_received += 3;
     report.follow(room, at(i * 100ms));
@@ -49,17 +49,17 @@ TEST(RoomReport, a_room_that_stands_still_slows_down_to_nothing) {
 
 TEST(RoomReport, an_age_needs_the_hubs_clock) {
   RoomReport report;
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.sensors.resize(1);
-  auto picture = std::make_shared<SensorPicture>();
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->capture_time = RoomTime(1h + 5s);
   room.sensors[0].picture = picture;
   report.follow(room, at(80ms));
   EXPECT_FALSE(report.figures().sensors[0].age_ms);
-  room.clock = ClockEstimate{at(0s), 5s, 0, 1ms};
+  room.clock = client::ClockEstimate{at(0s), 5s, 0, 1ms};
   report.follow(room, at(80ms));
   EXPECT_NEAR(report.figures().sensors[0].age_ms.value(), 80, 1e-6);
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 std::string good_news(const RoomProblem& solved) {
@@ -47,4 +47,4 @@ std::vector<Toast> Toasts::current(HostTime now) const {
   return toasts;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -11,7 +11,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/viewer/report/room_problems.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct Toast {
   enum class Kind { kError, kNotice, kGood };
@@ -41,4 +41,4 @@ class Toasts {
   std::vector<Passing> passing_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -57,4 +57,4 @@ TEST(Toasts, never_fill_the_screen) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

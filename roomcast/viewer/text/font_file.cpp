@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr std::array kFiles = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
@@ -31,4 +31,4 @@ ImFont* add_font(ImFontAtlas& atlas, float height_px) {
   return atlas.AddFontDefault(&config);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,9 +6,9 @@
 struct ImFont;
 struct ImFontAtlas;
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// Never null; the atlas owns it.
 ImFont* add_font(ImFontAtlas& atlas, float height_px);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

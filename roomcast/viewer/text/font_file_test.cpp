@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 TEST(FontFile, has_letters_whatever_is_installed) {
@@ -29,4 +29,4 @@ TEST(FontFile, writes_names_of_many_languages_where_dejavu_is_installed) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,16 +6,16 @@
 
 #include "roomcast/viewer/text/font_file.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr float kLetterHeight_px = 40;
 
-GlTexture upload(ImFontAtlas& atlas) {
+render::GlTexture upload(ImFontAtlas& atlas) {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsAlpha8(&pixels, &width, &height);
-  GlTexture texture = make_smooth_texture(GL_R8, width, height);
+  render::GlTexture texture = render::make_smooth_texture(GL_R8, width, height);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, pixels);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -68,4 +68,4 @@ LabelText LabelFont::lay_out(const std::string& utf8, float letter_height_m) con
   return label;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

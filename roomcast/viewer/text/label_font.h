@@ -14,7 +14,7 @@
 
 struct ImFontAtlas;
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// Two triangles, each corner: place on the label in metres, place in the texture.
 struct LabelCorner {
@@ -39,11 +39,11 @@ class LabelFont {
   /// `utf8` may be anything; what the font does not have is a question mark.
   [[nodiscard]] LabelText lay_out(const std::string& utf8, float letter_height_m) const;
   /// One channel: how much of a pixel is covered.
-  [[nodiscard]] const GlTexture& texture() const { return texture_; }
+  [[nodiscard]] const render::GlTexture& texture() const { return texture_; }
 
  private:
   std::unique_ptr<ImFontAtlas> atlas_;
-  GlTexture texture_;
+  render::GlTexture texture_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

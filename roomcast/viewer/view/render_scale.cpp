@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 void RenderScale::judge(nanoseconds drawing, HostTime now) {
   draws_.push_back(drawing);
@@ -25,4 +25,4 @@ void RenderScale::fall(HostTime now) {
   may_rise_ = now + patience_;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -11,7 +11,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class RenderScale {
  public:
@@ -36,4 +36,4 @@ class RenderScale {
   bool rose_last_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -52,4 +52,4 @@ TEST(RenderScale, quick_drawing_makes_it_finer_after_a_while_and_a_mistake_costs
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

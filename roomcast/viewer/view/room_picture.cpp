@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 GLuint GlQueryKind::create() {
   GLuint name = 0;
@@ -41,11 +41,11 @@ std::optional<nanoseconds> DrawTimer::take() {
   return newest;
 }
 
-Status RoomPicture::draw(RoomView& room, const Eyes& eyes, RenderMode mode) {
+Status RoomPicture::draw(RoomView& room, const render::Eyes& eyes, render::RenderMode mode) {
   const bool fits = target_ && target_->width() == eyes.width() &&
                     target_->height() == eyes.height() && target_->eyes() == eyes.count();
   if (!fits) {
-    auto target = OffscreenTarget::create(eyes.width(), eyes.height(), eyes.count());
+    auto target = render::OffscreenTarget::create(eyes.width(), eyes.height(), eyes.count());
     if (!target) return target.error();
     target_ = std::move(*target);
   }
@@ -55,7 +55,7 @@ Status RoomPicture::draw(RoomView& room, const Eyes& eyes, RenderMode mode) {
   return drawn;
 }
 
-std::optional<Eigen::Vector3d> surface_at(const OffscreenTarget& picture, const ViewCamera& camera,
+std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture, const render::ViewCamera& camera,
                                           int x, int y) {
   if (x < 0 || y < 0 || x >= picture.width() || y >= picture.height()) return std::nullopt;
   float depth = 1;
@@ -65,13 +65,13 @@ std::optional<Eigen::Vector3d> surface_at(const OffscreenTarget& picture, const 
   return world_from_pixel(camera, x, y, depth);
 }
 
-Eigen::Vector3d world_from_pixel(const ViewCamera& camera, double x, double y, double depth) {
+Eigen::Vector3d world_from_pixel(const render::ViewCamera& camera, double x, double y, double depth) {
   const double near = camera.near_m, far = camera.far_m;
   const double z_m = 2 * far * near / (far + near - (2 * depth - 1) * (far - near));
-  const double focal = focal_length_px(camera);
+  const double focal = render::focal_length_px(camera);
   const Eigen::Vector3d view_m((x + 0.5 - camera.width / 2.0) / focal * z_m,
                                (camera.height / 2.0 - y - 0.5) / focal * z_m, -z_m);
   return camera.world_from_view * view_m;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

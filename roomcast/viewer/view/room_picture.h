@@ -12,13 +12,13 @@
 #include "roomcast/viewer/view/room_view.h"
 #include "roomcast/viewer/view/view_target.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct GlQueryKind {
   static GLuint create();  // GL_TIME_ELAPSED
   static void destroy(GLuint name);
 };
-using GlQuery = GlObject<GlQueryKind>;
+using GlQuery = render::GlObject<GlQueryKind>;
 
 /// How long the graphics card works on pictures, without waiting for it.
 class DrawTimer {
@@ -39,24 +39,24 @@ class DrawTimer {
 class RoomPicture {
  public:
   /// Draws at the eyes' size. Errors as OffscreenTarget::create and RoomView::draw.
-  Status draw(RoomView& room, const Eyes& eyes, RenderMode mode);
+  Status draw(RoomView& room, const render::Eyes& eyes, render::RenderMode mode);
 
   /// Null before the first draw().
-  [[nodiscard]] const OffscreenTarget* target() const { return target_ ? &*target_ : nullptr; }
+  [[nodiscard]] const render::OffscreenTarget* target() const { return target_ ? &*target_ : nullptr; }
   [[nodiscard]] std::optional<nanoseconds> take_drawing_time() { return timer_.take(); }
 
  private:
-  std::optional<OffscreenTarget> target_;
+  std::optional<render::OffscreenTarget> target_;
   DrawTimer timer_;
 };
 
 /// The surface at a pixel (from the top left) of a room that was drawn for `camera`; nothing where
 /// none is. Waits for the drawing to end.
-[[nodiscard]] std::optional<Eigen::Vector3d> surface_at(const OffscreenTarget& picture,
-                                                        const ViewCamera& camera, int x, int y);
+[[nodiscard]] std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture,
+                                                        const render::ViewCamera& camera, int x, int y);
 
 /// World frame, metres, at this depth of OpenGL (0 near to 1 far).
-[[nodiscard]] Eigen::Vector3d world_from_pixel(const ViewCamera& camera, double x, double y,
+[[nodiscard]] Eigen::Vector3d world_from_pixel(const render::ViewCamera& camera, double x, double y,
                                                double depth);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 Result<RoomView> RoomView::create() {
-  auto renderer = RoomRenderer::create();
+  auto renderer = render::RoomRenderer::create();
   if (!renderer) return renderer.error();
   auto people = PeopleView::create();
   if (!people) return people.error();
@@ -15,10 +15,10 @@ Result<RoomView> RoomView::create() {
 }
 
 // One sensor that cannot be drawn must not freeze the others.
-Status RoomView::show(const RoomSnapshot& room) {
+Status RoomView::show(const client::RoomSnapshot& room) {
   Status first_fault;
   people_.follow(room);
-  for (const RoomSensor& sensor : room.sensors) {
+  for (const client::RoomSensor& sensor : room.sensors) {
     auto status = show_sensor(sensor);
     if (!status && first_fault) first_fault = std::move(status);
   }
@@ -27,7 +27,7 @@ Status RoomView::show(const RoomSnapshot& room) {
 
 // A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
 // one.
-Status RoomView::show_sensor(const RoomSensor& sensor) {
+Status RoomView::show_sensor(const client::RoomSensor& sensor) {
   if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
     renderer_.remove(sensor.id);
     uploaded_.erase(sensor.id);
@@ -49,14 +49,14 @@ Status RoomView::show_sensor(const RoomSensor& sensor) {
   return {};
 }
 
-Status RoomView::draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode) {
+Status RoomView::draw(const render::Eyes& eyes, const render::OffscreenTarget& target, render::RenderMode mode) {
   if (auto status = renderer_.draw(eyes, target, mode); !status) return status;
   people_.draw(eyes, target);
   return {};
 }
 
-RigidTransform world_from_start_view(const RoomSnapshot& room) {
-  return room.start_pose.value_or(world_from_view_looking_at({0, 1.6, 0}, {0, 1.2, -1}));
+RigidTransform world_from_start_view(const client::RoomSnapshot& room) {
+  return room.start_pose.value_or(render::world_from_view_looking_at({0, 1.6, 0}, {0, 1.2, -1}));
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

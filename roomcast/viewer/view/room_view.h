@@ -15,7 +15,7 @@
 #include "roomcast/render/view/offscreen_target.h"
 #include "roomcast/viewer/people/people_view.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class RoomView {
  public:
@@ -24,35 +24,35 @@ class RoomView {
 
   /// From now on this is what is drawn. Errors as RoomRenderer::set_sensor and upload; the other
   /// sensors are drawn all the same.
-  Status show(const RoomSnapshot& room);
+  Status show(const client::RoomSnapshot& room);
 
   /// Sensors that are not to be drawn, from the next show() on.
   void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }
   /// Errors as RoomRenderer::set_look.
-  Status set_look(const RenderOptions& look) { return renderer_.set_look(look); }
+  Status set_look(const render::RenderOptions& look) { return renderer_.set_look(look); }
 
   /// The other people, and what is seen of the one who looks.
   [[nodiscard]] PeopleView& people() { return people_; }
 
   /// Errors as RoomRenderer::draw.
-  Status draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode);
+  Status draw(const render::Eyes& eyes, const render::OffscreenTarget& target, render::RenderMode mode);
 
  private:
-  RoomView(RoomRenderer renderer, PeopleView people)
+  RoomView(render::RoomRenderer renderer, PeopleView people)
       : renderer_(std::move(renderer)), people_(std::move(people)) {}
   struct Uploaded {
-    std::shared_ptr<const SensorPicture> picture;
+    std::shared_ptr<const client::SensorPicture> picture;
     CameraIntrinsics lens;  // another lens empties the surface
   };
-  Status show_sensor(const RoomSensor& sensor);
+  Status show_sensor(const client::RoomSensor& sensor);
 
-  RoomRenderer renderer_;
+  render::RoomRenderer renderer_;
   PeopleView people_;
   std::set<SensorId> hidden_;
   std::unordered_map<SensorId, Uploaded> uploaded_;
 };
 
 /// Where a viewer of this room should stand if nobody says otherwise: where the hub put it.
-[[nodiscard]] RigidTransform world_from_start_view(const RoomSnapshot& room);
+[[nodiscard]] RigidTransform world_from_start_view(const client::RoomSnapshot& room);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

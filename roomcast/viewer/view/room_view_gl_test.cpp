@@ -4,27 +4,27 @@
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/viewer/view/room_view.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr int kSide = 64;
 
-std::shared_ptr<const SensorPicture> wall(Rgb8 color) {
-  auto picture = std::make_shared<SensorPicture>();
+std::shared_ptr<const client::SensorPicture> wall(Rgb8 color) {
+  auto picture = std::make_shared<client::SensorPicture>();
   picture->frame.depth_mm = DepthImage(kSide, kSide, 2000);
   picture->frame.color = ColorImage(kSide, kSide, color);
   picture->frame.color_seen = MaskImage(kSide, kSide, 255);
   return picture;
 }
 
-RoomSnapshot room_with(std::shared_ptr<const SensorPicture> picture) {
-  RoomSensor sensor;
+client::RoomSnapshot room_with(std::shared_ptr<const client::SensorPicture> picture) {
+  client::RoomSensor sensor;
   sensor.online = true;
   sensor.calibration.depth = {
       .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 31.5, .cy = 31.5};
   sensor.world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -1});
   sensor.picture = std::move(picture);
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   room.sensors.push_back(sensor);
   return room;
 }
@@ -39,15 +39,15 @@ class RoomViewTest : public testing::Test {
   }
 
   Rgb8 middle_of_picture() {
-    auto target = OffscreenTarget::create(kSide, kSide);
-    ViewCamera camera;
+    auto target = render::OffscreenTarget::create(kSide, kSide);
+    render::ViewCamera camera;
     camera.width = camera.height = kSide;
-    camera.world_from_view = world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
-    EXPECT_TRUE(view->draw(camera, *target, RenderMode::kSplats).ok());
+    camera.world_from_view = render::world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
+    EXPECT_TRUE(view->draw(camera, *target, render::RenderMode::kSplats).ok());
     return target->read_color().at(kSide / 2, kSide / 2);
   }
 
-  Result<EglContext> context = EglContext::create();
+  Result<render::EglContext> context = render::EglContext::create();
   std::optional<RoomView> view;
 };
 
@@ -76,8 +76,8 @@ TEST_F(RoomViewTest, a_sensor_that_is_switched_off_is_not_drawn) {
 }
 
 TEST_F(RoomViewTest, people_are_hidden_by_walls_and_hide_walls) {
-  RoomSnapshot room = room_with(wall({200, 10, 10}));
-  RoomPerson person{ViewerId{4}, "Ada", {10, 10, 250}, PersonPose{}};
+  client::RoomSnapshot room = room_with(wall({200, 10, 10}));
+  client::RoomPerson person{ViewerId{4}, "Ada", {10, 10, 250}, client::PersonPose{}};
   person.pose->world_from_head.translation_m = {0, 1, -3};
   room.people = {person};
   ASSERT_TRUE(view->show(room).ok());
@@ -98,11 +98,11 @@ TEST_F(RoomViewTest, a_sensor_without_a_picture_is_no_error) {
 }
 
 TEST(StartView, is_where_the_hub_says) {
-  RoomSnapshot room;
+  client::RoomSnapshot room;
   EXPECT_GT(world_from_start_view(room).translation_m.y(), 1);
   room.start_pose = RigidTransform{Eigen::Matrix3d::Identity(), {1, 2, 3}};
   EXPECT_EQ(world_from_start_view(room).translation_m, Eigen::Vector3d(1, 2, 3));
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -9,7 +9,7 @@
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/render_mode.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// Comfort in a headset. Docs: docs/guides/viewer.md.
 struct ComfortOptions {
@@ -21,8 +21,8 @@ struct ComfortOptions {
 };
 
 struct ViewSettings {
-  RenderMode mode = RenderMode::kBlend;
-  Unseen unseen = Unseen::kSurroundings;
+  render::RenderMode mode = render::RenderMode::kBlend;
+  render::Unseen unseen = render::Unseen::kSurroundings;
   bool floor_grid = true;
   bool automatic_scale = true;  // of the picture, so that drawing keeps up
   double render_scale = 1;      // of the window's pixels
@@ -31,4 +31,4 @@ struct ViewSettings {
   ComfortOptions comfort;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

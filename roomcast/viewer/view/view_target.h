@@ -7,7 +7,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/render/view/offscreen_target.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct PictureSize {
   int width = 0, height = 0;  // pixels
@@ -20,7 +20,7 @@ class ViewTarget {
   /// Of the picture to draw now; may change between frames.
   [[nodiscard]] virtual PictureSize size() const = 0;
   /// Copies the picture; needs the GL context in which it was drawn.
-  virtual void show(const OffscreenTarget& picture) = 0;
+  virtual void show(const render::OffscreenTarget& picture) = 0;
 };
 
 /// Keeps what was shown last.
@@ -28,7 +28,7 @@ class PictureTarget final : public ViewTarget {
  public:
   explicit PictureTarget(PictureSize size) : size_(size) {}
   [[nodiscard]] PictureSize size() const override { return size_; }
-  void show(const OffscreenTarget& picture) override { picture_ = picture.read_color(); }
+  void show(const render::OffscreenTarget& picture) override { picture_ = picture.read_color(); }
   [[nodiscard]] const ColorImage& picture() const { return picture_; }
 
  private:
@@ -36,4 +36,4 @@ class PictureTarget final : public ViewTarget {
   ColorImage picture_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 // As on the page; a notch of the wheel is 100 of its pixels.
@@ -110,4 +110,4 @@ void Navigation::advance(double seconds) {
   view_ = look(view_, -sticks.look_right * turn_rad, sticks.look_up * turn_rad);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

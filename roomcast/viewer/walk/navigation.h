@@ -8,7 +8,7 @@
 
 #include "roomcast/viewer/walk/view_state.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 enum class WalkKey { kForward, kBack, kLeft, kRight, kUp, kDown };
 
@@ -65,4 +65,4 @@ class Navigation {
   Sticks sticks_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -119,4 +119,4 @@ TEST(Navigation, speed_stays_within_what_a_person_can_steer) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -3,14 +3,14 @@
 
 #include <utility>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 bool is_same(const RigidTransform& a, const RigidTransform& b) {
   return a.rotation == b.rotation && a.translation_m == b.translation_m;
 }
 
-bool is_same(const PointerBeam& a, const PointerBeam& b) {
+bool is_same(const client::PointerBeam& a, const client::PointerBeam& b) {
   return a.from_m == b.from_m && a.to_m == b.to_m;
 }
 
@@ -19,7 +19,7 @@ bool is_same(const std::optional<Part>& a, const std::optional<Part>& b) {
   return a.has_value() == b.has_value() && (!a || is_same(*a, *b));
 }
 
-bool is_same(const PersonPose& a, const PersonPose& b) {
+bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
   return is_same(a.world_from_head, b.world_from_head) &&
          is_same(a.world_from_left_hand, b.world_from_left_hand) &&
          is_same(a.world_from_right_hand, b.world_from_right_hand) && is_same(a.pointer, b.pointer);
@@ -27,13 +27,13 @@ bool is_same(const PersonPose& a, const PersonPose& b) {
 
 }  // namespace
 
-void PosePublisher::is(const PersonPose& pose) {
+void PosePublisher::is(const client::PersonPose& pose) {
   if (pose_ && is_same(*pose_, pose)) return;
   pose_ = pose;
   is_news_ = true;
 }
 
-std::optional<PersonPose> PosePublisher::take(HostTime now) {
+std::optional<client::PersonPose> PosePublisher::take(HostTime now) {
   const bool is_soon = sent_ && now - *sent_ < kInterval;
   if (!is_news_ || is_soon || !pose_) return std::nullopt;
   is_news_ = false;
@@ -41,4 +41,4 @@ std::optional<PersonPose> PosePublisher::take(HostTime now) {
   return pose_;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

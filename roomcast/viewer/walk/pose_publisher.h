@@ -10,21 +10,21 @@
 #include "roomcast/client/room/person_pose.h"
 #include "roomcast/core/clock.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 class PosePublisher {
  public:
   static constexpr std::chrono::milliseconds kInterval{50};
 
-  void is(const PersonPose& pose);
+  void is(const client::PersonPose& pose);
   void tell_again() { is_news_ = true; }
   /// What to send now, if anything.
-  [[nodiscard]] std::optional<PersonPose> take(HostTime now);
+  [[nodiscard]] std::optional<client::PersonPose> take(HostTime now);
 
  private:
-  std::optional<PersonPose> pose_;
+  std::optional<client::PersonPose> pose_;
   bool is_news_ = false;
   std::optional<HostTime> sent_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

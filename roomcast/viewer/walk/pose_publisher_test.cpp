@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
@@ -12,8 +12,8 @@ HostTime at(nanoseconds since_start) {
   return HostTime(1h + since_start);
 }
 
-PersonPose pose_at(double x) {
-  PersonPose pose;
+client::PersonPose pose_at(double x) {
+  client::PersonPose pose;
   pose.world_from_head.translation_m = {x, 1.6, 0};
   return pose;
 }
@@ -38,8 +38,8 @@ TEST(PosePublisher, is_no_news_while_it_stays_the_same) {
   EXPECT_TRUE(own.take(at(0ms)));
   own.is(pose_at(1));
   EXPECT_FALSE(own.take(at(100ms)));
-  PersonPose pointing = pose_at(1);
-  pointing.pointer = PointerBeam{{0, 1, 0}, {0, 1, -1}};
+  client::PersonPose pointing = pose_at(1);
+  pointing.pointer = client::PointerBeam{{0, 1, 0}, {0, 1, -1}};
   own.is(pointing);
   EXPECT_TRUE(own.take(at(200ms)));
   own.is(pose_at(1));
@@ -55,4 +55,4 @@ TEST(PosePublisher, is_told_again_to_who_has_just_come) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

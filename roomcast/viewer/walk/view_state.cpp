@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 /// Stops at the end of the world.
@@ -83,4 +83,4 @@ ViewState walk(ViewState view, double forward_m, double right_m, double up_m) {
   return moved_by(view, {-sin * forward_m + cos * right_m, up_m, -cos * forward_m - sin * right_m});
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

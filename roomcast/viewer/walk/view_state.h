@@ -8,7 +8,7 @@
 
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct ViewState {
   Eigen::Vector3d position_m = {0, 1.6, 3};
@@ -45,4 +45,4 @@ inline constexpr double kFarthestWalk_m = 1000;
 /// Walks on the level, whatever the pitch.
 [[nodiscard]] ViewState walk(ViewState view, double forward_m, double right_m, double up_m);
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

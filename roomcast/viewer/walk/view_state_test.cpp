@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -83,4 +83,4 @@ TEST(ViewState, stays_where_a_hub_still_takes_its_pose) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -5,7 +5,7 @@
 
 #include <SDL2/SDL.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 std::optional<WalkKey> walk_key(SDL_Scancode key) {
@@ -221,4 +221,4 @@ std::optional<ViewerCommand> DesktopInput::take_pad_button(const SDL_Event& even
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -12,7 +12,7 @@
 union SDL_Event;
 struct _SDL_GameController;
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 /// What the mouse moves over.
 struct PictureUnderMouse {
@@ -63,4 +63,4 @@ class DesktopInput {
   bool key_points_ = false, pad_points_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

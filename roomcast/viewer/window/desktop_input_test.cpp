@@ -4,7 +4,7 @@
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 SDL_Event key_event(SDL_Scancode code, SDL_Keycode sym, bool down, int mod = KMOD_NONE) {
@@ -142,4 +142,4 @@ TEST_F(DesktopInputTest, a_gamepads_button_points_while_it_is_held) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

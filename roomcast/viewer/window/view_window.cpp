@@ -7,7 +7,7 @@
 #include <SDL2/SDL.h>
 #include <epoxy/gl.h>
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 constexpr int kGlMajor = 4, kGlMinor = 5;
@@ -86,7 +86,7 @@ bool ViewWindow::is_hidden() const {
 }
 
 /// Where shapes differ the picture's edges are cut off, as little as possible.
-void ViewWindow::show(const OffscreenTarget& picture) {
+void ViewWindow::show(const render::OffscreenTarget& picture) {
   const PictureSize all = size();
   const double scale = std::max(static_cast<double>(all.width) / picture.width(),
                                 static_cast<double>(all.height) / picture.height());
@@ -132,4 +132,4 @@ void ViewWindow::capture_mouse(bool on) {
   SDL_SetRelativeMouseMode(on ? SDL_TRUE : SDL_FALSE);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

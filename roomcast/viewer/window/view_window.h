@@ -12,7 +12,7 @@
 
 struct SDL_Window;
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 struct ViewWindowOptions {
   std::string title = "roomcast";
@@ -37,7 +37,7 @@ class ViewWindow final : public ViewTarget {
 
   /// Fills the window with the picture, scaled, its edges cut where shapes differ. Seen after
   /// present().
-  void show(const OffscreenTarget& picture) override;
+  void show(const render::OffscreenTarget& picture) override;
   /// Waits for the screen's refresh where the driver can.
   void present();
   /// What is in the window, before present().
@@ -58,4 +58,4 @@ class ViewWindow final : public ViewTarget {
   void* context_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

@@ -6,7 +6,7 @@
 
 #include "roomcast/viewer/window/view_window.h"
 
-namespace roomcast {
+namespace roomcast::viewer {
 namespace {
 
 class ViewWindowTest : public testing::Test {
@@ -31,7 +31,7 @@ TEST_F(ViewWindowTest, opens_without_a_display_and_has_opengl) {
 }
 
 TEST_F(ViewWindowTest, shows_a_picture_of_its_size_pixel_by_pixel) {
-  auto picture = OffscreenTarget::create(200, 100);
+  auto picture = render::OffscreenTarget::create(200, 100);
   ASSERT_TRUE(picture.ok());
   picture->clear({10, 20, 30});
   glEnable(GL_SCISSOR_TEST);
@@ -49,7 +49,7 @@ TEST_F(ViewWindowTest, shows_a_picture_of_its_size_pixel_by_pixel) {
 }
 
 TEST_F(ViewWindowTest, scales_a_smaller_picture_to_all_of_it) {
-  auto picture = OffscreenTarget::create(100, 50);
+  auto picture = render::OffscreenTarget::create(100, 50);
   ASSERT_TRUE(picture.ok());
   picture->clear({10, 20, 30});
   window->show(*picture);
@@ -71,4 +71,4 @@ TEST(ViewWindow, says_what_to_do_where_there_is_no_display) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::viewer

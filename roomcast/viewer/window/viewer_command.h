@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace roomcast {
+namespace roomcast::viewer {
 
 enum class ViewerCommand {
   kStart,
@@ -54,4 +54,4 @@ inline constexpr std::array kKeyHelp = {
     KeyHelp{"gamepad buttons", "A laser, B start, X blend, Y panel, shoulders speed"},
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::viewer

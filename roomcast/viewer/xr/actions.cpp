@@ -11,7 +11,7 @@
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 /// What a controller's parts are called. Empty: it has none.
@@ -247,4 +247,4 @@ Actions& Actions::operator=(Actions&& other) noexcept {
   return *this;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

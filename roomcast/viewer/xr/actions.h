@@ -11,7 +11,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/viewer/xr/vr_walk.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class Actions {
  public:
@@ -40,4 +40,4 @@ class Actions {
   XrSpace left_grip_ = XR_NULL_HANDLE, right_grip_ = XR_NULL_HANDLE, right_aim_ = XR_NULL_HANDLE;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -9,7 +9,7 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr double kWidest_rad = 1.5;  // from the axis; beyond it a plane picture has no end
@@ -85,4 +85,4 @@ XrPosef pose_from_transform(const RigidTransform& transform) {
   return {{turn.x(), turn.y(), turn.z(), turn.w()}, {place.x(), place.y(), place.z()}};
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -12,7 +12,7 @@
 #include "roomcast/render/view/view_camera.h"
 #include "roomcast/viewer/view/view_target.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 struct EyePicture {
   PictureSize drawn;            // the centred picture
@@ -31,4 +31,4 @@ struct EyePicture {
 [[nodiscard]] RigidTransform transform_from_pose(const XrPosef& pose);
 [[nodiscard]] XrPosef pose_from_transform(const RigidTransform& transform);
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

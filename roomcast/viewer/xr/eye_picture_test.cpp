@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr XrFovf kLeftEye = {-0.80F, 0.70F, 0.75F, -0.72F};
@@ -72,4 +72,4 @@ TEST(EyePicture, poses_go_there_and_back) {
 }
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -6,7 +6,7 @@
 
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 XrSwapchainSubImage part_of(const Swapchain& images, const EyePicture& picture) {
@@ -50,8 +50,8 @@ void draw_alike(EyeTarget& left, EyeTarget& right) {
   right.picture_ = with_size(right.picture_, size);
 }
 
-ViewCamera EyeTarget::camera() const {
-  ViewCamera camera;
+render::ViewCamera EyeTarget::camera() const {
+  render::ViewCamera camera;
   camera.world_from_view = transform_from_pose(pose_);
   camera.vertical_fov_rad = picture_.vertical_fov_rad;
   camera.width = picture_.drawn.width;
@@ -59,12 +59,12 @@ ViewCamera EyeTarget::camera() const {
   return camera;
 }
 
-void EyeTarget::show(const OffscreenTarget& picture) {
+void EyeTarget::show(const render::OffscreenTarget& picture) {
   shown_ = copy(picture);
 }
 
 /// Both hold sRGB bytes, whatever the image's format calls itself: nothing is converted.
-Status EyeTarget::copy(const OffscreenTarget& picture) {
+Status EyeTarget::copy(const render::OffscreenTarget& picture) {
   const auto color = color_.acquire();
   if (!color) return color.error();
   const GLuint framebuffer = framebuffer_.name();
@@ -95,7 +95,7 @@ XrCompositionLayerProjectionView EyeTarget::layer() {
   view.fov = picture_.fov;
   view.subImage = part_of(color_, picture_);
   if (!depth_) return view;
-  const ViewCamera eye = camera();
+  const render::ViewCamera eye = camera();
   depth_info_ = xr_struct<XrCompositionLayerDepthInfoKHR>(XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR);
   depth_info_.subImage = part_of(*depth_, picture_);
   depth_info_.minDepth = 0;
@@ -106,4 +106,4 @@ XrCompositionLayerProjectionView EyeTarget::layer() {
   return view;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -11,7 +11,7 @@
 #include "roomcast/viewer/xr/eye_picture.h"
 #include "roomcast/viewer/xr/swapchain.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class EyeTarget {
  public:
@@ -23,10 +23,10 @@ class EyeTarget {
   /// What the eye sees in the coming frame. Errors as eye_picture.
   Status look(const XrView& view);
   /// Of the picture to draw, in the space in which look()'s view was located.
-  [[nodiscard]] ViewCamera camera() const;
+  [[nodiscard]] render::ViewCamera camera() const;
 
   /// Copies this eye's part.
-  void show(const OffscreenTarget& picture);
+  void show(const render::OffscreenTarget& picture);
 
   /// Whether the frame's picture has been shown, or why not.
   [[nodiscard]] const Status& shown() const { return shown_; }
@@ -36,12 +36,12 @@ class EyeTarget {
  private:
   EyeTarget(Swapchain color, int number) : color_(std::move(color)), number_(number) {}
   friend void draw_alike(EyeTarget& left, EyeTarget& right);
-  Status copy(const OffscreenTarget& picture);
+  Status copy(const render::OffscreenTarget& picture);
 
   Swapchain color_;
   int number_;
   std::optional<Swapchain> depth_;
-  GlFramebuffer framebuffer_ = GlFramebuffer::create();
+  render::GlFramebuffer framebuffer_ = render::GlFramebuffer::create();
   EyePicture picture_;
   XrPosef pose_{};
   Status shown_;
@@ -51,4 +51,4 @@ class EyeTarget {
 /// After look(): gives both pictures the size of the larger, to be drawn side by side.
 void draw_alike(EyeTarget& left, EyeTarget& right);
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

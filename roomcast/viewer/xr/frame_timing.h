@@ -10,7 +10,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class FrameTiming {
  public:
@@ -45,4 +45,4 @@ class FrameTiming {
   nanoseconds period_{}, ours_{};
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -21,7 +21,7 @@
 #include "roomcast/viewer/xr/graphics_binding.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 XrGraphicsBindingEGLMNDX egl_binding(EGLContext context) {
@@ -92,4 +92,4 @@ const void* GraphicsBinding::chain() const {
   return std::visit([](const auto& binding) -> const void* { return &binding; }, handles_->binding);
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

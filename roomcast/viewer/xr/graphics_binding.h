@@ -7,7 +7,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class GraphicsBinding {
  public:
@@ -28,4 +28,4 @@ class GraphicsBinding {
   std::unique_ptr<Handles> handles_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -9,7 +9,7 @@
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
@@ -185,7 +185,7 @@ Status Headset::locate_eyes(VrInput& input) {
   return {};
 }
 
-void Headset::show(const OffscreenTarget& picture) {
+void Headset::show(const render::OffscreenTarget& picture) {
   for (EyeTarget& eye : eyes_) eye.show(picture);
 }
 
@@ -217,4 +217,4 @@ Status Headset::request_exit() {
   return xr_status(xrRequestExitSession(session_), "asking the headset for the end");
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -25,7 +25,7 @@
 #include "roomcast/viewer/xr/runtime.h"
 #include "roomcast/viewer/xr/vr_walk.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 inline constexpr std::size_t kEyes = 2;
 
@@ -54,9 +54,9 @@ class Headset {
   /// Errors as xr_status.
   Result<HeadsetFrame> begin_frame();
   /// Left and right, in the stage's frame.
-  [[nodiscard]] Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
+  [[nodiscard]] render::Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
   /// What was drawn for stage_eyes(). Whether that went well end_frame() says.
-  void show(const OffscreenTarget& picture);
+  void show(const render::OffscreenTarget& picture);
   /// Hands over what was shown to both eyes. Errors as xr_status.
   Status end_frame();
   /// Asks for the end of the session; poll() then says when it is over.
@@ -87,4 +87,4 @@ class Headset {
   FrameTiming timing_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -16,11 +16,11 @@
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 #include "roomcast/viewer/xr/x_server.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 /// A wall 2 m ahead with a red left half, a green right half, and a black border below.
-RoomSnapshot two_colored_room() {
+client::RoomSnapshot two_colored_room() {
   constexpr int kSide = 96;
   ColorImage color(kSide, kSide, {200, 10, 10});
   fill_box<Rgb8>(color, kSide / 2, 0, kSide, kSide, {10, 190, 10});
@@ -46,7 +46,7 @@ Status draw_frame(Headset& headset, RoomView& room, RoomPicture& picture) {
   const auto frame = headset.begin_frame();
   if (!frame) return frame.error();
   if (frame->is_seen) {
-    if (auto status = picture.draw(room, headset.stage_eyes(), RenderMode::kMesh); !status)
+    if (auto status = picture.draw(room, headset.stage_eyes(), render::RenderMode::kMesh); !status)
       return status;
     headset.show(*picture.target());
   }
@@ -62,13 +62,13 @@ ColorImage mono_picture(RoomView& room, const GivenEye& eye) {
   const auto pixels = [focal](double tangent) {
     return static_cast<int>(std::lround(focal * tangent));
   };
-  ViewCamera camera;
+  render::ViewCamera camera;
   camera.width = 2 * pixels(std::max(left, right));
   camera.height = 2 * pixels(std::max(up, down));
   camera.vertical_fov_rad = 2 * std::atan(0.5 * camera.height / focal);
   camera.world_from_view = transform_from_pose(eye.pose);
   RoomPicture picture;
-  EXPECT_TRUE(picture.draw(room, camera, RenderMode::kMesh).ok());
+  EXPECT_TRUE(picture.draw(room, camera, render::RenderMode::kMesh).ok());
   const ColorImage whole = picture.target()->read_color();
   ColorImage part(eye.color.width(), eye.color.height());
   const int x0 = camera.width / 2 - pixels(left), y0 = camera.height / 2 - pixels(up);
@@ -85,10 +85,10 @@ double share_of_other_pixels(const ColorImage& a, const ColorImage& b) {
   return static_cast<double>(others) / static_cast<double>(a.view().pixel_count());
 }
 
-class HeadsetTest : public GlTest {
+class HeadsetTest : public render::GlTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    render::GlTest::SetUp();
     use_test_runtime();
     runtime.head_at = nodding_head;
     auto made = RoomView::create();
@@ -103,7 +103,7 @@ class HeadsetTest : public GlTest {
     for (const std::string& what : runtime.violations) ADD_FAILURE() << what;
     picture.reset();
     room.reset();
-    GlTest::TearDown();
+    render::GlTest::TearDown();
   }
 
   void open() {
@@ -302,4 +302,4 @@ TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
 }
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

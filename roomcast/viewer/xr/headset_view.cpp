@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr double kFarthestPointer_m = 8;
@@ -18,8 +18,8 @@ HostTime now() {
   return SteadyClock().now();
 }
 
-ViewCamera pointer_camera(const RigidTransform& world_from_aim) {
-  ViewCamera camera;
+render::ViewCamera pointer_camera(const RigidTransform& world_from_aim) {
+  render::ViewCamera camera;
   camera.width = camera.height = kPointerPixels;
   camera.vertical_fov_rad = kPointerFov_rad;
   camera.world_from_view = world_from_aim;
@@ -70,33 +70,33 @@ Status HeadsetView::find_pointed_at(RoomView& room, const VrInput& input) {
   pose_.pointer.reset();
   if (!input.points || !input.stage_from_aim) return {};
   const RigidTransform world_from_aim = walk_.world_from_stage() * *input.stage_from_aim;
-  const ViewCamera camera = pointer_camera(world_from_aim);
-  if (auto status = pointed_at_.draw(room, camera, RenderMode::kMesh); !status) return status;
+  const render::ViewCamera camera = pointer_camera(world_from_aim);
+  if (auto status = pointed_at_.draw(room, camera, render::RenderMode::kMesh); !status) return status;
   const auto place_m =
       surface_at(*pointed_at_.target(), camera, kPointerPixels / 2, kPointerPixels / 2);
   pose_.pointer =
-      PointerBeam{world_from_aim.translation_m,
+      client::PointerBeam{world_from_aim.translation_m,
                   place_m.value_or(world_from_aim * Eigen::Vector3d(0, 0, -kFarthestPointer_m))};
   return {};
 }
 
 /// Hands, and where the pointer or a teleport leads.
-PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
-  PersonPose seen = pose_;
+client::PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
+  client::PersonPose seen = pose_;
   if (const auto& target_m = walk_.teleport_target_m()) {
     const RigidTransform& from = input.stage_from_aim.value_or(input.stage_from_head);
-    seen.pointer = PointerBeam{(walk_.world_from_stage() * from).translation_m, *target_m};
+    seen.pointer = client::PointerBeam{(walk_.world_from_stage() * from).translation_m, *target_m};
   }
   return seen;
 }
 
-Status HeadsetView::draw_eyes(RoomView& room, RenderMode mode) {
-  const Eyes in_stage = headset_->stage_eyes();
-  const auto in_world = [this](ViewCamera camera) {
+Status HeadsetView::draw_eyes(RoomView& room, render::RenderMode mode) {
+  const render::Eyes in_stage = headset_->stage_eyes();
+  const auto in_world = [this](render::ViewCamera camera) {
     camera.world_from_view = walk_.world_from_stage() * camera.world_from_view;
     return camera;
   };
-  const Eyes eyes(in_world(in_stage[0]), in_world(in_stage[1]));
+  const render::Eyes eyes(in_world(in_stage[0]), in_world(in_stage[1]));
   if (auto status = picture_.draw(room, eyes, mode); !status) return status;
   headset_->show(*picture_.target());
   return {};
@@ -111,4 +111,4 @@ std::string HeadsetView::report() const {
                      timing.missed(), timing.frames());
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

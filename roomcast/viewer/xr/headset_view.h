@@ -14,7 +14,7 @@
 #include "roomcast/viewer/xr/headset.h"
 #include "roomcast/viewer/xr/vr_walk.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class HeadsetView {
  public:
@@ -33,9 +33,9 @@ class HeadsetView {
   void recenter() { is_placed_ = false; }
 
   /// In the world; of the newest frame.
-  [[nodiscard]] const PersonPose& pose() const { return pose_; }
+  [[nodiscard]] const client::PersonPose& pose() const { return pose_; }
   /// What the left eye sees, and behind it what the right one does; null before the first frame.
-  [[nodiscard]] const OffscreenTarget* left_eye() const { return picture_.target(); }
+  [[nodiscard]] const render::OffscreenTarget* left_eye() const { return picture_.target(); }
   [[nodiscard]] std::optional<nanoseconds> take_drawing_time() {
     return picture_.take_drawing_time();
   }
@@ -46,16 +46,16 @@ class HeadsetView {
   explicit HeadsetView(std::unique_ptr<Headset> headset) : headset_(std::move(headset)) {}
   void move(const VrInput& input, const ViewSettings& settings, const ViewState& start);
   Status find_pointed_at(RoomView& room, const VrInput& input);
-  Status draw_eyes(RoomView& room, RenderMode mode);
-  [[nodiscard]] PersonPose seen_of_self(const VrInput& input) const;
+  Status draw_eyes(RoomView& room, render::RenderMode mode);
+  [[nodiscard]] client::PersonPose seen_of_self(const VrInput& input) const;
 
   std::unique_ptr<Headset> headset_;
   VrWalk walk_;
   bool is_placed_ = false;
   HostTime last_frame_{};
-  PersonPose pose_;
+  client::PersonPose pose_;
   RoomPicture picture_;
   RoomPicture pointed_at_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

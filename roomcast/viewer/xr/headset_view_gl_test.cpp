@@ -8,18 +8,18 @@
 #include "roomcast/viewer/xr/headset_view.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
-RoomSnapshot grey_room() {
+client::RoomSnapshot grey_room() {
   return room_with_wall(world_from_optical_looking_at({5, 1.6, 0}, {5, 1.6, -1}),
                         ColorImage(96, 96, {200, 200, 200}));
 }
 
-class HeadsetViewTest : public GlTest {
+class HeadsetViewTest : public render::GlTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    render::GlTest::SetUp();
     ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
     ::setenv("XR_LOADER_DEBUG", "none", 1);
     runtime.reset();
@@ -30,14 +30,14 @@ class HeadsetViewTest : public GlTest {
     auto opened = HeadsetView::open();
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     view = std::move(*opened);
-    settings.mode = RenderMode::kMesh;
+    settings.mode = render::RenderMode::kMesh;
     ASSERT_TRUE(view->poll().ok());
   }
   void TearDown() override {
     view.reset();
     for (const std::string& what : runtime.violations) ADD_FAILURE() << what;
     room.reset();
-    GlTest::TearDown();
+    render::GlTest::TearDown();
   }
   void draw() {
     const Status drawn = view->draw(*room, settings, start);
@@ -105,4 +105,4 @@ TEST_F(HeadsetViewTest, reports_how_it_does) {
 }
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -14,7 +14,7 @@
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr const char* kOpenGl = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
@@ -115,4 +115,4 @@ Runtime& Runtime::operator=(Runtime&& other) noexcept {
   return *this;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

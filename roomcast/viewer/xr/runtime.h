@@ -10,7 +10,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class Runtime {
  public:
@@ -40,4 +40,4 @@ class Runtime {
   std::string name_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -10,7 +10,7 @@
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr XrDuration kImageWithin_ns = 1'000'000'000;
@@ -92,4 +92,4 @@ Swapchain& Swapchain::operator=(Swapchain&& other) noexcept {
   return *this;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -13,7 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/viewer/view/view_target.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 /// The first of `wanted` that the session offers; 0: none.
 [[nodiscard]] Result<std::int64_t> choose_format(XrSession session,
@@ -45,4 +45,4 @@ class Swapchain {
   std::vector<GLuint> textures_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr double kLongestStep_s = 0.1;
@@ -109,4 +109,4 @@ std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_
   return place_m;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -13,7 +13,7 @@
 #include "roomcast/viewer/view/view_settings.h"
 #include "roomcast/viewer/walk/view_state.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 /// What a headset and its controllers say. Sticks: right and forward are positive, -1..1.
 struct VrInput {
@@ -56,4 +56,4 @@ class VrWalk {
 /// that is out of reach.
 [[nodiscard]] std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_aim);
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

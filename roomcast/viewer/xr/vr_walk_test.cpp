@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -121,4 +121,4 @@ TEST(LandingPlace, is_nearer_for_who_aims_lower_and_none_for_who_throws_too_far)
 }
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

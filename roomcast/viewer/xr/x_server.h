@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 class XServer {
  public:
@@ -59,4 +59,4 @@ class XServer {
   std::string display_;
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

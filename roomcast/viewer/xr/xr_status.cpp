@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/viewer/xr/xr_status.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 Status xr_status(XrResult result, const std::string& what) {
   switch (result) {
@@ -23,4 +23,4 @@ Status xr_status(XrResult result, const std::string& what) {
                what + " failed (OpenXR code " + std::to_string(static_cast<int>(result)) + ")"};
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 /// kClosed when the session or the runtime is lost; kUnavailable for every other failure. `what` is
 /// what failed: "drawing for the headset".
@@ -17,8 +17,8 @@ namespace roomcast::xr {
 /// The same for what has no status of its own on success.
 #define ROOMCAST_XR_TRY(call, what)                                                               \
   do {                                                                                            \
-    if (::roomcast::Status xr_try_status = ::roomcast::xr::xr_status(call, what); !xr_try_status) \
+    if (::roomcast::Status xr_try_status = ::roomcast::viewer::xr::xr_status(call, what); !xr_try_status) \
       return std::move(xr_try_status).error();                                                    \
   } while (false)
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

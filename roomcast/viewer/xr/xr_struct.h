@@ -4,7 +4,7 @@
 
 #include <openxr/openxr.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 template <class Struct>
 [[nodiscard]] Struct xr_struct(XrStructureType type) {
@@ -13,4 +13,4 @@ template <class Struct>
   return made;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

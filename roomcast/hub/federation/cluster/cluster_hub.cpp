@@ -9,7 +9,7 @@
 #include "roomcast/hub/federation/cluster/subjects.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 template <class Message>
@@ -257,4 +257,4 @@ void ClusterHub::revoked(const std::vector<hub::Claims>& tokens) {
   nats_->publish(kRevokedSubject, bytes_of(revoked_message(tokens)));
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

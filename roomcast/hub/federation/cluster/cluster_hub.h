@@ -24,7 +24,7 @@
 #include "roomcast/hub/federation/nats/nats_client.h"
 #include "roomcast/hub/runtime/backplane.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 struct ClusterOptions {
   NatsOptions nats;
@@ -118,4 +118,4 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   std::minstd_rand random_{std::random_device{}()};
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -6,7 +6,7 @@
 #include "roomcast/hub/federation/cluster/revoked_tokens.h"
 #include "roomcast/hub/federation/cluster/subjects.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 template <class Message>
@@ -106,4 +106,4 @@ std::vector<hub::HubStatus> ClusterHub::hubs() const {
   return all;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

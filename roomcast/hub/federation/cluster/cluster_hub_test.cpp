@@ -10,7 +10,7 @@
 #include "roomcast/hub/federation/mirror/clients_of_hubs_fixture.h"
 #include "roomcast/hub/federation/nats/nats_server_fixture.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -32,7 +32,7 @@ hub::HubOptions sharing_over(const NatsServer& server, const std::string& public
   return options;
 }
 
-class ClusterHubTest : public mirror::ClientsOfHubs {
+class ClusterHubTest : public hub::federation::ClientsOfHubs {
  protected:
   void SetUp() override {
     if (!NatsServer::is_installed()) GTEST_SKIP() << "nats-server is not installed";
@@ -110,4 +110,4 @@ TEST_F(ClusterHubTest, a_hub_that_nats_refuses_does_not_start) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

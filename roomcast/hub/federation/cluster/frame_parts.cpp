@@ -8,7 +8,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 constexpr std::uint32_t kContinues = 1, kGoesOn = 2;
@@ -86,4 +86,4 @@ void FrameUnpacker::unpack(std::span<const std::uint8_t> bytes, const TakeFrame&
   }
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

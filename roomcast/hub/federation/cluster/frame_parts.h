@@ -16,7 +16,7 @@
 
 #include "roomcast/net/message_buffer.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 inline constexpr std::size_t kPartHeaderBytes = 8;
 
@@ -63,4 +63,4 @@ class FrameUnpacker {
   std::vector<std::uint8_t> begun_;  // of messages that go on
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

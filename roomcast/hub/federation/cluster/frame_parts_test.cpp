@@ -9,7 +9,7 @@
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -106,4 +106,4 @@ TEST(FrameParts, parts_that_never_end_take_no_more_memory_than_two_frames) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -6,7 +6,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 HostTime host_time(std::uint64_t ns) {
@@ -144,4 +144,4 @@ std::optional<HubId> owner_of(std::string_view room, const pb::Heartbeat& own,
   return best ? std::optional(best->second) : std::nullopt;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -20,7 +20,7 @@
 #include "roomcast/hub/federation/cluster/cluster.pb.h"
 #include "roomcast/hub/federation/cluster/hub_id.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 /// How often a hub says that it is alive, and after which silence it is not.
 inline constexpr std::chrono::milliseconds kHeartbeatInterval{150};
@@ -30,7 +30,7 @@ inline constexpr std::size_t kMaxHubs = 256;
 struct OtherHub {
   pb::Heartbeat newest;
   HostTime received{};
-  ClockSync clock = {};
+  client::ClockSync clock = {};
   std::set<std::string> rooms = {};  // all that it has
 };
 
@@ -80,4 +80,4 @@ class HubDirectory {
 [[nodiscard]] std::optional<HubId> owner_of(std::string_view room, const pb::Heartbeat& own,
                                             const HubDirectory& directory);
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -177,4 +177,4 @@ TEST(RoomOwner, is_one_that_can_place_sensors_of_a_room_that_had_some) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -8,7 +8,7 @@
 
 #include "roomcast/core/ids.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 using HubId = Id<struct HubTag, std::uint64_t>;
 
@@ -17,4 +17,4 @@ using HubId = Id<struct HubTag, std::uint64_t>;
 /// 16 hexadecimal digits.
 [[nodiscard]] std::string to_string(HubId hub);
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -5,7 +5,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 namespace wpb = wire::pb;
 
@@ -43,4 +43,4 @@ wpb::ViewerPoses PresenceIdMap::renamed(HubId hub, const wpb::ViewerPoses& poses
   return renamed;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

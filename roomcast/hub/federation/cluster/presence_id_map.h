@@ -11,7 +11,7 @@
 #include "roomcast/hub/federation/cluster/hub_id.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class PresenceIdMap {
  public:
@@ -29,4 +29,4 @@ class PresenceIdMap {
   std::uint32_t newest_ = 0;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

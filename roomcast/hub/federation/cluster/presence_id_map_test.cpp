@@ -5,7 +5,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 constexpr HubId kOne{3}, kOther{8};
@@ -51,4 +51,4 @@ TEST(PresenceIdMap, of_one_hub_are_bounded_in_number) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/clock.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class ProcessorLoad {
  public:
@@ -38,4 +38,4 @@ class ProcessorLoad {
   float cores_ = 0;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -6,7 +6,7 @@
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/name_check.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 bool is_legal(const pb::RevokedToken& token) {
@@ -45,4 +45,4 @@ std::vector<hub::Claims> revoked_tokens(const pb::Revoked& message) {
   return tokens;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 TEST(RevokedTokens, come_as_they_were_sent) {
@@ -32,4 +32,4 @@ TEST(RevokedTokens, nonsense_is_left_out) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

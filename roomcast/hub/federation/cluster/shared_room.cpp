@@ -7,7 +7,7 @@
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace wpb = wire::pb;
@@ -143,7 +143,7 @@ SharedRoom::Claim SharedRoom::winner(const std::string& sensor) const {
 
 /// Those of other hubs whose name nobody has by a higher claim are here, and no others.
 void SharedRoom::follow_winners() {
-  std::map<HubId, std::vector<mirror::SensorThere>> online;
+  std::map<HubId, std::vector<hub::federation::SensorThere>> online;
   for (const auto& [id, hub] : others_) {
     for (const pb::SensorHere& there : hub.news.sensors()) {
       if (winner(there.entry().name()).hub != id) continue;
@@ -187,7 +187,7 @@ void SharedRoom::tell_news() {
 SharedRoom::OtherHub& SharedRoom::other(HubId hub) {
   const auto known = others_.find(hub);
   if (known != others_.end()) return known->second;
-  mirror::MirroredSensors sensors(hub.value, seat_.room, seat_.token, seat_.rooms,
+  hub::federation::MirroredSensors sensors(hub.value, seat_.room, seat_.token, seat_.rooms,
                                   seat_.new_connection);
   return others_.emplace(hub, OtherHub{{}, std::move(sensors), {}}).first->second;
 }
@@ -223,7 +223,7 @@ void SharedRoom::others_are(const std::vector<std::string>& urls) {
   seat_.rooms.on_control(*aligner_, control);
 }
 
-void SharedRoom::clock_is(HubId hub, const ClockEstimate& estimate) {
+void SharedRoom::clock_is(HubId hub, const client::ClockEstimate& estimate) {
   other(hub).sensors.clock_is(estimate);
 }
 
@@ -266,4 +266,4 @@ void SharedRoom::tell_poses_again() {
   tell_moved(people_here_.newest_poses());
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -26,7 +26,7 @@
 #include "roomcast/hub/federation/mirror/shown_presence.h"
 #include "roomcast/hub/runtime/backplane.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 /// What a room says to other hubs.
 class SharedRoomOut {
@@ -44,7 +44,7 @@ class SharedRoom {
     std::string room;
     std::string token;  // lets anybody into it
     hub::BackplaneEvents& rooms;
-    mirror::MirroredSensors::NewConnection new_connection;
+    hub::federation::MirroredSensors::NewConnection new_connection;
     SharedRoomOut& out;
   };
 
@@ -65,7 +65,7 @@ class SharedRoom {
   void take(const pb::ToHub& message);
   void frames(HubId from, std::span<const std::uint8_t> message);
   void people_moved(const pb::PeopleMoved& people);
-  void clock_is(HubId hub, const ClockEstimate& estimate);
+  void clock_is(HubId hub, const client::ClockEstimate& estimate);
   void hub_is_gone(HubId hub);
   /// Who works out where sensors stand; nothing: nobody.
   void owner_is(std::optional<HubId> owner);
@@ -108,7 +108,7 @@ class SharedRoom {
   };
   struct OtherHub {
     pb::RoomNews news;
-    mirror::MirroredSensors sensors;
+    hub::federation::MirroredSensors sensors;
     FrameUnpacker unpacker;
   };
 
@@ -143,11 +143,11 @@ class SharedRoom {
   pb::RoomNews news_;        // as last told
   std::map<std::string, OwnClaim> claims_;
   std::map<HubId, OtherHub> others_;
-  mirror::PresenceRelay people_here_;
+  hub::federation::PresenceRelay people_here_;
   PresenceIdMap people_there_;
-  mirror::ShownPresence shown_presence_;  // of these, in the room here
+  hub::federation::ShownPresence shown_presence_;  // of these, in the room here
   std::optional<HubId> owner_;
   std::vector<std::string> other_urls_;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

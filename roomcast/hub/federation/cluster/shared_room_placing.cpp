@@ -6,7 +6,7 @@
 #include "roomcast/hub/federation/cluster/shared_room.h"
 #include "roomcast/wire/control_check.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace wpb = wire::pb;
@@ -47,7 +47,7 @@ void SharedRoom::place_sensors() {
     const wpb::SensorEntry* here = entry_of(said.name());
     if (here == nullptr || !is_news(said, *here)) return;
     const SensorId id{static_cast<std::uint16_t>(here->id())};
-    *control.mutable_placements()->add_sensors() = mirror::placement_of(said, id);
+    *control.mutable_placements()->add_sensors() = hub::federation::placement_of(said, id);
   };
   const auto owner = owner_ ? others_.find(*owner_) : others_.end();
   if (owner != others_.end()) std::ranges::for_each(owner->second.news.placed(), consider);
@@ -154,4 +154,4 @@ void SharedRoom::take_nudge(const pb::NudgeByName& nudge) {
   if (wire::check_control(control)) seat_.rooms.on_control(*aligner_, control);
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

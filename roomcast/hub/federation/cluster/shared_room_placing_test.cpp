@@ -7,12 +7,12 @@
 #include "roomcast/hub/federation/cluster/shared_room.h"
 #include "roomcast/hub/federation/mirror/room_here_fixture.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace wpb = wire::pb;
-using mirror::RoomHere;
-using mirror::sensor_there;
+using hub::federation::RoomHere;
+using hub::federation::sensor_there;
 using namespace std::chrono_literals;
 
 constexpr HubId kOwner{3}, kOther{8};
@@ -196,4 +196,4 @@ TEST_F(SharedRoomPlacing, a_nudge_goes_to_the_owner_by_the_sensors_name) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

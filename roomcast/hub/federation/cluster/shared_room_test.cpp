@@ -7,14 +7,14 @@
 
 #include "roomcast/hub/federation/mirror/room_here_fixture.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace wpb = wire::pb;
-using mirror::person;
-using mirror::pose_of;
-using mirror::RoomHere;
-using mirror::sensor_there;
+using hub::federation::person;
+using hub::federation::pose_of;
+using hub::federation::RoomHere;
+using hub::federation::sensor_there;
 using namespace std::chrono_literals;
 
 constexpr HubId kOwn{5}, kLower{3}, kHigher{8};
@@ -155,7 +155,7 @@ TEST_F(SharedRoomTest, frames_come_in_with_this_hubs_time) {
   welcome(1, 3);
   room.clock_is(kLower, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
   FramePacker packer(10'000);
-  auto frame = mirror::frame_there();
+  auto frame = hub::federation::frame_there();
   packer.add(frame.payload());
   for (const auto& message : packer.take()) {
     room.frames(kLower, message);
@@ -260,4 +260,4 @@ TEST_F(SharedRoomTest, nobody_moves_people_of_another_hub_or_with_poses_that_mak
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include "roomcast/net/random_bytes.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 constexpr std::string_view kRoomPrefix = "roomcast.room.";
@@ -114,4 +114,4 @@ std::optional<ReadSubject> read_subject(std::string_view subject) {
   return frames;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -9,7 +9,7 @@
 
 #include "roomcast/hub/federation/cluster/hub_id.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 inline constexpr char kHeartbeatSubject[] = "roomcast.hubs";
 inline constexpr char kRevokedSubject[] = "roomcast.revoked";
@@ -34,4 +34,4 @@ struct ReadSubject {
 /// Nothing: not one of ours.
 [[nodiscard]] std::optional<ReadSubject> read_subject(std::string_view subject);
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

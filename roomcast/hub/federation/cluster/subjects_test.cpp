@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 constexpr HubId kHub{0x0123456789abcdef};
@@ -55,4 +55,4 @@ TEST(HubId, is_new_each_time_and_never_zero) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

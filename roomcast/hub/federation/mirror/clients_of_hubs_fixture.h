@@ -21,7 +21,7 @@
 #include "roomcast/hub/server/hub_server_fixture.h"
 #include "roomcast/hub/server/running_hub.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 
 class ClientsOfHubs : public testing::Test {
  protected:
@@ -89,4 +89,4 @@ class ClientsOfHubs : public testing::Test {
   std::uint32_t seq = 0;
 };
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

@@ -8,7 +8,7 @@
 
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace pb = wire::pb;
@@ -185,4 +185,4 @@ bool MirroredSensors::let_go(ConnectionId connection) {
   return true;
 }
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

@@ -19,7 +19,7 @@
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 
 /// A sensor that is online at the other hub.
 struct SensorThere {
@@ -46,7 +46,7 @@ class MirroredSensors {
   // From the other hub.
   /// All that are online there; who was and is not any more is gone here too.
   void follow(const std::vector<SensorThere>& online);
-  void clock_is(const ClockEstimate& estimate) { clock_ = estimate; }
+  void clock_is(const client::ClockEstimate& estimate) { clock_ = estimate; }
   /// Dropped while the clock, or the sensor's id here, are not known; what is no frame, too.
   void frame(net::MessageBuffer message);
   /// Nothing more came with these frames: they go on to the room, together.
@@ -82,7 +82,7 @@ class MirroredSensors {
   hub::BackplaneEvents& here_;
   const NewConnection new_connection_;
   Sensors sensors_;
-  std::optional<ClockEstimate> clock_;
+  std::optional<client::ClockEstimate> clock_;
   std::vector<hub::IncomingFrame> came_;  // and were not passed on yet
 };
 
@@ -90,4 +90,4 @@ class MirroredSensors {
 [[nodiscard]] wire::pb::SensorPlacement placement_of(const wire::pb::SensorEntry& entry,
                                                      SensorId here);
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include "roomcast/hub/federation/mirror/room_here_fixture.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 namespace {
 
 class MirroredSensorsTest : public testing::Test {
@@ -167,4 +167,4 @@ TEST_F(MirroredSensorsTest, it_has_a_sensor_once_the_room_here_has_welcomed_it) 
 }
 
 }  // namespace
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

@@ -6,7 +6,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace pb = wire::pb;
@@ -67,4 +67,4 @@ pb::PeopleHere people_there(const pb::Roster& roster, std::uint32_t own_viewer_i
   return there;
 }
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

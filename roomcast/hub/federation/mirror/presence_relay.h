@@ -9,7 +9,7 @@
 
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 
 class PresenceRelay {
  public:
@@ -33,4 +33,4 @@ class PresenceRelay {
 [[nodiscard]] wire::pb::PeopleHere people_there(const wire::pb::Roster& roster,
                                                 std::uint32_t own_viewer_id);
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

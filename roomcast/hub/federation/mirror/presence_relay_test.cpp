@@ -7,7 +7,7 @@
 
 #include "roomcast/wire/limits.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace pb = wire::pb;
@@ -84,4 +84,4 @@ TEST(PeopleThere, are_all_but_us_who_is_behind_us_and_hubs) {
 }
 
 }  // namespace
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

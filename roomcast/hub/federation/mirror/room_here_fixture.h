@@ -13,7 +13,7 @@
 #include "roomcast/hub/server/hub_server_fixture.h"
 #include "roomcast/wire/frame_header.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 
 namespace pb = wire::pb;
 using namespace std::chrono_literals;
@@ -94,4 +94,4 @@ inline net::MessageBuffer frame_there() {
   return net::MessageBuffer(bytes);
 }
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

@@ -6,7 +6,7 @@
 
 #include "roomcast/wire/control.pb.h"
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 
 class ShownPresence {
  public:
@@ -25,4 +25,4 @@ class ShownPresence {
   wire::pb::PeopleHere shown_;
 };
 
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

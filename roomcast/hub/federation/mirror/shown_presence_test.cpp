@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::mirror {
+namespace roomcast::hub::federation {
 namespace {
 
 TEST(ShownPresence, are_told_once_and_again_when_they_were_forgotten) {
@@ -21,4 +21,4 @@ TEST(ShownPresence, are_told_once_and_again_when_they_were_forgotten) {
 }
 
 }  // namespace
-}  // namespace roomcast::mirror
+}  // namespace roomcast::hub::federation

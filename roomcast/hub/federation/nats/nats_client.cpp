@@ -11,7 +11,7 @@
 #include "roomcast/hub/federation/nats/nats_login.h"
 #include "roomcast/hub/federation/nats/nats_session.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace asio = boost::asio;
@@ -243,4 +243,4 @@ NatsStats NatsClient::stats() const {
   return link_->stats();
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

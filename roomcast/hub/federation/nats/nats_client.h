@@ -23,7 +23,7 @@
 #include "roomcast/hub/federation/nats/nats_options.h"
 #include "roomcast/hub/runtime/backplane.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 /// Since it was opened.
 struct NatsStats {
@@ -67,4 +67,4 @@ class NatsClient {
   std::shared_ptr<Link> link_;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -15,7 +15,7 @@
 
 #include "roomcast/hub/federation/nats/nats_server_fixture.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -195,4 +195,4 @@ TEST_F(NatsClientTest, who_has_no_password_or_a_wrong_one_is_told_so) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -11,7 +11,7 @@
 #include "roomcast/hub/federation/nats/stalling_relay_fixture.h"
 #include "roomcast/net/tls/certificate.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -130,4 +130,4 @@ TEST_F(NatsClientTlsTest, a_server_that_stalls_keeps_nobody_from_stopping) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -13,7 +13,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -120,4 +120,4 @@ std::string NatsCredentials::sign(std::string_view text) const {
   return base64url(signature);
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -12,7 +12,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class NatsCredentials {
  public:
@@ -33,4 +33,4 @@ class NatsCredentials {
   Seed seed_;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

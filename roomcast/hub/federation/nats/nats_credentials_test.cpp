@@ -9,7 +9,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 constexpr char kSeed[] = "SUAEZTIITMUP7FW2TW3MGRXMCFHA6W4KGGPTLK5GETNIZ5XNJ64KN63OVI";
@@ -61,4 +61,4 @@ TEST(NatsCredentials, a_file_that_is_of_no_use_is_named) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -17,7 +17,7 @@
 #include "roomcast/net/host_lookup.h"
 #include "roomcast/net/tls/tls_context.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace asio = boost::asio;
@@ -268,4 +268,4 @@ std::shared_ptr<NatsLoginAttempt> log_in_to_nats(asio::io_context& io, NatsOptio
   return attempt;
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -19,7 +19,7 @@
 #include "roomcast/hub/federation/nats/nats_protocol.h"
 #include "roomcast/net/stream.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 /// Each server; all of it.
 inline constexpr std::chrono::milliseconds kConnectWithin{500};
@@ -49,4 +49,4 @@ class NatsLoginAttempt {
 std::shared_ptr<NatsLoginAttempt> log_in_to_nats(boost::asio::io_context& io, NatsOptions options,
                                                  NatsLoginCallback callback);
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -10,7 +10,7 @@
 #include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -137,4 +137,4 @@ TEST_F(NatsLoginTest, who_gives_up_hears_no_more) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

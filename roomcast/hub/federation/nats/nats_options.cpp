@@ -7,7 +7,7 @@
 
 #include "roomcast/net/hub_url.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 Status check_file(const std::string& file) {
@@ -115,4 +115,4 @@ Error connect_error(NatsFault fault, const std::string& server, const NatsOption
   return {ErrorCode::kUnavailable, where};
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -10,7 +10,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/hub/federation/nats/nats_protocol.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 struct NatsOptions {
   /// "nats://a:4222", "tls://a:4222", "nats://user:password@a:4222"; at least one. The first that
@@ -55,4 +55,4 @@ enum class NatsFault {
 [[nodiscard]] Error connect_error(NatsFault fault, const std::string& server,
                                   const NatsOptions& options);
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 TEST(NatsOptions, addresses_of_nats_are_taken) {
@@ -76,4 +76,4 @@ TEST(NatsOptions, each_refusal_is_one_sentence_that_says_what_to_do) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using Json = nlohmann::json;
@@ -147,4 +147,4 @@ std::string unsubscribe_line(std::uint64_t number) {
   return "UNSUB " + std::to_string(number) + "\r\n";
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

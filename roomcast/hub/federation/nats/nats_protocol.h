@@ -11,7 +11,7 @@
 #include <string_view>
 #include <variant>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 /// INFO names all servers of a cluster; the other lines are short.
 inline constexpr std::size_t kMaxNatsLineBytes = 64u << 10;
@@ -71,4 +71,4 @@ struct NatsIdentity {
 inline constexpr std::string_view kNatsLineEnd = "\r\n";
 inline constexpr std::string_view kNatsPing = "PING\r\n", kNatsPong = "PONG\r\n";
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 std::span<const std::uint8_t> bytes(std::string_view text) {
@@ -105,4 +105,4 @@ TEST(NatsProtocol, lines_are_as_the_protocol_has_them) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -18,7 +18,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class NatsServer {
  public:
@@ -72,4 +72,4 @@ class NatsServer {
   std::string port_;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

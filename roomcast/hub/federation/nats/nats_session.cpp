@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 namespace asio = boost::asio;
 
@@ -166,4 +166,4 @@ void NatsSession::write_waiting() {
   if (!waiting_.empty()) write_later();
 }
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -22,7 +22,7 @@
 #include "roomcast/hub/federation/nats/nats_login.h"
 #include "roomcast/hub/federation/nats/nats_protocol.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class NatsSession final : public std::enable_shared_from_this<NatsSession> {
  public:
@@ -83,4 +83,4 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
   bool is_over_ = false;                   // it was stopped, or this was told
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

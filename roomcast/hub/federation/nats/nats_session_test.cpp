@@ -9,7 +9,7 @@
 
 #include "roomcast/hub/federation/nats/nats_server_fixture.h"
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -123,4 +123,4 @@ TEST_F(NatsSessionTest, what_a_server_does_not_take_does_not_pile_up) {
 }
 
 }  // namespace
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

@@ -16,7 +16,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace roomcast::cluster {
+namespace roomcast::hub::federation {
 
 class StallingRelay {
  public:
@@ -90,4 +90,4 @@ class StallingRelay {
   std::jthread thread_;
 };
 
-}  // namespace roomcast::cluster
+}  // namespace roomcast::hub::federation

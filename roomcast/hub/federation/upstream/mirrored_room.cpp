@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 namespace pb = wire::pb;
 
@@ -41,13 +41,13 @@ void MirroredRoom::poses(const pb::ViewerPoses& poses) {
 
 void MirroredRoom::roster(const pb::Roster& roster) {
   if (!aligner_) join_as_aligner();
-  std::vector<mirror::SensorThere> online;
+  std::vector<hub::federation::SensorThere> online;
   for (const auto& entry : roster.sensors()) {
     if (entry.online()) online.push_back({.entry = entry});
   }
   sensors_.follow(online);
   place_sensors();
-  people_there_ = mirror::people_there(roster, viewer_id_);
+  people_there_ = hub::federation::people_there(roster, viewer_id_);
   show_people();
 }
 
@@ -107,7 +107,7 @@ void MirroredRoom::place_sensors() {
   for (const auto& [there, sensor] : sensors_.all()) {
     const pb::SensorEntry& entry = sensor.there.entry;
     if (!sensor.id || entry.placement() == pb::PLACEMENT_GIVEN) continue;
-    *control.mutable_placements()->add_sensors() = mirror::placement_of(entry, *sensor.id);
+    *control.mutable_placements()->add_sensors() = hub::federation::placement_of(entry, *sensor.id);
   }
   if (control.has_placements()) here_.on_control(*aligner_, control);
 }
@@ -117,4 +117,4 @@ void MirroredRoom::let_go(ConnectionId connection) {
   sensors_.let_go(connection);
 }
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

@@ -14,11 +14,11 @@
 #include "roomcast/hub/federation/mirror/presence_relay.h"
 #include "roomcast/hub/federation/mirror/shown_presence.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 class MirroredRoom {
  public:
-  using NewConnection = mirror::MirroredSensors::NewConnection;
+  using NewConnection = hub::federation::MirroredSensors::NewConnection;
 
   /// `here` is told; `token` lets anybody into its room, and it outlives this.
   MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
@@ -29,7 +29,7 @@ class MirroredRoom {
   std::vector<wire::pb::Control> welcomed(std::uint32_t viewer_id);
   void poses(const wire::pb::ViewerPoses& poses);
   void roster(const wire::pb::Roster& roster);
-  void clock_is(const ClockEstimate& estimate) { sensors_.clock_is(estimate); }
+  void clock_is(const client::ClockEstimate& estimate) { sensors_.clock_is(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
   void frames_done() { sensors_.pass_on(); }
   /// Until it comes back all sensors are gone.
@@ -50,13 +50,13 @@ class MirroredRoom {
   const std::string room_, token_;
   hub::BackplaneEvents& here_;
   const NewConnection new_connection_;
-  mirror::MirroredSensors sensors_;
+  hub::federation::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;
   bool aligner_is_welcome_ = false;
   std::uint32_t viewer_id_ = 0;  // ours there
   wire::pb::PeopleHere people_there_;
-  mirror::ShownPresence shown_presence_;  // of these, here
-  mirror::PresenceRelay people_here_;
+  hub::federation::ShownPresence shown_presence_;  // of these, here
+  hub::federation::PresenceRelay people_here_;
 };
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

@@ -7,15 +7,15 @@
 
 #include "roomcast/hub/federation/mirror/room_here_fixture.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 namespace {
 
 namespace pb = wire::pb;
 using namespace std::chrono_literals;
-using mirror::person;
-using mirror::pose_of;
-using mirror::RoomHere;
-using mirror::sensor_there;
+using hub::federation::person;
+using hub::federation::pose_of;
+using hub::federation::RoomHere;
+using hub::federation::sensor_there;
 
 pb::Roster roster_of(std::initializer_list<pb::SensorEntry> sensors) {
   pb::Roster roster;
@@ -134,4 +134,4 @@ TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_
 }
 
 }  // namespace
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 namespace {
 
@@ -85,4 +85,4 @@ hub::BackplaneStats UpstreamHub::stats() const {
   return stats;
 }
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

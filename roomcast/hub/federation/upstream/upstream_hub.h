@@ -12,7 +12,7 @@
 #include "roomcast/hub/federation/upstream/upstream_room.h"
 #include "roomcast/hub/runtime/backplane.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 class UpstreamHub final : public hub::Backplane {
  public:
@@ -46,4 +46,4 @@ class UpstreamHub final : public hub::Backplane {
   Rooms rooms_;
 };
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

@@ -7,7 +7,7 @@
 
 #include "roomcast/hub/federation/mirror/clients_of_hubs_fixture.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
@@ -28,7 +28,7 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
   return options;
 }
 
-class UpstreamHubTest : public mirror::ClientsOfHubs {
+class UpstreamHubTest : public hub::federation::ClientsOfHubs {
  protected:
   /// Who watches at the same hub.
   static std::vector<std::string> viewers_in(const hub::RawClient& client) {
@@ -119,4 +119,4 @@ TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
 }
 
 }  // namespace
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

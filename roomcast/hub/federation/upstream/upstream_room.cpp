@@ -5,7 +5,7 @@
 
 #include "roomcast/hub/runtime/revoked_message.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 namespace pb = wire::pb;
 
@@ -39,9 +39,9 @@ UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& o
 }
 
 void UpstreamRoom::join() {
-  HubLinkEvents& events = *this;
+  client::HubLinkEvents& events = *this;
   link_.emplace(io_, options_.hubs, join_message(options_, room_), events,
-                HubLink::Options{.timings = kTimings, .pings = PingSchedule::kOfHub});
+                client::HubLink::Options{.timings = kTimings, .pings = client::PingSchedule::kOfHub});
   link_->start();
 }
 
@@ -76,7 +76,7 @@ void UpstreamRoom::on_frame(net::MessageBuffer message) {
   mirror_.frame(std::move(message));
 }
 
-void UpstreamRoom::on_clock(const ClockEstimate& estimate) {
+void UpstreamRoom::on_clock(const client::ClockEstimate& estimate) {
   mirror_.clock_is(estimate);
 }
 
@@ -93,4 +93,4 @@ void UpstreamRoom::on_down(const Error& reason, bool final) {
   options_.log(LogLevel::kWarning, "room \"" + room_ + "\" of another hub: " + reason.message);
 }
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

@@ -15,17 +15,17 @@
 #include "roomcast/core/log.h"
 #include "roomcast/hub/federation/upstream/mirrored_room.h"
 
-namespace roomcast::upstream {
+namespace roomcast::hub::federation {
 
 struct UpstreamOptions {
   std::vector<net::HubUrl> hubs;  // at least one; the next is tried where one is gone
-  Credential credential = {};     // a viewer's there
+  client::Credential credential = {};     // a viewer's there
   /// How long a room is still pulled that nobody watches any more.
   std::chrono::milliseconds kept_unwatched{3000};
   LogSink log = {};
 };
 
-class UpstreamRoom final : private HubLinkEvents {
+class UpstreamRoom final : private client::HubLinkEvents {
  public:
   /// A hub that is there says something every few hundred milliseconds, if asked. Each look whether
   /// it has to be asked wakes this one.
@@ -59,7 +59,7 @@ class UpstreamRoom final : private HubLinkEvents {
   void on_frame(net::MessageBuffer message) override;
   void on_frames_done() override { mirror_.frames_done(); }
   net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate& estimate) override;
+  void on_clock(const client::ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
 
   const UpstreamOptions& options_;
@@ -67,11 +67,11 @@ class UpstreamRoom final : private HubLinkEvents {
   MirroredRoom mirror_;
   const Revoke revoke_;
   boost::asio::io_context& io_;
-  std::optional<HubLink> link_;
+  std::optional<client::HubLink> link_;
   bool is_welcome_ = false;
   hub::BackplaneTraffic sent_, received_;
   bool is_down_ = false;  // since the last welcome
   boost::asio::steady_timer timer_;
 };
 
-}  // namespace roomcast::upstream
+}  // namespace roomcast::hub::federation

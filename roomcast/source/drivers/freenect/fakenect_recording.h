@@ -14,7 +14,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 inline constexpr int kRecordedWidth = 640, kRecordedHeight = 480;
 inline constexpr double kRecordedFps = 30;
@@ -72,4 +72,4 @@ inline void write_fakenect_recording(const std::filesystem::path& folder, int fr
   }
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -17,7 +17,7 @@
 #pragma weak freenect_free_device_attributes
 #pragma weak freenect_set_flag
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr double kTicksPerSecond = 60e6;
@@ -175,4 +175,4 @@ std::unique_ptr<CameraBackend> freenect_backend() {
   return std::make_unique<FreenectBackend>();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -8,8 +8,8 @@
 
 #include "roomcast/source/camera/camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 [[nodiscard]] std::unique_ptr<CameraBackend> freenect_backend();
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -16,7 +16,7 @@
 #include "roomcast/source/drivers/freenect/fakenect_recording.h"
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST_F(ReplayedKinect, that_is_not_there_is_not_found) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 
 #include "roomcast/source/camera/color_camera_fit.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr double kNominalColorFocal_px = 525;
@@ -59,4 +59,4 @@ Result<SensorCalibration> kinect_calibration(const KinectZeroPlane& plane,
   return found;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

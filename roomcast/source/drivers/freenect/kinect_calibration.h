@@ -12,7 +12,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// As libfreenect unfolds it. A depth pixel lies at
 /// x = (pixels[i][0] + shift_of_mm[depth]) / 256, y = pixels[i][1], counted from the corner.
@@ -29,4 +29,4 @@ struct KinectColorMap {
 [[nodiscard]] Result<SensorCalibration> kinect_calibration(const KinectZeroPlane& plane,
                                                            const KinectColorMap& map);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

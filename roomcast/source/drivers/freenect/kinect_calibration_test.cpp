@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// The tables that a Kinect with known cameras would unfold into.
@@ -81,4 +81,4 @@ TEST(KinectCalibration, a_typical_kinect_has_its_colour_camera_to_the_side) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -5,7 +5,7 @@
 
 #include "roomcast/core/assert.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr double kRawStepsPerPixel = 4;
@@ -43,4 +43,4 @@ void kinect_depth_from_raw(const std::uint16_t* raw, const std::vector<std::uint
     out[i] = raw[i] < kKinectRawValues ? mm_from_raw[raw[i]] : std::uint16_t{0};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

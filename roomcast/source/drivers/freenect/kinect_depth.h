@@ -10,7 +10,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 inline constexpr int kKinectWidth = 640, kKinectHeight = 480;
 inline constexpr std::size_t kKinectRawValues = 2048;
@@ -40,4 +40,4 @@ struct KinectZeroPlane {
 void kinect_depth_from_raw(const std::uint16_t* raw, const std::vector<std::uint16_t>& mm_from_raw,
                            DepthImage& depth_mm);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 TEST(KinectDepth, the_recorded_plane_is_where_it_says) {
@@ -50,4 +50,4 @@ TEST(KinectDepth, the_focal_length_follows_from_the_plane) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

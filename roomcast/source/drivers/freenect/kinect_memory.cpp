@@ -10,7 +10,7 @@
 #pragma weak freenect_copy_registration
 #pragma weak freenect_destroy_registration
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// libfreenect gives distances in a mixture of units, all ten times too small.
@@ -47,4 +47,4 @@ std::optional<KinectMemory> read_kinect_memory(freenect_device* device) {
   return memory;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -8,7 +8,7 @@
 
 #include "roomcast/source/drivers/freenect/kinect_calibration.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 struct KinectMemory {
   KinectZeroPlane plane;
@@ -18,4 +18,4 @@ struct KinectMemory {
 /// Nothing where the library does not tell, or what it tells is no calibration.
 [[nodiscard]] std::optional<KinectMemory> read_kinect_memory(freenect_device* device);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -12,7 +12,7 @@
 #include "roomcast/source/camera/color_camera_fit.h"
 #include "roomcast/source/camera/device_clock.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 using libfreenect2::Frame;
@@ -176,4 +176,4 @@ std::unique_ptr<CameraBackend> freenect2_backend() {
   return std::make_unique<Freenect2Backend>();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,7 +6,7 @@
 #include "roomcast/source/camera/copy_rows.h"
 #include "roomcast/source/drivers/k4a/k4a_calibration.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr double kFps = 30;
@@ -195,4 +195,4 @@ std::unique_ptr<CameraBackend> k4a_backend() {
   return std::make_unique<K4aBackend>();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -9,8 +9,8 @@
 
 #include "roomcast/source/camera/camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 [[nodiscard]] std::unique_ptr<CameraBackend> k4a_backend();
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/drivers/k4a/k4a_calibration.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// The rational lens model has k4 to k6 as well. (1 + a) / (1 + b) is 1 + (a - b) - b (a - b) +
@@ -36,4 +36,4 @@ SensorCalibration k4a_calibration(const k4a_calibration_t& from) {
   return cameras;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -6,8 +6,8 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 [[nodiscard]] SensorCalibration k4a_calibration(const k4a_calibration_t& from);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -5,7 +5,7 @@
 
 #include <OniCAPI.h>
 
-namespace roomcast {
+namespace roomcast::source {
 
 void FrameReadySignal::listen(const openni::VideoStream& depth, const openni::VideoStream* color) {
   depth_ = depth._getHandle();
@@ -48,4 +48,4 @@ std::optional<bool> FrameReadySignal::wait(std::chrono::milliseconds patience) {
   return is_depth;
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

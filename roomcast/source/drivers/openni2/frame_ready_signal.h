@@ -11,7 +11,7 @@
 
 #include <OpenNI.h>
 
-namespace roomcast {
+namespace roomcast::source {
 
 class FrameReadySignal {
  public:
@@ -39,4 +39,4 @@ class FrameReadySignal {
   bool depth_has_come_ = false, color_has_come_ = false;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

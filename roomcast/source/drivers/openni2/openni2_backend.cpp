@@ -5,7 +5,7 @@
 
 #include "roomcast/source/drivers/openni2/openni2_device.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr std::chrono::milliseconds kFileIsOver{500};
@@ -121,4 +121,4 @@ std::unique_ptr<CameraBackend> openni2_backend() {
   return std::make_unique<OpenNi2Backend>();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

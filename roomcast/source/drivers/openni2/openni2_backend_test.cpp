@@ -18,7 +18,7 @@
 #include "roomcast/source/drivers/openni2/openni2_session.h"
 #include "roomcast/source/drivers/openni2/openni2_streams.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST_F(OpenNi2, a_recording_of_a_real_kinect_plays) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

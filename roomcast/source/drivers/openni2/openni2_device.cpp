@@ -6,7 +6,7 @@
 
 #include "roomcast/source/drivers/openni2/openni2_streams.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr double kColorFromDepth_m = -0.025;                        // PrimeSense's reference design
@@ -113,4 +113,4 @@ Status OpenNi2Device::lock_color(bool exposure, bool white_balance) {
   return Error{ErrorCode::kUnsupported, "this device does not let its colours be locked"};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

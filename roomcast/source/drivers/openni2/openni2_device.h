@@ -13,7 +13,7 @@
 #include "roomcast/source/drivers/openni2/frame_ready_signal.h"
 #include "roomcast/source/drivers/openni2/openni2_session.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 class OpenNi2Device {
  public:
@@ -47,4 +47,4 @@ class OpenNi2Device {
   ColorImage color_picture_;
 };
 
-}  // namespace roomcast
+}  // namespace roomcast::source

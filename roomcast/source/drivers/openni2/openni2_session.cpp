@@ -8,7 +8,7 @@
 
 #include "roomcast/core/blocking_queue.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// Does what others ask, one thing after the other.
@@ -61,4 +61,4 @@ std::string openni2_serial(const openni::Device& device) {
   return status == openni::STATUS_OK ? text.data() : "";
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

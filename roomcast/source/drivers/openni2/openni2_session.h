@@ -12,7 +12,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// OpenNI counts who uses it.
 class OpenNi2Session {
@@ -52,4 +52,4 @@ void on_openni2_thread(const std::function<void()>& work);
 /// Of an open device; empty where it does not tell.
 [[nodiscard]] std::string openni2_serial(const openni::Device& device);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

@@ -8,7 +8,7 @@
 
 #include "roomcast/source/camera/copy_rows.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr int kWidestPicture = 640;
@@ -101,4 +101,4 @@ bool copy_openni2_color(const openni::VideoFrameRef& frame, const CameraIntrinsi
   return take_rows(frame, camera, color);
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

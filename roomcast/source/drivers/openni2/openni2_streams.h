@@ -9,7 +9,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 /// Creates and configures the stream: depth in millimetres, colour as RGB, the widest mode up to
 /// 640 pixels, the frame rate nearest to 30, not mirrored. Files keep what they were recorded with.
@@ -27,4 +27,4 @@ namespace roomcast {
 [[nodiscard]] bool copy_openni2_color(const openni::VideoFrameRef& frame,
                                       const CameraIntrinsics& camera, ColorImage& color);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

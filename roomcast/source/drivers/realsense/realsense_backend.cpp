@@ -10,7 +10,7 @@
 #include "roomcast/source/camera/copy_rows.h"
 #include "roomcast/source/drivers/realsense/realsense_calibration.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 480, kFps = 30;
@@ -181,4 +181,4 @@ std::unique_ptr<CameraBackend> realsense_backend() {
   return std::make_unique<RealSenseBackend>();
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

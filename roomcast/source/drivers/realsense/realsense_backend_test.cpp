@@ -6,7 +6,7 @@
 
 #include "roomcast/source/camera/open_camera.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 TEST(RealSenseBackend, a_camera_that_is_not_there_is_not_found) {
@@ -18,4 +18,4 @@ TEST(RealSenseBackend, a_camera_that_is_not_there_is_not_found) {
 }
 
 }  // namespace
-}  // namespace roomcast
+}  // namespace roomcast::source

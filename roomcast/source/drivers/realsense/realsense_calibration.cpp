@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/source/drivers/realsense/realsense_calibration.h"
 
-namespace roomcast {
+namespace roomcast::source {
 namespace {
 
 /// The calibration of D400 cameras leaves next to no distortion in depth, and says of colour how it
@@ -35,4 +35,4 @@ SensorCalibration realsense_calibration(const rs2_intrinsics& depth, const rs2_i
   return {camera_of(depth), camera_of(color), transform_of(color_from_depth), false};
 }
 
-}  // namespace roomcast
+}  // namespace roomcast::source

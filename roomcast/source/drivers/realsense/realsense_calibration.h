@@ -7,10 +7,10 @@
 
 #include "roomcast/geometry/camera_model.h"
 
-namespace roomcast {
+namespace roomcast::source {
 
 [[nodiscard]] SensorCalibration realsense_calibration(const rs2_intrinsics& depth,
                                                       const rs2_intrinsics& color,
                                                       const rs2_extrinsics& color_from_depth);
 
-}  // namespace roomcast
+}  // namespace roomcast::source

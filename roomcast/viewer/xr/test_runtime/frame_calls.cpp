@@ -6,7 +6,7 @@
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 XRAPI_ATTR XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* frame) {
@@ -152,4 +152,4 @@ PFN_xrVoidFunction frame_function(const std::string& name) {
   return found != functions.end() ? found->second : nullptr;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

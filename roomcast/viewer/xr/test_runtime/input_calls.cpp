@@ -5,7 +5,7 @@
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 XRAPI_ATTR XrResult XRAPI_CALL string_to_path(XrInstance, const char* name, XrPath* path) {
@@ -139,4 +139,4 @@ PFN_xrVoidFunction input_function(const std::string& name) {
   return found != functions.end() ? found->second : nullptr;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

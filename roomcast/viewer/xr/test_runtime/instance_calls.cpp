@@ -10,7 +10,7 @@
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 using XrAnswer = XrResult;
@@ -194,15 +194,15 @@ struct RuntimeRequest {
 };
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr
 
 extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(
-    const roomcast::xr::LoaderInfo* loader, roomcast::xr::RuntimeRequest* request) {
+    const roomcast::viewer::xr::LoaderInfo* loader, roomcast::viewer::xr::RuntimeRequest* request) {
   constexpr std::uint32_t kInterface = 1;
   if (loader->min_interface > kInterface || loader->max_interface < kInterface)
     return XR_ERROR_INITIALIZATION_FAILED;
   request->interface_version = kInterface;
   request->api_version = XR_CURRENT_API_VERSION;
-  request->get_function = roomcast::xr::get_function;
+  request->get_function = roomcast::viewer::xr::get_function;
   return XR_SUCCESS;
 }

@@ -8,7 +8,7 @@
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
 void tell(XrSessionState state) {
@@ -190,4 +190,4 @@ PFN_xrVoidFunction session_function(const std::string& name) {
   return found != functions.end() ? found->second : nullptr;
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

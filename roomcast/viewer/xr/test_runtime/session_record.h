@@ -10,7 +10,7 @@
 #include <epoxy/gl.h>
 #include <openxr/openxr.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 struct SpaceRecord {
   XrPosef offset{};
@@ -76,4 +76,4 @@ PFN_xrVoidFunction untyped(Function* function) {
   return reinterpret_cast<PFN_xrVoidFunction>(function);
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -3,7 +3,7 @@
 
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 SessionRecord& session_record() {
   static SessionRecord record;
@@ -56,4 +56,4 @@ void TestRuntime::lose_session() {
   change_state(XR_SESSION_STATE_LOSS_PENDING);
 }
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

@@ -17,7 +17,7 @@
 
 #include "roomcast/core/image.h"
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 
 /// What an eye was given with a frame.
 struct GivenEye {
@@ -75,4 +75,4 @@ class TestRuntime {
   void change_state(XrSessionState state);
 };
 
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr

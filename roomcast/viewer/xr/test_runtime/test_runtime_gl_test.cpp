@@ -15,13 +15,13 @@
 #include <epoxy/egl.h>
 #include <openxr/openxr_platform.h>
 
-namespace roomcast::xr {
+namespace roomcast::viewer::xr {
 namespace {
 
-class TestRuntimeTest : public GlTest {
+class TestRuntimeTest : public render::GlTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    render::GlTest::SetUp();
     ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
     ::setenv("XR_LOADER_DEBUG", "none", 1);
     runtime.reset();
@@ -37,7 +37,7 @@ class TestRuntimeTest : public GlTest {
   void TearDown() override {
     if (session != XR_NULL_HANDLE) xrDestroySession(session);
     if (instance != XR_NULL_HANDLE) xrDestroyInstance(instance);
-    GlTest::TearDown();
+    render::GlTest::TearDown();
   }
 
   void ask_for_requirements() {
@@ -157,4 +157,4 @@ TEST_F(TestRuntimeTest, notices_a_rectangle_that_leaves_its_picture) {
 }
 
 }  // namespace
-}  // namespace roomcast::xr
+}  // namespace roomcast::viewer::xr
