@@ -38,7 +38,7 @@ struct RegisterBenchReport {
   std::vector<RegisterBenchRow> rows;
 };
 
-/// One made-up frame of Kinect v2 size (512x424 from 1920x1080, lens distortion, several surfaces,
+/// One synthetic frame of Kinect v2 size (512x424 from 1920x1080, lens distortion, several surfaces,
 /// textured).
 [[nodiscard]] RegisterBenchInput synthetic_kinect_v2_input();
 

@@ -15,12 +15,14 @@ job_count() {
   printf '%d\n' "$jobs"
 }
 
-# build_preset NAME: configure and build one preset of CMakePresets.json.
+# build_preset NAME [TARGET...]: configure one preset of CMakePresets.json and build these targets of it (default: all).
 build_preset() {
+  local preset=$1
+  shift
   if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
   cd "$root"
-  cmake --preset "$1"
-  cmake --build --preset "$1" --parallel "$(job_count)"
+  cmake --preset "$preset"
+  cmake --build --preset "$preset" --parallel "$(job_count)" ${1:+--target "$@"}
 }
 
 # npm ci empties node_modules first, so it runs only when the lock file (or node) is not the one it last ran for.

@@ -13,7 +13,7 @@
 #include "roomcast/hub/server/running_hub.h"
 #include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/sensor/source_factory.h"
-#include "roomcast/source/drivers/freenect/fakenect_recording.h"
+#include "roomcast/source/drivers/freenect/fakenect_fixture.h"
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 
 namespace roomcast::tests {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Habits of the house that a machine can check: a licence line in every file, a test for every
-// source, and no time of day where time has to go on evenly.
+// source, a namespace for every wing, no word that was retired, and no time of day where time has
+// to go on evenly.
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,9 +27,9 @@ constexpr std::string_view kLicenceLine = "// SPDX-License-Identifier: Apache-2.
 const std::vector<std::string> kTestedFolders = {"roomcast", "bench", "tests"};
 
 /// From a sensor to a viewer all time is monotonic: somebody who sets a clock disturbs nobody.
-const std::vector<std::string> kTimelessFolders = {"roomcast/core",   "roomcast/wire",
-                                                   "roomcast/net",    "roomcast/source",
-                                                   "roomcast/client", "roomcast/hub"};
+const std::vector<std::string> kTimelessFolders = {
+    "roomcast/core",   "roomcast/wire", "roomcast/net",    "roomcast/source",
+    "roomcast/client", "roomcast/hub",  "roomcast/sensor", "roomcast/simulator"};
 
 /// Tokens hold by the calendar.
 constexpr std::string_view kWallClock = "roomcast/hub/access/wall_clock.cpp";
@@ -63,19 +68,29 @@ std::vector<std::string> headers_of(const SourceFile& source, const std::set<std
   return headers;
 }
 
-/// What tests make use of in `folder`: the headers that those in the folder and in tests/ include,
-/// the sources that implement these, what those include, and so on.
-std::set<std::string> reached_by_tests(const std::filesystem::path& folder,
+/// The first two folders of a path: "roomcast/hub" of "roomcast/hub/room/room.cpp", "bench/align".
+std::filesystem::path wing_of(const std::filesystem::path& path) {
+  std::filesystem::path wing;
+  int names = 0;
+  for (const auto& name : path.parent_path()) {
+    if (names++ < 2) wing /= name;
+  }
+  return wing;
+}
+
+/// What tests make use of in `wing`: the headers that those in the wing and in tests/ include, the
+/// sources that implement these, what those include, and so on.
+std::set<std::string> reached_by_tests(const std::filesystem::path& wing,
                                        const std::vector<SourceFile>& files) {
   std::vector<const SourceFile*> to_read;
   std::multimap<std::string, const SourceFile*> behind;  // what an include of this path leads to
   std::set<std::string> paths;
   for (const SourceFile& file : files) paths.insert(file.path.string());
   for (const SourceFile& file : files) {
-    const std::filesystem::path place = file.path.parent_path();
+    const std::filesystem::path place = wing_of(file.path);
     if (is_test(file.path)) {
-      if (place == folder || place == "tests") to_read.push_back(&file);
-    } else if (place == folder) {
+      if (place == wing || place == "tests") to_read.push_back(&file);
+    } else if (place == wing) {
       behind.emplace(file.path.string(), &file);
       if (!is_source(file)) continue;
       for (const std::string& header : headers_of(file, paths)) behind.emplace(header, &file);
@@ -101,12 +116,127 @@ std::vector<std::string> untested(const std::vector<SourceFile>& files) {
   std::map<std::filesystem::path, std::set<std::string>> reached;
   std::vector<std::string> paths;
   for (const SourceFile& file : files) {
-    const std::filesystem::path folder = file.path.parent_path();
-    if (!is_source(file) || folder == "roomcast/cli" || folder == "tests") continue;
-    if (reached.count(folder) == 0) reached[folder] = reached_by_tests(folder, files);
-    if (reached[folder].count(file.path.string()) == 0) paths.push_back(file.path.string());
+    const std::filesystem::path wing = wing_of(file.path);
+    if (!is_source(file) || wing == "roomcast/cli" || wing == "tests") continue;
+    if (reached.count(wing) == 0) reached[wing] = reached_by_tests(wing, files);
+    if (reached[wing].count(file.path.string()) == 0) paths.push_back(file.path.string());
   }
   return paths;
+}
+
+/// The namespace of a folder below roomcast/: its wing; core and geometry are the words everybody
+/// uses, and are roomcast itself.
+std::string namespace_of(const std::filesystem::path& path) {
+  const std::string wing = wing_of(path).filename().string();
+  return wing == "core" || wing == "geometry" ? "roomcast" : "roomcast::" + wing;
+}
+
+/// The outermost namespaces that a file opens, as they are written.
+std::vector<std::string> opened_namespaces(const std::string& text) {
+  static const std::regex kOpened("(^|\\n)namespace ([A-Za-z_:]+) \\{");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), kOpened), end; at != end; ++at) {
+    names.push_back((*at)[2]);
+  }
+  return names;
+}
+
+bool is_in_its_namespace(const SourceFile& file) {
+  const std::string own = namespace_of(file.path);
+  return std::ranges::all_of(opened_namespaces(file.text), [&](const std::string& name) {
+    const bool is_nested = name.starts_with(own + "::") && own != "roomcast";
+    return name == own || is_nested || !name.starts_with("roomcast");
+  });
+}
+
+/// A word and what is used instead; tests/retired_words.txt.
+struct RetiredWord {
+  std::string word, instead;
+};
+
+std::vector<RetiredWord> retired_words() {
+  std::ifstream file(std::filesystem::path(ROOMCAST_SOURCE_DIR) / "tests/retired_words.txt");
+  std::vector<RetiredWord> words;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with('#') || colon == std::string::npos) continue;
+    words.push_back({line.substr(0, colon), line.substr(colon + 2)});
+  }
+  return words;
+}
+
+/// Whether `text` has the word by itself, or as a part of a longer name: Thinker in ThinkerTest,
+/// room_hall in room_hall_, but neither in a longer word.
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
+  const auto is_lower = [&](std::size_t at) {
+    return at < text.size() && std::islower(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const bool begins = at == 0 || !is_letter(at - 1) || text[at - 1] == 'k';
+    if (begins && !is_lower(at + word.size())) return true;
+  }
+  return false;
+}
+
+bool is_text(const std::filesystem::path& path) {
+  static const std::set<std::string> kKinds = {".cpp", ".h",    ".proto", ".ts",   ".mjs",  ".md",
+                                               ".txt", ".frag", ".vert",  ".comp", ".glsl", ".c"};
+  return kKinds.contains(path.extension().string());
+}
+
+/// All that people read: code, its tests and documents.
+std::vector<SourceFile> read_texts() {
+  const std::filesystem::path root(ROOMCAST_SOURCE_DIR);
+  std::vector<SourceFile> files;
+  for (const char* folder :
+       {"roomcast", "bench", "tests", "fuzz", "examples", "web/src", "web/wasm", "docs"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file() || !is_text(entry.path())) continue;
+      if (entry.path().filename() == "retired_words.txt") continue;
+      if (entry.path() == root / "tests/house_test.cpp") continue;  // its examples
+      std::ifstream stream(entry.path());
+      files.push_back({std::filesystem::relative(entry.path(), root),
+                       {std::istreambuf_iterator<char>(stream), {}}});
+    }
+  }
+  return files;
+}
+
+TEST(House, no_file_has_a_word_that_was_retired) {
+  const auto words = retired_words();
+  const auto files = read_texts();
+  EXPECT_GT(words.size(), 30u);
+  EXPECT_GT(files.size(), 1000u);
+  for (const SourceFile& file : files) {
+    for (const RetiredWord& retired : words) {
+      EXPECT_FALSE(has_word(file.text, retired.word))
+          << file.path << ": " << retired.word << " is " << retired.instead << " now";
+    }
+  }
+}
+
+TEST(House, notices_a_word_that_was_retired) {
+  EXPECT_TRUE(has_word("class WidgetTest {", "Widget"));
+  EXPECT_TRUE(has_word("old_widget_.close();", "old_widget"));
+  EXPECT_TRUE(has_word("constexpr int kWidgetEyes = 2;", "Widget"));
+  EXPECT_FALSE(has_word("midgetwidget", "widget"));
+  EXPECT_FALSE(has_word("widgets", "widget"));
+}
+
+TEST(House, every_wing_has_its_namespace) {
+  const auto files = read_cpp_files(ROOMCAST_SOURCE_DIR, {"roomcast"});
+  EXPECT_GT(files.size(), 10u);
+  for (const SourceFile& file : files) EXPECT_TRUE(is_in_its_namespace(file)) << file.path;
+}
+
+TEST(House, notices_a_namespace_of_another_wing) {
+  EXPECT_TRUE(is_in_its_namespace(
+      {"roomcast/hub/federation/a.h", "#pragma once\n\nnamespace roomcast::hub::federation {\n"}));
+  EXPECT_FALSE(is_in_its_namespace({"roomcast/hub/room/a.h", "\nnamespace roomcast {\n"}));
+  EXPECT_FALSE(is_in_its_namespace({"roomcast/core/a.h", "\nnamespace roomcast::core {\n"}));
 }
 
 TEST(House, every_file_begins_with_its_licence) {
@@ -116,7 +246,7 @@ TEST(House, every_file_begins_with_its_licence) {
   for (const SourceFile& file : files) EXPECT_TRUE(has_licence(file)) << file.path;
 }
 
-TEST(House, every_source_is_used_by_a_test_beside_it) {
+TEST(House, every_source_is_used_by_a_test_of_its_wing) {
   EXPECT_THAT(untested(read_cpp_files(ROOMCAST_SOURCE_DIR, kTestedFolders)), testing::IsEmpty());
 }
 

@@ -14,7 +14,7 @@
 
 #include "roomcast/client/clock_sync.h"
 #include "roomcast/client/ping_schedule.h"
-#include "roomcast/client/simulated_clocks.h"
+#include "roomcast/client/clocks_fixture.h"
 #include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/wire/limits.h"

@@ -22,7 +22,7 @@ FreshSuite align_two_and_a_stranger() {
   elsewhere.looks = 7;
   const auto stranger = alignment::view_fixture(elsewhere, "far", alignment::corner_pose(-2, 1.5));
   FreshSuite suite;
-  suite.add({"made-up",
+  suite.add({"fixture",
              {seen(alignment::first_corner()), seen(alignment::second_corner()), {nullptr, {}}},
              {seen(stranger)}});
   return suite;
@@ -50,7 +50,7 @@ TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
 TEST(FreshSuite, counts_what_shares_enough_by_scene) {
   const auto scenes = two_and_a_stranger().scenes();
   ASSERT_EQ(scenes.size(), 2u);
-  EXPECT_EQ(scenes[0].scene, "made-up");
+  EXPECT_EQ(scenes[0].scene, "fixture");
   EXPECT_EQ(scenes[0].right, 1);
   EXPECT_EQ(scenes[1].overlap, "none");
   EXPECT_EQ(scenes[1].refused, 2);
@@ -59,7 +59,7 @@ TEST(FreshSuite, counts_what_shares_enough_by_scene) {
 TEST(FreshSuite, sensors_of_one_other_room_are_held_against_this_room_only) {
   const SimulatedView here = seen(alignment::first_corner());
   FreshSuite suite;
-  suite.add({"made-up", {here}, {seen(alignment::one_side()), seen(alignment::other_side())}, true});
+  suite.add({"fixture", {here}, {seen(alignment::one_side()), seen(alignment::other_side())}, true});
   EXPECT_EQ(suite.pairs(), 2);
   ASSERT_EQ(suite.rows().size(), 1u);
   EXPECT_EQ(suite.rows()[0].overlap, "alike");
@@ -85,9 +85,9 @@ TEST(FreshSuite, reports_as_json_and_as_a_table) {
   print_json(two_and_a_stranger(), json);
   print_table(two_and_a_stranger(), table);
   EXPECT_EQ(nlohmann::json::parse(json.str())["pairs"], 3);
-  EXPECT_EQ(nlohmann::json::parse(json.str())["scenes"][0]["scene"], "made-up");
+  EXPECT_EQ(nlohmann::json::parse(json.str())["scenes"][0]["scene"], "fixture");
   EXPECT_THAT(table.str(), testing::HasSubstr("3 pairs in 1 rooms"));
-  EXPECT_THAT(table.str(), testing::HasSubstr("made-up"));
+  EXPECT_THAT(table.str(), testing::HasSubstr("fixture"));
 }
 
 }  // namespace

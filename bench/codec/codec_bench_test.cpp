@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
 
-/// A made-up sensor: `count` frames.
+/// A synthetic sensor: `count` frames.
 class InputFixture final : public BenchInput {
  public:
   explicit InputFixture(int count) : count_(count) {}

@@ -11,7 +11,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_writer.h"
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 
 namespace roomcast::bench {
 namespace {

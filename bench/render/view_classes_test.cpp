@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 
 namespace roomcast::bench {
 namespace {

@@ -38,7 +38,7 @@ TEST(HubFlags, what_is_said_holds_against_the_file) {
   EXPECT_EQ(config.public_url, "wss://d:1");
 }
 
-TEST(HubFlags, a_hub_that_serves_on_leaves_placing_to_the_other) {
+TEST(HubFlags, a_hub_that_relays_leaves_placing_to_the_other) {
   EXPECT_TRUE(told("").align);
   EXPECT_FALSE(told("--no-align").align);
   EXPECT_FALSE(told("--upstream ws://a").align);

@@ -13,7 +13,7 @@ struct Unit {
   std::int64_t seconds;
 };
 constexpr std::array<Unit, 4> kUnits = {{{'d', 86'400}, {'h', 3'600}, {'m', 60}, {'s', 1}}};
-constexpr std::int64_t kMost = 100'000;  // of a unit
+constexpr std::int64_t kMax = 100'000;  // of a unit
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Result<std::int64_t> parse_time_span(std::string_view text) {
   std::int64_t number = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool one_letter_left = end + 1 == text.data() + text.size();
-  if (fault == std::errc() && one_letter_left && number > 0 && number <= kMost) {
+  if (fault == std::errc() && one_letter_left && number > 0 && number <= kMax) {
     for (const Unit& unit : kUnits) {
       if (unit.letter == *end) return number * unit.seconds;
     }

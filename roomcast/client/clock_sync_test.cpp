@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/client/ping_schedule.h"
-#include "roomcast/client/simulated_clocks.h"
+#include "roomcast/client/clocks_fixture.h"
 
 namespace roomcast::client {
 namespace {

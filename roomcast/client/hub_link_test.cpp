@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/hub_fixture.h"
 
 namespace roomcast::client {
 namespace {

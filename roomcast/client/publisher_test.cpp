@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 
 namespace roomcast::client {
@@ -164,7 +164,7 @@ TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
   EXPECT_LT(wait_for_turn().rate_share, 1) << "and the next ones should be smaller";
 }
 
-TEST_F(PublisherTest, what_waited_for_a_broken_connection_is_not_sent_on_the_next) {
+TEST_F(PublisherTest, what_waited_for_a_broken_connection_is_not_sent_over_the_next) {
   std::promise<void> go_on;
   boost::asio::post(network.io(), [this, future = go_on.get_future().share()] {
     hub->on_join = [this] { hub->frames.clear(); };

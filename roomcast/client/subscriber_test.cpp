@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"

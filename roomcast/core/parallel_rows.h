@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace roomcast::simulator {
+namespace roomcast {
 
 inline constexpr int kMaxThreads = 64;
 
@@ -35,4 +35,4 @@ void for_each_row(int rows, const RowFunction& row_function) {
   for_each_row(rows, 0, row_function);
 }
 
-}  // namespace roomcast::simulator
+}  // namespace roomcast

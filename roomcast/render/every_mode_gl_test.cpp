@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "roomcast/render/true_scene.h"
+#include "roomcast/render/scene_fixture.h"
 
 namespace roomcast::render {
 namespace {

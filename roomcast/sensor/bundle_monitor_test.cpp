@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A sensor that sees the made-up room, ten times a second.
+/// A sensor that sees the synthetic room, ten times a second.
 class Sensor {
  public:
   explicit Sensor(const RigidTransform& world_from_depth)

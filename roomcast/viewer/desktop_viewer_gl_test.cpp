@@ -6,7 +6,7 @@
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/viewer/desktop_viewer.h"

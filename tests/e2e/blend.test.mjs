@@ -39,7 +39,7 @@ async function makeRoom() {
     for (let i = 0; i < depth_mm.length; i++) {
       const [depth, ...color] = pixelOf(i % width, Math.floor(i / width));
       depth_mm[i] = depth;
-      rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // what has no reading has a made-up colour
+      rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // what has no reading has a synthetic colour
     }
     room.show([{ sensor, width, height, depth_mm, rgba }]);
     draw();

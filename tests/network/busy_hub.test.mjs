@@ -47,7 +47,7 @@ async function startPair(t, firstBusyPercent) {
   return { first, second };
 }
 
-test('who_knocks_at_a_busy_hub_is_sent_on_to_one_that_is_not', { skip }, async (t) => {
+test('a_busy_hub_redirects_a_viewer_to_one_that_is_not', { skip }, async (t) => {
   const { first, second } = await startPair(t, 1);
   const guest = await RoomClient.open(t, first.url);
   guest.send(writeJoin({ name: 'guest' }));
@@ -61,7 +61,7 @@ test('who_knocks_at_a_busy_hub_is_sent_on_to_one_that_is_not', { skip }, async (
   await witness.until('the recorder, who was told of the busy hub only', () => witness.rosters.at(-1)?.viewers === 2);
 });
 
-test('who_was_sent_on_may_stay', { skip }, async (t) => {
+test('a_redirected_viewer_may_stay', { skip }, async (t) => {
   const { first } = await startPair(t, 1);
   const guest = await RoomClient.open(t, first.url);
   guest.send(writeJoin({ name: 'guest', redirected: true }));

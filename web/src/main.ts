@@ -6,7 +6,7 @@ import { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Roster, Welcome } from './gen/control_pb';
 import { Look } from './look';
-import { bodyOf, OwnPose } from './own_pose';
+import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
@@ -40,7 +40,7 @@ class Page {
   private readonly console: Console;
   private readonly api: HubApi;
   private readonly look: Look;
-  private readonly ownPose: OwnPose;
+  private readonly posePublisher: PosePublisher;
   private readonly link: RoomLink;
   private readonly stage: Stage;
   private readonly navigation: Navigation;
@@ -78,7 +78,7 @@ class Page {
     this.stage = this.openStage();
     this.headset = this.makeHeadset();
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
-    this.ownPose = new OwnPose((body) => this.link.pose(body));
+    this.posePublisher = new PosePublisher((body) => this.link.pose(body));
     this.navigation = new Navigation(this.stage.canvas, options.view ?? fallbackView, {
       changed: (view) => this.viewChanged(view),
       reset: () => this.goToStart(),
@@ -141,7 +141,7 @@ class Page {
       },
       moved: (body) => {
         this.state.body = body;
-        this.ownPose.moved(body);
+        this.posePublisher.moved(body);
       },
       ended: () => this.headsetEnded(),
     });
@@ -211,7 +211,7 @@ class Page {
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, sessionStorage);
     void this.offerConsole(welcome.mayPlace);
-    this.tellOwnPose();
+    this.tellPosePublisher();
   }
 
   /** To those who may place sensors, and to admins. */
@@ -238,13 +238,13 @@ class Page {
     this.guesses.forgetAnswered(before, roster);
     this.state.follow(roster);
     this.showRoster();
-    if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellOwnPose();
+    if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();
     if (!this.placedView && roster.sensors.length > 0) this.goToStart();
     this.panel.rebuild();
   }
 
-  private tellOwnPose(): void {
-    this.ownPose.moved(this.state.body ?? bodyOf(this.navigation.current));
+  private tellPosePublisher(): void {
+    this.posePublisher.moved(this.state.body ?? bodyOf(this.navigation.current));
   }
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
@@ -266,13 +266,13 @@ class Page {
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
     if (frame) this.headset.update(now_ms, frame);
     else this.navigation?.update(now_ms);
-    this.ownPose?.update(now_ms);
+    this.posePublisher?.update(now_ms);
   }
 
   private viewChanged(view: ViewState): void {
     this.placedView = true;
     this.stage.look(view);
-    if (!this.headset.isOn) this.ownPose.moved(bodyOf(view));
+    if (!this.headset.isOn) this.posePublisher.moved(bodyOf(view));
   }
 
   private start(): ViewState | undefined {

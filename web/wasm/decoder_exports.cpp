@@ -64,7 +64,7 @@ Status decode(Decoder& decoder, std::size_t length) {
 }
 
 bool legal_side(int side) {
-  return side >= kLeastGridSide && side <= kMostGridSide;
+  return side >= kMinGridSide && side <= kMaxGridSide;
 }
 
 }  // namespace

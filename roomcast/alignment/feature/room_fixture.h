@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a made-up room with boxes in it, patterned all over, and what a sensor would see
+// For tests: a synthetic room with boxes in it, patterned all over, and what a sensor would see
 // there, exactly. World: y up, floor at y = 0, metres. A few milliseconds per picture.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: views of the made-up room from its corners, made once.
+// For tests: views of the synthetic room from its corners, made once.
 #pragma once
 
 #include <memory>

@@ -18,7 +18,7 @@ class AdaptiveBit {
   /// Of 65536.
   [[nodiscard]] std::uint32_t probability_of_zero() const {
     const std::uint32_t mean = (static_cast<std::uint32_t>(fast_) + slow_) >> 1;
-    return mean < kLeast ? kLeast : mean > kMost ? kMost : mean;
+    return mean < kMin ? kMin : mean > kMax ? kMax : mean;
   }
   void learn(bool bit) {
     if (bit) {
@@ -31,7 +31,7 @@ class AdaptiveBit {
   }
 
  private:
-  static constexpr std::uint32_t kLeast = 64, kMost = 65536 - 64;
+  static constexpr std::uint32_t kMin = 64, kMax = 65536 - 64;
   static constexpr int kFastShift = 4, kSlowShift = 7;
   std::uint16_t fast_ = 32768, slow_ = 32768;
 };

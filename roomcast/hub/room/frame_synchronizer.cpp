@@ -106,14 +106,14 @@ void FrameSynchronizer::note_closing(std::uint64_t other_hub, Slot slot, bool is
 // not due yet was begun by a sensor that outruns its rate; the others must not be hurried by it.
 bool FrameSynchronizer::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
                                RoomTime now) const {
-  if (!sensor.last || now - sensor.last->connection_info > wire::kSensorSilent) return false;
+  if (!sensor.last || now - sensor.last->arrival_time > wire::kSensorSilent) return false;
   const auto hub = other_hubs_.find(sensor.other_hub);
   if (hub != other_hubs_.end() && slot <= hub->second.closed) return false;
   const auto& last = *sensor.last;
   const bool has_delivered = last.slot > slot || (last.slot == slot && !last.is_late);
   if (has_delivered || natural_slot(last.capture_time + period_of(sensor.fps)) > slot) return false;
   if (slot > natural_slot(now)) return true;
-  const nanoseconds on_the_way = last.connection_info - last.capture_time;
+  const nanoseconds on_the_way = last.arrival_time - last.capture_time;
   return RoomTime(slot * period_) + on_the_way <= deadline;
 }
 

@@ -58,7 +58,7 @@ class FrameSynchronizer {
       bool is_late = false;  // it belonged to an earlier slot
       std::size_t frames_in_slot = 0;
       RoomTime capture_time{};
-      RoomTime connection_info{};
+      RoomTime arrival_time{};
     };
     std::optional<Delivery> last;
   };

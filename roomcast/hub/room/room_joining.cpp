@@ -156,7 +156,7 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
   }
 }
 
-/// Who is gone and has no place makes way, so that made-up names keep nobody out. False: all are
+/// Who is gone and has no place makes way, so that invented names keep nobody out. False: all are
 /// here, or have a place to come back to.
 bool Room::make_room_for(const std::string& name) {
   if (sensors_.find(name) != nullptr) return true;

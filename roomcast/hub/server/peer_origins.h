@@ -16,7 +16,7 @@ namespace roomcast::hub {
 
 class PeerOrigins {
  public:
-  static constexpr std::size_t kMost = wire::kMaxOtherHubs;
+  static constexpr std::size_t kMax = wire::kMaxOtherHubs;
 
   /// Addresses of hubs that are there now; those that were stay, as long as there is room.
   void are(const std::vector<std::string>& hub_urls) {
@@ -26,7 +26,7 @@ class PeerOrigins {
       std::erase(hubs_, *hub);
       hubs_.push_back(*hub);
     }
-    if (hubs_.size() > kMost) hubs_.erase(hubs_.begin(), hubs_.end() - kMost);
+    if (hubs_.size() > kMax) hubs_.erase(hubs_.begin(), hubs_.end() - kMax);
   }
   /// Is this the Origin of a page of theirs?
   [[nodiscard]] bool has(std::string_view origin) const {

@@ -24,7 +24,7 @@ TEST(PeerOrigins, are_remembered_when_they_are_gone) {
 
 TEST(PeerOrigins, are_so_many_and_no_more) {
   PeerOrigins sites;
-  for (std::size_t i = 0; i <= PeerOrigins::kMost; ++i) {
+  for (std::size_t i = 0; i <= PeerOrigins::kMax; ++i) {
     sites.are({"ws://h" + std::to_string(i) + ":7600"});
   }
   EXPECT_FALSE(sites.has("http://h0:7600"));

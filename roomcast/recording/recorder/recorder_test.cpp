@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "roomcast/client/fake_hub.h"
+#include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/room/recording_cursor.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a short recording of a made-up room: sensors that send lossless depth and colour of a
+// For tests: a short recording of a synthetic room: sensors that send lossless depth and colour of a
 // slanted wall that comes nearer, a key frame every five.
 #pragma once
 

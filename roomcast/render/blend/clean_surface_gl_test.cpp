@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 
 namespace roomcast::render {
 namespace {

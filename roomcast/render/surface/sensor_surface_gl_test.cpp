@@ -4,7 +4,7 @@
 
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/render/surface/sensor_surface.h"
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 
 namespace roomcast::render {
 namespace {

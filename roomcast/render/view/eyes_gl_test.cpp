@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "roomcast/render/room_fixture.h"
-#include "roomcast/render/true_scene.h"
+#include "roomcast/render/scene_fixture.h"
 #include "roomcast/render/view/eyes.h"
 
 namespace roomcast::render {

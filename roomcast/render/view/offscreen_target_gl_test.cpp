@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 #include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast::render {

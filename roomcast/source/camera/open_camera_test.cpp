@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/source/camera/scripted_camera.h"
+#include "roomcast/source/camera/camera_fixture.h"
 
 namespace roomcast::source {
 namespace {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A made-up /sys/bus/usb/devices and /dev/bus/usb.
+/// A synthetic /sys/bus/usb/devices and /dev/bus/usb.
 class Usb : public testing::Test {
  protected:
   Usb() { fs::create_directories(root_ / "dev/001"); }

@@ -22,7 +22,7 @@ Toast::Kind kind_of(const RoomProblem& problem) {
 
 void Toasts::say(Toast::Kind kind, std::string sentence, HostTime now) {
   passing_.push_back({{kind, std::move(sentence)}, now + kShownFor});
-  if (passing_.size() > kMost) passing_.erase(passing_.begin());
+  if (passing_.size() > kMax) passing_.erase(passing_.begin());
 }
 
 void Toasts::problems_are(std::vector<RoomProblem> problems, HostTime now) {
@@ -43,7 +43,7 @@ std::vector<Toast> Toasts::current(HostTime now) const {
   for (const Passing& passing : passing_) {
     if (now < passing.until) toasts.push_back(passing.toast);
   }
-  if (toasts.size() > kMost) toasts.resize(kMost);
+  if (toasts.size() > kMax) toasts.resize(kMax);
   return toasts;
 }
 

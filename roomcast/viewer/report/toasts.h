@@ -22,14 +22,14 @@ struct Toast {
 class Toasts {
  public:
   static constexpr std::chrono::seconds kShownFor{5};
-  static constexpr std::size_t kMost = 6;
+  static constexpr std::size_t kMax = 6;
 
   /// Something that has just happened.
   void say(Toast::Kind kind, std::string sentence, HostTime now);
   /// All that is wrong now.
   void problems_are(std::vector<RoomProblem> problems, HostTime now);
 
-  /// Problems first; at most kMost.
+  /// Problems first; at most kMax.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;
 
  private:

@@ -52,7 +52,7 @@ TEST(Toasts, a_sentence_that_counts_seconds_is_no_new_problem) {
 TEST(Toasts, never_fill_the_screen) {
   Toasts toasts;
   for (int i = 0; i < 100; ++i) toasts.say(Toast::Kind::kNotice, std::to_string(i), at(0s));
-  EXPECT_EQ(toasts.current(at(1s)).size(), Toasts::kMost);
+  EXPECT_EQ(toasts.current(at(1s)).size(), Toasts::kMax);
   EXPECT_EQ(toasts.current(at(1s)).back().sentence, "99");
 }
 

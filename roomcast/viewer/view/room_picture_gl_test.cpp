@@ -3,7 +3,7 @@
 
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/view/room_picture.h"
-#include "roomcast/viewer/view/wall_room.h"
+#include "roomcast/viewer/view/wall_room_fixture.h"
 
 namespace roomcast::viewer {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/render/surface/synthetic_sensor.h"
+#include "roomcast/render/surface/sensor_pictures_fixture.h"
 #include "roomcast/viewer/view/room_picture.h"
-#include "roomcast/viewer/view/wall_room.h"
+#include "roomcast/viewer/view/wall_room_fixture.h"
 #include "roomcast/viewer/window/view_window.h"
 #include "roomcast/viewer/xr/headset.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/viewer/view/wall_room.h"
+#include "roomcast/viewer/view/wall_room_fixture.h"
 #include "roomcast/viewer/xr/headset_view.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { BlendLayer } from './blend/blend_layer';
-import { SensorMemory } from './blend/sensor_memory';
+import { BackgroundModel } from './blend/background_model';
 import { sensorMark } from './room_marks';
 import { sensorColor } from './sensor_color';
 import { SensorPictures } from './sensor_pictures';
@@ -13,7 +13,7 @@ import { SensorSurface } from './sensor_surface';
 export class PlacedSensor {
   readonly pictures: SensorPictures;
   readonly surface: SensorSurface;
-  readonly memory: SensorMemory | undefined; // undefined where surfaces cannot be mixed
+  readonly memory: BackgroundModel | undefined; // undefined where surfaces cannot be mixed
   readonly layers: BlendLayer[];
   readonly mark: THREE.LineSegments;
   readonly worldFromDepth = new THREE.Matrix4();
@@ -27,7 +27,7 @@ export class PlacedSensor {
   ) {
     this.pictures = new SensorPictures(entry.calibration!.depth!);
     this.surface = new SensorSurface(this.pictures);
-    this.memory = mixes ? new SensorMemory(this.pictures) : undefined;
+    this.memory = mixes ? new BackgroundModel(this.pictures) : undefined;
     this.layers = this.memory
       ? (['live', 'background'] as const).map((kind) => new BlendLayer(this.memory!, kind))
       : [];

@@ -6,7 +6,7 @@ import type { Roster, SensorEntry } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';
 import { Avatars } from './avatars';
 import { bestSensors } from './best_sensors';
-import { MemoryKeeper } from './blend/memory_keeper';
+import { BackgroundUpdater } from './blend/background_updater';
 import { canBlend, RoomBlend } from './blend/room_blend';
 import type { DrawMode } from './draw_mode';
 import { PlacedSensor } from './placed_sensor';
@@ -22,7 +22,7 @@ export class RoomScene {
   readonly avatars = new Avatars();
   readonly placed = new Map<number, PlacedSensor>();
   readonly mixes: boolean; // whether this browser can mix surfaces
-  private readonly keeper: MemoryKeeper | undefined;
+  private readonly keeper: BackgroundUpdater | undefined;
   private readonly blend: RoomBlend | undefined;
   private background = darkBackground;
   private grid = floorGrid(darkBackground);
@@ -33,7 +33,7 @@ export class RoomScene {
 
   constructor(private readonly renderer: THREE.WebGLRenderer) {
     this.mixes = canBlend(renderer);
-    this.keeper = this.mixes ? new MemoryKeeper(renderer) : undefined;
+    this.keeper = this.mixes ? new BackgroundUpdater(renderer) : undefined;
     this.blend = this.mixes ? new RoomBlend(renderer) : undefined;
     this.scene.background = darkBackground;
     this.scene.add(this.grid, this.avatars.root);

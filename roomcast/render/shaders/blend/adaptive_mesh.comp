@@ -4,7 +4,7 @@
 // of its own, each cell in the order of its number, so the same surface always gives the same triangles.
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMostIndices for each tile
+layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMaxIndices for each tile
 layout(std430, binding = 1) writeonly buffer Counts { uint tile_counts[]; };
 layout(binding = 5) uniform sampler2D covering_depth_m;
 
@@ -13,7 +13,7 @@ layout(location = 5) uniform bool is_covered;  // what lies on the covering surf
 
 const int kSide = 16;
 const int kSamples = kSide + 1;
-const int kMostIndices = 6 * kSide * kSide;
+const int kMaxIndices = 6 * kSide * kSide;
 const int kLevels = 4;  // nodes of 2, 4, 8 and 16 cells
 const int kFirstNode[4] = int[4](0, 64, 80, 84);
 const int kNodes = 85;
@@ -124,7 +124,7 @@ void main() {
     barrier();
   }
   uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  uint slot = tile * uint(kMostIndices) + before[me] - mine;
+  uint slot = tile * uint(kMaxIndices) + before[me] - mine;
   p00 += first, p10 += first, p01 += first, p11 += first;
   uvec4 corner = uvec4(index_of(p00), index_of(p10), index_of(p01), index_of(p11));
   if (upper) {

@@ -11,7 +11,7 @@ layout(r32f, binding = 0) writeonly uniform image2D depth_out;
 layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is to be shown
 
 const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
-const int kAround = 2, kLeastOthers = 13;  // of 25 pixels: what is smaller comes and goes at every edge
+const int kAround = 2, kMinOthers = 13;  // of 25 pixels: what is smaller comes and goes at every edge
 const int kReach = 64;
 const float kBefore_m = 0.1, kBeforePer_m = 0.03;
 
@@ -90,7 +90,7 @@ float distance_of_cover(ivec2 pixel, ivec2 size) {
   ivec2 seen_around = others_and_same(pixel, size);
   float between = 2 * seen_around.x > seen_around.y ? between_readings(pixel, size) : 0.0;
   if (between > 0.0) return between;
-  bool is_patch = lost == kOther && seen_around.x >= kLeastOthers && seen_around.x > 2 * seen_around.y;
+  bool is_patch = lost == kOther && seen_around.x >= kMinOthers && seen_around.x > 2 * seen_around.y;
   return is_patch ? distance_around(pixel, size) : 0.0;
 }
 

@@ -10,7 +10,7 @@ out float counts;
 // along the eye's axis, and for each metre.
 const float kMix_m = 0.02;
 const float kMixPer_m = 0.012;
-const float kLeastAgreement = 0.05;
+const float kMinAgreement = 0.05;
 const float kScale = 256.0;  // half floats are finer there
 
 // 1: the same; 0.5: at right angles. Its fourth power is the weight: higher is sharper, lower hides seams.
@@ -19,7 +19,7 @@ float agreement(vec3 a, vec3 b) { return 0.5 + 0.5 * dot(a, b) * inversesqrt(dot
 void main() {
   ivec2 pixel = pixel_of(gl_VertexID);
   vec3 point = point_in_view(pixel);
-  float alike = max(agreement(point, point - view_from_depth[this_eye()][3].xyz), kLeastAgreement);
+  float alike = max(agreement(point, point - view_from_depth[this_eye()][3].xyz), kMinAgreement);
   counts = kScale * weight * alike * alike * alike * alike;
   float away = max(-point.z, 1.0e-3);
   float forward = max((away - kMix_m) / (1.0 + kMixPer_m), 0.5 * away);  // never behind the eye

@@ -9,8 +9,8 @@ layout(rgba16f, binding = 1) uniform image2D background_color;  // rgb, readings
 layout(r32f, binding = 2) uniform image2D depth_out;            // metres; of the frame before, until it is written
 layout(r16f, binding = 3) uniform image2D steadiness;           // 1: there is always a reading
 
-const float kMostReadings = 64.0;
-const float kMostColors = 32.0;
+const float kMaxReadings = 64.0;
+const float kMaxColors = 32.0;
 const float kReadingsOfFarther = 3.0;
 const float kSteadinessStep = 1.0 / 16.0;
 
@@ -20,7 +20,7 @@ void remember_colors(ivec2 pixel, bool is_new) {
     ivec2 at = (pixel << shift) + ivec2(i & 1, i >> 1);
     vec4 known = is_new ? vec4(0.0) : imageLoad(background_color, at);
     if (color_is_seen(pixel)) {
-      known.a = min(known.a + 1.0, kMostColors);
+      known.a = min(known.a + 1.0, kMaxColors);
       known.rgb += (texelFetch(color, at, 0).rgb - known.rgb) / known.a;
     }
     imageStore(background_color, at, known);
@@ -46,7 +46,7 @@ void main() {
   if (z > 0.0) {
     float gate = same_surface_gate(z);
     if (known.x > 0.0 && abs(z - known.x) < gate) {
-      known.y = min(known.y + 1.0, kMostReadings);
+      known.y = min(known.y + 1.0, kMaxReadings);
       known.x += (z - known.x) / known.y;
       known.w = 0.0;
       shown = known.x;

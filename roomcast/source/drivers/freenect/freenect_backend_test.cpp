@@ -13,7 +13,7 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/source/camera/camera_source.h"
-#include "roomcast/source/drivers/freenect/fakenect_recording.h"
+#include "roomcast/source/drivers/freenect/fakenect_fixture.h"
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 
 namespace roomcast::source {

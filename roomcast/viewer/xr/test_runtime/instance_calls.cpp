@@ -121,13 +121,13 @@ XRAPI_ATTR XrAnswer XRAPI_CALL get_view_configuration(XrInstance, XrSystemId,
 XRAPI_ATTR XrAnswer XRAPI_CALL enumerate_views(XrInstance, XrSystemId, XrViewConfigurationType,
                                                std::uint32_t capacity, std::uint32_t* count,
                                                XrViewConfigurationView* out) {
-  constexpr std::uint32_t kMost = 4096;
+  constexpr std::uint32_t kMax = 4096;
   const XrViewConfigurationView view = {XR_TYPE_VIEW_CONFIGURATION_VIEW,
                                         nullptr,
                                         TestRuntime::kEyeWidth,
-                                        kMost,
+                                        kMax,
                                         TestRuntime::kEyeHeight,
-                                        kMost,
+                                        kMax,
                                         1,
                                         1};
   return fill<XrViewConfigurationView>(capacity, count, out, {view, view});

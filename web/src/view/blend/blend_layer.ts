@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { edge_m, edgeSlope } from '../sensor_surface';
 import { mixFragmentShader, mixVertexShader, nearestFragmentShader, nearestVertexShader } from './blend_shader';
-import type { SensorMemory } from './sensor_memory';
+import type { BackgroundModel } from './background_model';
 
 const backgroundSetback_m = 0.03;
 const exponent = 4; // how much directions count: higher is sharper, lower hides seams
@@ -23,7 +23,7 @@ export class BlendLayer {
   private readonly uniforms: Record<string, THREE.IUniform>;
 
   constructor(
-    private readonly memory: SensorMemory,
+    private readonly memory: BackgroundModel,
     private readonly kind: LayerKind,
   ) {
     const { lens, rays } = memory.sensor;

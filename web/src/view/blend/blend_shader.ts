@@ -13,8 +13,8 @@ const float kMixPer_m = 0.012;
 // A sum of less: there is a surface, but nobody saw its colour. Each layer adds kUncolored; there are at most 64.
 const colorKnown = /* glsl */ `
 const float kUncolored = 1.0e-4;
-const float kLeastColored = 2.0e-2;
-bool hasColor(vec4 sum) { return sum.a > 0.7 * kLeastColored; }
+const float kMinColored = 2.0e-2;
+bool hasColor(vec4 sum) { return sum.a > 0.7 * kMinColored; }
 `;
 
 const layerVertex = /* glsl */ `${passPrecision}
@@ -81,7 +81,7 @@ uniform float uExponent;     // how much directions count
 out vec2 vPixel;
 out float vWeight;
 
-const float kLeastAgreement = 0.05;
+const float kMinAgreement = 0.05;
 const float kBackgroundWeight = 0.02;
 const float kScale = 256.0;  // half floats are finer there
 
@@ -97,7 +97,7 @@ void main() {
   vec3 fromSensor = point - modelViewMatrix[3].xyz;
   float agreement = 0.5 + 0.5 * dot(normalize(point), normalize(fromSensor));
   vPixel = vec2(cell * uStep);
-  vWeight = kScale * qualityAt(z) * pow(max(agreement, kLeastAgreement), uExponent);
+  vWeight = kScale * qualityAt(z) * pow(max(agreement, kMinAgreement), uExponent);
   gl_Position = projectionMatrix * vec4(point, 1.0);
 }
 `;
@@ -115,7 +115,7 @@ void main() {
   float known = smoothstep(0.1, 0.4, seen.a);
   float luma = dot(seen.rgb, vec3(0.2126, 0.7152, 0.0722));
   vec3 color = mix(vec3(luma) * 0.45, seen.rgb, uLive);
-  colorSum = vec4(color, 1.0) * max(vWeight * known, kLeastColored);
+  colorSum = vec4(color, 1.0) * max(vWeight * known, kMinColored);
   if (known == 0.0) colorSum = vec4(0.0, 0.0, 0.0, kUncolored);
 }
 `;

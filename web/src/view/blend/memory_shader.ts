@@ -21,14 +21,14 @@ layout(location = 0) out vec4 readings;
 layout(location = 1) out vec4 meanColor;
 layout(location = 2) out vec4 shown_m;
 ${depthNoise}
-const float kMostReadings = 64.0;
-const float kMostColors = 32.0;
+const float kMaxReadings = 64.0;
+const float kMaxColors = 32.0;
 const float kReadingsOfFarther = 3.0;
 
 vec4 withColor(ivec2 pixel, vec4 known) {
   vec4 seen = texelFetch(uColor, pixel, 0);
   if (seen.a < 0.5) return known;
-  known.a = min(known.a + 1.0, kMostColors);
+  known.a = min(known.a + 1.0, kMaxColors);
   known.rgb += (seen.rgb - known.rgb) / known.a;
   return known;
 }
@@ -42,7 +42,7 @@ void main() {
   if (z > 0.0) {
     float gate = sameSurfaceGate(z);
     if (known.x > 0.0 && abs(z - known.x) < gate) {
-      known.y = min(known.y + 1.0, kMostReadings);
+      known.y = min(known.y + 1.0, kMaxReadings);
       known.x += (z - known.x) / known.y;
       known.w = 0.0;
       shown = known.x;

@@ -14,7 +14,7 @@ export function bodyOf(view: ViewState): Body {
   return { head, leftHand: undefined, rightHand: undefined };
 }
 
-export class OwnPose {
+export class PosePublisher {
   private sent_ms = -Infinity;
   private pending: Body | undefined;
 

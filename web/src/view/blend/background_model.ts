@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What one sensor shows now and what it has seen behind that before, ready to be drawn: textures in a grid of every
-// `step`-th pixel. Kept up by MemoryKeeper.
+// `step`-th pixel. Kept up by BackgroundUpdater.
 import * as THREE from 'three';
 import type { SensorPictures } from '../sensor_pictures';
 
@@ -86,7 +86,7 @@ export class Grids {
   }
 }
 
-export class SensorMemory {
+export class BackgroundModel {
   remembered: Remembered;
   spare: Remembered; // written next
   grids: Grids;

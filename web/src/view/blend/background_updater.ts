@@ -6,7 +6,7 @@ import type { SensorPictures } from '../sensor_pictures';
 import { edgeShader, qualityShader, repairShader, smoothShader } from './clean_shader';
 import { FullScreenPass, withoutHeadset } from './full_screen_pass';
 import { backgroundShader, carveShader, rememberShader } from './memory_shader';
-import type { SensorMemory } from './sensor_memory';
+import type { BackgroundModel } from './background_model';
 
 /** Of another sensor, to look through what this one remembers. */
 export interface OtherSensor {
@@ -18,7 +18,7 @@ function uniforms<Name extends string>(...names: Name[]): Record<Name, THREE.IUn
   return Object.fromEntries(names.map((name) => [name, { value: null }])) as Record<Name, THREE.IUniform>;
 }
 
-export class MemoryKeeper {
+export class BackgroundUpdater {
   private readonly rememberIn = uniforms('uDepth', 'uColor', 'uReadings', 'uMeanColor');
   private readonly repairIn = uniforms('uDepth_m', 'uStep');
   private readonly smoothIn = uniforms('uDepth_m');
@@ -49,7 +49,7 @@ export class MemoryKeeper {
   constructor(private readonly renderer: THREE.WebGLRenderer) {}
 
   /** The sensor has a new picture. Every one counts, whether it is drawn or not. */
-  remember(memory: SensorMemory): void {
+  remember(memory: BackgroundModel): void {
     const { renderer, rememberIn } = this;
     withoutHeadset(renderer, () => {
       if (memory.isBlank) this.clear(memory.remembered.target);
@@ -65,7 +65,7 @@ export class MemoryKeeper {
   }
 
   /** Makes the surfaces ready to be drawn. */
-  refresh(memory: SensorMemory): void {
+  refresh(memory: BackgroundModel): void {
     const { renderer, passes } = this;
     const { grids, remembered, sensor } = memory;
     for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
@@ -90,7 +90,7 @@ export class MemoryKeeper {
   }
 
   /** Takes away what others look through; holds until it is called again. */
-  carve(memory: SensorMemory, others: readonly OtherSensor[]): void {
+  carve(memory: BackgroundModel, others: readonly OtherSensor[]): void {
     const { renderer, carveIn } = this;
     const { grids, remembered, sensor } = memory;
     carveIn.uReadings.value = remembered.readings;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { bodyOf, OwnPose } from './own_pose';
+import { bodyOf, PosePublisher } from './pose_publisher';
 import type { Body } from './stream/protocol';
 import { lookFrom } from './view/view_state';
 
@@ -9,7 +9,7 @@ const at = (x: number) => bodyOf(lookFrom(new Vector3(x, 1.6, 0), new Vector3(x,
 
 test('a pose is sent when it changed, at most 20 times a second, and the last one always', () => {
   const sent: Body[] = [];
-  const pose = new OwnPose((body) => sent.push(body));
+  const pose = new PosePublisher((body) => sent.push(body));
   pose.update(0);
   expect(sent).toEqual([]);
   for (let ms = 0; ms <= 1000; ms += 10) {
