@@ -55,7 +55,7 @@ void change(Bytes& bytes, DepthImage& depth) {
 }
 
 bool agree(const codec::LiveState& a, const codec::LiveState& b) {
-  return a.picture == b.picture && a.background == b.background && a.calm == b.calm &&
+  return a.picture == b.picture && a.background == b.background && a.static_age == b.static_age &&
          a.hash == b.hash;
 }
 

@@ -232,7 +232,7 @@ Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
                  const SimulatedRoom& room, Actors& actors, recording::RigWriter& rig,
                  const SimulateWatcher& watcher, const std::stop_token& stop) {
   const std::string source = provenance(options, room.room());
-  const int threads = simulator::thread_count(options.threads);
+  const int threads = thread_count(options.threads);
   const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
   auto truth =
       RigTruth::create(directory / "truth", options.fps, rig_sensors(actors, Calibration::kExact),
