@@ -19,14 +19,14 @@ void descriptor_products_reference(const Descriptor& descriptor, std::span<const
 #if defined(__x86_64__)
 namespace {
 
-/// Descriptors whose sums are folded together: folding costs as much as multiplying.
+/// Descriptors whose sums are reduced together, because a reduction costs as much as the products.
 constexpr std::size_t kTogether = 4;
 
 [[gnu::target("avx2")]] __m256i part_avx2(const Descriptor& descriptor, std::size_t part) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(descriptor.data() + 16 * part));
 }
 
-/// Folds the eight sums of each of four registers to one.
+/// Reduces the eight sums in each of four registers to one.
 [[gnu::target("avx2")]] __m128i folded(__m256i a, __m256i b, __m256i c, __m256i d) {
   const __m256i four = _mm256_hadd_epi32(_mm256_hadd_epi32(a, b), _mm256_hadd_epi32(c, d));
   return _mm_add_epi32(_mm256_castsi256_si128(four), _mm256_extracti128_si256(four, 1));

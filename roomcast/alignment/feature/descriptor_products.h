@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dot products of one descriptor with many: the inner loop of matching. In integers, so every
-// processor gives the same numbers; with AVX-512 VNNI or AVX2 where the processor has it.
+// Dot products of one descriptor with many: the inner loop of matching. The arithmetic is integer,
+// so every processor gives the same results. AVX-512 VNNI or AVX2 is used where available.
 // Thread-safe (no state).
 #pragma once
 
@@ -12,14 +12,15 @@
 
 namespace roomcast::alignment {
 
-/// So many stay in the first-level cache: compare all of a set with one tile of another at a time.
+/// Descriptors that fit into the first-level cache: compare a whole set with one tile of another at
+/// a time.
 inline constexpr std::size_t kDescriptorTile = 96;
 
-/// `products[i]` = `descriptor` . `others[i]`; at least as many as there are others.
+/// `products[i]` = `descriptor` . `others[i]`; `products` is at least as long as `others`.
 void descriptor_products(const Descriptor& descriptor, std::span<const Descriptor> others,
                          std::span<std::int32_t> products);
 
-/// The same, written to be read; tests hold the other against it.
+/// Plain implementation: the fallback, and the reference in tests.
 void descriptor_products_reference(const Descriptor& descriptor, std::span<const Descriptor> others,
                                    std::span<std::int32_t> products);
 

@@ -16,17 +16,17 @@ namespace {
 
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
-/// The few best partners of one feature, best first.
+/// The kPartners best partners of one feature, best first.
 struct Partners {
   std::array<std::int32_t, kPartners> dot;
   std::array<std::uint32_t, kPartners> index;
 
-  /// Whose product is `too_small_dot` or less is none.
+  /// A feature whose product is `too_small_dot` or less is no partner.
   explicit Partners(std::int32_t too_small_dot) {
     dot.fill(too_small_dot);
     index.fill(kNobody);
   }
-  /// Of a larger product than the last one's.
+  /// Inserts a candidate; its product must exceed the last partner's.
   void take(std::int32_t candidate_dot, std::uint32_t candidate) {
     std::size_t place = kPartners - 1;
     for (; place > 0 && candidate_dot > dot[place - 1]; --place) {
@@ -41,19 +41,20 @@ struct Partners {
   }
 };
 
-/// All ones for what repeats, else 0: dot products are masked with it.
+/// Mask for dot products: all ones for a feature that repeats, else 0.
 std::vector<std::int32_t> repeat_mask(const FeatureSet& set) {
   std::vector<std::int32_t> mask;
   for (const Feature& feature : set.features) mask.push_back(repeats(feature) ? -1 : 0);
   return mask;
 }
 
-/// What one row of products holds.
+/// Summary of one row of products.
 struct Row {
   std::int32_t holds_partners = 0, nearest_repeat = 0;
 };
 
-/// `last_a`, `last_b`: the product of the last partner of the row's feature and of each other.
+/// Summarises a row. `last_a`, `last_b`: the product of the last partner of the row's feature and
+/// of each feature of the tile.
 ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products, std::int32_t last_a,
                                      const std::int32_t* last_b, const std::int32_t* repeats_b,
                                      std::int32_t repeats_a, std::int32_t* repeat_of_b) {
@@ -66,7 +67,7 @@ ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products, std
   return row;
 }
 
-/// Compares row by row: one feature of a with a tile of those of b.
+/// Compares two sets row by row: one feature of a with a tile of b's features.
 class Comparison {
  public:
   Comparison(const FeatureSet& a, const FeatureSet& b, float largest_distance)
@@ -146,8 +147,8 @@ class Comparison {
   const FeatureSet& b_;
   std::vector<std::int32_t> repeats_a_, repeats_b_;
   std::vector<Partners> of_a_, of_b_;
-  std::vector<std::int32_t> last_b_;                     // the product of the last partner
-  std::vector<std::int32_t> repeat_of_a_, repeat_of_b_;  // largest product with one that repeats
+  std::vector<std::int32_t> last_b_;                     // product of each feature's last partner
+  std::vector<std::int32_t> repeat_of_a_, repeat_of_b_;  // largest product with a repeating feature
   std::vector<std::int32_t> products_;
 };
 

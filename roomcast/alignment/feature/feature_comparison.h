@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the features of two sensors look alike: mutual nearest neighbours, one to many, and what
-// repeats. Where structure repeats the right partner is often not the nearest one, so each feature
-// keeps its few nearest; a match is made where both keep each other. Ties go to the lower index:
-// same input, same matches. All descriptors of one set are compared with all of the other, once.
-// Thread-safe (no state).
+// Compares the descriptors of two sensors' features: mutual nearest neighbours, several per
+// feature, and distances to repeating features. In repetitive structure the right partner is often
+// not the nearest, so each feature keeps its kPartners nearest. A match needs both features to keep
+// each other. Ties go to the lower index, so the same input gives the same matches. All descriptors
+// of one set are compared with all of the other, once. Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct DescriptorMatch {
 
 struct FeatureComparison {
   std::vector<DescriptorMatch> matches;  // in the order of a, then b
-  /// Of each feature: its descriptor's distance to the nearest of the other set that repeats there
-  /// (repeats.h); 2 where there is none.
+  /// Per feature: the descriptor distance to the nearest feature of the other set that repeats
+  /// there (repeats.h); 2 where there is none.
   std::vector<float> a_to_repeat, b_to_repeat;
 };
 
 inline constexpr int kPartners = 3;
 
-/// No match is further apart than `largest_distance`.
+/// Matches have descriptor distances below `largest_distance`.
 [[nodiscard]] FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b,
                                                  float largest_distance);
 

@@ -30,7 +30,7 @@ struct Seen {
 };
 
 struct Matched {
-  double all = 0, right = 0;  // those whose features lie at the same place of the room
+  double all = 0, right = 0;  // right: both features at the same place in the room
 };
 
 Matched matched(const Seen& one, const FeatureSet& of_one, const Seen& other,
@@ -69,8 +69,8 @@ TEST(SiftDetector, gives_the_same_every_time) {
   }
 }
 
-/// Places along x and y of features found in a picture and in the same turned by half, put
-/// together as if both were found in the first.
+/// Differences in x and in y, pixels, between features found in a picture and in the same picture
+/// rotated by 180 degrees, after rotating the latter back.
 std::vector<float> differences_when_turned(const Image<std::uint8_t>& grey) {
   Image<std::uint8_t> turned(grey.width(), grey.height());
   std::reverse_copy(grey.data(), grey.data() + grey.view().pixel_count(), turned.data());
@@ -90,7 +90,7 @@ std::vector<float> differences_when_turned(const Image<std::uint8_t>& grey) {
 
 TEST(SiftDetector, finds_the_same_places_in_a_picture_turned_by_half) {
   const Seen seen(kHere);
-  Image<std::uint8_t> whole_tiles(400, 296);  // contrast is equalised in 8 x 8 of them
+  Image<std::uint8_t> whole_tiles(400, 296);  // contrast is equalised in 8 x 8 tiles
   std::copy_n(seen.picture.grey.data(), whole_tiles.view().pixel_count(), whole_tiles.data());
   auto differences = differences_when_turned(whole_tiles);
   ASSERT_GT(differences.size(), 200u);

@@ -9,7 +9,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kCell_m = 0.04F;  // heights are means over 3x3 of them
+constexpr float kCell_m = 0.04F;  // heights are means over 3x3 cells
 constexpr float kHighest_m = 0.05F, kHighestPerDepth = 0.01F;
 constexpr float kReliefCosine = 0.85F;  // cosine between normals
 constexpr int kMinReliefSamples = 3;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How high the surface lies above a plane, place by place. Large planes of a room carry rugs,
-// pictures and doors, a centimetre or two high, which belong to the plane as far as looks go, but
-// whose features lie where they lie. Heights are means over a patch about as large as a feature, so
-// that the noise of single readings does not get into them. Metres, in the depth camera's frame.
-// Thread-safe (immutable after being made).
+// Height of the surface above a plane, cell by cell. Large planes of a room carry rugs, pictures
+// and doors, a centimetre or two high. They look like part of the plane, but their features must
+// keep their true height. Heights are means over a patch about as large as a feature, which
+// suppresses the noise of single readings. Metres, in the depth camera's frame. Thread-safe
+// (immutable after being made).
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ namespace roomcast::alignment {
 
 class PlaneRelief {
  public:
-  /// `samples` are the view's; those that are not near the plane are left out.
+  /// `samples`: all samples of the view; those that are not near the plane are ignored.
   PlaneRelief(const Plane& plane, std::span<const SurfacePoint> samples);
 
-  /// Above the plane, towards the camera; nothing where no surface is near it.
+  /// Height above the plane, towards the camera; nothing where no surface is near the plane.
   [[nodiscard]] std::optional<float> height_m(const Eigen::Vector3f& on_plane_m) const;
 
  private:
@@ -38,7 +38,7 @@ class PlaneRelief {
   [[nodiscard]] Cell around(const Place& place) const;
 
   Eigen::Vector3f right_, down_;  // unit, along the plane
-  Place first_{};                 // of all samples: the lowest column and row
+  Place first_{};                 // lowest column and row of all samples
   int columns_ = 0, rows_ = 0;
   std::vector<Cell> cells_;
 };

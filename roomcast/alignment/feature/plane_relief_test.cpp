@@ -8,7 +8,7 @@ namespace {
 
 const Plane kWall{{0, 0, -1}, 3, {}};  // z = 3, seen from the origin
 
-/// A wall with a picture on it, 2 cm before it where x > 0.
+/// A wall with a picture on it, 2 cm in front of the wall where x > 0.
 std::vector<SurfacePoint> wall_with_picture() {
   std::vector<SurfacePoint> samples;
   for (float y = -0.5F; y < 0.5F; y += 0.02F) {

@@ -15,10 +15,10 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kFinest_m = 0.004F;  // of a pixel of the rectified picture
-constexpr float kOfAPixel = 0.7F;    // nor does it show more than the picture where that is finest
-constexpr float kNearest = 0.1F;     // share of the points that are nearer than what counts as near
-constexpr float kMargin_m = 0.05F;   // around the plane's points
+constexpr float kFinest_m = 0.004F;   // smallest pixel of the rectified picture
+constexpr float kOfAPixel = 0.7F;     // smallest pixel, as a share of the finest source pixel
+constexpr float kNearest = 0.1F;      // share of the points that count as near
+constexpr float kMargin_m = 0.05F;    // around the plane's points
 constexpr float kOutermost = 0.005F;  // share of points cut off on every side
 constexpr int kLargestSide = 1600, kSmallestSide = 60;
 constexpr float kOnPlane_m = 0.05F, kOnPlanePerDepth = 0.01F;
@@ -28,7 +28,7 @@ constexpr SiftOptions kSift{2500, 0.012, 15};
 /// A picture of the plane: pixel (x, y) shows origin + x * right + y * down (depth frame, metres).
 struct Rectification {
   Eigen::Vector3f origin_m, right_m, down_m;
-  float scale_m = kFinest_m;  // of a pixel
+  float scale_m = kFinest_m;  // per pixel
   int width = 0, height = 0;
 
   [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2f& pixel) const {
@@ -48,7 +48,7 @@ Interval most_of(std::vector<float> values) {
   return {low - kMargin_m, *(values.end() - 1 - cut) + kMargin_m};
 }
 
-/// What a pixel of the picture covers of a surface across its axis, where the plane is near.
+/// Metres covered by a pixel, across the optical axis, where the plane is near.
 float finest_pixel_m(const ColorPicture& picture, const Plane& plane) {
   std::vector<float> z_m;
   for (const Eigen::Vector3f& point_m : plane.points_m)
@@ -104,7 +104,7 @@ cv::Mat warped(const Image<T>& image, int type, const Eigen::Matrix3f& picture_f
   return out;
 }
 
-/// Where what the picture shows does lie on the plane.
+/// 255 where the surface seen in the picture is on the plane.
 cv::Mat plane_mask(const cv::Mat& z_m, const Eigen::Matrix3f& color_from_view) {
   cv::Mat mask(z_m.rows, z_m.cols, CV_8UC1);
   for (int y = 0; y < z_m.rows; ++y) {
@@ -128,7 +128,7 @@ ImageView<const std::uint8_t> view_of(const cv::Mat& image) {
           static_cast<std::ptrdiff_t>(image.step[0])};
 }
 
-/// Where the ray through a point of the plane is, `height_m` above it.
+/// The point `height_m` above the plane on the camera's ray through a point of the plane.
 Eigen::Vector3f raised(const Eigen::Vector3f& on_plane_m, float height_m, const Plane& plane,
                        const Eigen::Vector3f& eye_m) {
   return on_plane_m + height_m / plane.height_m(eye_m) * (eye_m - on_plane_m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plane-rectified SIFT (viewpoint-invariant patches, Wu et al. 2008): every large plane is rendered
-// as seen face-on at a fixed metric scale, and SIFT is sought there. Such features match across
-// viewing angles where those of the picture do not, and have a size in metres. Thread-safe (no
+// face-on at one metric scale, and SIFT features are detected there. They match across viewing
+// angles at which features of the picture do not, and they have a size in metres. Thread-safe (no
 // state).
 #pragma once
 

@@ -11,9 +11,9 @@ namespace {
 constexpr float kElsewhere_m = 0.12F;
 constexpr float kRepeats = 0.62F;  // descriptors nearer than this to a look-alike are repeats
 constexpr float kMinWeight = 0.05F;
-constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of the ratio to the nearest look-alike
-// However well two repeats match each other, they do not say which of the repeats is meant.
-constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike's distance
+constexpr float kWorthless = 1.15F, kWorthRange = 0.4F;  // of match distance / look-alike distance
+// A good match between two repeats does not show which of the repeats it is.
+constexpr float kSurelyRepeats = 0.3F, kRepeatRange = 0.25F;  // of the look-alike distance
 
 bool lie_apart(const Feature& one, const Feature& other) {
   return (one.point_m - other.point_m).squaredNorm() > kElsewhere_m * kElsewhere_m;

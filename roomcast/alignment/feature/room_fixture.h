@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a synthetic room with boxes in it, patterned all over, and what a sensor would see
-// there, exactly. World: y up, floor at y = 0, metres. A few milliseconds per picture.
+// For tests: a simulated room with boxes, textured everywhere, and the exact pictures of a sensor
+// in it. World: y up, floor at y = 0, metres. A few milliseconds per picture.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,11 @@ struct RoomFixture {
       {Eigen::Vector3d(-0.6, 0, -0.3), Eigen::Vector3d(0.5, 0.7, 0.5)},
       {Eigen::Vector3d(-2.5, 0, -2), Eigen::Vector3d(-1.8, 1.5, -1.2)},
       {Eigen::Vector3d(1.5, 0, 1.2), Eigen::Vector3d(2.4, 0.9, 1.9)}};
-  std::uint32_t looks = 1;  // another number: other patterns
-  double period_m = 0;      // above 0: the pattern repeats along x and z
-  bool turned = false;      // the pattern of either half is that of the other, turned by half
-  Eigen::AlignedBox3d repainted = {};  // the pattern is another one in here
-  double coarser = 1;                  // so many times is the pattern
+  std::uint32_t looks = 1;             // seed of the pattern
+  double period_m = 0;                 // above 0: the pattern repeats along x and z
+  bool turned = false;                 // both halves have the same pattern, rotated by 180 degrees
+  Eigen::AlignedBox3d repainted = {};  // region with another pattern
+  double coarser = 1;                  // factor by which the pattern is coarser
 };
 
 /// A small Kinect-like sensor: depth 200 x 160, colour 400 x 300.
@@ -49,7 +49,7 @@ inline double pattern_noise(std::uint32_t seed, int x, int y, int z) {
   return static_cast<double>(h >> 8U) / (1U << 24U);
 }
 
-/// Grey 0..255: checks of random grey in several sizes, laid over each other.
+/// Grey 0..255: the sum of checker patterns of random grey in several sizes.
 inline double pattern_grey(const RoomFixture& room, Eigen::Vector3d at) {
   if (room.period_m > 0) {
     for (const int axis : {0, 2}) at(axis) -= room.period_m * std::floor(at(axis) / room.period_m);
@@ -67,7 +67,7 @@ inline double pattern_grey(const RoomFixture& room, Eigen::Vector3d at) {
   return grey;
 }
 
-/// Distance along `ray` (not unit) from `eye` to the first surface.
+/// Distance from `eye` to the first surface along `ray`, in lengths of `ray`.
 inline double cast_ray(const RoomFixture& room, const Eigen::Vector3d& eye,
                        const Eigen::Vector3d& ray) {
   double nearest = std::numeric_limits<double>::max();
@@ -132,8 +132,8 @@ inline CalibrationBundle bundle_fixture(const RoomFixture& room, const std::stri
   return bundle;
 }
 
-/// As of a grey room that is lit from one side: its colours tell nothing about where it was seen
-/// from.
+/// The bundle with the colours of a plain grey room lit from one side, which carry no information
+/// about the pose.
 inline CalibrationBundle without_pattern(CalibrationBundle bundle) {
   for (int y = 0; y < bundle.color.height(); ++y) {
     for (int x = 0; x < bundle.color.width(); ++x) {
@@ -144,12 +144,12 @@ inline CalibrationBundle without_pattern(CalibrationBundle bundle) {
   return bundle;
 }
 
-/// In a corner, looking down at the middle of the room.
+/// A pose in a corner, looking down at the middle of the room.
 inline RigidTransform corner_pose(double x, double z) {
   return world_from_optical_looking_at({x, 1.9, z}, {0.2 * x, 0.4, -0.2 * z});
 }
 
-/// A pose that is off from this one: shifted, and turned about the vertical.
+/// `pose` shifted, and rotated about the vertical.
 inline RigidTransform beside(const RigidTransform& pose, const Eigen::Vector3d& shift_m,
                              double turn_rad) {
   RigidTransform other = pose;

@@ -13,7 +13,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMinSurfaceSamples = 200;
-constexpr double kAllOnOnePlane = 0.97;  // of the samples: then nothing holds it along the plane
+constexpr double kAllOnOnePlane = 0.97;  // of the samples; the pose is then free along it
 
 bool sees_one_plane_only(const std::vector<Plane>& planes, std::size_t samples) {
   return planes.size() == 1 && static_cast<double>(planes[0].points_m.size()) >

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SensorView: a calibration bundle, looked at once from every side that alignment needs: surface,
-// picture, planes, floor, features. Half a second of CPU per sensor; everything that compares two
-// sensors works on two of these. Thread-safe (immutable after being made).
+// SensorView: everything that alignment derives from a calibration bundle: surface, picture,
+// planes, floor, features. It takes half a second of CPU per sensor. All comparisons of two sensors
+// use two SensorViews. Thread-safe (immutable after being made).
 #pragma once
 
 #include <optional>
@@ -27,7 +27,8 @@ struct SensorView {
   FeatureSet picture_features, rectified_features;
 };
 
-/// Errors of `check`; kInvalidArgument when nothing but depth edges, or one plane, is seen.
+/// Errors: those of `check`; kInvalidArgument when the sensor sees too little smooth surface or
+/// only one plane.
 [[nodiscard]] Result<SensorView> make_sensor_view(const CalibrationBundle& bundle);
 
 }  // namespace roomcast::alignment

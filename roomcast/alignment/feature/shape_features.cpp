@@ -15,8 +15,8 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kThinning_m = 0.06F;  // one point for each cell of this size
-constexpr float kRadius_m = 0.25F;    // of what belongs to a point's surroundings
-constexpr float kBends = 0.15F;       // 1 - length of the mean normal around a point
+constexpr float kRadius_m = 0.25F;    // radius of a point's neighbourhood
+constexpr float kBends = 0.15F;       // least 1 - length of the mean normal around a point
 constexpr std::size_t kMinNeighbours = 8;
 constexpr std::size_t kPartners = 3;
 
@@ -39,7 +39,7 @@ std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> samples) {
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
-/// Of each point those within the radius, itself excepted.
+/// For each point, the other points within the radius.
 Neighbours neighbours_of(std::span<const SurfacePoint> points) {
   std::map<Cell, std::vector<std::uint32_t>> cells;
   for (std::uint32_t i = 0; i < points.size(); ++i)
@@ -65,8 +65,8 @@ void count(float value, float least, float most, float* bins) {
   bins[std::clamp(bin, 0, static_cast<int>(kShapeBins) - 1)] += 1;
 }
 
-/// The three angles between two points and their normals, in the frame of the first (Rusu's
-/// equation 1, with the source as given).
+/// Adds the three angles between two points and their normals, in the frame of the first (Rusu's
+/// equation 1; `from` is always the source).
 void add_pair(const SurfacePoint& from, const SurfacePoint& to, ShapeHistogram& histogram) {
   const Eigen::Vector3f way = (to.point_m - from.point_m).normalized();
   const Eigen::Vector3f& u = from.normal;
@@ -79,7 +79,7 @@ void add_pair(const SurfacePoint& from, const SurfacePoint& to, ShapeHistogram& 
         histogram.data() + 2 * kShapeBins);
 }
 
-/// Simplified histograms: of each point with its neighbours alone.
+/// Simplified histograms (SPFH): each point with its own neighbours only.
 std::vector<ShapeHistogram> simple_histograms(std::span<const SurfacePoint> points,
                                               const Neighbours& neighbours) {
   std::vector<ShapeHistogram> histograms(points.size(), ShapeHistogram{});
@@ -98,7 +98,7 @@ bool surroundings_bend(std::span<const SurfacePoint> points,
   return 1 - sum.norm() / static_cast<float>(neighbours.size()) > kBends;
 }
 
-/// A point's own histogram and its neighbours', the nearer the heavier.
+/// Mean of a point's own histogram and its neighbours', weighted by proximity.
 ShapeHistogram full_histogram(std::span<const SurfacePoint> points,
                               const std::vector<ShapeHistogram>& simple,
                               const std::vector<std::uint32_t>& neighbours, std::size_t index) {
@@ -120,7 +120,7 @@ float squared_distance(const ShapeHistogram& one, const ShapeHistogram& other) {
   return sum;
 }
 
-/// The few nearest of `others`.
+/// Indices of the kPartners nearest of `others`.
 std::vector<std::size_t> nearest(const ShapeFeature& feature,
                                  std::span<const ShapeFeature> others) {
   std::array<std::pair<float, std::size_t>, kPartners> best;

@@ -15,9 +15,9 @@ namespace {
 constexpr int kOctaveLayers = 3;
 constexpr double kClaheLimit = 2;
 constexpr int kClaheTiles = 8;
-constexpr int kMinTilt = 0, kMaxTilt = 3;  // of affine SIFT: a factor sqrt(2) each
+constexpr int kMinTilt = 0, kMaxTilt = 3;  // tilts of affine SIFT: a factor sqrt(2) each
 constexpr int kMinSide = 16;               // pixels; nothing is found in smaller pictures
-// OpenCV seeks in a picture of twice the size, whose pixel 2x lies at x - 0.25, and calls it x.
+// OpenCV detects in a picture of twice the size, whose pixel 2x is at x - 0.25, but reports x.
 constexpr float kTooFar_px = 0.25F;
 
 /// A view of our pixels; OpenCV takes no const pointers but does not write through this one.
@@ -36,7 +36,7 @@ bool comes_before(const cv::KeyPoint& a, const cv::KeyPoint& b) {
   return std::tie(a.pt.y, a.pt.x, a.size, a.angle) < std::tie(b.pt.y, b.pt.x, b.size, b.angle);
 }
 
-/// The points' numbers.
+/// Indices of the points in a fixed order.
 std::vector<std::size_t> in_order(const std::vector<cv::KeyPoint>& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -51,7 +51,7 @@ std::vector<SiftFeature> detect(cv::Feature2D& detector, ImageView<const std::ui
   const cv::Mat picture = equalised(grey);
   const cv::Mat wanted = mask.data == nullptr ? cv::Mat() : mat_of(mask);
   std::vector<cv::KeyPoint> points;
-  cv::Mat histograms;  // both at once: they are of the same pyramid, which is what takes long
+  cv::Mat histograms;  // both in one call: they share the pyramid, which is the costly part
   detector.detectAndCompute(picture, wanted, points, histograms);
   std::vector<SiftFeature> features;
   for (const std::size_t i : in_order(points)) {

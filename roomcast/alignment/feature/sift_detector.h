@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SIFT (Lowe 2004) as OpenCV has it, on a contrast-equalised picture, with RootSIFT descriptors.
-// The only file that touches OpenCV's detector. One thread: OpenCV's
-// thread count, which is the process's, is set to one. Thread-safe otherwise (no state).
+// SIFT (Lowe 2004) by OpenCV, on a contrast-equalised picture, with RootSIFT descriptors. Only this
+// unit uses OpenCV's detector. It sets OpenCV's process-wide thread count to one; otherwise
+// thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,13 @@ struct SiftFeature {
   Descriptor descriptor;
 };
 
-/// In an order that depends on the picture only. `mask` (may be empty) is 0 where nothing is
-/// sought.
+/// The order depends on the picture only. `mask` (may be empty) is 0 where no features are wanted.
 [[nodiscard]] std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey,
                                                    MaskView mask, const SiftOptions& options);
 
-/// The same in the picture as it is and as it would look from aside (affine SIFT: Morel & Yu 2009):
-/// turned and pressed together by sqrt(2), 2 and 2 sqrt(2). `options` hold for each of these. In
-/// the picture's own pixels.
+/// The same on the picture and on simulated oblique views of it (affine SIFT: Morel & Yu 2009),
+/// rotated and compressed by sqrt(2), 2 and 2 sqrt(2). `options` apply to each view. Coordinates
+/// are pixels of the original picture.
 [[nodiscard]] std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
                                                           const SiftOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: views of the synthetic room from its corners, made once.
+// For tests: views of the simulated room from its corners, computed once.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,8 @@ inline ViewFixture view_fixture(const RoomFixture& room, const std::string& name
   return {world_from_depth, std::make_shared<const SensorView>(std::move(*view))};
 }
 
-/// Two corners of the same long wall, about 90 degrees apart, and one across from the first.
+/// Two corners of the same long wall, about 90 degrees apart, and the corner diagonally opposite
+/// the first.
 inline const ViewFixture& first_corner() {
   static const ViewFixture view = view_fixture({}, "s0", corner_pose(2, 1.5));
   return view;
@@ -37,7 +38,8 @@ inline const ViewFixture& third_corner() {
   return view;
 }
 
-/// A room that looks the same turned by half, but for one box, from opposite corners.
+/// A room that looks the same rotated by 180 degrees, except for one box; seen from opposite
+/// corners.
 inline RoomFixture nearly_symmetric_room() {
   RoomFixture room;
   room.turned = true;

@@ -24,7 +24,7 @@ constexpr double kInlier_px = 3, kConfidence = 0.999;
 constexpr int kRansacTrials = 5000;
 constexpr std::size_t kMinLifted = 3;
 
-/// Corners, and the patches around them with mean 0 and length 1, one a row.
+/// Corners and the patches around them, one per row, normalised to mean 0 and length 1.
 struct Corners {
   std::vector<cv::Point2f> pixels;
   cv::Mat patches;
@@ -63,7 +63,7 @@ int best_in(const float* values, int count, std::ptrdiff_t stride) {
   return best;
 }
 
-/// Mutual best by normalised cross-correlation.
+/// Mutual best matches by normalised cross-correlation.
 CornerMatches match_corners(const Corners& a, const Corners& b) {
   CornerMatches matches;
   if (a.pixels.empty() || b.pixels.empty()) return matches;
@@ -79,7 +79,7 @@ CornerMatches match_corners(const Corners& a, const Corners& b) {
   return matches;
 }
 
-/// Points of the same matches in both colour cameras' frames, as depth has them.
+/// Points of the same matches in both colour cameras' frames, from depth.
 struct LiftedMatches {
   std::vector<Eigen::Vector3d> a, b;
 };
@@ -108,8 +108,7 @@ cv::Mat matrix_of(const Pinhole& camera) {
   return (cv::Mat_<double>(3, 3) << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
 }
 
-/// One of the poses a homography stands for, with the scale that depth gives, and how well depth
-/// agrees with it.
+/// One of the poses of a homography, scaled by depth, and its median error against depth.
 struct ScaledPose {
   RigidTransform a_from_b;
   double error_m = std::numeric_limits<double>::max();
@@ -169,7 +168,8 @@ std::optional<HomographyPose> homography_pose(const SensorView& a, const SensorV
   if (homography.empty()) return std::nullopt;
   const LiftedMatches lifted = lift(a, b, matches, inliers);
   if (lifted.a.size() < kMinLifted) return std::nullopt;
-  // Both pictures are taken as one camera's; where they are not, b is brought to a's.
+  // The decomposition assumes one camera for both pictures, so b's pixels are converted to a's
+  // camera.
   const cv::Mat camera_a = matrix_of(a.picture.camera), camera_b = matrix_of(b.picture.camera);
   std::vector<cv::Mat> rotations, directions, normals;
   cv::decomposeHomographyMat(homography * camera_b * camera_a.inv(), camera_a, rotations,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's own alignment (Lesniak & Tucker 2018), kept to compare with: Harris corners, matched
-// by the correlation of the patches around them, a homography by RANSAC, and the pose it stands
-// for. A homography leaves four poses and no scale; depth chooses and scales. It has no way to know
-// that it failed. Metres. Thread-safe; OpenCV's thread count, which is the process's, is set to
-// one.
+// The alignment of the paper (Lesniak & Tucker 2018), kept for comparison: Harris corners, matched
+// by the correlation of the patches around them, a homography by RANSAC, and its pose. A homography
+// leaves four poses and no scale; depth selects and scales one. The method cannot detect its own
+// failure. Metres. Thread-safe; it sets OpenCV's process-wide thread count to one.
 #pragma once
 
 #include <memory>
@@ -24,7 +23,7 @@ struct HomographyPose {
 [[nodiscard]] std::optional<HomographyPose> homography_pose(const SensorView& a,
                                                             const SensorView& b);
 
-/// As in the paper every sensor is aligned to the first one, which stands in the origin.
+/// As in the paper, every sensor is aligned to the first one, which is the origin.
 [[nodiscard]] AlignmentReport align_by_homography(
     std::span<const std::shared_ptr<const SensorView>> views);
 

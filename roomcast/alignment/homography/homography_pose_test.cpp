@@ -11,7 +11,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// Facing a wall, so that most of what is seen is one plane; a little aside from each other.
+/// A view of a wall from `aside_m` to the side, so that one plane fills most of it.
 ViewFixture facing_wall(const char* name, double aside_m) {
   RoomFixture room;
   room.boxes = {{Eigen::Vector3d(-1.1, 0, -2), Eigen::Vector3d(-0.3, 1, -1.5)}};

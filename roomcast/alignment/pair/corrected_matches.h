@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Matches as they are once their sensors' colour cameras are corrected: a feature that is seen a
-// few pixels aside was lifted into space aside, too. Metres, pixels. Thread-safe (no state).
+// Applies the sensors' colour corrections to matches: a feature seen a few pixels off its true
+// place was also lifted into space off its true place. Metres, pixels. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace roomcast::alignment {
 
-/// The same matches in the same order, with their points moved; pixels stay what was seen.
+/// The same matches in the same order, with corrected points; pixels are unchanged.
 [[nodiscard]] std::vector<PointMatch> corrected_matches(std::span<const PointMatch> matches,
                                                         const ColorPicture& a,
                                                         const ColorPicture& b,

@@ -9,7 +9,7 @@ namespace {
 ColorPicture picture() {
   ColorPicture picture;
   picture.camera = {500, 400, 320, 240};
-  // Lies on its side, and 5 cm beside the depth camera.
+  // The colour camera is rotated by 90 degrees and 5 cm away from the depth camera.
   picture.color_from_depth_rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   picture.color_from_depth_m = {0.05F, 0, 0};
   return picture;

@@ -11,7 +11,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kLargestDescriptorDistance = 0.75F;
-constexpr float kLargestSizeOctaves = 0.6F;  // between sizes in metres of the same thing
+constexpr float kLargestSizeOctaves = 0.6F;  // between metric sizes of the same feature
 
 std::vector<float> look_alikes(const FeatureSet& set) {
   std::vector<float> distances;

@@ -9,7 +9,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinSigma_px = 0.6, kMaxSigma_px = 3;
-constexpr double kMedianOfRayleigh = 1.1774;  // of the distance, in sigmas of each coordinate
+constexpr double kMedianOfRayleigh = 1.1774;  // median distance, in sigmas of each coordinate
 constexpr double kFurthest_px = 25;
 constexpr double kNearest_m = 0.2;
 
@@ -33,7 +33,7 @@ struct Camera {
         color_from_depth_m(picture.color_from_depth_m.cast<double>()),
         correction(of_sensor) {}
 
-  /// By how much a lifted point moves per pixel that its feature is shifted.
+  /// Derivative of a lifted point by the pixel shift of its feature.
   [[nodiscard]] Matrix32 point_by_shift(const Eigen::Vector3d& point_m) const {
     const double z = (color_from_depth * point_m + color_from_depth_m).z();
     Matrix32 in_color;
@@ -42,7 +42,7 @@ struct Camera {
   }
 };
 
-/// A feature as it is once its sensor is corrected, and how it moves with that.
+/// A lifted feature with its sensor's correction applied, and its derivative by that correction.
 struct Lifted {
   Eigen::Vector3d point_m;
   Eigen::Matrix<double, 3, kCorrectionUnknowns> by_correction;
@@ -56,7 +56,7 @@ struct Lifted {
 
 struct Reprojection {
   Eigen::Vector2d residual_px;
-  Matrix23 by_point;  // of the point in the depth frame
+  Matrix23 by_point;  // derivative by the point in the depth frame
 };
 
 std::optional<Reprojection> reproject(const Camera& camera, const Eigen::Vector3d& point_m,
@@ -81,7 +81,7 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// Calls `visit(match, jacobian row, residual, weight)` for both rows of every residual.
+/// Calls `visit(match, jacobian row, residual, weight)` for both rows of the residual.
 template <class Visit>
 void visit_rows(const PointMatch& match, const Reprojection& at, const PairJacobian& jacobian,
                 const FeatureTrust& trust, Visit visit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reprojection residuals of matched features, both ways: where one sensor's feature, lifted into
-// space by its own depth, falls in the other's colour picture. Pixels. Thread-safe (no state).
+// Reprojection residuals of matched features, both ways: one sensor's feature, lifted into space by
+// its own depth, is projected into the other's colour picture. Pixels. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -12,29 +12,29 @@
 
 namespace roomcast::alignment {
 
-/// How much the places of matched features are believed.
+/// Confidence in the positions of matched features.
 struct FeatureTrust {
-  double sigma_px;   // of each, along either axis
-  double share = 1;  // 1 where each errs for itself; less where they err together
+  double sigma_px;   // of each feature, along either axis
+  double share = 1;  // 1 for independent errors; less for correlated errors
 };
 
-/// What the matches say; those further off than 25 pixels say nothing.
+/// Equations of the matches; residuals of 25 pixels or more are ignored.
 [[nodiscard]] PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                               const PairState& state,
                                               std::span<const PointMatch> matches,
                                               const FeatureTrust& trust);
 
-/// The terms of feature_equations, by patches.
+/// Adds the terms of feature_equations to `scores`, per patch.
 void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const PairState& state,
                         std::span<const PointMatch> matches, const FeatureTrust& trust,
                         PairScores& scores);
 
-/// To within how many pixels the places of these matches are known: from the median residual,
-/// within reason.
+/// Standard deviation of the positions of these matches, pixels, from the median residual; clamped
+/// to 0.6..3.
 [[nodiscard]] double feature_sigma_px(const ColorPicture& a, const ColorPicture& b,
                                       const PairState& state, std::span<const PointMatch> matches);
 
-/// Before anything is known about it: static sensors do better, hand-held ones do not.
+/// Value to use before it is estimated: static sensors do better, hand-held ones do not.
 inline constexpr double kUsualFeatureSigma_px = 2;
 
 }  // namespace roomcast::alignment

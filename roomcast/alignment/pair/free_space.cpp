@@ -11,10 +11,10 @@ namespace {
 
 // In sigmas of the depth noise. Wide, because hypotheses are tested before they are refined.
 constexpr float kSurelyInFront = 8, kSurelyBehind = 5, kSameReading = 10;
-constexpr float kSameSurface_m = 0.02F;  // seen from both sides only if it is paper
+constexpr float kSameSurface_m = 0.02F;  // only paper is this thin and seen from both sides
 constexpr float kFromBehind = -0.3F;     // cosine
 constexpr int kBorder = 4;               // pixels
-constexpr int kPointsAcross = 170;       // of a picture, about, in blocks of 4 x 4
+constexpr int kPointsAcross = 170;       // points across a picture, about, in blocks of 4 x 4
 constexpr int kBlockPoints = 4, kMaxOfBlock = 12;
 
 struct Counts {
@@ -64,7 +64,8 @@ Counts count(const DepthSurface& source, const DepthSurface& target,
   return counts;
 }
 
-/// Whether what lies in this block of the source's picture is in the target's way as a whole.
+/// Judges a block of the source's picture: violating or consistent if at least kMaxOfBlock of its
+/// points are.
 Verdict judge_block(const DepthSurface& source, const DepthSurface& target,
                     const Eigen::Matrix3f& rotation, const Eigen::Vector3f& shift, int left,
                     int top, int step) {

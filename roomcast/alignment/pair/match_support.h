@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much the matches speak for a pose. Many features on one small thing are one witness, so what
-// counts is how many places in space agree: the sum over 10 cm cells of the best match's weight.
-// Metres. Thread-safe (no state).
+// Support of matches for a pose. Many features on one small object are a single observation, so
+// support counts the places in space that agree: the sum over 10 cm cells of the best match's
+// weight. Metres. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace roomcast::alignment {
 
 struct MatchSupport {
   double weight = 0;  // sum over cells of the best match's weight
-  int cells = 0;      // 5 cm cells that hold any agreeing match
+  int cells = 0;      // 5 cm cells with any agreeing match
 };
 
 [[nodiscard]] std::vector<PointMatch> agreeing_matches(std::span<const PointMatch> matches,

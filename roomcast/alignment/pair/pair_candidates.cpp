@@ -17,27 +17,27 @@ constexpr std::size_t kMaxCandidates = 12;
 // The score. Its unit is the weight of one unique match.
 constexpr double kMaxMatchScore = 60;
 constexpr double kViolationScore = 300, kForgivenConflict = 0.03;
-constexpr double kSolidScore = 1;  // each block in the way
+constexpr double kSolidScore = 1;  // per violating block
 constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMaxPhotoScore = 60;
 
-// Gates: what is beyond them is refuted, whatever the matches say.
+// Limits: a pose beyond them is refuted, whatever its matches.
 constexpr double kMaxConflict = 0.12, kNegligibleViolation = 0.01;
 constexpr double kRefuted = -15;
 constexpr double kMinTextured = 0.01;
 
 constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
-// From far aside few features match well; then many places that agree a little count as well, if
-// all the rest speaks for the pose.
+// At large viewing angles few features match well. Many places that agree weakly then count too, if
+// all other evidence supports the pose.
 constexpr double kFaintSupport = 3.5, kFaintScore = 20;
 constexpr int kFaintCells = 20;
 constexpr double kPooledScore = 40;
 constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
 
-/// For colour that lies a little aside of depth, and for views from so far apart that hardly any
-/// match is right. It finds rivals, too, so it is for pairs that say nothing otherwise.
+/// For colour slightly misaligned with depth, and for views so far apart that hardly any match is
+/// right. This vote also finds rivals, so it is used only for pairs without a plausible candidate.
 constexpr VoteOptions kCoarseVote{4000, 400, 24, 0.1F, 0.04F};
 
-constexpr double kMinSupportKept = 0.5;  // by which pose_refinement may lose matches
+constexpr double kMinSupportKept = 0.5;  // share of the match weight that refinement must keep
 constexpr double kFurthestSettled_m = 0.3;
 
 bool violates_space(const FreeSpaceCheck& space) {
@@ -117,7 +117,7 @@ void PairCandidates::add_affine_matches(const std::vector<PointMatch>& more) {
   if (!has_plausible()) rank(vote_for_poses(matches_, kCoarseVote), ColorCalibration::kUncertain);
 }
 
-/// Judges hypotheses and puts them among those ranked before.
+/// Refines and scores hypotheses, and merges them into the ranking.
 void PairCandidates::rank(const std::vector<PoseHypothesis>& hypotheses, ColorCalibration color) {
   std::vector<PoseEvidence> found = ranked_;
   for (const PoseHypothesis& hypothesis : hypotheses) found.push_back(settled(hypothesis, color));
@@ -183,7 +183,8 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
   return evidence;
 }
 
-/// Surfaces alone would let it slide along floors and walls, so whichever explains more is kept.
+/// Refines a hypothesis and returns the better of start and result, because surfaces alone let a
+/// pose slide along floors and walls.
 PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis,
                                      ColorCalibration color) const {
   const RigidTransform& start = hypothesis.a_from_b;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that two sensors say about how they stand to each other: several pose hypotheses, each with
-// the evidence for and against it, ranked. Which of them is true is decided later, by the whole
-// rig. Metres. Single-threaded.
+// Pose hypotheses for a pair of sensors, ranked, each with the evidence for and against it. The
+// choice among them is made later, for the whole rig. Metres. Single-threaded.
 #pragma once
 
 #include <vector>
@@ -16,27 +15,26 @@
 
 namespace roomcast::alignment {
 
-/// What speaks for a pose and what against it.
+/// Evidence for and against a pose.
 struct PoseEvidence {
   RigidTransform a_from_b;
-  SensorCorrection correction_a, correction_b;  // that the pose goes with
+  SensorCorrection correction_a, correction_b;  // assumed with the pose
   MatchSupport matches;
   FreeSpaceCheck space;
   SolidConflict solid;
   PhotoConsistency photo;
-  double score =
-      0;  // all of it in one number: about the weight of unique matches; below 0: refuted
+  double score = 0;  // total, in units of one unique match's weight; below 0: refuted
 };
 
-/// Enough for a pose to be believed if no other fits as well.
+/// Whether the evidence suffices to accept the pose if no other fits as well.
 [[nodiscard]] bool is_strong(const PoseEvidence& evidence);
 
-/// Of two versions of the same pose. No one kind of evidence may decide between poses, so each has
-/// a limit in the score; but of two that say nearly the same the one is better whose colours agree
-/// more.
+/// Compares two versions of the same pose. Each kind of evidence is limited in the score, so that
+/// none decides between poses alone. Of two nearly equal poses, the one with better colour
+/// agreement is better.
 [[nodiscard]] bool fits_better(const PoseEvidence& one, const PoseEvidence& other);
 
-/// What several pairs say for poses that follow from one another, put together.
+/// Pooled evidence of several pairs for poses that follow from one another.
 struct PooledEvidence {
   double support = 0, score = 0, textured = 0, correlated = 0;
   int cells = 0;
@@ -44,38 +42,40 @@ struct PooledEvidence {
   void add(const PoseEvidence& evidence);
 };
 
-/// Enough for poses of which no single one could be believed.
+/// Whether pooled evidence suffices for poses of which none is strong alone.
 [[nodiscard]] bool is_strong(const PooledEvidence& evidence);
 
-/// By this much an answer must be ahead of its best rival.
+/// Score margin by which an answer must exceed its best rival.
 inline constexpr double kMinMargin = 6;
 
-/// What an answer pays for every pose that it takes on trust; each must explain more.
+/// Score cost of each pose that an answer adds; the pose's evidence must exceed it.
 inline constexpr double kPoseCost = 6;
 
 class PairCandidates {
  public:
-  /// The views must outlive this. None where both gave the same pictures: one is a copy.
+  /// The views must outlive this object. There are no candidates where both views have identical
+  /// pictures, because one is a copy.
   PairCandidates(const SensorView& a, const SensorView& b, std::vector<PointMatch> matches);
 
-  /// Judges all anew with more matches, found by a closer look (feature/affine_features.h).
+  /// Re-evaluates all candidates with additional matches of affine features
+  /// (feature/affine_features.h).
   void add_affine_matches(const std::vector<PointMatch>& more);
 
-  /// Whether one of them, at least, might be the answer.
+  /// Whether at least one candidate may be the answer.
   [[nodiscard]] bool has_plausible() const;
 
-  /// Best first; no two of them say the same.
+  /// Best first; any two are rivals (pose_difference.h).
   [[nodiscard]] const std::vector<PoseEvidence>& ranked() const { return ranked_; }
-  /// The best that says the same as this pose; null where none does.
+  /// The best candidate that agrees with this pose; null if none does.
   [[nodiscard]] const PoseEvidence* nearest(const RigidTransform& a_from_b) const;
-  /// How far the best is ahead of the best that says something else.
+  /// Score difference between the best candidate and the next, its best rival.
   [[nodiscard]] double margin() const;
 
   /// The evidence for any pose, with colour as calibrated or corrected.
   [[nodiscard]] PoseEvidence examine(const RigidTransform& a_from_b) const;
   [[nodiscard]] PoseEvidence examine(const PairState& state) const;
 
-  /// Whether both gave the very same pictures.
+  /// Whether both views have identical pictures.
   [[nodiscard]] bool same_pictures() const;
 
   [[nodiscard]] const SensorView& a() const { return *a_; }

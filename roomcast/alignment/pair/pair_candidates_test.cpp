@@ -150,7 +150,7 @@ TEST(FreeSpace, views_that_do_not_meet_say_nothing) {
   EXPECT_EQ(check.violating, 0);
 }
 
-/// With colour as calibrated.
+/// The state with colour as calibrated.
 PairState at(const RigidTransform& a_from_b) {
   return {a_from_b, {}, {}};
 }
@@ -178,7 +178,7 @@ TEST(PhotoConsistency, does_not_mind_another_exposure) {
   EXPECT_GT(check_photo_consistency(*first_corner().view, *view, at(truth())).correlation, 0.6);
 }
 
-/// The second corner with a colour picture that lies aside.
+/// The second corner with its colour picture shifted right by `right_px`.
 CalibrationBundle bundle_with_color_aside(int right_px) {
   CalibrationBundle bundle = bundle_fixture({}, "aside", second_corner().world_from_depth);
   for (int y = 0; y < bundle.color.height(); ++y) {

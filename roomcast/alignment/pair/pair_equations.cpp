@@ -11,8 +11,8 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kMinTrace = 1e-6;
-constexpr double kDamping = 1e-9;  // of the trace: what nothing holds on to stays where it is
-constexpr double kHeld = 1e12;     // information on what is not to move
+constexpr double kDamping = 1e-9;  // share of the trace: unconstrained unknowns do not move
+constexpr double kHeld = 1e12;     // information on fixed unknowns
 
 void add_expectation(const SensorCorrection& correction, Eigen::Index first,
                      PairEquations& equations) {

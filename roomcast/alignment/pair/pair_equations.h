@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normal equations of a Gauss-Newton step for a pair of sensors. Unknown are the motion
-// xi = (rotation, shift), applied on the left: a_from_b <- exp(xi) a_from_b, and what both sensors'
-// calibrations are off by. Radians, metres, pixels. Thread-safe (no state).
+// Normal equations of a Gauss-Newton step for a pair of sensors. The unknowns are the motion xi =
+// (rotation, shift), applied on the left: a_from_b <- exp(xi) a_from_b, and the calibration errors
+// of both sensors. Radians, metres, pixels. Thread-safe (no state).
 #pragma once
 
 #include <Eigen/Core>
@@ -14,16 +14,16 @@ namespace roomcast::alignment {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Places of the unknowns.
+/// Indices of the unknowns.
 inline constexpr Eigen::Index kMotion = 0, kOfA = 6, kOfB = kOfA + kCorrectionUnknowns;
 inline constexpr Eigen::Index kPairUnknowns = kOfB + kCorrectionUnknowns;
-/// Places among those of one sensor's correction.
+/// Indices within one sensor's correction.
 inline constexpr Eigen::Index kShift = 0, kDepth = 2;
 
 using PairVector = Eigen::Matrix<double, kPairUnknowns, 1>;
 using PairMatrix = Eigen::Matrix<double, kPairUnknowns, kPairUnknowns>;
 
-/// How a pair stands, and what its sensors' calibrations are off by.
+/// Relative pose of a pair and its sensors' calibration corrections.
 struct PairState {
   RigidTransform a_from_b;
   SensorCorrection a, b;
@@ -46,21 +46,19 @@ struct PairEquations {
   }
 };
 
-/// exp(xi) for the small steps of an iteration; the rotation is exactly one.
+/// exp(xi) for the small steps of an iteration; the rotation is exact, the shift is taken as it is.
 [[nodiscard]] RigidTransform step_transform(const Vector6& xi);
 
-/// How a point moves with the motion.
+/// Derivative of a point by the motion.
 [[nodiscard]] Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m);
 
-/// Standard deviation of where the motion takes a point, when so much is known about the motion.
+/// Standard deviation, metres, of a moved point, given the information on the motion.
 [[nodiscard]] double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point_m);
 
-/// The motion that solves the equations with the calibrations left as they are; zero where they
-/// hold on to nothing.
+/// The motion that solves the equations with fixed calibrations; zero where they constrain nothing.
 [[nodiscard]] Vector6 solve_motion(const PairEquations& equations);
 
-/// One step of motion and of what the colour cameras are thought to be off by; depth stays as it
-/// is.
+/// One step of motion and colour corrections; depth stays fixed.
 [[nodiscard]] PairVector solve_state(PairEquations equations, const PairState& at);
 void move(const PairVector& step, PairState& state);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Jacobians of both kinds of residual are held against finite differences of what they
-// describe.
+// Compares the Jacobians of both kinds of residual with finite differences.
 #include "roomcast/alignment/pair/pair_equations.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +73,7 @@ TEST(SurfaceEquations, lead_back_to_the_true_pose) {
   EXPECT_LT(left.distance_m, 5 * kMillimetre);
 }
 
-/// A measured point as it is when depth is off by (offset, scale).
+/// A measured point with its depth corrected by (offset, scale).
 Eigen::Vector3d with_depth(const Eigen::Vector3f& point_m, const Eigen::Vector2d& depth) {
   const Eigen::Vector3d point = point_m.cast<double>();
   return (1 + depth(1) + depth(0) / point.z()) * point;
@@ -135,7 +134,7 @@ TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
   EXPECT_LT(left.distance_m, 0.01 * kMillimetre);
 }
 
-/// The sum of squares that the equations are the derivative of, as long as nothing is an outlier.
+/// The sum of squares whose gradient the equations give, as long as there are no outliers.
 double cost(const ViewFixture& a, const ViewFixture& b, const PairState& state,
             const std::vector<PointMatch>& matches, const Eigen::Vector2d& depth_a,
             const Eigen::Vector2d& depth_b) {
@@ -216,7 +215,7 @@ TEST(Settling, brings_a_hypothesis_to_where_surfaces_and_features_agree) {
   EXPECT_LT(difference(settled, true_pose(a, b)).distance_m, 5 * kMillimetre);
 }
 
-/// Matches as b has them when its colour picture lies so far right of its depth.
+/// Matches where b's colour picture is `right_px` to the right of its depth.
 std::vector<PointMatch> matches_with_color_aside(const ViewFixture& a, const ViewFixture& b,
                                                  float right_px) {
   const PairState state{true_pose(a, b), {}, {Eigen::Vector2d(double(right_px), 0)}};
@@ -232,7 +231,7 @@ TEST(Settling, finds_colour_that_lies_aside_where_it_is_asked_to) {
   const auto matches = matches_with_color_aside(a, b, kAside_px);
   const PairState found =
       refined_pose(*a.view, *b.view, matches, true_pose(a, b), ColorCalibration::kUncertain);
-  // Two pixels, which places of features are trusted to, are a centimetre.
+  // The features' sigma of two pixels is about a centimetre.
   EXPECT_LT(difference(found.a_from_b, true_pose(a, b)).distance_m, 10 * kMillimetre);
   EXPECT_NEAR(found.b.color_shift_px.x(), -double(kAside_px), 3);
   const PairState believed = refined_pose(*a.view, *b.view, matches, true_pose(a, b));

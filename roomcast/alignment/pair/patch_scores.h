@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residuals summed patch by patch. Errors of depth are smooth over a picture (multipath, lens,
-// the unit's own bias), so the residuals of a patch err together: ten thousand of them are one
-// witness. How far their sums are from nothing tells how far off a pose may be, without a model of
-// the error (cluster-robust covariance: Liang & Zeger, Biometrika 1986). Metres, radians, pixels.
-// Single-threaded.
+// Residuals summed per patch of the picture. Depth errors are smooth over a picture (multipath,
+// lens, the unit's own bias), so the residuals of a patch are correlated: ten thousand of them are
+// a single observation. The distance of their sums from zero shows how far off a pose may be,
+// without a model of the error (cluster-robust covariance: Liang & Zeger, Biometrika 1986). Metres,
+// radians, pixels. Single-threaded.
 #pragma once
 
 #include <map>
@@ -14,24 +14,24 @@
 
 namespace roomcast::alignment {
 
-/// A patch of a sensor's picture.
+/// Sums over one patch of a sensor's picture.
 struct PatchScore {
   PairVector score = PairVector::Zero();  // sum of w J^T r
-  double weight = 0, residual = 0;        // of surfaces: sums of w and w r
+  double weight = 0, residual = 0;        // of surface terms: sums of w and w r
 };
 
-/// By patch: about 20 degrees wide and high.
+/// By patch, which is about 20 degrees wide and high.
 using PatchScores = std::map<int, PatchScore>;
 
 [[nodiscard]] int patch_of(const Eigen::Vector3d& point_m);
 
-/// What a pair says, by the patches of either sensor's picture.
+/// Scores of a pair, by the patches of either sensor's picture.
 struct PairScores {
   PatchScores of_a, of_b;
 
-  /// A term of `PairEquations`, about a point of either sensor.
+  /// Adds a term of `PairEquations` about a point in both sensors' frames.
   void add(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m, const PairVector& score);
-  /// One of surfaces, with its residual in metres and its weight.
+  /// Adds a surface term, with its residual in metres and its weight.
   void add_surface(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m, const PairVector& score,
                    double residual_m, double weight);
 };

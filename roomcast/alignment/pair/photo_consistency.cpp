@@ -15,7 +15,7 @@ constexpr double kFullContrast = 25;
 constexpr std::size_t kMinPoints = 50;
 
 struct Agreement {
-  double weight = 0, correlation = 0;  // of one window; the correlation times the weight
+  double weight = 0, correlation = 0;  // of one window; the correlation is multiplied by the weight
 };
 
 Agreement agreement(const ReprojectionSums& sums) {

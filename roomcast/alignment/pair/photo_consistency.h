@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do both sensors see the same picture on the surfaces they share? One's colours, as they fall into
-// the other's depth grid, are compared window by window: normalised cross-correlation, so exposure
-// and brightness do not matter. It tells a floor from the same floor one print further, which no
-// geometry can. Thread-safe (no state).
+// Compares the colours of surfaces that two sensors share. Both sensors' greys on one sensor's
+// depth grid are compared window by window by normalised cross-correlation, so exposure and
+// brightness do not matter. This distinguishes a floor from the same floor shifted by one print,
+// which geometry cannot. Thread-safe (no state).
 #pragma once
 
 #include "roomcast/alignment/feature/sensor_view.h"
@@ -15,7 +15,7 @@ struct PhotoConsistency {
   double correlation = 0;  // mean over that, -1..1
 };
 
-/// With colour corrected as the state says.
+/// Colour is corrected by the state's shifts.
 [[nodiscard]] PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
                                                        const PairState& state);
 

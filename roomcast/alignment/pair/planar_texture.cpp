@@ -16,17 +16,17 @@ constexpr int kReach = 5;  // windows of 11 x 11 grid points
 constexpr int kWindow = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr double kMinFilled = 0.9;         // of a window
 constexpr double kMinContrast = 6;         // grey levels (standard deviation) in both views
-constexpr double kContradiction = 0.12;    // a correlation below it
-constexpr float kBefore_m = 0.05F;         // a plane: what is nearer than that
-constexpr double kAlikeCorrelation = 0.5;  // a correlation above it
-constexpr double kOtherSlope = 0.3;        // tint per grey by which hues differ, if besides...
-constexpr double kOtherRatio = 0.5;        // ...one is less than so much of the other: cameras vary
-constexpr int kAside = 1;                  // grid points: refined poses are no further off...
-constexpr int kFarAside = 4;               // ...but colours may be, near a camera and in corners
-constexpr double kFoundFarAside = 0.6;     // a correlation above it
+constexpr double kContradiction = 0.12;    // correlations below it contradict
+constexpr float kBefore_m = 0.05F;         // surfaces further in front of a plane cover it
+constexpr double kAlikeCorrelation = 0.5;  // lowest correlation of windows alike in grey
+constexpr double kOtherSlope = 0.3;     // slopes that differ by more are other hues, if besides...
+constexpr double kOtherRatio = 0.5;     // ...one is less than this share of the other: cameras vary
+constexpr int kAside = 1;               // grid points: refined poses are off by no more...
+constexpr int kFarAside = 4;            // ...but colours may be, near a camera and in corners
+constexpr double kFoundFarAside = 0.6;  // lowest correlation of agreement far aside
 constexpr double kMinFilledAside = 0.5;
 
-/// Points on planes have a plane's very normal (flat_normals.h).
+/// Compares normals exactly: points on planes have the plane's own normal (flat_normals.h).
 bool lies_on_plane(const SensorView& view, const TexturedPoint& point) {
   const Eigen::Vector3f& normal =
       view.surface.at.at(kTextureStep * point.x, kTextureStep * point.y).normal;
@@ -48,9 +48,9 @@ std::optional<Eigen::Vector3f> seen_at(const ColorPicture& picture, const Eigen:
                              (pixel.y() - camera.cy) / camera.fy, 1);
 }
 
-/// Whether the colour camera sees nothing but the plane around a place, as far as its greys are
-/// mixed: it stands aside of the depth camera, so what is before a plane may cover in one picture
-/// what the other shows. Where depth has no reading, somebody may stand.
+/// Whether the colour camera sees only the plane around a place, within the radius of the blur. The
+/// colour camera is apart from the depth camera, so an object in front of a plane may cover in one
+/// picture what the other shows. A person may be where depth has no reading.
 bool sees_plane_around(const ColorPicture& picture, const SurfacePoint& on_plane) {
   const Eigen::Vector3f point = picture.in_color_frame(on_plane.point_m);
   if (!(point.z() > kNearestSurface_m)) return false;
@@ -65,7 +65,7 @@ bool sees_plane_around(const ColorPicture& picture, const SurfacePoint& on_plane
   return true;
 }
 
-/// Places where both see nothing but a plane.
+/// Keeps only the places where both sensors see nothing but a plane.
 void keep_planes_only(const SensorView& from, const SensorView& other,
                       const RigidTransform& other_from_view, ReprojectedViews& common) {
   const Eigen::Matrix3f rotation = other_from_view.rotation.cast<float>();
@@ -80,7 +80,7 @@ void keep_planes_only(const SensorView& from, const SensorView& other,
   }
 }
 
-/// Of a window in mine with one that lies aside in theirs.
+/// Sums over a window of `mine` and the window of `theirs` shifted by (dx, dy).
 ReprojectionSums sums_aside(const ReprojectedViews& common, const TexturedPoint& centre, int dx,
                             int dy) {
   ReprojectionSums sums{};
@@ -100,7 +100,7 @@ bool can_be_judged(const ReprojectionSums& sums) {
   return sums[0] >= kMinFilled * kWindow;
 }
 
-/// Whether both see the same after all: a little aside, or plainly further aside.
+/// Whether both pictures agree at a shift after all: at a small one, or clearly at a larger one.
 bool agrees_aside(const ReprojectedViews& common, const TexturedPoint& centre) {
   for (int dy = -kFarAside; dy <= kFarAside; ++dy) {
     for (int dx = -kFarAside; dx <= kFarAside; ++dx) {
@@ -114,16 +114,16 @@ bool agrees_aside(const ReprojectedViews& common, const TexturedPoint& centre) {
   return false;
 }
 
-/// How a picture's tint follows its grey, window by window, on the grid of an reprojected_views.
+/// Slope of a picture's tint over its grey, window by window, on the grid of a ReprojectedViews.
 class TintByGrey {
  public:
-  /// `tint_of` a point of the view whose grid it is.
+  /// `tint_of(point)` is the tint of a point of the view that defines the grid.
   template <class TintOf>
   TintByGrey(const ReprojectedViews& common, const std::vector<float>& grey,
              std::span<const TexturedPoint> points, TintOf tint_of)
       : windows_(overlaid(common, grey, points, tint_of)) {}
 
-  /// Red minus green, per grey; a tint is half of it.
+  /// Slope of red minus green over grey; a tint is half of red minus green.
   [[nodiscard]] double slope(const TexturedPoint& at) const {
     const WindowContrast contrast(windows_.around(at.x, at.y, kReach));
     return 2 * contrast.together / (contrast.mine * contrast.mine);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do both sensors see the same prints on walls, floors and tables? Rooms of one kind are alike in
-// shape and pattern, and what tells them apart may be no more than a poster. Over a whole view that
-// is one part in a hundred, too little for a mean; so places are counted where both see contrast
-// and it is not the same, not even aside, as where colours lie beside their surfaces. On planes
-// only: what people do between two frames looks like contradiction everywhere else; and only where
-// both colour cameras see the plane itself, not the outline of what stands before it. Where prints
-// agree in grey, their hues are compared: how much redder they are where they are brighter, which
+// Compares the texture that two sensors see on walls, floors and tables. Rooms of one kind are
+// alike in shape and pattern and may differ by no more than a poster. Over a whole view that is one
+// part in a hundred, too little for a mean. Therefore places are counted where both sensors see
+// contrast but different patterns, even when shifted (colours may be misaligned with their
+// surfaces). Only planes count, because people moving between two frames look like contradictions
+// everywhere else. Both colour cameras must see the plane itself, not the outline of an object in
+// front of it. Where greys agree, hues are compared: the slope of redness over brightness, which
 // neither exposure nor blur changes. Thread-safe (no state).
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace roomcast::alignment {
 
-/// Places that could be judged, as shares of a view, of both views together.
+/// Counts of judged places, as shares of a view, for both views together.
 struct PlanarTexture {
   double judged = 0;
   double contradicting = 0;
-  double agreement = 0;  // the sum of their correlations
-  double alike = 0;      // in grey
-  double other_hue = 0;  // of those
+  double agreement = 0;  // sum of the judged places' correlations
+  double alike = 0;      // places alike in grey
+  double other_hue = 0;  // places alike in grey but of another hue
 
   void add(const PlanarTexture& other) {
     judged += other.judged;
@@ -38,7 +38,7 @@ struct PlanarTexture {
   [[nodiscard]] double hue_conflict() const { return alike > 0 ? other_hue / alike : 0; }
 };
 
-/// With colour corrected as the state says.
+/// Colour is corrected by the state's shifts.
 [[nodiscard]] PlanarTexture compare_planar_texture(const SensorView& a, const SensorView& b,
                                                    const PairState& state);
 

@@ -37,7 +37,8 @@ TEST(PlanarTexture, another_poster_on_a_wall_is_counted) {
   EXPECT_NEAR(prints.judged, same.judged, 0.1 * same.judged);
 }
 
-/// With a post so near to one sensor that its two cameras see what lies behind it differently.
+/// A room with a post so near to one sensor that its two cameras see the background behind the post
+/// differently.
 RoomFixture with_a_post_before_the_second_corner() {
   RoomFixture room;
   room.boxes.push_back({Eigen::Vector3d(-1.3, 0, 0.85), Eigen::Vector3d(-1.1, 2.0, 1.05)});
@@ -53,14 +54,14 @@ TEST(PlanarTexture, the_outline_of_what_stands_before_a_wall_is_no_print) {
   EXPECT_EQ(prints.contradicting, 0);
 }
 
-/// The same in grey, but redder the brighter it is.
+/// The same greys, but redder where brighter.
 ViewFixture tinted(const ViewFixture& plain, double redness) {
   CalibrationBundle bundle = bundle_fixture({}, "s", plain.world_from_depth);
   for (int y = 0; y < bundle.color.height(); ++y) {
     for (int x = 0; x < bundle.color.width(); ++x) {
       Rgb8& color = bundle.color.at(x, y);
       const double more = std::clamp(0.75 * redness * (color.g - 124.0), -60.0, 60.0);
-      const double red = color.g + more, rest = color.g - more / 3;  // r + 2 g + b stays
+      const double red = color.g + more, rest = color.g - more / 3;  // r + 2 g + b is unchanged
       color = {static_cast<std::uint8_t>(std::clamp(red, 0.0, 255.0)),
                static_cast<std::uint8_t>(std::clamp(rest, 0.0, 255.0)),
                static_cast<std::uint8_t>(std::clamp(rest, 0.0, 255.0))};
@@ -77,7 +78,7 @@ TEST(PlanarTexture, of_another_hue_are_counted_though_their_greys_agree) {
   EXPECT_GT(prints.hue_conflict(), 0.8);
 }
 
-/// By a camera without colours.
+/// The same view from a monochrome camera.
 ViewFixture in_greys(const ViewFixture& plain) {
   CalibrationBundle bundle = bundle_fixture({}, "s", plain.world_from_depth);
   for (int y = 0; y < bundle.color.height(); ++y) {
@@ -111,7 +112,7 @@ TEST(PlanarTexture, what_is_a_little_aside_is_no_contradiction) {
   EXPECT_LT(prints.conflict(), 0.01);
 }
 
-/// Seen with colours `pixels` of the colour camera beside where they are.
+/// The same view with colours shifted right by `pixels` of the colour camera.
 ViewFixture with_colors_aside(const ViewFixture& plain, int pixels) {
   CalibrationBundle bundle = bundle_fixture({}, "s", plain.world_from_depth);
   const ColorImage straight = bundle.color;

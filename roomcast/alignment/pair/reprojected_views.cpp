@@ -10,7 +10,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kSameReading = 10;    // sigmas of the depth noise
-constexpr double kNoiseContrast = 6;  // added below: faint texture correlates by chance
+constexpr double kNoiseContrast = 6;  // in the denominator: faint texture correlates by chance
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two sensors see of the same surfaces, laid over one another: the greys of one view's points,
-// and those that the other has for the same places. Thread-safe (no state).
+// Two sensors' greys of the same surfaces: those of one view's points, and those of the other view
+// at the same places. Thread-safe (no state).
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace roomcast::alignment {
 
-/// Two pictures on the same grid, where both are known.
+/// Two grey pictures on the same grid, valid where both are known.
 struct ReprojectedViews {
   int width, height;
   std::vector<float> mine, theirs;
@@ -33,7 +33,7 @@ struct ReprojectedViews {
   }
 };
 
-/// A view whose colour is taken from as far aside as its sensor is corrected.
+/// A view with its sensor's colour correction applied.
 class SeenPicture {
  public:
   SeenPicture(const SensorView& view, const SensorCorrection& correction)
@@ -42,25 +42,25 @@ class SeenPicture {
   [[nodiscard]] const SensorView& view() const { return view_; }
   [[nodiscard]] std::optional<float> grey_of(const Eigen::Vector3f& point_m) const;
   [[nodiscard]] std::optional<float> tint_of(const Eigen::Vector3f& point_m) const;
-  /// Of one of its own points.
+  /// Grey of one of the view's own points.
   [[nodiscard]] std::optional<float> grey_of(const TexturedPoint& point) const;
 
  private:
-  /// Where in its picture a point is seen, if it is before the camera.
+  /// Pixel of a point in the colour picture; nothing for points behind the camera.
   [[nodiscard]] std::optional<Eigen::Vector2f> pixel_of(const Eigen::Vector3f& point_m) const;
 
   const SensorView& view_;
   Eigen::Vector2f shift_px_;
 };
 
-/// On the grid of `from`: where the other sees the same surface, and no other before it.
+/// On the grid of `from`; known where `other` sees the same surface unoccluded.
 [[nodiscard]] ReprojectedViews reprojected_views(const SeenPicture& from, const SeenPicture& other,
                                                  const RigidTransform& other_from_view);
 
-/// How many, x, y, xx, yy, xy.
+/// Count and sums of x, y, xx, yy, xy.
 using ReprojectionSums = std::array<double, 6>;
 
-/// One more place, with its grey in either picture.
+/// Adds a place with its grey in either picture.
 void add_place(float mine, float theirs, ReprojectionSums& sums);
 
 /// Sums over rectangles in constant time (Crow 1984).
@@ -68,7 +68,7 @@ class WindowSums {
  public:
   explicit WindowSums(const ReprojectedViews& reprojected_views);
 
-  /// Over the window around a place; what lies outside the picture does not count.
+  /// Sums over the window within `reach` of a place; places outside the picture do not count.
   [[nodiscard]] ReprojectionSums around(int x, int y, int reach) const;
 
  private:
@@ -76,12 +76,12 @@ class WindowSums {
   std::vector<ReprojectionSums> sums_;
 };
 
-/// The standard deviations of both pictures in a window, and how they vary together.
+/// Standard deviations of both pictures in a window, and their covariance.
 struct WindowContrast {
   double mine = 0, theirs = 0, together = 0;
 
   explicit WindowContrast(const ReprojectionSums& sums);
-  /// -1..1; faint texture, which correlates by chance, less than it does.
+  /// -1..1; lowered for faint texture, which correlates by chance.
   [[nodiscard]] double correlation() const;
 };
 

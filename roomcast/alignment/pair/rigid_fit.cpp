@@ -7,7 +7,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kFlattest =
-    1e-4;  // of the largest singular value: below it the points lie on a line
+    1e-4;  // share of the largest singular value: below it the points are on a line
 
 }  // namespace
 

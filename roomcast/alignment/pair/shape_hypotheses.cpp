@@ -6,7 +6,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// Shape features lie as far apart as surfaces were thinned, so all of it is coarse.
+/// Coarse tolerances, because shape features are as far apart as the thinned surface points.
 constexpr VoteOptions kVote{1200, 150, 16, 0.12F, 0.06F};
 
 }  // namespace

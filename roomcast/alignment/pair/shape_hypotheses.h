@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pose hypotheses from shape alone, where the pictures gave none that is_conclusive. They are mere
-// proposals: shapes slide and repeat, so the features, free space and colours judge them like any
+// Pose hypotheses from shape alone, for pairs whose pictures gave no conclusive one. They are only
+// proposals: shapes slide and repeat, so features, free space and colours judge them like any
 // other. Metres. Thread-safe (no state).
 #pragma once
 

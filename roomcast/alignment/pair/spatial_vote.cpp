@@ -15,7 +15,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kTolerancePerMetre = 0.012F;
-constexpr float kMinApart_m = 0.06F;  // nearer points say nothing about rotation
+constexpr float kMinApart_m = 0.06F;  // nearer points do not constrain rotation
 constexpr std::size_t kSeedNeighbours = 25;
 constexpr int kSeedRefinements = 4;
 constexpr float kSoftening_m = 0.02F;  // residual at which a match still has half its weight
@@ -50,7 +50,7 @@ Neighbours compatible_neighbours(std::span<const PointMatch> matches, float tole
   return neighbours;
 }
 
-/// The votes that every compatible pair of matches gets from those compatible with both.
+/// Votes for every compatible pair of matches, from the matches compatible with both.
 class SecondOrderVotes {
  public:
   SecondOrderVotes(std::span<const PointMatch> matches, const Neighbours& neighbours)
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> descending(std::size_t count, Key key) {
   return order;
 }
 
-/// A pose from the seed and the neighbours that vote for it most.
+/// A pose fitted to the seed and the neighbours with most votes for it.
 std::optional<RigidTransform> pose_of_seed(std::span<const PointMatch> matches,
                                            std::span<const float> votes, std::uint32_t seed,
                                            std::vector<std::uint32_t> neighbours) {
@@ -111,7 +111,7 @@ std::optional<RigidTransform> pose_of_seed(std::span<const PointMatch> matches,
   return fit_a_from_b(chosen, weights);
 }
 
-/// Fits again to all matches that agree, softly, until it stands.
+/// Refits kSeedRefinements times to all matches that agree, with soft weights.
 std::optional<RigidTransform> settled(std::span<const PointMatch> matches, RigidTransform pose,
                                       float inlier_m) {
   std::vector<float> weights(matches.size());

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pose hypotheses from matches of which most may be wrong: second-order spatial compatibility (SC2,
-// Chen et al., CVPR 2022). Two matches are compatible when their points are as far apart in one
-// view as in the other; a match is voted for by the compatible ones that are compatible with each
-// other. No random choice: the same matches give the same hypotheses. Metres. Thread-safe (no
-// state).
+// Pose hypotheses from matches most of which may be wrong: second-order spatial compatibility (SC2,
+// Chen et al., CVPR 2022). Two matches are compatible when their points are equally far apart in
+// both views. A match gets votes from the compatible matches that are compatible with each other.
+// No random choice: the same matches give the same hypotheses. Metres. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -18,15 +17,15 @@ struct VoteOptions {
   std::size_t most_seeds = 150;
   std::size_t most_hypotheses = 16;
   float inlier_m = 0.06F;
-  float tolerance_m = 0.02F;  // between distances in both views, and 1.2 % of them
+  float tolerance_m = 0.02F;  // between distances in both views, plus 1.2 % of them
 };
 
 struct PoseHypothesis {
   RigidTransform a_from_b;
-  double support = 0;  // match_support().weight of what agrees
+  double support = 0;  // match_support().weight of the agreeing matches
 };
 
-/// Those with most support first; none twice.
+/// Most support first, without duplicates.
 [[nodiscard]] std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> matches,
                                                          const VoteOptions& options = {});
 

@@ -13,9 +13,9 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kPartnerCosine = 0.8F;  // cosine between normals
-constexpr float kSlidePerReach = 4;     // along the surface a partner may lie further away
+constexpr float kSlidePerReach = 4;     // along the surface a partner may be further away
 constexpr double kMaxIndependent = 1500;
-constexpr double kMedianOfNormal = 0.6745;  // of the absolute value, in sigmas
+constexpr double kMedianOfNormal = 0.6745;  // median absolute value, in sigmas
 constexpr double kMinNoise = 0.2, kMaxNoise = 1.5;
 
 /// One direction of a pair: points of `source` are looked up in `target`.
@@ -32,7 +32,7 @@ struct Direction {
         shift(to_from_from.translation_m.cast<float>()) {}
 };
 
-/// Calls `visit(source point, target point)` with what lies within reach of each other.
+/// Calls `visit(source point, target point, residual)` for all partners within reach.
 template <class Visit>
 void for_each_partner(const Direction& way, const SurfaceReach& options, Visit visit) {
   const auto& samples = way.source.samples;
@@ -59,7 +59,8 @@ float variance_m2(const SurfacePoint& one, const SurfacePoint& other) {
   return 0.5F * (here * here + there * there);
 }
 
-/// Surfaces know nothing of colour: motion and both depths are all that moves them.
+/// Unknowns of surface residuals: motion and both sensors' depth. Colour shifts do not affect
+/// surfaces.
 constexpr std::array<Eigen::Index, 10> kKnown = {
     0, 1, 2, 3, 4, 5, kOfA + kDepth, kOfA + kDepth + 1, kOfB + kDepth, kOfB + kDepth + 1};
 using KnownVector = Eigen::Matrix<double, 10, 1>;
@@ -104,7 +105,7 @@ double weight_of(const SurfacePartner& partner, double noise) {
   return robust_weight(double(partner.residual_m) / std::sqrt(variance)) / variance;
 }
 
-/// By which all count as no more than kMaxIndependent.
+/// Factor by which all partners count as no more than kMaxIndependent.
 double share_that_counts(std::size_t partners) {
   return std::min(1.0, kMaxIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
 }

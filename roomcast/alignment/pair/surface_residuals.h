@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Point-to-plane residuals (Chen & Medioni 1992) between the surfaces of two views. A point of one
-// is looked up in the other's depth picture (projective association, Blais & Levine 1995): no
-// search tree, and what one camera cannot see is not forced onto what it can. Both ways, weighted
-// by the depth noise of both readings. Metres. Thread-safe (no state).
+// is looked up in the other's depth picture (projective association, Blais & Levine 1995). That
+// needs no search tree, and surfaces hidden from one camera are not forced onto visible ones. Both
+// ways, weighted by the depth noise of both readings. Metres. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -15,37 +15,39 @@
 namespace roomcast::alignment {
 
 struct SurfaceReach {
-  float reach_m = 0.05F;      // along the normal; what is further away is another surface
-  std::size_t points = 6000;  // of each view, at most
+  float reach_m = 0.05F;      // along the normal; points further away are on another surface
+  std::size_t points = 6000;  // of each view, about
 };
 
-/// A point that one sensor sees, and what the other sees there.
+/// A surface point of one sensor and its partner in the other's view.
 struct SurfacePartner {
   Eigen::Vector3f a_m, b_m;  // as measured, in the depth frames
-  Eigen::Vector3f normal;    // of the one that was looked up, in a's frame
-  float residual_m = 0;      // along it, from a's to b's
-  float variance_m2 = 0;     // of the depth noise of both
+  Eigen::Vector3f normal;    // of the looked-up point, in a's frame
+  float residual_m = 0;      // along the normal, from a's point to b's
+  float variance_m2 = 0;     // of depth noise, mean of both readings
 };
 
-/// At all points that both see.
+/// Partners of all sampled points that both views see.
 [[nodiscard]] std::vector<SurfacePartner> surface_partners(const DepthSurface& a,
                                                            const DepthSurface& b,
                                                            const RigidTransform& a_from_b,
                                                            const SurfaceReach& reach);
 
-/// What both surfaces say, if they are `noise` times as noisy as depth_sigma_m. Neighbouring
-/// readings err together, so all of them count as no more than about 1500 independent ones.
+/// Equations of the partners, for surfaces `noise` times as noisy as depth_sigma_m. Errors of
+/// neighbouring readings are correlated, so all partners count as no more than about 1500
+/// independent ones.
 [[nodiscard]] PairEquations surface_equations(std::span<const SurfacePartner> partners,
                                               const RigidTransform& a_from_b, double noise);
 
-/// The terms of surface_equations, by patches.
+/// Adds the terms of surface_equations to `scores`, per patch.
 void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
                         double noise, PairScores& scores);
 
-/// How noisy these surfaces are at this pose: from the median residual, within reason.
+/// Noise of the partners at this pose, in units of depth_sigma_m, from the median residual; clamped
+/// to 0.2..1.5.
 [[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners);
 
-/// Before anything is known about it.
+/// Value of `noise` to use before it is estimated.
 inline constexpr double kUsualNoise = 1;
 
 }  // namespace roomcast::alignment

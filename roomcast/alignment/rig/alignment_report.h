@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What alignment found out, and how sure it is. Millimetres where a name says so, metres elsewhere.
-// Plain data.
+// The result of alignment, with errors and reasons. Millimetres where a name says so, metres
+// elsewhere. Plain data.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,15 @@ struct PairReport {
   std::string a, b;
   bool accepted = false;
   std::optional<RigidTransform> b_from_a;
-  double overlap = 0;  // share of its surface that the sensor which shares less shares
+  double overlap = 0;  // shared part of the surface, the smaller of both sensors' shares
   int inliers = 0;     // places in space (5 cm cells) where features of both agree
-  // Only where there is a pose:
+  // residual_mm and expected_error_mm are 0 where there is no pose.
   double residual_mm = 0;        // median distance between the surfaces that both see
-  double expected_error_mm = 0;  // one standard deviation of how they stand, 2.5 m ahead of b, as
-                                 // if the errors of both had nothing in common
-  double conflict = 0;           // share of what can be judged that contradicts the pose
+  double expected_error_mm = 0;  // standard deviation of the relative pose, 2.5 m ahead of b, as if
+                                 // both sensors' errors were independent
+  double conflict = 0;           // share of judged points that contradicts the pose
   double correlation = 0;        // of the colours on common surfaces
-  double margin = 0;             // by how much the answer is ahead of its best rival
+  double margin = 0;             // score difference to the best rival
   std::string reason;            // one sentence: why it was accepted, or what would help
 };
 
@@ -35,11 +35,11 @@ struct SensorReport {
   // One standard deviation; 0 for the origin.
   double expected_error_mm = 0;   // of surfaces 2.5 m ahead
   double expected_error_deg = 0;  // of the direction
-  SensorCorrection correction;    // what its calibration seems to be off by
-  // Beside those that are placed, too:
-  double overlap = 0;      // with the one it shares most with
-  int inliers = 0;         // in all
-  double residual_mm = 0;  // mean of its pairs, by overlap
+  SensorCorrection correction;    // estimated calibration error
+  // Compared with other placed sensors:
+  double overlap = 0;      // the largest of its pairs
+  int inliers = 0;         // sum of its pairs
+  double residual_mm = 0;  // mean of its pairs, weighted by overlap
   std::string reason;
 };
 

@@ -19,12 +19,12 @@ namespace {
 
 constexpr double kHoldingSupport = 6, kHoldingScore = 6;
 constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
-// A lens whose centre is off by half a pixel looks aside by so much, and no view tells.
+// Pointing error of a lens whose centre is off by half a pixel; no view reveals it.
 constexpr double kPointingSigma_rad = 0.001;
 constexpr SurfaceReach kReported{0.05F, 20'000};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
-/// Whether a pair has enough to say, where its sensors stand now, to take part in refinement.
+/// Whether the pair's evidence at the current poses suffices to take part in refinement.
 bool holds(const PoseEvidence& evidence) {
   if (is_strong(evidence)) return true;
   return (evidence.matches.weight >= kHoldingSupport || evidence.score >= kHoldingScore) &&
@@ -86,7 +86,7 @@ void describe(const PoseEvidence& evidence, PairReport& report) {
   report.correlation = evidence.photo.correlation;
 }
 
-/// `before` is the evidence that the pair was believed on, with calibrations as given.
+/// `before` is the evidence on which the pair was accepted, with calibrations as given.
 PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
                          const RigidTransform& a_from_b) {
   const PairCandidates& candidates = *pair.candidates;
@@ -103,7 +103,7 @@ PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
   return report;
 }
 
-/// Whether the pair settles how its sensors stand, only not where in the world.
+/// Whether the pair's relative pose is known, but not its pose in the world.
 bool stand_apart_together(const RigPair& pair, const PoseSelection& selection) {
   return selection.best.together(pair.first, pair.second) &&
          !selection.best.together(pair.first, selection.origin);
@@ -125,18 +125,18 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
   return report;
 }
 
-/// Of what is 2.5 m ahead of `of`, by what is not known of where `sensor` stands.
+/// Variance of a point 2.5 m ahead of `of`, caused by the pose uncertainty of `sensor`.
 double variance_at_view_m2(const RefinedSensor& sensor, const RefinedSensor& of) {
   const auto by_motion = point_motion(of.origin_from_sensor * kInView_m);
   return (by_motion * sensor.covariance * by_motion.transpose()).trace();
 }
 
-/// Of both their directions, at the distance of what is in view.
+/// Variance caused by both sensors' pointing errors, at the distance of the scene.
 double variance_of_pointing_m2() {
   return 2 * kPointingSigma_rad * kPointingSigma_rad * kInView_m.squaredNorm();
 }
 
-/// Both are 0 for the origin, by definition, and nothing is known of a sensor that no pair holds.
+/// Both errors are 0 for the origin, by definition, and for a sensor that no pair constrains.
 void describe_error(const RefinedSensor& sensor, SensorReport& report) {
   if (sensor.covariance.isZero()) return;
   const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
@@ -146,7 +146,7 @@ void describe_error(const RefinedSensor& sensor, SensorReport& report) {
   report.expected_error_deg = std::sqrt(std::max(0.0, turn_rad2)) * 180 / std::numbers::pi;
 }
 
-/// The most telling refusal among the pairs of a sensor: of the one it shares most with.
+/// The reason of the sensor's pair with most inliers.
 std::string why_sensor_is_apart(const std::string& name, const std::vector<PairReport>& pairs) {
   const PairReport* nearest = nullptr;
   for (const PairReport& pair : pairs) {
@@ -156,14 +156,15 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
   return nearest ? nearest->reason : "there is no other sensor to align it with";
 }
 
-/// All placed sensors at once, on all that any two of them share where they stand now.
+/// Refines all placed sensors at once, over all pairs of them with sufficient evidence at the given
+/// poses.
 void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
             RigAnswer& answer) {
   answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
                               holding_pairs(pairs, answer.placed, origin_from_sensor));
 }
 
-/// From where the sensors have come: other matches agree there than where they began.
+/// Refines again from the refined poses, where other matches agree than at the start.
 void refine_on(std::span<const RigPair> pairs, RigAnswer& answer) {
   std::vector<RigidTransform> now;
   for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
@@ -171,18 +172,18 @@ void refine_on(std::span<const RigPair> pairs, RigAnswer& answer) {
 }
 
 RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
-  // 1. Which hypotheses fit together, and whose sensors have no rival place?
+  // 1. Select the hypotheses that fit together, and the sensors without a rival pose.
   RigAnswer answer;
   answer.selection = select_poses(sensors, pairs);
   answer.placed = placed_sensors(answer.selection);
 
-  // 2. More exactly, together.
+  // 2. Refine them jointly.
   refine(pairs, answer.selection.best.group_from_sensor, answer);
   return answer;
 }
 
-/// An answer that contradicts itself has fooled us; what is left when the sensor that was least
-/// sure is taken out must hold on its own, so it is sought anew.
+/// Solves until the answer does not contradict itself. The most contradicted sensor is removed each
+/// time, and the rest is solved again, because it must be valid on its own.
 RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs) {
   std::vector<RigPair> left(pairs.begin(), pairs.end());
   RigCheck check;
@@ -190,7 +191,7 @@ RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigP
     RigAnswer answer = answer_of(sensors, left);
     auto fooled = check.contradicted_sensor(left, answer);
     if (fooled) {
-      refine_on(left, answer);  // perhaps it is not exact yet
+      refine_on(left, answer);  // the poses may not be exact yet
       fooled = check.contradicted_sensor(left, answer);
     }
     if (!fooled) return answer;
@@ -221,7 +222,7 @@ PairReport report_of(const RigPair& pair, const RigAnswer& answer) {
   return report;
 }
 
-/// What its pairs say of it.
+/// Fills in the statistics of the sensor's pairs.
 void describe_pairs(const std::vector<PairReport>& pairs, SensorReport& report) {
   double sum = 0, shared = 0;
   for (const PairReport& pair : pairs) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the pairs' candidates to the report: selection, joint refinement, check, world. Reads like
-// the list of steps. Metres. Thread-safe (no state).
+// Computes the report from the pairs' candidates: selection, joint refinement, check, world frame.
+// Metres. Thread-safe (no state).
 #pragma once
 
 #include <span>

@@ -15,7 +15,7 @@ namespace roomcast::alignment {
 namespace {
 
 /// One of two sensors that look past a pillar from either side. They share no surface that faces
-/// sideways, so there only matches hold them; but both see where the pillar ends.
+/// sideways, so only matches constrain them sideways; but both see the end of the pillar.
 ViewFixture beside_pillar(const char* name, double x) {
   RoomFixture room;
   room.coarser = 5;
@@ -27,9 +27,9 @@ Eigen::Vector2f pixel_of(const SensorView& view, const Eigen::Vector3f& point_m)
   return view.picture.pixel_of(view.picture.in_color_frame(point_m));
 }
 
-/// Matches all over what `a` sees, which agree on a place aside of where `b` stands.
+/// Matches over all of `a`'s surface that agree with a pose `aside_m` away from `b`'s true pose.
 struct Group {
-  std::size_t every;  // so many surface points
+  std::size_t every;  // one match per so many surface points
   double aside_m;
   float weight;
 };
@@ -51,8 +51,8 @@ std::vector<PointMatch> matches_of(const ViewFixture& a, const ViewFixture& b, c
 
 TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
   const ViewFixture a = beside_pillar("a", -0.45), b = beside_pillar("b", 0.45);
-  // What weighs most is furthest off, and what is right so far from there that steps reach it only
-  // when they are begun again from where the others have led them.
+  // The heaviest matches are furthest off. The right ones are so far from them that the steps reach
+  // them only when restarted from the pose found with the others.
   std::vector<PointMatch> matches;
   for (const Group& group : {Group{43, 0.112, 1}, Group{20, 0.076, 0.01F}, Group{1, 0, 0.001F}}) {
     const auto of_group = matches_of(a, b, group);

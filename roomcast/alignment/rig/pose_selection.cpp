@@ -24,7 +24,8 @@ bool says_the_same(const PlacedGroups& one, const PlacedGroups& other) {
   return true;
 }
 
-/// The evidence of pairs for poses that are not among their own hypotheses; each is examined once.
+/// The evidence of pairs for any pose, also for one that is not among their hypotheses; each is
+/// examined once.
 class LoopEvidence {
  public:
   explicit LoopEvidence(std::span<const RigPair> pairs) : pairs_(pairs), examined_(pairs.size()) {}
@@ -73,8 +74,9 @@ PlacedGroups nobody_placed(std::size_t sensors) {
   return placement;
 }
 
-/// `before` with the groups of the edge's two sensors made one.
-PlacedGroups joined(const PlacedGroups& before, const RigPair& pair, const RigidTransform& a_from_b) {
+/// `before` with the groups of the edge's two sensors merged.
+PlacedGroups joined(const PlacedGroups& before, const RigPair& pair,
+                    const RigidTransform& a_from_b) {
   PlacedGroups after = before;
   const std::size_t group_a = before.group[pair.first], group_b = before.group[pair.second];
   const RigidTransform ga_from_gb = before.group_from_sensor[pair.first] * a_from_b *
@@ -89,7 +91,7 @@ PlacedGroups joined(const PlacedGroups& before, const RigPair& pair, const Rigid
   return after;
 }
 
-/// What all the pairs say that this edge brings together.
+/// Pooled evidence of all pairs that this edge connects.
 PooledEvidence pooled_evidence(const PlacedGroups& before, const PlacedGroups& after,
                                std::span<const RigPair> pairs, const Edge& edge,
                                LoopEvidence& evidence) {
@@ -104,7 +106,7 @@ PooledEvidence pooled_evidence(const PlacedGroups& before, const PlacedGroups& a
   return pooled;
 }
 
-/// The answers with the highest scores, each once.
+/// Keeps the `most` answers with the highest scores, each once.
 void keep_best(std::vector<PlacedGroups>& placements, std::size_t most) {
   std::stable_sort(placements.begin(), placements.end(),
                    [](const PlacedGroups& x, const PlacedGroups& y) { return x.score > y.score; });
@@ -119,9 +121,9 @@ void keep_best(std::vector<PlacedGroups>& placements, std::size_t most) {
   placements = std::move(kept);
 }
 
-/// Every answer that one more edge makes of the answers in `beam`.
+/// The kBeam best answers that extend an answer in `beam` by one edge.
 std::vector<PlacedGroups> extended(std::span<const PlacedGroups> beam, std::span<const Edge> edges,
-                                std::span<const RigPair> pairs, LoopEvidence& evidence) {
+                                   std::span<const RigPair> pairs, LoopEvidence& evidence) {
   std::vector<PlacedGroups> next;
   for (const PlacedGroups& before : beam) {
     for (const Edge& edge : edges) {
@@ -175,9 +177,9 @@ PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) 
     answers.insert(answers.end(), beam.begin(), beam.end());
   }
   PoseSelection selection;
-  selection.best =
-      *std::max_element(answers.begin(), answers.end(),
-                        [](const PlacedGroups& x, const PlacedGroups& y) { return x.score < y.score; });
+  selection.best = *std::max_element(
+      answers.begin(), answers.end(),
+      [](const PlacedGroups& x, const PlacedGroups& y) { return x.score < y.score; });
   selection.origin = largest_group(selection.best);
   measure_margins(answers, selection);
   return selection;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the pairs' hypotheses are true? Those that fit together: an answer places sensors along
-// a tree of hypotheses, and is judged by the evidence of all pairs, also of those that only close a
-// loop. Each branch must be strong: by itself, or by what all the pairs say that it brings
-// together. Beam search, so that eight sensors with a dozen hypotheses per pair take seconds. An
-// answer counts for a sensor only if no other answer that places it elsewhere, or not at all, comes
-// near. Metres. Single-threaded, deterministic.
+// Selects the pairs' hypotheses that fit together. An answer places sensors along a tree of
+// hypotheses and is scored by the evidence of all pairs, also of those that only close a loop. Each
+// edge of the tree must be strong, by itself or by the pooled evidence of all pairs that it
+// connects. Beam search lets eight sensors with a dozen hypotheses per pair take seconds. A sensor
+// is accepted only if no answer that places it elsewhere, or not at all, scores nearly as well.
+// Metres. Single-threaded, deterministic.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace roomcast::alignment {
 
-/// The candidates of two sensors of a rig, by their places in it; first < second.
+/// The candidates of two sensors, given by their indices in the rig; first < second.
 struct RigPair {
   std::size_t first = 0, second = 0;  // sensors a and b of the candidates
   const PairCandidates* candidates = nullptr;
@@ -23,7 +23,7 @@ struct RigPair {
 
 /// One way to place the sensors.
 struct PlacedGroups {
-  std::vector<std::size_t> group;  // of each sensor: the lowest sensor it is placed with
+  std::vector<std::size_t> group;                 // per sensor: the lowest sensor placed with it
   std::vector<RigidTransform> group_from_sensor;  // in the frame of that lowest sensor
   double score = 0;
 
@@ -38,9 +38,9 @@ struct PlacedGroups {
 struct PoseSelection {
   PlacedGroups best;
   std::vector<double>
-      margin_to_rival;  // per sensor: ahead of the best answer that puts it elsewhere
+      margin_to_rival;  // per sensor: score difference to the best answer that places it elsewhere
   std::vector<double>
-      margin_to_unplaced;  // per sensor: ahead of the best answer that leaves it out
+      margin_to_unplaced;  // per sensor: score difference to the best answer that leaves it out
   std::size_t origin = 0;  // the lowest sensor of the largest group
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sentences for people: why a pair or a sensor could not be aligned, and what would help.
-// Thread-safe (no state).
+// Messages for users: why a pair or a sensor could not be aligned, and what would help. Thread-safe
+// (no state).
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace roomcast::alignment {
 
-/// Why the pair alone does not settle how its sensors stand to each other. Empty when it does.
+/// Why the pair alone does not determine its relative pose; empty if it does.
 [[nodiscard]] std::string why_pair_is_refused(const PairCandidates& pair);
 
-/// The same for a pair whose sensors stand as others say.
+/// The same for a pair whose sensors are placed through other pairs.
 [[nodiscard]] std::string why_pair_says_little(const PairCandidates& pair,
                                                const PoseEvidence& at_its_place);
 

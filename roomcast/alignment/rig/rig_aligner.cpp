@@ -11,10 +11,10 @@
 namespace roomcast::alignment {
 namespace {
 
-// Where the steps begin, of the whole.
+// Progress, 0..1, at which the steps begin.
 constexpr double kFinding = 0.5, kPlacing = 0.9;
 
-/// Calls `visit(i, j, done)` for each two of `count`; `done` is how far it is, 0..1.
+/// Calls `visit(i, j, done)` for each pair i < j of `count`; `done` is the progress, 0..1.
 template <class Visit>
 void for_each_two(std::size_t count, Visit visit) {
   const double all = static_cast<double>(count * (count - 1)) / 2;
@@ -60,7 +60,8 @@ const PairCandidates* RigAligner::pair(const std::string& one, const std::string
   return found == pairs_.end() ? nullptr : found->second.candidates.get();
 }
 
-/// Pairs that say nothing, of sensors that would be refused. Whether there were any.
+/// Adds affine matches to pairs that have no plausible candidate and a sensor that would be
+/// refused. Returns whether there were any.
 bool RigAligner::look_closer_at_refused(const AlignmentReport& report,
                                         const AlignProgress& progress) {
   bool any = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RigAligner: places the sensors of a room in one world, without markers. Views can be added while
-// the room runs: only pairs not looked at before are compared. It refuses rather than be wrong: a
-// sensor is placed when no other answer comes near. Deterministic: the same views in the same order
-// give the same bits. Metres. Single-threaded.
+// RigAligner: registers the sensors of a room in one world frame, without markers. Views can be
+// added while the room runs; only new pairs are compared. A doubtful sensor is refused rather than
+// placed wrongly: it is placed only if no other answer scores nearly as well. Deterministic: the
+// same views in the same order give the same bits. Metres. Single-threaded.
 #pragma once
 
 #include <functional>
@@ -20,27 +20,27 @@
 
 namespace roomcast::alignment {
 
-/// Called before each step with what is being done and how far it is (0..1).
+/// Called before each step with its description and the progress (0..1).
 using AlignProgress = std::function<void(std::string_view step, double done)>;
 
 class RigAligner {
  public:
-  /// A sensor of that name takes the place of an earlier one.
+  /// Replaces an earlier sensor of the same name.
   void add(std::shared_ptr<const SensorView> view);
   void remove(const std::string& name);
 
-  /// Compares what has not been compared yet, and places all sensors. `progress` may be empty.
+  /// Compares new pairs and places all sensors. `progress` may be empty.
   [[nodiscard]] AlignmentReport solve(const AlignProgress& progress = {});
 
-  /// What two sensors say of each other, since the last solve(), whichever of them is `a` there.
-  /// Null where that is not known.
+  /// The candidates of two sensors as of the last solve(), in either order of names. Null if they
+  /// are not known.
   [[nodiscard]] const PairCandidates* pair(const std::string& one, const std::string& other) const;
 
  private:
   using Names = std::pair<std::string, std::string>;
   struct Pair {
     ViewComparison comparison;
-    std::unique_ptr<PairCandidates> candidates;  // once every pair of its sensors is compared
+    std::unique_ptr<PairCandidates> candidates;  // set once all pairs are compared
     bool is_looked_at_closer = false;
   };
 
@@ -55,7 +55,7 @@ class RigAligner {
 
   std::vector<std::shared_ptr<const SensorView>> views_;
   std::map<Names, Pair> pairs_;
-  std::map<std::string, FeatureSet> affine_features_;  // of whom they were needed
+  std::map<std::string, FeatureSet> affine_features_;  // by sensor, only where needed
 };
 
 }  // namespace roomcast::alignment

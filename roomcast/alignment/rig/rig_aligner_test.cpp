@@ -124,13 +124,13 @@ TEST(RigAligner, is_not_fooled_by_a_room_that_looks_the_same_turned_by_half) {
   aligner.add(one_side().view);
   aligner.add(other_side().view);
   const auto b_from_a = aligner.solve().pairs[0].b_from_a;
-  if (!b_from_a) return;  // unsure, and says so
+  if (!b_from_a) return;  // refused, which is acceptable
   const PoseDifference error = difference(b_from_a->inverse(), true_pose(one_side(), other_side()));
   EXPECT_LT(error.angle_rad, kMaxAngle_rad);
   EXPECT_LT(error.distance_m, kMost_m);
 }
 
-/// Readings that are off by a smooth wave over the picture, another one for every unit.
+/// A view whose depth errors are a smooth wave over the picture, another one for every phase.
 std::shared_ptr<const SensorView> view_of_flawed_unit(const ViewFixture& exact, double phase) {
   constexpr double kWave_mm = 5;
   CalibrationBundle bundle = bundle_fixture({}, exact.view->name, exact.world_from_depth);
@@ -173,7 +173,7 @@ TEST(RigAligner, a_copy_of_a_sensor_is_not_placed) {
   EXPECT_THAT(report.sensors[1].reason, testing::HasSubstr("very same pictures"));
 }
 
-/// A sensor beside two of a room that has another poster on a wall.
+/// Aligns two sensors of a room with a third one of a room that has another poster on a wall.
 AlignmentReport with_a_stranger(const Eigen::AlignedBox3d& poster) {
   RoomFixture other_room;
   other_room.repainted = poster;

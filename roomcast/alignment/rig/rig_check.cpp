@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kRefinedConflict = 0.0275, kNegligibleRefinedViolation = 0.004;
 constexpr double kRefinedSolidConflict = 0.012, kNegligibleSolid = 12;  // blocks
-// Prints that differ, of those that can be judged: true rooms leave a tenth of it at most. Two
-// strangers of a tiled room with the same greys and hues left 0.5 and 0.9 %, which was no more than
-// 0.2 and 0.4 % of a view.
+// Share of judged places whose prints differ: sensors of one room leave a tenth of it at most. Two
+// sensors of another, tiled room with the same greys and hues left 0.5 and 0.9 %, which was no more
+// than 0.2 and 0.4 % of a view.
 constexpr double kPrintConflict = 0.003, kNegligiblePrints = 0.0015;  // shares of a view
-constexpr double kHueConflict = 0.3;  // of prints that are alike in grey
+constexpr double kHueConflict = 0.3;  // share of places alike in grey
 constexpr double kExactColors = 0.8, kMinPrints = 0.04;
 constexpr std::ptrdiff_t kMajority = 3;
 
-/// What all others see where a sensor is said to stand.
+/// Evidence of all other sensors about one sensor's pose.
 struct SeenByOthers {
   double consistent = 0, violating = 0;              // shares of views
   double solid_consistent = 0, solid_violating = 0;  // blocks
@@ -31,8 +31,8 @@ struct SeenByOthers {
     solid_consistent += static_cast<double>(evidence.solid.consistent);
     solid_violating += static_cast<double>(evidence.solid.violating);
   }
-  /// How much of it contradicts, over what is allowed; more than 1: it cannot be true. Refined
-  /// poses are exact, so what they contradict is held against them more strictly.
+  /// Contradiction relative to the allowed limit; above 1 the pose cannot be true. The limits are
+  /// stricter than those of candidates, because refined poses are exact.
   [[nodiscard]] double contradiction() const {
     const double conflict = violating / (consistent + violating + 1e-3);
     const double solid_conflict = solid_violating / (solid_consistent + solid_violating + 1);
@@ -48,13 +48,13 @@ struct SeenByOthers {
   }
 };
 
-/// What both sensors of a placed pair see of each other's walls and floors.
+/// Texture comparison of a placed pair on shared walls, floors and tables.
 struct SeenPrints {
   const RigPair* pair;
   PlanarTexture prints;
 };
 
-/// Colours that agree with another sensor's lie where they are thought to.
+/// Marks sensors whose colours agree with another sensor's: such colours are aligned with depth.
 void find_exact_colors(std::span<const SeenPrints> all, std::vector<bool>& exact) {
   for (const SeenPrints& seen : all) {
     if (seen.prints.judged < kMinPrints || seen.prints.correlation() < kExactColors) continue;
@@ -62,8 +62,9 @@ void find_exact_colors(std::span<const SeenPrints> all, std::vector<bool>& exact
   }
 }
 
-/// Of two sensors whose colours may lie aside of their depth prints say nothing; but one that
-/// agrees with none of three that agree is the odd one out.
+/// Adds the prints of pairs whose colours are aligned with depth; misaligned colours are not
+/// evidence. With three or more such sensors, one per pair suffices: a sensor that agrees with none
+/// of them is the wrong one.
 void add_prints(std::span<const SeenPrints> all, const std::vector<bool>& exact,
                 std::vector<SeenByOthers>& seen) {
   const bool one_will_do = std::ranges::count(exact, true) >= kMajority;

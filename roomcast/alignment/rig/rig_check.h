@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Can an answer be true? Once refined it is held against everything that its sensors see of one
-// another, also where no feature was found: surfaces that one sees and another looks through, and
-// prints on walls and floors that differ. What fits by a floor's pattern alone is found out here.
+// Checks whether a refined answer can be true, against all that its sensors see of one another,
+// also where no feature was found: surfaces that one sensor sees and another looks through, and
+// differing texture on walls and floors. This detects poses that fit only by a floor's pattern.
 // Single-threaded.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace roomcast::alignment {
 
-/// One way to place the sensors, refined.
+/// A refined answer: which sensors are placed, and where.
 struct RigAnswer {
   PoseSelection selection;
   std::vector<bool> placed;
@@ -30,16 +30,16 @@ struct RigAnswer {
   }
 };
 
-/// Checks answers for the same sensors, one after the other.
+/// Checks successive answers for the same sensors.
 class RigCheck {
  public:
-  /// Of the sensors whose refined places contradict what all others see, the one that does so most;
-  /// of two that do so alike, the one that was less sure.
+  /// The sensor whose refined pose contradicts the views of all others most; nothing if none does.
+  /// Of equals, one that is not the origin, then the one with the smaller margin.
   [[nodiscard]] std::optional<std::size_t> contradicted_sensor(std::span<const RigPair> pairs,
                                                                const RigAnswer& answer);
 
  private:
-  std::vector<bool> exact_colors_;  // of sensors whose colours agreed with another's before
+  std::vector<bool> exact_colors_;  // sensors whose colours agreed with another's in any check
 };
 
 }  // namespace roomcast::alignment

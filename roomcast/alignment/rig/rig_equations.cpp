@@ -8,9 +8,9 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kDamping = 1e-10;       // of the trace: what nothing holds stays where it is
-constexpr double kHeld = 1e12;           // information on what is not to move
-constexpr Eigen::Index kCorrection = 6;  // place among a sensor's unknowns
+constexpr double kDamping = 1e-10;       // share of the trace: unconstrained unknowns do not move
+constexpr double kHeld = 1e12;           // information on fixed unknowns
+constexpr Eigen::Index kCorrection = 6;  // index among a sensor's unknowns
 
 Matrix6 adjoint(const RigidTransform& transform) {
   const Eigen::Vector3d& t = transform.translation_m;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal equations of a whole rig, put together from those of its pairs. Metres, radians,
-// pixels. Single-threaded.
+// Normal equations of a whole rig, assembled from those of its pairs. Metres, radians, pixels.
+// Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -13,37 +13,38 @@
 
 namespace roomcast::alignment {
 
-/// Of each sensor: motion, then correction.
+/// Unknowns of each sensor: motion, then correction.
 inline constexpr Eigen::Index kSensorUnknowns = 6 + kCorrectionUnknowns;
 
-/// A pair's unknowns from both sensors' own: its motion is the difference of theirs, seen from a.
+/// Matrix from both sensors' unknowns to the pair's: the pair's motion is the difference of theirs,
+/// in a's frame.
 [[nodiscard]] Eigen::Matrix<double, kPairUnknowns, 2 * kSensorUnknowns> pair_from_sensors(
     const RigidTransform& origin_from_a);
 
 class RigEquations {
  public:
-  /// The origin's pose is held, its calibration is not.
+  /// The origin's pose is fixed, its calibration is not.
   RigEquations(std::size_t sensors, std::size_t origin);
 
-  /// `equations` are about a_from_b of sensors a and b.
+  /// Adds the equations of a_from_b of sensors a and b.
   void add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
            const PairEquations& equations);
 
-  /// What is expected of a sensor's calibration, at what it is thought to be off by.
+  /// Adds the prior of a sensor's calibration, at its current correction.
   void add_expectation(std::size_t sensor, const SensorCorrection& correction);
 
-  /// One vector of kSensorUnknowns for each sensor; those that nothing holds do not move, and
-  /// depth is left as it is.
+  /// One vector of kSensorUnknowns for each sensor. Unconstrained sensors do not move; depth is
+  /// fixed.
   [[nodiscard]] std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> solve() const;
 
-  /// How far off the sensors' motions may be: by random noise, by smooth errors, and by what depth
-  /// is expected to be off by, which no view tells.
+  /// Covariance of each sensor's motion, from random noise, smooth errors and depth errors that no
+  /// view reveals; 0 for the origin and for unconstrained sensors.
   [[nodiscard]] std::vector<Matrix6> motion_covariance(const RigScatter& scatter,
                                                        const DepthDoubt& doubt) const;
 
  private:
   [[nodiscard]] Eigen::MatrixXd anchored() const;
-  /// Of the sum of all scores, if depth is off by as much as is doubted.
+  /// Variance of the sum of all scores, caused by the depth errors of `doubt`.
   [[nodiscard]] Eigen::MatrixXd variance_by_depth(const DepthDoubt& doubt) const;
 
   std::size_t sensors_, origin_;

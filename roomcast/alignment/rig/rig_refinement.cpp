@@ -16,9 +16,9 @@ constexpr int kSteps = 16;
 constexpr std::size_t kPoints = 8000;
 constexpr float kReach_m = 0.08F, kMinReach_m = 0.03F, kShrink = 0.75F;
 constexpr float kFeatureReach_m = 0.08F;
-// Features are found to a quarter of a pixel, but neighbouring ones err alike, by what calibrations
-// and depth leave over: however many there are, they tell no more than so many of which each errs
-// for itself.
+// Features are located to a quarter of a pixel, but errors of neighbouring features are correlated,
+// through remaining errors of calibration and depth. However many features there are, they count as
+// no more than so many independent ones.
 constexpr double kIndependentFeatures = 30;
 constexpr double kStill = 3e-5;  // metres and radians
 constexpr double kMinEvidenceKept = 0.5, kMinMatchesKept = 0.5, kMinCommonKept = 0.95;
@@ -35,8 +35,7 @@ PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) 
   return {a.origin_from_sensor.inverse() * b.origin_from_sensor, a.correction, b.correction};
 }
 
-/// Where refinement begins: what the pairs on their own thought of the colour cameras, each as much
-/// as its matches weigh.
+/// Initial colour corrections: the mean of the pairs' own estimates, weighted by match support.
 void correct_as_pairs_say(std::span<const RigPair> pairs, std::vector<RefinedSensor>& sensors) {
   std::vector<double> weights(sensors.size());
   for (const RigPair& pair : pairs) {
@@ -61,7 +60,7 @@ std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const Refined
                           state.a_from_b, kFeatureReach_m);
 }
 
-/// What a pair's sensors share, as they stand now.
+/// Surfaces and features that a pair's sensors share at the current poses.
 struct Shared {
   PairState state;
   std::vector<SurfacePartner> partners;
@@ -121,14 +120,15 @@ RigScatter rig_scatter(std::span<const HeldPair> pairs, std::span<const RefinedS
   return scatter;
 }
 
-/// Sensors that disagree smoothly by so much may as well agree on being wrong by as much.
+/// Depth uncertainty given the observed smooth disagreement: an error common to the sensors may be
+/// as large.
 DepthDoubt doubt_of(const RigScatter& scatter) {
   DepthDoubt doubt;
   doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
   return doubt;
 }
 
-/// The largest component of any motion.
+/// Applies one step; returns the largest component of any motion.
 double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) {
   const auto steps = equations.solve();
   double largest = 0;
@@ -141,7 +141,7 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
   return largest;
 }
 
-/// Gauss-Newton until it stands.
+/// Gauss-Newton until convergence, at most kSteps steps.
 void settle(std::span<const HeldPair> held, std::size_t origin,
             std::vector<RefinedSensor>& sensors) {
   float reach_m = kReach_m;
@@ -152,7 +152,7 @@ void settle(std::span<const HeldPair> held, std::size_t origin,
   }
 }
 
-/// What holds sensors together: places that match and surfaces that both see.
+/// Constraints between sensors: matching places and surfaces that both see.
 struct Hold {
   double matches = 0, common = 0;
 
@@ -170,7 +170,7 @@ struct Hold {
   }
 };
 
-/// What speaks for all pairs' poses, in one number.
+/// Total score of all pairs' poses.
 double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
   double score = 0;
   for (const HeldPair& each : held)
@@ -178,8 +178,9 @@ double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSenso
   return score;
 }
 
-/// Where views share little, surfaces slide along each other until less of them is common. Weaker
-/// evidence alone does not tell: colours that lie aside of depth speak for the worse pose.
+/// Whether refinement slid surfaces along each other until they share less, which happens where
+/// views share little. A lower score alone is no proof: colours misaligned with depth favour the
+/// worse pose.
 bool slid(std::span<const HeldPair> held, std::span<const RefinedSensor> start,
           std::span<const RefinedSensor> refined) {
   return Hold(held, refined).is_lost_from(Hold(held, start)) &&

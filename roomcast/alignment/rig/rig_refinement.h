@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joint refinement: Gauss-Newton on all sensors at once, over the surfaces and features that any
-// two of them share: their poses, and what their calibrations are off by. Poses are steered by a
-// small motion in the origin's frame (Lie algebra of SE(3)), so a pair's equations are carried over
-// by its adjoint. Metres, radians, pixels. Single-threaded, deterministic.
+// Joint refinement: Gauss-Newton over the poses and calibration corrections of all sensors at once,
+// on the surfaces and features that any two of them share. Poses are updated by a small motion in
+// the origin's frame (Lie algebra of SE(3)), so a pair's equations are transformed by its adjoint.
+// Metres, radians, pixels. Single-threaded, deterministic.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,12 @@ namespace roomcast::alignment {
 struct RefinedSensor {
   RigidTransform origin_from_sensor;
   SensorCorrection correction;
-  /// Of (rotation, shift) in the origin's frame, from the equations; 0 for the origin and for
-  /// sensors that no pair holds.
+  /// Covariance of (rotation, shift) in the origin's frame, from the equations; 0 for the origin
+  /// and for sensors that no pair constrains.
   Matrix6 covariance = Matrix6::Zero();
 };
 
-/// `pairs` are those that are to be believed; sensors that none of them reaches stay where they
-/// are.
+/// `pairs` are the accepted pairs; sensors in none of them do not move.
 [[nodiscard]] std::vector<RefinedSensor> refine_rig(
     std::span<const RigidTransform> origin_from_sensor, std::size_t origin,
     std::span<const RigPair> pairs);

@@ -28,7 +28,7 @@ void RigScatter::add(std::size_t sensor, const PatchScores& scores, std::size_t 
   }
 }
 
-/// Every term is in a patch of either sensor, so each counts half.
+/// Every term is in a patch of each sensor, so each counts half.
 Eigen::MatrixXd RigScatter::variance() const {
   const Eigen::Index size = kSensorUnknowns * static_cast<Eigen::Index>(sensors_);
   Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(size, size);

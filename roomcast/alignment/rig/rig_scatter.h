@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the smooth errors of all sensors do to a rig's equations: the scores (sums of w J^T r) of
-// every patch of every sensor's picture, over all pairs that it takes part in. Their spread, seen
-// through the equations, is how far off the poses may be (the sandwich of Huber 1967; by clusters,
-// Liang & Zeger 1986). Metres, radians, pixels. Single-threaded.
+// Effect of all sensors' smooth errors on a rig's equations: the scores (sums of w J^T r) of every
+// patch of every sensor's picture, over all pairs of that sensor. Their spread, propagated through
+// the equations, gives the uncertainty of the poses (the sandwich of Huber 1967; by clusters, Liang
+// & Zeger 1986). Metres, radians, pixels. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,14 @@ class RigScatter {
  public:
   explicit RigScatter(std::size_t sensors) : sensors_(sensors) {}
 
-  /// `scores` are about a_from_b of sensors a and b.
+  /// Adds the scores of a_from_b of sensors a and b.
   void add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
            const PairScores& scores);
 
   /// Variance of the sum of all scores; its unknowns are those of RigEquations.
   [[nodiscard]] Eigen::MatrixXd variance() const;
 
-  /// By how much surfaces disagree smoothly: the patches' mean residuals (RMS), in metres.
+  /// Smooth disagreement of surfaces: RMS of the patches' mean residuals, metres.
   [[nodiscard]] double disagreement_m() const;
 
  private:

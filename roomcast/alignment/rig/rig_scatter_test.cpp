@@ -11,7 +11,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// The left half of what the second corner sees is `bias_m` too far.
+/// The view of the second corner with the left half of its depth `bias_m` too far.
 std::shared_ptr<const SensorView> biased_view(double bias_m) {
   CalibrationBundle bundle = bundle_fixture({}, "s1", second_corner().world_from_depth);
   for (int y = 0; y < bundle.depth_mm.height(); ++y) {

@@ -17,7 +17,7 @@ bool agree(const Plane& one, const Plane& other) {
          std::abs(one.offset_m - other.offset_m) < kAgreeHeight_m;
 }
 
-/// The floors that most others agree with: a table taken for a floor is outvoted.
+/// The largest set of floors that agree: a table mistaken for a floor is outvoted.
 std::vector<Plane> largest_agreement(std::span<const Plane> floors) {
   std::vector<Plane> best;
   for (const Plane& candidate : floors) {
@@ -42,7 +42,7 @@ Plane mean_plane(std::span<const Plane> planes) {
   return {normal.normalized(), *middle, {}};
 }
 
-/// Rotation with world y along `up` and the sensor's view, flattened, along world -z.
+/// Rotation with world y along `up` and the sensor's horizontal viewing direction along world -z.
 Eigen::Matrix3d world_from_origin_rotation(const Eigen::Vector3d& up) {
   const Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d flat = forward - up.dot(forward) * up;

@@ -7,7 +7,8 @@
 namespace roomcast::alignment {
 namespace {
 
-/// What `of_pixel` says, `factor` times smaller: the mean of factor x factor pixels.
+/// `of_pixel` of the picture, downscaled by `factor`: each output pixel is the mean of factor x
+/// factor input pixels.
 template <class OfPixel>
 Image<float> shrunk(ColorView color, int factor, OfPixel of_pixel) {
   Image<float> out(std::max(1, color.width / factor), std::max(1, color.height / factor));
@@ -27,7 +28,7 @@ float grey_of(Rgb8 pixel) {
 }
 
 float tint_of(Rgb8 pixel) {
-  constexpr float kEvenly = 0.25F;  // halves are rounded up: as many of either sign
+  constexpr float kEvenly = 0.25F;  // offsets rounding halves up, so that neither sign is favoured
   return kNoTint - kEvenly + 0.5F * static_cast<float>(pixel.r - pixel.g);
 }
 
@@ -68,7 +69,8 @@ Image<std::uint8_t> undistorted(const Image<float>& grey, const CameraIntrinsics
   return out;
 }
 
-/// Lets every depth reading cover as many pixels as its neighbours are apart; the nearest wins.
+/// Splats each depth reading over as many pixels as neighbouring readings are apart; the nearest
+/// depth wins.
 void splat(const DepthSurface& surface, ColorPicture& picture) {
   const float spread = picture.camera.fx / static_cast<float>(surface.camera.fx);
   const int reach = std::clamp(static_cast<int>(std::ceil(spread)), 1, 6);

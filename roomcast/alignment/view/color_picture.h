@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour picture as features are sought in it: grey, freed from lens distortion, about 1000
-// pixels wide at most, with the depth of what is seen in every pixel. Metres; pixel centres at
-// integer coordinates. Thread-safe (immutable after being made).
+// The colour picture used for feature detection: grey, undistorted, at most 1000 pixels wide, with
+// the depth seen in every pixel. Metres; pixel centres at integer coordinates. Thread-safe
+// (immutable after being made).
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,20 @@ struct Pinhole {
   float fx = 1, fy = 1, cx = 0, cy = 0;
 };
 
-inline constexpr float kNoTint = 128;  // of what is grey
+inline constexpr float kNoTint = 128;  // tint of a grey pixel
 
 struct ColorPicture {
   Pinhole camera;
   Image<std::uint8_t> grey;
-  Image<std::uint8_t> tint;  // (red - green) / 2 + kNoTint: what grey does not tell of a colour
-  Image<float> z_m;  // along the colour camera's axis; 0 where the depth camera sees nothing
+  Image<std::uint8_t> tint;  // (red - green) / 2 + kNoTint: the hue that grey lacks
+  Image<float> z_m;          // depth along the colour camera's axis; 0 = no depth reading
   Eigen::Matrix3f color_from_depth_rotation;
   Eigen::Vector3f color_from_depth_m;
 
   [[nodiscard]] Eigen::Vector3f in_color_frame(const Eigen::Vector3f& point_m) const {
     return color_from_depth_rotation * point_m + color_from_depth_m;
   }
-  /// Of a point in the colour camera's frame, in front of it.
+  /// Pixel of a point in the colour camera's frame; the point must be in front of the camera.
   [[nodiscard]] Eigen::Vector2f pixel_of(const Eigen::Vector3f& color_point_m) const {
     return {camera.fx * color_point_m.x() / color_point_m.z() + camera.cx,
             camera.fy * color_point_m.y() / color_point_m.z() + camera.cy};
@@ -40,7 +40,7 @@ struct ColorPicture {
 
 inline constexpr int kLargestPictureWidth = 1000;
 
-/// `color` has the size of `calibration.color`; the calibration has been checked.
+/// Requires a checked calibration and a `color` of the size of `calibration.color`.
 [[nodiscard]] ColorPicture color_picture(ColorView color, const SensorCalibration& calibration,
                                          const DepthSurface& surface);
 

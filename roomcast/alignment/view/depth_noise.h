@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a depth reading is to be trusted: one noise model for every test and weight of alignment.
-// Grows with the square of distance, as triangulation and time-of-flight alike do (Khoshelham &
-// Oude Elberink 2012); the constants lie above the noise of a Kinect of either kind, because what
-// remains after averaging over time is mostly bias.
+// Standard deviation of a depth reading: one noise model for every test and weight in alignment. It
+// grows with the square of distance, as for triangulation and time-of-flight sensors alike
+// (Khoshelham & Oude Elberink 2012). The constants exceed the noise of either Kinect generation,
+// because the error left after averaging over time is mostly bias.
 #pragma once
 
 namespace roomcast::alignment {

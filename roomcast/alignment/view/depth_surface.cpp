@@ -11,11 +11,11 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kSmoothReach = 2;          // pixels, of the bilateral filter
-constexpr int kNormalReach = 3;          // pixels between a point and those its normal is made of
-constexpr float kSmoothSigmas = 4;       // readings that differ by more are another surface
-constexpr float kSteepestRange = 0.06F;  // of depth: a larger step inside a window is an edge
-constexpr float kMinIncidence = 0.2F;    // cosine; flatter views measure nothing well
+constexpr int kSmoothReach = 2;     // pixels: radius of the bilateral filter
+constexpr int kNormalReach = 3;     // pixels from a point to the neighbours that give its normal
+constexpr float kSmoothSigmas = 4;  // readings that differ by more belong to another surface
+constexpr float kSteepestRange = 0.06F;  // share of depth: a larger range in a window is an edge
+constexpr float kMinIncidence = 0.2F;    // cosine; readings at flatter angles are unreliable
 
 Image<float> metres_of(DepthView depth_mm) {
   Image<float> z_m(depth_mm.width, depth_mm.height);
@@ -28,8 +28,8 @@ Image<float> metres_of(DepthView depth_mm) {
   return z_m;
 }
 
-/// Bilateral filter (Tomasi & Manduchi 1998) with a range kernel that reaches 0, so that nothing is
-/// taken over an edge.
+/// Bilateral filter (Tomasi & Manduchi 1998) with a range kernel that reaches 0, so that readings
+/// across an edge do not contribute.
 float smoothed(const Image<float>& z_m, int x, int y) {
   const float centre = z_m.at(x, y);
   const float reach = kSmoothSigmas * depth_sigma_m(centre);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one depth picture says of the room: readings, and where the surface is smooth, its points
-// and normals. Points near depth edges are left out, since flying pixels lie there. Metres, in the
-// depth camera's frame. Thread-safe (immutable after being made).
+// The surface seen in one depth picture: raw readings and, where the surface is smooth, points with
+// normals. Points near depth edges have no normal and are no samples, because flying pixels occur
+// there. Metres, in the depth camera's frame. Thread-safe (immutable after being made).
 #pragma once
 
 #include <vector>
@@ -23,8 +23,8 @@ struct SurfacePoint {
 struct DepthSurface {
   CameraIntrinsics camera;
   Lens lens;
-  Image<float> z_m;                   // readings as they came; 0 = none
-  WindowRange range;                  // of the readings around
+  Image<float> z_m;                   // raw readings; 0 = none
+  WindowRange range;                  // of the readings around each pixel
   Image<SurfacePoint> at;             // smoothed; the normal is 0 where the surface is not smooth
   std::vector<SurfacePoint> samples;  // the smooth points of every kSampleStep-th row and column
 };
@@ -33,7 +33,7 @@ inline constexpr int kSampleStep = 3;
 inline constexpr float kNearestSurface_m = 0.3F;
 inline constexpr float kFarthestSurface_m = 7;
 
-/// Sizes as those of `camera`, which has been checked.
+/// `depth_mm` has the size of `camera`, which must have been checked.
 [[nodiscard]] DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera);
 
 }  // namespace roomcast::alignment

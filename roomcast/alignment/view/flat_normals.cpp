@@ -8,8 +8,8 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kFlatThickness_m = 0.02F;  // and the depth noise
-constexpr float kFlatCosine = 0.98F;       // cosine: what is tilted by more is tilted
+constexpr float kFlatThickness_m = 0.02F;  // plus the depth noise
+constexpr float kFlatCosine = 0.98F;       // cosine: a larger tilt is real
 
 void flatten(std::span<const Plane> planes, SurfacePoint& point) {
   if (point.normal.isZero()) return;

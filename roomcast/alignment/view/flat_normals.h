@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals on large planes, made exact. A normal is measured over a few pixels, so noise and the
-// sensor's smooth errors tilt it by degrees; a floor that is thought to be tilted here and there
-// seems to hold a pose sideways, and pulls it along itself: in a room with little else in it by
-// more than a hand's breadth. Metres. Thread-safe (no state).
+// Replaces the normals of points on large planes by the plane's exact normal. A normal is measured
+// over a few pixels, so noise and the sensor's smooth errors tilt it by degrees. Wrongly tilted
+// floor normals constrain a pose sideways and pull it along the floor: by more than a hand's
+// breadth in a room with little else in it. Metres. Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace roomcast::alignment {
 
-/// Gives every point that lies on one of the planes that plane's normal.
+/// Sets the normal of every point on one of the planes to that plane's normal.
 void flatten_normals(std::span<const Plane> planes, DepthSurface& surface);
 
 }  // namespace roomcast::alignment

@@ -14,7 +14,7 @@ SurfacePoint point(float z_m, float tilt_rad) {
   return {{0.1F, 0.2F, z_m}, {std::sin(tilt_rad), 0, -std::cos(tilt_rad)}};
 }
 
-/// A surface of these points, one row of them.
+/// A surface whose picture is one row of these points.
 DepthSurface surface_of(const std::vector<SurfacePoint>& points) {
   DepthSurface surface{{}, Lens(CameraIntrinsics{}), {}, {}, {}, points};
   surface.at.resize(static_cast<int>(points.size()), 1);
@@ -22,7 +22,7 @@ DepthSurface surface_of(const std::vector<SurfacePoint>& points) {
   return surface;
 }
 
-/// The normal that a point is given, in the picture and among the samples.
+/// The normal of a point after flattening; the same in the picture and among the samples.
 Eigen::Vector3f flattened(const SurfacePoint& point) {
   DepthSurface surface = surface_of({point});
   flatten_normals(std::vector{kWall}, surface);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floor: the largest plane that faces up with nothing below it. "Up" is gravity's opposite
-// where the sensor knows it, else roughly up in the picture: sensors stand or hang the right way
-// round. Thread-safe (no state).
+// Finds the floor: the largest plane that faces up and has nothing below it. "Up" is opposite to
+// gravity where the sensor measures it, else roughly up in the picture, because sensors are mounted
+// upright. Thread-safe (no state).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace roomcast::alignment {
 
-/// Without points of its own. Nothing where there is no such plane, for instance when the largest
+/// The floor without its points; nothing where there is no such plane, for instance when the only
 /// plane that faces up is a table's.
 [[nodiscard]] std::optional<Plane> find_floor(std::span<const Plane> planes,
                                               std::span<const SurfacePoint> samples,

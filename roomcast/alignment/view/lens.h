@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lens: the camera model of geometry/camera_model.h in single precision, for the millions of
-// projections that alignment tries. Points beyond the widest ray of the picture have no projection:
-// there the lens polynomial means nothing. Metres, pixels. Thread-safe (immutable).
+// Lens: the camera model of geometry/camera_model.h in single precision, because alignment computes
+// millions of projections. Points beyond the widest ray of the picture have no projection, because
+// the lens polynomial is not valid there. Metres, pixels. Thread-safe (immutable).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,10 +12,11 @@ namespace roomcast::alignment {
 
 class Lens {
  public:
-  /// `camera` has been checked.
+  /// `camera` must have been checked.
   explicit Lens(const CameraIntrinsics& camera);
 
-  /// Whether the point is in front of the camera and within its widest ray; then `pixel` is where.
+  /// Returns whether the point is in front of the camera and within its widest ray; if so, sets
+  /// `pixel`.
   [[nodiscard]] bool project(const Eigen::Vector3f& point_m, Eigen::Vector2f& pixel) const {
     if (!(point_m.z() > kNearest_m)) return false;
     const Eigen::Vector2f xy = point_m.head<2>() / point_m.z();

@@ -11,7 +11,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr float kEdgeStep_m = 0.01F, kEdgeStepPerDepth = 0.04F;  // within 3x3 pixels
-constexpr int kSteps = 3;  // from reading to reading until the ray meets its tangent plane
+constexpr int kSteps = 3;  // intersections of the ray with the tangent plane, one after another
 
 /// A pixel's ray in the depth camera's frame; `direction` has z = 1 along the colour camera's axis.
 struct Ray {
@@ -32,7 +32,8 @@ bool is_edge(float step_m, float z_m) {
   return step_m > kEdgeStep_m + kEdgeStepPerDepth * z_m;
 }
 
-/// What was read around: the median of 3x3 pixels.
+/// Median depth of the 3x3 pixels around `pixel`; nothing at the border, without readings or at an
+/// edge.
 std::optional<float> about(const Image<float>& z_m, const Eigen::Vector2f& pixel) {
   const int u = static_cast<int>(std::lround(pixel.x())),
             v = static_cast<int>(std::lround(pixel.y()));
@@ -51,7 +52,8 @@ std::optional<float> about(const Image<float>& z_m, const Eigen::Vector2f& pixel
   return z;
 }
 
-/// Made of the nearest readings: for where wider windows hold an edge, or a gap.
+/// Tangent plane from the four nearest readings, for places where wider windows contain an edge or
+/// a gap.
 std::optional<SurfacePoint> tangent_of_neighbours(const DepthSurface& surface, int u, int v) {
   if (u < 1 || v < 1 || u >= surface.at.width() - 1 || v >= surface.at.height() - 1)
     return std::nullopt;
@@ -67,7 +69,7 @@ std::optional<SurfacePoint> tangent_of_neighbours(const DepthSurface& surface, i
   return SurfacePoint{here, (below - above).cross(right - left).normalized()};
 }
 
-/// The surface where the depth camera sees `point_m`.
+/// The surface in the depth pixel onto which `point_m` projects.
 std::optional<SurfacePoint> tangent_at(const DepthSurface& surface,
                                        const Eigen::Vector3f& point_m) {
   Eigen::Vector2f pixel;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in space lies what a pixel of the colour picture shows? On the pixel's ray, where that
-// meets the surface that the depth camera saw. Depth readings lie apart by several millimetres of
-// depth where a surface is seen aslant, so the nearest reading, let alone the nearest of a few,
-// would put every feature of a floor too near. Metres; thread-safe (no state).
+// Lifts a pixel of the colour picture into space: to the point where the pixel's ray meets the
+// surface seen by the depth camera. On surfaces seen at a grazing angle neighbouring readings
+// differ by several millimetres of depth. The nearest reading, let alone the nearest of a few,
+// would therefore put every feature of a floor too near. Metres; thread-safe (no state).
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace roomcast::alignment {
 
-/// The surface point seen at `pixel`, in the depth camera's frame; nothing where there is no depth,
-/// or an edge. `surface` is what `picture` was made with.
+/// The surface point seen at `pixel`, in the depth camera's frame; nothing without depth or at an
+/// edge. `picture` must have been made with `surface`.
 [[nodiscard]] std::optional<Eigen::Vector3f> lift(const ColorPicture& picture,
                                                   const DepthSurface& surface,
                                                   const Eigen::Vector2f& pixel);

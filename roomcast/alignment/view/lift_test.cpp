@@ -38,7 +38,7 @@ TEST(Lift, lifts_nothing_outside_or_without_depth) {
   EXPECT_FALSE(lift(seen.picture, seen.surface, {200, 150}).has_value());
 }
 
-/// How much too far points were lifted along their rays, mm, from the nearest.
+/// Errors of lifted points along their rays, mm, ascending; positive = too far.
 std::vector<double> too_far_mm(const Seen& seen) {
   const SensorCalibration& calibration = seen.bundle.calibration;
   const RigidTransform world_from_color = kPose * calibration.color_from_depth.inverse();
@@ -60,7 +60,7 @@ std::vector<double> too_far_mm(const Seen& seen) {
 TEST(Lift, is_exact_on_surfaces_that_are_seen_aslant) {
   const auto errors_mm = too_far_mm(Seen());
   ASSERT_GT(errors_mm.size(), 1000u);
-  constexpr double kReadings_mm = 1;  // they are whole millimetres
+  constexpr double kReadings_mm = 1;  // depth readings are whole millimetres
   EXPECT_NEAR(errors_mm[errors_mm.size() / 2], 0, kReadings_mm / 2);
   EXPECT_GT(errors_mm[errors_mm.size() / 5], -kReadings_mm);
   EXPECT_LT(errors_mm[errors_mm.size() * 4 / 5], kReadings_mm);

@@ -12,7 +12,7 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr int kTrials = 60;
-constexpr std::size_t kTested = 2000;  // samples that a trial is judged on
+constexpr std::size_t kTested = 2000;  // about so many samples score a trial
 constexpr float kPlaneThickness_m = 0.025F;
 constexpr float kPlaneCosine = 0.85F;  // cosine between normals
 constexpr int kRefinements = 3;
@@ -28,7 +28,7 @@ bool lies_on(const Flat& plane, const SurfacePoint& sample) {
          sample.normal.dot(plane.normal) > kPlaneCosine;
 }
 
-/// The largest of some planes through single points.
+/// The plane with most inliers among kTrials planes through single samples.
 Flat best_trial(std::span<const SurfacePoint> samples, std::mt19937& random) {
   const std::size_t step = std::max<std::size_t>(1, samples.size() / kTested);
   Flat best{Eigen::Vector3f::UnitZ(), 0};
@@ -43,7 +43,7 @@ Flat best_trial(std::span<const SurfacePoint> samples, std::mt19937& random) {
   return best;
 }
 
-/// Least squares through the samples on `plane`.
+/// Least-squares fit to the samples on `plane`; `plane` itself if they are too few.
 Flat fitted(const Flat& plane, std::span<const SurfacePoint> samples) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -67,7 +67,7 @@ Flat fitted(const Flat& plane, std::span<const SurfacePoint> samples) {
 }  // namespace
 
 std::vector<Plane> find_planes(std::span<const SurfacePoint> samples) {
-  std::mt19937 random(1);  // a fixed series: the same samples give the same planes
+  std::mt19937 random(1);  // fixed seed: the same samples give the same planes
   std::vector<SurfacePoint> rest(samples.begin(), samples.end());
   const auto least = static_cast<std::size_t>(kSmallestPlaneShare * float(samples.size()));
   std::vector<Plane> planes;

@@ -17,7 +17,7 @@ namespace roomcast::alignment {
 struct Plane {
   Eigen::Vector3f normal;                 // unit, towards the camera
   float offset_m = 0;                     // normal . point + offset == 0
-  std::vector<Eigen::Vector3f> points_m;  // those of the samples that lie on it
+  std::vector<Eigen::Vector3f> points_m;  // samples on the plane
 
   [[nodiscard]] float height_m(const Eigen::Vector3f& point_m) const {
     return normal.dot(point_m) + offset_m;
@@ -25,10 +25,11 @@ struct Plane {
 };
 
 inline constexpr std::size_t kMaxPlanes = 8;
-/// Of the samples; what is smaller is no plane worth having.
+/// Share of the samples; smaller planes are dropped.
 inline constexpr float kSmallestPlaneShare = 0.03F;
 
-/// Largest first found first; the order and the planes depend on the samples only.
+/// In the order found, each the largest found among the remaining samples. Order and planes depend
+/// on the samples only.
 [[nodiscard]] std::vector<Plane> find_planes(std::span<const SurfacePoint> samples);
 
 }  // namespace roomcast::alignment

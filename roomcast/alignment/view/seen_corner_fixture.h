@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: the synthetic room as one sensor in its corner sees it.
+// For tests: the simulated room seen by one sensor in its corner.
 #pragma once
 
 #include "roomcast/alignment/feature/room_fixture.h"

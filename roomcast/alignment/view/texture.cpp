@@ -7,7 +7,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kHidden_m = 0.05F;  // behind what the colour camera sees in that pixel
+constexpr float kHidden_m = 0.05F;  // points further behind the pixel's visible surface are hidden
 constexpr int kBlurReach = kTextureBlurReach;
 constexpr float kFaintTint = 4;     // levels
 constexpr float kBlurSigma = 1.8F;  // pixels: about the footprint of a grid cell
@@ -58,7 +58,8 @@ std::optional<float> soft_at(const Image<float>& soft, const Eigen::Vector2f& pi
                  static_cast<int>(std::lround(pixel.y())));
 }
 
-/// Anywhere: a grey room's camera has the hues of its lamps and of its own white balance.
+/// Whether any pixel has a hue. One is enough: even in a grey room lamps and white balance tint the
+/// picture of a colour camera.
 bool has_hues(const Image<float>& soft_tint) {
   for (int y = kBlurReach; y < soft_tint.height() - kBlurReach; ++y) {
     for (int x = kBlurReach; x < soft_tint.width() - kBlurReach; ++x) {

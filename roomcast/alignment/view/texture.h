@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours of a view's surfaces, for comparing them with what another sensor sees: on every
-// second row and column of the depth grid, the point in space and the (slightly blurred) grey that
-// the colour camera saw there. Metres, grey 0..255. Thread-safe (immutable after being made).
+// The texture of a view's surfaces, for comparison with another sensor's view: on every second row
+// and column of the depth grid, the point in space and its slightly blurred grey in the colour
+// picture. Metres, grey 0..255. Thread-safe (immutable after being made).
 #pragma once
 
 #include <optional>
@@ -22,19 +22,20 @@ struct TexturedPoint {
 };
 
 inline constexpr int kTextureStep = 2;       // rows and columns of the depth grid
-inline constexpr int kTextureBlurReach = 4;  // pixels to each side that a grey is mixed from
+inline constexpr int kTextureBlurReach = 4;  // pixels: radius of the blur
 
 struct Texture {
   int width = 0, height = 0;          // of the grid
-  std::vector<TexturedPoint> points;  // row by row; only what both cameras see
-  Image<float> soft_grey;             // the colour picture, blurred as the points' greys are
-  Image<float> soft_tint;             // and as blurred
-  bool has_hues = false;              // a camera that sees only greys says nothing of hues
+  std::vector<TexturedPoint> points;  // row by row; only points that both cameras see
+  Image<float> soft_grey;             // the grey picture, blurred like the points' greys
+  Image<float> soft_tint;             // the tint picture, blurred alike
+  bool has_hues = false;              // false where the whole picture is grey
 };
 
 [[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
 
-/// The blurred grey, or tint, at a pixel of the colour picture; nothing outside it.
+/// The blurred grey, or tint, at a pixel of the colour picture; nothing outside it or closer to its
+/// border than kTextureBlurReach.
 [[nodiscard]] std::optional<float> texture_grey(const Texture& texture,
                                                 const Eigen::Vector2f& pixel);
 [[nodiscard]] std::optional<float> texture_tint(const Texture& texture,

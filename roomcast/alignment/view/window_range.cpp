@@ -6,8 +6,8 @@
 namespace roomcast::alignment {
 namespace {
 
-/// `fold(a, b)` over the window, first along rows, then along columns. Outside the picture there is
-/// `outside`.
+/// `fold(a, b)` over the window, first along rows, then along columns; `outside` applies beyond the
+/// picture.
 template <class Fold>
 Image<float> fold_window(const Image<float>& in, int reach, float outside, Fold fold) {
   const int width = in.width(), height = in.height();
