@@ -105,8 +105,8 @@ ClockEstimate ClockSync::estimate_at(HostTime now) const {
           error_of(best, now)};
 }
 
-// What the way takes if nothing waits: the shortest round trip, if several came close to it. Else
-// nothing is known of it, and it may be as short as it likes.
+// The round trip without waiting: the shortest one, if several are close to it. Else it is unknown,
+// and 0 is assumed.
 nanoseconds ClockSync::least_round_trip(const Exchange& newest) const {
   std::vector<nanoseconds> all = round_trips();
   all.push_back(newest.round_trip);
@@ -115,8 +115,8 @@ nanoseconds ClockSync::least_round_trip(const Exchange& newest) const {
   return all[kWitnesses - 1] <= all.front() + kAgreement ? all.front() : nanoseconds(0);
 }
 
-// What each of the two waited may have been in either direction; a difference beyond that cannot be
-// explained by the network.
+// The waiting of either exchange may have been in either direction; the network cannot explain a
+// larger difference.
 bool ClockSync::contradicts_what_is_believed(const Exchange& exchange) const {
   const ClockEstimate expected = estimate_at(exchange.received);
   const nanoseconds difference =

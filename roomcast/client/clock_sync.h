@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// ClockSync: where room time (the hub's monotonic clock) stands against this host's, and how fast
-// the two drift apart.
+// ClockSync: estimates the offset of room time (the hub's monotonic clock) from this host's clock,
+// and the drift between the two.
 //
-//   1. A ping that left at `sent` and came back at `received`, read by the hub at `hub`, says that
-//      room time is ahead by hub - (sent + received) / 2, give or take half of its round trip.
-//   2. Who waited behind a frame on its way says little, and nobody knows in which direction it is
-//      wrong: the quickest of recent exchanges is believed.
-//   3. The quickest of every kWindow exchanges is kept for a minute or so; the slope through those
+//   1. A ping that left at `sent`, was read by the hub at `hub` and was answered at `received`
+//      shows that room time is ahead by hub - (sent + received) / 2, plus or minus half of its
+//      round trip.
+//   2. An exchange that waited behind a frame has a large error of unknown sign: the recent
+//      exchange with the shortest round trip is used.
+//   3. The shortest of every kWindow exchanges is kept for a minute or so; the slope through those
 //      that hardly waited is the drift.
-//   4. Exchanges that contradict the believed one by more than either can have waited mean that a
-//      clock was set or stood still (a suspended computer). After kWitnesses of them everything
-//      starts anew.
+//   4. Exchanges that contradict the estimate by more than their waiting can explain mean that a
+//      clock was set or was stopped (a suspended computer). After kWitnesses of them the estimate
+//      is reset.
 //
 // Sources: Cristian 1989 (1); the minimum filter of NTP, RFC 5905 section 10 (2); the slope is the
-// median of all slopes between two points, Theil 1950 and Sen 1968: a few bad points do not move it
-// (3). docs/spec/wire.md section 3, "Clock". A way that is always slower in one direction than in
-// the other cannot be seen from here; half of the difference is an error that stays. Pure.
+// median of all slopes between two points, Theil 1950 and Sen 1968, which is robust against a few
+// outliers (3). docs/spec/wire.md section 3, "Clock". A constant asymmetry of the two directions
+// cannot be measured here; half of the difference remains as an error. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -35,18 +36,18 @@ class ClockSync {
   static constexpr std::size_t kHistory = 20;  // windows
   static constexpr std::size_t kFewestForDrift = 5;
   static constexpr std::size_t kWitnesses = 3;
-  static constexpr double kLargestDrift = 100e-6;     // of two quartz clocks
-  static constexpr double kDriftUncertainty = 10e-6;  // once it has been measured
-  /// Two exchanges that did not wait agree to this much: what programs need to wake up.
+  static constexpr double kLargestDrift = 100e-6;     // between two quartz clocks
+  static constexpr double kDriftUncertainty = 10e-6;  // once the drift has been measured
+  /// Two exchanges without waiting agree within this time: the time programs need to wake up.
   static constexpr nanoseconds kAgreement{500'000};
-  static constexpr nanoseconds kFarthest{std::int64_t{1} << 60};  // 36 years; no clock shows more
+  static constexpr nanoseconds kFarthest{std::int64_t{1} << 60};  // larger times are invalid
 
-  /// A ping left at `sent`, the hub read it at `hub`, its answer came at `received`; in the order
-  /// of `received`. An answer from before its question is ignored, and so are times that no clock
-  /// shows.
+  /// Adds an exchange: a ping left at `sent`, the hub read it at `hub`, the answer came at
+  /// `received`; in the order of `received`. An answer that precedes its ping is ignored, and so
+  /// are times beyond kFarthest.
   void add(HostTime sent, RoomTime hub, HostTime received);
 
-  /// Nothing before the first exchange.
+  /// The estimate at the newest exchange; nothing before the first one.
   [[nodiscard]] std::optional<ClockEstimate> estimate() const;
 
  private:
@@ -68,10 +69,10 @@ class ClockSync {
   [[nodiscard]] bool contradicts_what_is_believed(const Exchange& exchange) const;
 
   std::deque<Exchange> window_;   // newest last, at most kWindow
-  std::deque<Exchange> history_;  // the quickest of each full window, at most kHistory
+  std::deque<Exchange> history_;  // the shortest round trip of each full window, at most kHistory
   std::size_t since_remembered_ = 0;
   std::optional<double> drift_;
-  std::deque<Exchange> witnesses_;  // of a clock that was set
+  std::deque<Exchange> witnesses_;  // exchanges that contradict the estimate
 };
 
 }  // namespace roomcast::client

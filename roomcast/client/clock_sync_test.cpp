@@ -86,7 +86,7 @@ TEST(ClockSync, the_error_bound_holds_on_a_network_that_is_slow_one_way) {
   EXPECT_LT(sync.estimate()->error, 10ms);
 }
 
-/// Asks for `seconds`, at a sensor's pace, and looks at every frame how wrong the time is.
+/// Pings for `seconds` at a sensor's rate and returns the time error at every frame.
 std::vector<double> errors_s(ClockSync& sync, SimulatedClocks& clocks, double from_s,
                              double seconds) {
   PingSchedule pace(PingSchedule::kOfSensor, 3);
@@ -171,7 +171,7 @@ TEST(ClockSync, a_way_that_grows_longer_is_no_step) {
 }
 
 TEST(ClockSync, a_way_that_is_always_full_does_not_look_like_a_step) {
-  SimulatedClocks clocks({.frame_on_the_way_s = 0.3}, 1, 0);  // everything waits, differently long
+  SimulatedClocks clocks({.frame_on_the_way_s = 0.3}, 1, 0);  // all pings wait, for varying times
   ClockSync sync;
   errors_s(sync, clocks, 0, 60);
   const auto estimate = sync.estimate();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SimulatedClocks: a host, a hub and a slow network between them, for tests of ClockSync. The
-// host's frames leave at a fixed rate and fill the way for a while; a ping that leaves meanwhile
-// waits. Times are true seconds; the two clocks differ by `offset_s` and drift apart. Pure, seeded.
+// host's frames leave at a fixed rate and occupy the link for a while; a ping that leaves meanwhile
+// waits. Times are true seconds; the two clocks differ by `offset_s` and drift apart. No I/O;
+// seeded.
 #pragma once
 
 #include <cmath>
@@ -16,7 +17,7 @@ struct SimulatedNetwork {
   double one_way_s = 0.025;
   double frame_period_s = 1.0 / 30;
   double frame_on_the_way_s = 0.008;  // 20 KB at 20 Mbit/s; 0: no frames
-  double wake_up_s = 10e-6;           // average, of a program whose message has come
+  double wake_up_s = 10e-6;           // mean wake-up time of a program after a message
   double outlier_share = 0.01, outlier_s = 0.2;
 };
 
@@ -32,10 +33,10 @@ class SimulatedClocks {
     return RoomTime(
         nanoseconds(static_cast<std::int64_t>((true_s * (1 + drift_) + offset_s_) * 1e9)));
   }
-  /// The hub's clock is set.
+  /// Sets the hub's clock forward.
   void step(double by_s) { offset_s_ += by_s; }
 
-  /// A ping that leaves at `sent_s` and all that follows; returns when its answer came.
+  /// Simulates a ping that leaves at `sent_s`; returns the time of its answer.
   double ping(ClockSync& sync, double sent_s) {
     const double hub_s = sent_s + wait_behind_frame(sent_s) + way_s();
     const double received_s = hub_s + way_s();
@@ -43,7 +44,7 @@ class SimulatedClocks {
     return received_s;
   }
 
-  /// How wrong the estimate is about a frame that is taken now.
+  /// The error of the estimate for a frame captured at `true_s`.
   [[nodiscard]] double error_s(const ClockEstimate& estimate, double true_s) const {
     const nanoseconds error = estimate.room_time(host(true_s)) - room(true_s);
     return std::abs(static_cast<double>(error.count()) * 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Credential: why a hub should let a client in. A code is good for once: the hub answers it with a
-// token, which is shown from then on. Plain data.
+// Credential: authorizes a client to join a hub. A code is valid once: the hub answers it with a
+// token, which is used from then on. Plain data.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@
 namespace roomcast::client {
 
 struct Credential {
-  std::string token;  // both empty: where everybody may come
+  std::string token;  // both empty: for rooms that are open to all
   std::string code;
 };
 
-/// What somebody was given, token or code: a token is a JWT, whose parts are separated by dots.
+/// Distinguishes a token from a code: a token is a JWT, whose parts are separated by dots.
 [[nodiscard]] inline Credential credential_of(std::string text) {
   if (text.find('.') == std::string::npos) return {.token = {}, .code = std::move(text)};
   return {.token = std::move(text), .code = {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A control message as a connection sends it.
+// Encodes and frames a control message for a connection.
 #pragma once
 
 #include <utility>

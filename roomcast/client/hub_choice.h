@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubChoice: at which of several hubs a client is. It knocks at all of them and stays at the one
-// that answers first: the nearest, unless that one is so busy that it takes longer to answer than
-// one farther away (who knocks at a hub is served after who is inside). It stays where it is; when
-// that hub is gone, or has refused it, it knocks at the others at once, and only when all have
-// failed in a row it waits. To those that it was given come those that its hub names. Pure.
+// HubChoice: selects one of several hubs. The client connects to all of them and stays at the one
+// that answers first: the nearest, unless that one is so busy that its answer takes longer than
+// that of a hub farther away (a hub serves new connections after established ones). The client
+// stays there; if that hub fails or refuses it, it tries the others at once, and waits only after
+// all have failed in a row. Hubs that the current hub names are added to the configured ones. No
+// I/O.
 #pragma once
 
 #include <chrono>
@@ -23,24 +24,24 @@ class HubChoice {
   /// At least one.
   HubChoice(std::vector<net::HubUrl> named, std::uint32_t seed);
 
-  /// Where to knock now, all at once.
+  /// The hubs to connect to now, all at once.
   [[nodiscard]] std::vector<net::HubUrl> to_try() const;
-  /// The one that answered last; at first the first one named.
+  /// The hub that answered last; initially the first configured one.
   [[nodiscard]] const net::HubUrl& current() const { return hubs_[current_]; }
   [[nodiscard]] bool has_others() const { return hubs_.size() > 1; }
 
-  /// Other hubs that have the room now, as the current one says; what it said before is forgotten.
-  /// Not an address: left out.
+  /// Sets the other hubs of the room, as reported by the current one; they replace those reported
+  /// before. Invalid addresses are omitted.
   void learn(const std::vector<std::string>& urls);
-  /// This one did so first, of those to try.
+  /// This hub was the first of to_try() to answer.
   void answered(const net::HubUrl& hub);
   void welcomed() { failures_ = 0; }
-  /// It went well for a while.
+  /// The connection was stable for a while.
   void settled() { pace_.succeeded(); }
-  /// The current one is gone, or has sent us away. How long to wait before knocking again, at the
-  /// others if there are any.
+  /// The current hub failed or refused the client. Returns the time to wait before the next
+  /// attempt, which is at the others if there are any.
   [[nodiscard]] std::chrono::nanoseconds failed();
-  /// None did. How long to wait before knocking again, at all.
+  /// No hub answered. Returns the time to wait before the next attempt at all hubs.
   [[nodiscard]] std::chrono::nanoseconds nobody_answered();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FakeHub: the other side of a client under test. Welcomes whoever joins, remembers what it heard,
-// and says what it is told. Threading: lives on the thread that runs `io`.
+// FakeHub: the hub of a client under test. Welcomes clients, records what they send, and sends what
+// the test requests. Threading: lives on the thread that runs `io`.
 #pragma once
 
 #include <deque>
@@ -36,7 +36,7 @@ class FakeHub {
   [[nodiscard]] std::uint16_t port() const { return server_->port(); }
   [[nodiscard]] std::string url() const { return "ws://127.0.0.1:" + std::to_string(port()); }
 
-  /// To the client that came last.
+  /// Sends to the client that connected last.
   void say(net::FramedMessagePtr message) {
     to_say_->push_back(std::move(message));
     connection_->wake();
@@ -50,15 +50,15 @@ class FakeHub {
   }
   void hang_up() { connection_->close(net::close_code::kGoingAway, "the hub stops"); }
 
-  std::vector<wire::pb::Control> heard;   // but for pings, which are answered
-  std::vector<wire::FrameHeader> frames;  // headers of what was published
+  std::vector<wire::pb::Control> heard;   // without pings, which are answered
+  std::vector<wire::FrameHeader> frames;  // headers of published frames
   int joins = 0;
   std::function<void()> on_join = [] {};  // after the welcome
   std::optional<wire::pb::ErrorCode> refuse_joins_with;
   bool lets_joins_wait = false;
   bool lets_record = true, lets_export = true;
-  std::chrono::nanoseconds clock_ahead{};  // of this fake's clock
-  std::chrono::nanoseconds far_away{};     // that questions and answers seem to take
+  std::chrono::nanoseconds clock_ahead{};  // offset of this hub's clock
+  std::chrono::nanoseconds far_away{};     // simulated travel time of a ping and its answer
 
  private:
   using Messages = std::deque<net::FramedMessagePtr>;

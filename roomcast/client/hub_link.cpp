@@ -15,13 +15,13 @@ namespace {
 
 namespace pb = wire::pb;
 
-/// A connection that ended sooner counts as one more failure: whoever is thrown out again and again
-/// does not come back every 250 ms.
+/// A connection shorter than this counts as a failure: a client that is disconnected again and
+/// again then backs off instead of returning every 250 ms.
 constexpr std::chrono::seconds kSettled{5};
 
-/// Trying again would not help: the same join would be refused again, or would throw out whoever
-/// replaced us. What goes wrong after the welcome (a hub whose machine slept finds our clock far
-/// ahead of its own, for example) need not go wrong on the next connection.
+/// Errors after which a retry is useless: the same join would be refused again, or would displace
+/// the client that replaced this one. An error after the welcome may be temporary (for example, a
+/// hub that was suspended finds the client's clock far ahead of its own).
 bool is_final(pb::ErrorCode code, bool had_been_welcomed) {
   if (code == pb::ERROR_REPLACED) return true;
   return !had_been_welcomed && code != pb::ERROR_ROOM_FULL && code != pb::ERROR_TOO_SLOW &&
@@ -30,8 +30,7 @@ bool is_final(pb::ErrorCode code, bool had_been_welcomed) {
 
 }  // namespace
 
-// Outlives the link when the link goes first: it then reports to nobody. The socket owns it, not
-// the other way round.
+// May outlive the link and then reports to nothing. The socket owns it, not vice versa.
 class HubLink::Connection final : public net::ConnectionHandler {
  public:
   Connection(const std::shared_ptr<net::WebSocketConnection>& socket, HubLink& link)
@@ -152,8 +151,8 @@ void HubLink::cancel_attempts() {
   for (const auto& attempt : std::exchange(attempts_, {})) attempt->cancel();
 }
 
-// What answers otherwise than a hub is none, and trying again is useless. But where a hub was
-// before, it is somebody in between (a reverse proxy) whose hub starts again.
+// A server that does not answer like a hub is not a hub, and a retry is useless. After a welcome,
+// however, such an answer comes from a reverse proxy whose hub restarts.
 void HubLink::on_nobody(const Error& reason) {
   const bool is_no_hub =
       reason.code == ErrorCode::kUnsupported && !was_welcome_ && !hubs_.has_others();
@@ -181,12 +180,12 @@ void HubLink::on_ended(const net::CloseReason& reason) {
   const Error error{ErrorCode::kClosed, sentence};
   if (is_over()) return give_up(error);
   const nanoseconds pause = hubs_.failed();
-  const bool is_redirected = refusal_ && refusal_code_ == pb::ERROR_BUSY && !welcomed_at_;
-  if (is_redirected && pause == nanoseconds(0)) return connect_after(pause);  // nothing went down
+  const bool is_sent_on = refusal_ && refusal_code_ == pb::ERROR_BUSY && !welcomed_at_;
+  if (is_sent_on && pause == nanoseconds(0)) return connect_after(pause);  // not a failure
   retry_after(pause, error);
 }
 
-/// Another hub may know us better than this one.
+/// Whether the refusal is final. After an earlier welcome another hub may still accept this client.
 bool HubLink::is_over() const {
   if (!refusal_ || !is_final(refusal_code_, welcomed_at_.has_value())) return false;
   return refusal_code_ == pb::ERROR_REPLACED || !was_welcome_ || !hubs_.has_others();
@@ -199,7 +198,7 @@ void HubLink::give_up(const Error& reason) {
 
 void HubLink::retry_after(nanoseconds pause, const Error& reason) {
   connect_after(pause);
-  events_.on_down(reason, false);  // last: it may call stop()
+  events_.on_down(reason, false);  // must be last: it may call stop()
 }
 
 void HubLink::connect_after(nanoseconds pause) {
@@ -233,7 +232,7 @@ void HubLink::take(net::MessageBuffer message) {
 void HubLink::take_control(std::span<const std::uint8_t> message) {
   const auto control = wire::decode_control(
       message, join_.has_aligner() ? wire::Sender::kHubToAligner : wire::Sender::kHub);
-  if (!control) return;  // of a later version, or damaged: nothing that we could act on
+  if (!control) return;  // of a later version, or damaged: ignored
   switch (control->message_case()) {
     case pb::Control::kWelcome:
       was_welcome_ = true;
@@ -258,7 +257,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
   }
 }
 
-/// A code is used up; what came for it lets us in again.
+/// A code is valid once; the token that it was exchanged for serves for later joins.
 void HubLink::keep_token(const pb::Welcome& welcome) {
   if (welcome.token().empty()) return;
   join_.set_token(welcome.token());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubLink: a client's connection to its hub: joins, keeps the clock, and comes back when the
-// connection breaks or the hub falls silent, at the next one where there are several, until the hub
-// refuses it for good. What sensors and viewers have in common.
-// Threading: lives on one io_context; everything, the events too, happens on the thread that runs
-// it.
+// HubLink: a client's connection to its hub, for sensors and viewers alike. It joins, synchronizes
+// the clock, and reconnects when the connection breaks or the hub falls silent, at another hub if
+// there are several, until the hub refuses it for good.
+// Threading: lives on one io_context; everything, including the events, happens on the thread that
+// runs it.
 #pragma once
 
 #include <functional>
@@ -30,39 +30,39 @@ namespace roomcast::client {
 class HubLinkEvents {
  public:
   virtual ~HubLinkEvents() = default;
-  /// A new connection: everything starts anew.
+  /// A new connection: all state of the previous one is invalid.
   virtual void on_welcome(const wire::pb::Welcome& welcome) = 0;
-  /// Any other message that the link does not deal with itself.
+  /// A message that the link does not handle itself.
   virtual void on_control(const wire::pb::Control& message) = 0;
   virtual void on_frame(net::MessageBuffer message) = 0;
-  /// Nothing more came with these frames.
+  /// No more messages are in the data read so far.
   virtual void on_frames_done() {}
   /// The next frame to send, null for none; asked again after wake().
   virtual net::FramedMessagePtr next_frame() = 0;
-  /// A better idea of room time.
+  /// A better estimate of room time.
   virtual void on_clock(const ClockEstimate& estimate) = 0;
-  /// No connection now. `final`: and there will be none, the hub said why; else the link goes on
-  /// trying.
+  /// There is no connection now. `final`: the hub refused it for good, and the reason says why;
+  /// else the link keeps trying.
   virtual void on_down(const Error& reason, bool final) = 0;
 };
 
 class HubLink {
  public:
-  /// Twice a second and more the hub has a question to answer: when nothing comes for this long, it
-  /// is gone although nobody said so (a cable pulled, a machine that sleeps).
+  /// The hub has a ping to answer at least twice a second. If nothing arrives for this long, the
+  /// hub is gone although the connection was not closed (a cable pulled, a suspended machine).
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::seconds(3),
                                                    .give_up_after = std::chrono::seconds(8)};
-  /// Where there is another hub to go on at, nobody has to wait long for one that hangs. A hub that
-  /// is there answers within milliseconds, also a busy one (who is inside is served first), and
-  /// what its answers take on a long way is added; who was wrong goes on elsewhere with a new key
+  /// Shorter timeouts if there is another hub to switch to. A live hub answers within milliseconds,
+  /// even a busy one (established connections have priority), and the travel time of its answers is
+  /// added to the timeout; after a wrong decision the client continues elsewhere with a new key
   /// frame.
   static constexpr net::ConnectionTimings kTimingsWithOthers{
       .ping_after = std::chrono::milliseconds(250),
       .give_up_after = std::chrono::milliseconds(700)};
 
   struct Options {
-    std::optional<net::ConnectionTimings> timings = {};  // other ones than the above
-    std::optional<PingSchedule::Rhythm> pings = {};      // another one than goes with the role
+    std::optional<net::ConnectionTimings> timings = {};  // override the above
+    std::optional<PingSchedule::Rhythm> pings = {};      // overrides that of the role
   };
 
   /// At least one hub.
@@ -76,11 +76,11 @@ class HubLink {
   HubLink& operator=(const HubLink&) = delete;
 
   void start();
-  /// Leaves in good order; the io_context runs out of work when it is done.
+  /// Leaves cleanly; afterwards the io_context runs out of work.
   void stop();
-  /// next_frame() has something.
+  /// Signals that next_frame() has a frame.
   void wake();
-  /// Dropped when there is no connection, or when too many wait.
+  /// Dropped if there is no connection, or if too many messages are queued.
   void send(const wire::pb::Control& message);
 
  private:
@@ -112,15 +112,15 @@ class HubLink {
   const std::optional<net::ConnectionTimings> timings_;
   SteadyClock clock_;
   ClockSync clock_sync_;
-  std::shared_ptr<Connection> connection_;                      // null while there is none
-  std::vector<std::shared_ptr<net::ConnectAttempt>> attempts_;  // at hubs that are knocked at
-  std::size_t unanswered_ = 0;                                  // of these
+  std::shared_ptr<Connection> connection_;                      // null without a connection
+  std::vector<std::shared_ptr<net::ConnectAttempt>> attempts_;  // pending connection attempts
+  std::size_t unanswered_ = 0;                                  // attempts that have not failed yet
   boost::asio::steady_timer retry_timer_;
   boost::asio::steady_timer ping_timer_;
   PingSchedule ping_schedule_;
-  bool was_welcome_ = false;             // on any connection
-  std::optional<HostTime> welcomed_at_;  // on this one
-  std::optional<Error> refusal_;         // what the hub said before it closed
+  bool was_welcome_ = false;             // ever, on any connection
+  std::optional<HostTime> welcomed_at_;  // on the current connection
+  std::optional<Error> refusal_;         // the error that the hub sent before it closed
   wire::pb::ErrorCode refusal_code_ = wire::pb::ERROR_UNSPECIFIED;
   bool stopped_ = false;
 };

@@ -55,7 +55,7 @@ class HubLinkTest : public testing::Test {
     run_until([&] { return heard.welcomes.size() == 1; });
   }
 
-  /// Answers everything with 404, as a proxy without its hub may.
+  /// Answers every request with 404, like a proxy whose hub is down.
   std::unique_ptr<net::HttpServer> web_server(std::uint16_t port) {
     net::HttpServerOptions options;
     options.port = port;
@@ -116,7 +116,7 @@ TEST_F(HubLinkTest, waits_for_a_hub_that_is_not_there_yet) {
   run_until([&] { return heard.welcomes.size() == 1; });
 }
 
-/// A hub that nobody runs any more: its connections stay open, and nothing comes.
+/// A hub whose event loop has stopped: its connections stay open, and nothing arrives.
 TEST(HubLink, a_hub_that_falls_silent_is_given_up_and_tried_again) {
   boost::asio::io_context hub_io, io;
   FakeHub hub(hub_io);
@@ -242,7 +242,7 @@ TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
   EXPECT_FALSE(next.heard.empty());
 }
 
-/// A hub that names another one, and then hangs.
+/// A hub that names another one and then hangs.
 class HubThatHangs : public testing::Test {
  protected:
   explicit HubThatHangs(std::chrono::nanoseconds far_away = {}) {
@@ -256,7 +256,8 @@ class HubThatHangs : public testing::Test {
     run_both_until([this] { return heard.clock.has_value(); });
   }
 
-  /// The client goes on at the other one. Returns how long it was that nothing came, at least.
+  /// Waits until the client is at the other hub. Returns a lower bound of the time without
+  /// messages.
   std::chrono::nanoseconds wait_until_left() {
     const auto begin = std::chrono::steady_clock::now();
     wire::pb::Control last;
@@ -284,7 +285,8 @@ class HubThatHangs : public testing::Test {
   HubLink link{io, *net::parse_hub_urls(hangs.url()), viewers_join(), heard};
 };
 
-/// It is told of the other hub when it is connected, and waits no longer from then on.
+/// The client learns of the other hub while it is connected; the shorter timeout applies from then
+/// on.
 TEST_F(HubThatHangs, is_left_soon) {
   static_assert(HubLink::kTimings.give_up_after > 5s);
   wait_until_left();

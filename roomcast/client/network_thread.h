@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NetworkThread: an event loop and the thread that runs it, from start() to finish().
-// Threading: start() and finish() from the owner's thread; io() hands out work for the loop's own.
+// NetworkThread: an event loop and the thread that runs it, from start() to finish(). Threading:
+// start() and finish() from the owner's thread; work posted to io() runs on the loop's thread.
 #pragma once
 
 #include <future>
@@ -21,7 +21,7 @@ class NetworkThread {
     thread_ = std::jthread([this] { io_.run(); });
   }
 
-  /// Does `action` on the loop and waits for it. Not from the loop's own thread.
+  /// Runs `action` on the loop and waits for it. Not to be called from the loop's thread.
   template <class Action>
   void run(Action action) {
     std::promise<void> done;
@@ -32,8 +32,8 @@ class NetworkThread {
     done.get_future().get();
   }
 
-  /// Does `last` on the loop and waits until nothing is left to do. `last` has to end what would go
-  /// on for ever.
+  /// Runs `last` on the loop and waits until no work is left. `last` has to end all work that would
+  /// otherwise not end.
   template <class Last>
   void finish(Last last) {
     boost::asio::post(io_, [this, last = std::move(last)]() mutable {

@@ -26,7 +26,7 @@ pb::Join join_message(const NudgeOptions& options) {
   return join;
 }
 
-/// One guess and its answer: the sensor's entry in the roster changes.
+/// Sends one prior and waits for the answer: a change of the sensor's entry in the roster.
 class Asking final : public HubLinkEvents {
  public:
   Asking(std::vector<net::HubUrl> hubs, const NudgeOptions& options)
@@ -77,7 +77,7 @@ class Asking final : public HubLinkEvents {
     link_.send(message);
   }
 
-  /// The first one counts.
+  /// Only the first answer counts.
   void answer(Answer found) {
     if (!std::exchange(answered_, true)) answer_.set_value(std::move(found));
   }
@@ -85,7 +85,7 @@ class Asking final : public HubLinkEvents {
   const NudgeOptions& options_;
   std::promise<Answer> answer_;
   NetworkThread network_;
-  std::optional<pb::SensorEntry> before_;  // the network thread's own, as is what follows
+  std::optional<pb::SensorEntry> before_;  // this and the following: network thread only
   bool answered_ = false;
   HubLink link_;
 };
@@ -93,8 +93,8 @@ class Asking final : public HubLinkEvents {
 }  // namespace
 
 RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions& options) {
-  const Eigen::AngleAxisd turn(options.turn_rad, Eigen::Vector3d::UnitY());  // the world's
-  const Eigen::AngleAxisd tilt(options.tilt_rad, Eigen::Vector3d::UnitX());  // the sensor's
+  const Eigen::AngleAxisd turn(options.turn_rad, Eigen::Vector3d::UnitY());  // world axis
+  const Eigen::AngleAxisd tilt(options.tilt_rad, Eigen::Vector3d::UnitX());  // sensor axis
   return {turn * world_from_depth.rotation * tilt,
           world_from_depth.translation_m + options.shift_m};
 }

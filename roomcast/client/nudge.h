@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells a hub's aligner a person's guess where a sensor stands, and waits for what it makes of it.
+// Sends a person's prior for a sensor's pose to the hub's aligner, and waits for the answer.
 // Metres, radians. Threading: thread-safe (no state); blocks.
 #pragma once
 
@@ -16,12 +16,12 @@ namespace roomcast::client {
 
 struct NudgeOptions {
   std::string hub_url;
-  std::string room;            // empty: the hub's only one
+  std::string room;            // empty: the hub's only room
   Credential credential = {};  // an admin's
   std::string sensor;
   Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // along the world's axes, y up
-  double turn_rad = 0;  // about the vertical, counter-clockwise from above, where it stands
-  double tilt_rad = 0;  // about its own horizontal axis, upwards
+  double turn_rad = 0;  // counter-clockwise from above, about the sensor's position
+  double tilt_rad = 0;  // about the sensor's own horizontal axis, upwards
   std::chrono::milliseconds patience = std::chrono::seconds(20);
 };
 
@@ -30,11 +30,11 @@ struct NudgedSensor {
   double expected_error_mm = 0;
 };
 
-/// Where the sensor stands from now on. kUnavailable: why the aligner did not take the guess, or
-/// that nobody answered. kNotFound: there is no such sensor. Else why there is no connection.
+/// The new pose of the sensor. kUnavailable: the aligner rejected the prior, with the reason, or no
+/// answer came. kNotFound: there is no such sensor. Else the reason why there is no connection.
 [[nodiscard]] Result<NudgedSensor> nudge_sensor(const NudgeOptions& options);
 
-/// It is tilted and turns where it stands, then it is shifted.
+/// Tilts and turns the sensor about its own position, then shifts it.
 [[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,
                                     const NudgeOptions& options);
 

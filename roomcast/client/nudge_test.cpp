@@ -40,7 +40,7 @@ RigidTransform at(double x) {
   return pose;
 }
 
-/// A hub that shows a sensor at x = 1 and gives this answer to a nudge.
+/// A hub with a sensor at x = 1 that answers a nudge with this message.
 class NudgeTest : public testing::Test {
  protected:
   NudgeTest() {
@@ -56,7 +56,7 @@ class NudgeTest : public testing::Test {
   void show_roster() {
     run([](FakeHub& own) { own.on_join = [&own] { own.say(roster(at(1))); }; });
   }
-  /// Once it has heard a nudge.
+  /// Sends the answer after the hub has received a nudge.
   std::jthread answering(wire::pb::Control answer) {
     return std::jthread([this, answer](const std::stop_token& stop) {
       while (!stop.stop_requested()) {

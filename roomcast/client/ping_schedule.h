@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// PingSchedule: how long a client waits before it asks for room time again. The first few questions
-// come quickly, to know the time soon; later ones at random distances, because frames come at
-// regular ones, and a ping that falls in step with them waits behind a frame every time
-// (measured: 6.9 ms wrong instead of 7 us). docs/spec/wire.md section 3, "Clock". Pure.
+// PingSchedule: the time between two clock pings of a client. The first few pings are close
+// together, for a quick estimate; later ones come at random intervals, because frames come at
+// regular ones, and a ping in phase with them would wait behind a frame every time (measured: 6.9
+// ms wrong instead of 7 us). docs/spec/wire.md section 3, "Clock". No I/O.
 #pragma once
 
 #include <chrono>
@@ -14,27 +14,27 @@ namespace roomcast::client {
 class PingSchedule {
  public:
   struct Rhythm {
-    int quick;                          // at first, one every kQuickPing
-    std::chrono::milliseconds average;  // then
-    int settling;                       // how many come every kSettling before that
+    int quick;                          // initial pings, one every kQuickPing
+    std::chrono::milliseconds average;  // mean interval of the later pings
+    int settling;  // before that, pings with a mean interval of kSettling, up to this count
   };
   static constexpr std::chrono::milliseconds kQuickPing{20}, kSettling{100};
-  static constexpr double kSpread = 0.7;  // of the average, either way
+  static constexpr double kSpread = 0.7;  // of the mean interval, in either direction
 
-  /// 160 are what ClockSync needs to know the drift. Who stamps frames needs the time to
-  /// microseconds; who shows them does not.
+  /// ClockSync needs 160 pings to measure the drift. Sensors, which time-stamp frames, need the
+  /// time to microseconds; viewers do not.
   static constexpr Rhythm kOfSensor{.quick = 5, .average = kSettling, .settling = 0};
   static constexpr Rhythm kOfViewer{
       .quick = 5, .average = std::chrono::milliseconds(500), .settling = 160};
-  /// A hub that serves on what another one has begins anew for everybody who comes to look, and
-  /// each question wakes this hub twice and the other one once, which costs more than a set of
-  /// frames. In two seconds clocks part by no more than 0.2 ms.
+  /// A relaying hub connects anew for every viewer, and each ping wakes this hub twice and the
+  /// other hub once, which costs more than a set of frames. In two seconds the clocks drift apart
+  /// by no more than 0.2 ms.
   static constexpr Rhythm kOfHub{
       .quick = 32, .average = std::chrono::milliseconds(2000), .settling = 0};
 
   PingSchedule(const Rhythm& rhythm, std::uint32_t seed) : rhythm_(rhythm), random_(seed) {}
 
-  /// A new connection: begin with the quick ones.
+  /// A new connection: start with the quick pings again.
   void start_anew() { pings_ = 0; }
 
   [[nodiscard]] std::chrono::nanoseconds next() {

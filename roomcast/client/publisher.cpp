@@ -126,7 +126,7 @@ class Publisher::Link final : public HubLinkEvents {
 
   void on_welcome(const wire::pb::Welcome& welcome) override;
   void on_control(const wire::pb::Control& message) override;
-  void on_frame(net::MessageBuffer) override {}  // a hub sends a sensor none
+  void on_frame(net::MessageBuffer) override {}  // a hub sends no frames to a sensor
   net::FramedMessagePtr next_frame() override;
   void on_clock(const ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
@@ -140,11 +140,11 @@ class Publisher::Link final : public HubLinkEvents {
     wire::pb::SightingRequest wanted_sightings;
     std::optional<ClockEstimate> clock;
     std::size_t unsent = 0;
-    std::optional<Error> down;     // why there is no connection at the moment
-    std::optional<Error> failure;  // why there never will be
+    std::optional<Error> down;     // why there is no connection now
+    std::optional<Error> failure;  // why the connection ended for good
     PublisherStats stats;
   };
-  /// Of one session, for the publishing thread alone.
+  /// The frame numbers of one session; used by the publishing thread only.
   struct Sequence {
     std::uint64_t session = 0;
     std::uint32_t next_seq = 0;
@@ -159,23 +159,24 @@ class Publisher::Link final : public HubLinkEvents {
 
   PublisherOptions options_;
   Sequence sequence_;
-  SendRate send_rate_;  // the publishing thread's, too
+  SendRate send_rate_;  // also used by the publishing thread only
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Shared shared_;
 
-  // The network thread's own.
+  // Used by the network thread only.
   NetworkThread network_;
   std::deque<net::FramedMessagePtr> unsent_;
   std::optional<wire::pb::Control> bundle_;
-  bool moved_ = false;  // ever
+  bool moved_ = false;  // true since the first move
   HubLink link_;
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   unsent_.clear();
-  // It has just told its pose once more, or the hub recalled one; both may be from before.
+  // The join has just sent the configured pose again, or the hub has restored a stored one; both
+  // may predate the move.
   if (moved_ && (!bundle_ || options_.world_from_depth)) link_.send(moved_message());
   if (bundle_) link_.send(*bundle_);
   {
@@ -218,7 +219,7 @@ void Publisher::Link::on_clock(const ClockEstimate& estimate) {
 }
 
 void Publisher::Link::on_down(const Error& reason, bool final) {
-  unsent_.clear();  // they carry an id that the next connection need not have
+  unsent_.clear();  // they carry an ID that may be invalid on the next connection
   bool is_news = false;
   {
     std::lock_guard lock(mutex_);
@@ -253,7 +254,7 @@ std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
   return header;
 }
 
-/// It has a number all the same, so that others can count it. Under the lock.
+/// A skipped frame still gets a number, so that receivers can count it. Under the lock.
 void Publisher::Link::leave_one_out() {
   ++shared_.stats.frames_skipped;
   const bool has_sent = sequence_.session == shared_.session && sequence_.base_seq;

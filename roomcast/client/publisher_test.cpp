@@ -35,7 +35,7 @@ class PublisherTest : public testing::Test {
     network.finish([this] { hub.close(); });
   }
 
-  /// What the hub has, asked on its own thread.
+  /// Evaluates `question` about the hub on its own thread.
   template <class Question>
   auto ask_hub(Question question) {
     std::promise<decltype(question(*hub))> answer;
@@ -96,7 +96,7 @@ TEST_F(PublisherTest, frames_are_numbered_and_name_the_frame_they_need) {
   std::size_t sent = 0;
   for (const auto& info : {kKey, kDroppable, kBase, kDroppable}) {
     ASSERT_TRUE(publish(wait_for_turn(), info).has_value());
-    ASSERT_EQ(wait_for_frames(++sent).size(), sent);  // a turn that is not given counts as well
+    ASSERT_EQ(wait_for_frames(++sent).size(), sent);  // a turn that is refused counts as well
   }
   const auto frames = wait_for_frames(4);
   ASSERT_EQ(frames.size(), 4u);
@@ -117,7 +117,7 @@ TEST_F(PublisherTest, capture_times_are_room_time) {
   const auto off =
       frames[0].capture_time.time_since_epoch() - SteadyClock().now().time_since_epoch();
   EXPECT_LT(std::chrono::abs(off),
-            5s);  // the clocks are the same here; the test machine may stand still
+            5s);  // both clocks are the same here; the test machine may stall
   EXPECT_NE(frames[0].clock_error_us, wire::kClockErrorUnknown);
 }
 
@@ -138,10 +138,10 @@ TEST_F(PublisherTest, a_key_request_reaches_the_encoder) {
 
 TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
   (void)wait_for_turn();  // the clock is known
-  // The hub's thread stands still, so nothing is read and the socket fills.
+  // The hub's thread is blocked, so nothing is read and the socket fills.
   std::promise<void> go_on;
   boost::asio::post(network.io(), [future = go_on.get_future().share()] { future.wait(); });
-  constexpr std::size_t kMaxFramesInSockets = 100;  // of 1 MiB: more than both socket buffers hold
+  constexpr std::size_t kMaxFramesInSockets = 100;  // of 1 MiB: more than both socket buffers take
   std::size_t sent = 0;
   const auto give_up = std::chrono::steady_clock::now() + 5s;
   auto last_sent = std::chrono::steady_clock::now();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// SendRate: how much of the full rate the way to the hub seems to carry, from what the sending side
-// sees itself: frames pile up unsent when the network takes them more slowly than they come. Cuts
-// at once, then tries a little more every second, as TCP does (additive increase, multiplicative
-// decrease: Chiu and Jain 1989). Pure.
+// SendRate: estimates the share of the full rate that the connection to the hub carries, on the
+// sending side only: frames queue up when the network is slower than the source. Cuts at once, then
+// raises a little every second, as TCP does (additive increase, multiplicative decrease: Chiu and
+// Jain 1989). No I/O.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ class SendRate {
  public:
   static constexpr double kMinShare = 0.2;
   static constexpr double kCut = 0.7, kRaise = 0.05;
-  static constexpr std::chrono::milliseconds kCutInterval{500};  // a cut takes time to show
+  static constexpr std::chrono::milliseconds kCutInterval{500};  // time for a cut to take effect
   static constexpr std::chrono::seconds kRaiseInterval{1};
 
-  /// A frame had to be left out because those before it are still unsent.
+  /// A frame was skipped because earlier ones are still unsent.
   void piled_up(HostTime now) {
     if (last_cut_ && now < *last_cut_ + kCutInterval) {
       last_change_ = now;

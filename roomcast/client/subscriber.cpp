@@ -90,10 +90,10 @@ class Subscriber::Link final : public HubLinkEvents {
   std::optional<Error> down_;
   std::optional<Error> failure_;
 
-  // The network thread's own.
+  // Used by the network thread only.
   SteadyClock clock_;
   RoomState state_{clock_};
-  std::map<SensorId, HostTime> asked_for_key_;  // the hub forwards no more often either
+  std::map<SensorId, HostTime> asked_for_key_;  // limited to the hub's rate of forwarding
   NetworkThread network_;
   HubLink link_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subscriber: a viewer's way to the room: decodes what comes and offers the newest whole frame set.
-// Frames are decoded on the network's thread: a machine that cannot decode fast enough reads more
-// slowly, and the hub then leaves out whole sets for it. Threading: thread-safe.
+// Subscriber: receives a room for a viewer: decodes frames and provides snapshots of the newest
+// complete frame set. Frames are decoded on the network thread: a machine that decodes too slowly
+// reads more slowly, and the hub then skips whole frame sets for it. Threading: thread-safe.
 #pragma once
 
 #include <chrono>
@@ -19,13 +19,13 @@ namespace roomcast::client {
 
 struct SubscriberOptions {
   std::string hub_url;
-  std::string room;  // empty: the hub's only one
+  std::string room;  // empty: the hub's only room
   Credential credential = {};
   std::string name;  // shown to others; may be empty
   LogSink log;
 };
 
-/// How well a viewer can show what comes.
+/// Display statistics of a viewer.
 struct ShownStats {
   SetId newest_set{};
   double fps = 0;         // frame sets
@@ -45,12 +45,13 @@ class Subscriber {
   [[nodiscard]] std::shared_ptr<const RoomSnapshot> wait_newer(
       std::uint64_t revision, std::chrono::milliseconds timeout) const;
 
-  /// Tells the others where this viewer is. Neither waits; while there is no connection it is lost.
+  /// Sends this viewer's pose to the others. Does not wait (nor does send_stats); lost without a
+  /// connection.
   void send_pose(const PersonPose& pose);
-  /// For the hub's figures, once a second.
+  /// Statistics for the hub, to be sent once a second.
   void send_stats(const ShownStats& stats);
 
-  /// Why it is over for good, once it is.
+  /// The reason why the connection ended for good, once it has.
   [[nodiscard]] std::optional<Error> failure() const;
 
  private:

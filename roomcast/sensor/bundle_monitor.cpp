@@ -9,7 +9,8 @@
 namespace roomcast::sensor {
 namespace {
 
-/// Of the picture's readings. When more of them change, it is the sensor that moves.
+/// Share of the readings that may be unsteady in a bundle after a move. Above it the sensor is
+/// still moving.
 constexpr double kMaxUnsteady = 0.3;
 
 bool stands_still(const alignment::CalibrationBundle& bundle) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// BundleMonitor: the sensor's own part of being placed. Makes a calibration bundle of its first
-// frames, then watches that the bundle still holds; when the sensor was moved it says so, and makes
-// another one once it stands still. Single-threaded.
+// BundleMonitor: supplies the calibration bundles of one sensor. It makes a bundle of the first
+// frames, then checks that the sensor has not moved since; after a move it reports the move, and
+// makes another bundle once the sensor is stationary. Single-threaded.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace roomcast::sensor {
 
-/// What the hub has to know.
+/// The changes to report to the hub.
 struct BundleUpdate {
   bool moved = false;
   std::optional<wire::pb::CalibrationBundle> bundle;
@@ -25,12 +25,14 @@ class BundleMonitor {
  public:
   BundleMonitor(std::string name, const SensorCalibration& calibration);
 
-  /// Frames in the order of their capture. Errors say why the sensor cannot be placed by what it
-  /// sees; it tries again with the next frames.
+  /// Takes frames in the order of capture. Errors say why the sensor cannot be placed by what it
+  /// sees; the next frames are another attempt.
   [[nodiscard]] Result<BundleUpdate> add(const source::CapturedFrame& frame);
 
-  /// The one that holds, if any.
-  [[nodiscard]] const std::optional<alignment::CalibrationBundle>& bundle() const { return bundle_; }
+  /// The valid bundle, if any.
+  [[nodiscard]] const std::optional<alignment::CalibrationBundle>& bundle() const {
+    return bundle_;
+  }
 
  private:
   [[nodiscard]] Result<BundleUpdate> capture(const source::CapturedFrame& frame);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A sensor that sees the synthetic room, ten times a second.
+/// A sensor that sees a synthetic room, ten times a second.
 class Sensor {
  public:
   explicit Sensor(const RigidTransform& world_from_depth)
@@ -31,7 +31,7 @@ class Sensor {
     complaint = news.error().message;
     return {};
   }
-  /// What `frames` frames bring together.
+  /// The combined updates of `frames` frames.
   BundleUpdate news_of(int frames) {
     BundleUpdate all;
     for (int i = 0; i < frames; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A source whose cameras are known better than it says itself: its frames with the calibration of a
-// camera.json, as `roomcast calibrate` writes it, and depth put right. Threading as the source's.
+// Wraps a source: replaces its calibration by that of a camera.json, as written by `roomcast
+// calibrate`, and corrects its depth. Threading as the source's.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace roomcast::sensor {
 
-/// Errors of read_camera_json. kInvalidArgument: the file is about pictures of other sizes than
-/// this source gives, or lacks the colour camera that it has.
+/// Errors of read_camera_json. kInvalidArgument: the file is for pictures of other sizes than this
+/// source's, or lacks the colour camera that the source has.
 [[nodiscard]] Result<std::unique_ptr<source::FrameSource>> with_calibration(
     std::unique_ptr<source::FrameSource> source, const std::filesystem::path& camera_json);
 

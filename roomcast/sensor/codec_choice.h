@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a sensor's frames are coded.
+// The codec settings of a sensor.
 #pragma once
 
 #include "roomcast/codec/frame_codec.h"
@@ -11,7 +11,7 @@ struct CodecChoice {
   int depth_bound_mm = 2;
   int layers = 2;
   int color_scale = 1;
-  int color_kbit_per_s = 0;  // 0: what is usual
+  int color_kbit_per_s = 0;  // 0: the default bit rate
 
   [[nodiscard]] int color_kbit() const {
     if (color_kbit_per_s > 0) return color_kbit_per_s;

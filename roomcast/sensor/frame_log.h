@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameLog: one JSON line per frame sent, so that others can check what arrived:
+// FrameLog: writes one JSON line per frame sent, so that a test can compare the received frames:
 // {"seq":0,"capture_ns":1,"depth_crc32":2}. depth_crc32 is over the depth picture as little-endian
 // u16, row by row.
 #pragma once

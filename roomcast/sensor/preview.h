@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preview: what a sensor without a screen sees, as a JPEG file that is replaced about once a
+// Preview: the view of a sensor without a screen, as a JPEG file that is replaced about once a
 // second: colour in the depth grid on the left, distance as colour on the right (near red, far
 // blue, black where there is no reading). Any picture viewer or web server can show it.
 // Single-threaded.
@@ -19,17 +19,17 @@ class Preview {
 
   explicit Preview(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Writes when a period has passed since the last time. `color` may be empty.
+  /// Writes the file if a period has passed since the last time. `color` may be empty.
   /// kUnavailable: the file cannot be written.
   [[nodiscard]] Status show(DepthView depth_mm, ColorView color, HostTime now);
 
  private:
   std::filesystem::path file_;
   HostTime written_{};
-  ColorImage picture_;  // used again
+  ColorImage picture_;  // reused
 };
 
-/// 0.5 m red, over yellow, green and cyan to 5 m blue.
+/// The colour of a distance: from red at 0.5 m over yellow, green and cyan to blue at 5 m.
 [[nodiscard]] Rgb8 color_of_depth(std::uint16_t depth_mm);
 
 }  // namespace roomcast::sensor

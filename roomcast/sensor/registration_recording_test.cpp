@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registration against truth: a recording with noise-free pictures from other viewpoints (colour
-// and depth) tells what colour every surface point really has. It lies here because it needs
-// recordings; registration is in geometry.
+// Registration against ground truth: a recording with noise-free pictures from other viewpoints
+// (colour and depth) gives the true colour of every surface point. The test is in this folder
+// because it needs recordings; registration is in geometry.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 constexpr int kViewSide = 1000;
 constexpr double kSameSurface_m = 0.03;  // three sigma of the recorded noise at 4 m
-constexpr int kGrossError = 40;          // grey levels: another surface, not noise or interpolation
+constexpr int kGrossError = 40;          // a different surface, not noise or interpolation
 
 /// A picture from a free viewpoint, without noise.
 struct TrueView {
@@ -53,7 +53,7 @@ TrueView read_view(const std::filesystem::path& truth, const nlohmann::json& vie
   return view;
 }
 
-/// Frame `index` of sensor s0, whose colour gain is 1 and whose clock is the truth's.
+/// Frame `index` of sensor s0, which has colour gain 1 and the clock of the ground truth.
 source::CapturedFrame read_frame(source::FrameSource& source, std::uint64_t index) {
   source::CapturedFrame frame;
   while (frame.index != index || frame.depth_mm.empty()) {
@@ -68,10 +68,11 @@ int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// Differences between registered and true colour wherever view and sensor see the same surface
-/// point.
+/// Differences between registered and true colour at all surface points that both view and sensor
+/// see.
 std::vector<int> differences(const TrueView& view, const source::SensorDescription& sensor,
-                             const source::CapturedFrame& frame, const RegisteredColor& registered) {
+                             const source::CapturedFrame& frame,
+                             const RegisteredColor& registered) {
   std::vector<int> all;
   const RigidTransform depth_from_view = sensor.world_from_depth->inverse() * view.world_from_view;
   for (int v = 0; v < kViewSide; ++v) {
@@ -139,7 +140,8 @@ class RegisteredHouse : public testing::Test {
   source::CapturedFrame frame_;
 };
 
-// Measured: 2 grey levels in the median, which is the recorded JPEG noise, and 1.2 % gross errors.
+// On the recording, the measured median difference is 2 grey levels, which is the recorded JPEG
+// noise; gross errors are 1.2 % of the points.
 TEST_F(RegisteredHouse, colours_are_those_of_the_surface_points) {
   const Agreement registered = agreement(sensor_.calibration, {});
   EXPECT_GT(registered.compared, 300000U);

@@ -15,7 +15,8 @@
 namespace roomcast::sensor {
 namespace {
 
-client::PublisherOptions publisher_options(const source::SensorDescription& sensor, const SensorFeedOptions& feed) {
+client::PublisherOptions publisher_options(const source::SensorDescription& sensor,
+                                           const SensorFeedOptions& feed) {
   client::PublisherOptions options;
   options.hub_url = feed.hub_url;
   options.room = feed.room;
@@ -60,7 +61,9 @@ class SensorFeed::Worker {
     if (!options.preview.empty()) preview_.emplace(options.preview);
   }
 
-  void set_publisher(std::unique_ptr<client::Publisher> publisher) { publisher_ = std::move(publisher); }
+  void set_publisher(std::unique_ptr<client::Publisher> publisher) {
+    publisher_ = std::move(publisher);
+  }
 
   void run(const std::stop_token& stop) {
     Status status;
@@ -91,7 +94,7 @@ class SensorFeed::Worker {
   }
 
  private:
-  /// What the sensor can be placed by, and that it was moved.
+  /// Sends a new bundle, a move of the sensor, and sightings.
   void report_place() {
     auto news = bundle_.add(captured_);
     if (!news) return complain(news.error().message);
@@ -112,7 +115,7 @@ class SensorFeed::Worker {
       publisher_->send_sightings(*std::move(sightings));
   }
 
-  /// Once, until there is another reason.
+  /// Logs a reason unless it is the same as the last one.
   void complain(const std::string& reason) {
     if (reason == complaint_) return;
     complaint_ = reason;
@@ -135,7 +138,8 @@ class SensorFeed::Worker {
     return {};
   }
 
-  /// Of what was seen while it could be sent; while there is no hub, colour stays that of the last.
+  /// Shows the current depth and the last registered colour, which is stale while no frames can be
+  /// sent.
   void show_preview() {
     if (!preview_) return;
     const Status shown = preview_->show(captured_.depth_mm, registered_.color, SteadyClock().now());
@@ -150,7 +154,7 @@ class SensorFeed::Worker {
     encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
   }
 
-  /// What of the registered colour is new.
+  /// The pixels of the registered colour that are new.
   MaskView known_colors() const {
     return registered_.color.empty() ? MaskView{} : registration_.fresh();
   }
@@ -167,17 +171,17 @@ class SensorFeed::Worker {
   const LogSink log_;
   BundleMonitor bundle_;
   SightingDetector sighting_detector_;
-  std::string complaint_;  // the last
+  std::string complaint_;  // the last reason that was logged
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const int full_color_kbit_per_s_;
-  double rate_share_ = 1;  // that the encoder was told
+  double rate_share_ = 1;  // the share that the encoder was set to
   std::optional<FrameLog> frame_log_;
   std::optional<Preview> preview_;
   bool preview_failed_ = false;
   std::unique_ptr<client::Publisher> publisher_;
-  source::CapturedFrame captured_;      // used again from frame to frame
-  RegisteredColor registered_;  // likewise
+  source::CapturedFrame captured_;  // reused for every frame
+  RegisteredColor registered_;      // likewise
 
   mutable std::mutex mutex_;
   std::optional<Status> result_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SensorFeed: a sensor at work, the paper's Algorithm 1 from end to end: capture, map colour into
-// the depth grid, compress, send. Threading: has a thread of its own for all of it; the methods are
-// thread-safe.
+// SensorFeed: the capture pipeline of a sensor, the paper's Algorithm 1 from end to end: capture,
+// map colour into the depth grid, compress, send. Threading: runs on a thread of its own; the
+// methods are thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct SensorFeedOptions {
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;
-  bool tell_pose = true;  // that the source knows; else the hub's aligner has to find it
+  bool tell_pose = true;  // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
-  std::filesystem::path preview;                   // a picture, once a second; empty: none
+  std::filesystem::path preview;  // path of a picture, written once a second; empty: none
   LogSink log;
 };
 
@@ -41,7 +41,7 @@ struct SensorFeedStats {
 
 class SensorFeed {
  public:
-  /// Joins the hub, then starts to send. Errors: those of registration, encoder and
+  /// Joins the hub, then starts sending. Errors: those of registration, encoder and
   /// Publisher::open.
   static Result<std::unique_ptr<SensorFeed>> start(std::unique_ptr<source::FrameSource> source,
                                                    SensorFeedOptions options);
@@ -49,7 +49,7 @@ class SensorFeed {
   ~SensorFeed();
 
   [[nodiscard]] SensorFeedStats stats() const;
-  /// What became of it, once the source or the connection has ended; nothing while it runs.
+  /// The outcome, once the source or the connection has ended; nothing while the feed runs.
   [[nodiscard]] std::optional<Status> result() const;
 
  private:

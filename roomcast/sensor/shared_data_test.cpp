@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real recordings, where they are at hand (ROOMCAST_DATA): each opens and gives all its frames.
+// Real recordings, if they are available (ROOMCAST_DATA): each opens and yields all its frames.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -14,11 +14,11 @@
 namespace roomcast::sensor {
 namespace {
 
-constexpr double kLargestJitter_s = 0.002 + 1e-6;  // of the stamps, as SOURCE.md says; files round
+constexpr double kLargestJitter_s = 0.002 + 1e-6;  // of the time stamps (SOURCE.md); files round
 const SourceOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
 struct Expected {
-  const char* spec;  // with @ for the data folder
+  const char* spec;  // @ stands for the data folder
   int frames;
   int with_color;
 };
@@ -32,7 +32,8 @@ bool any_reading(const DepthImage& depth) {
 
 TEST_P(SharedData, opens_and_gives_its_frames) {
   if (!std::filesystem::exists(recording::shared_data() / "README.md")) {
-    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
+    GTEST_SKIP() << "no recordings at " << recording::shared_data()
+                 << "; set ROOMCAST_DATA to test with them";
   }
   std::string spec = GetParam().spec;
   spec.replace(spec.find('@'), 1, recording::shared_data().string());
@@ -55,7 +56,7 @@ TEST_P(SharedData, opens_and_gives_its_frames) {
   EXPECT_EQ(with_color, GetParam().with_color);
 }
 
-// Of the long ones the first frames only: decoding them all would take seconds.
+// Only the start of long recordings: decoding them completely would take seconds.
 INSTANTIATE_TEST_SUITE_P(
     Folders, SharedData,
     testing::Values(Expected{"rig:@/house3#s0", 6, 6}, Expected{"rig:@/house3#s1", 6, 6},
@@ -76,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SharedDataHouse, true_capture_times_are_those_of_the_truth) {
   const auto house = recording::shared_data() / "house3";
   if (!std::filesystem::exists(house / "truth/s0/times.txt")) {
-    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
+    GTEST_SKIP() << "no recordings at " << recording::shared_data()
+                 << "; set ROOMCAST_DATA to test with them";
   }
   for (const char* id : {"s0", "s1", "s2"}) {
     const auto recording = recording::read_rig_recording(house, id);

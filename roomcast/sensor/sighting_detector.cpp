@@ -8,7 +8,7 @@
 namespace roomcast::sensor {
 namespace {
 
-/// Whether it is time again; then the next time is that much later.
+/// Whether `interval` has passed since `last`; if so, sets `last` to `now`.
 bool is_due(std::optional<RoomTime>& last, RoomTime now, nanoseconds interval) {
   if (last && now - *last < interval) return false;
   last = now;

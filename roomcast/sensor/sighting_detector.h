@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// SightingDetector: what a sensor tells of that passes through its view while the aligner asks for
-// it: heads and printed tags, so that sensors which share too little can be placed by somebody who
-// walks about, or holds a board. Some looks a second, a message twice a second. Single-threaded.
+// SightingDetector: detects heads and printed tags in a sensor's view while the aligner requests
+// them. With these sightings, sensors with too little overlap can be placed by a person who walks
+// around or carries a board. Several detections a second, a message twice a second.
+// Single-threaded.
 #pragma once
 
 #include <optional>
@@ -16,19 +17,21 @@
 namespace roomcast::sensor {
 
 inline constexpr std::chrono::milliseconds kHeadInterval{110};
-inline constexpr std::chrono::milliseconds kTagInterval{240};  // dearer
+inline constexpr std::chrono::milliseconds kTagInterval{240};  // more expensive than heads
 inline constexpr std::chrono::milliseconds kSightingsMessageInterval{500};
 
 class SightingDetector {
  public:
-  /// The sensor stands where it saw this; nothing: it was moved, and nobody knows where it stands.
+  /// The bundle of the sensor's current pose; nothing: the sensor was moved, and its new pose is
+  /// unknown.
   void stand(std::optional<alignment::CalibrationBundle> bundle);
 
-  /// What is asked for now.
+  /// Sets the sightings that the aligner requests now.
   void want(const wire::pb::SightingRequest& request) { wanted_ = request; }
 
-  /// `taken` is when the frame was. A message when it is time for one.
-  [[nodiscard]] std::optional<wire::pb::Sightings> add(const source::CapturedFrame& frame, RoomTime taken);
+  /// Takes a frame that was captured at `taken`. Returns a message when one is due.
+  [[nodiscard]] std::optional<wire::pb::Sightings> add(const source::CapturedFrame& frame,
+                                                       RoomTime taken);
 
  private:
   void look_for_heads(const source::CapturedFrame& frame, RoomTime taken);
@@ -37,7 +40,7 @@ class SightingDetector {
   wire::pb::SightingRequest wanted_;
   std::optional<alignment::CalibrationBundle> bundle_;
   std::optional<alignment::HeadDetector> heads_;  // made when first asked for
-  bool sees_floor_ = true;                    // as far as is known
+  bool sees_floor_ = true;                        // true until the bundle shows otherwise
   std::optional<alignment::TagTracker> tags_;     // made when first asked for
   std::optional<RoomTime> last_heads_, last_tags_, last_message_;
   wire::pb::Sightings seen_;

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 const RigidTransform kStand = world_from_optical_looking_at({2, 1.9, 1.5}, {-0.6, 1.0, -0.3});
 
-/// Somebody stands in the room.
+/// A frame with a person in the room.
 source::CapturedFrame frame_with_person() {
   alignment::RoomFixture room;
   room.boxes.push_back({Eigen::Vector3d(-1.02, 0, 0.75), Eigen::Vector3d(-0.58, 1.55, 1.05)});
@@ -30,7 +30,7 @@ wire::pb::SightingRequest heads() {
 
 class SightingDetectorTest : public testing::Test {
  protected:
-  /// Heads told of in two seconds at 30 frames a second.
+  /// The heads sent in two seconds at 30 frames a second.
   int heads_told() {
     int told = 0;
     for (int i = 0; i < 60; ++i) {

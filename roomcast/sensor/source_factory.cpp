@@ -21,7 +21,7 @@ constexpr const char* kKinds =
     "camera: freenect:0, openni2:[FILE.oni], realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; "
     "for example sim:office,camera=d435#0, rig:house3#s0, tum:kitchen or mcap:lab.mcap#s0";
 
-/// kind[:place][#sensor]. The kind ends at the first ':' or '#'; a sensor is named after the last
+/// kind[:place][#sensor]. The kind ends at the first ':' or '#'; the sensor's name follows the last
 /// '#'.
 struct Spec {
   std::string kind, place, sensor;
@@ -53,8 +53,9 @@ std::optional<int> sensor_index(const std::string& text) {
   return index;
 }
 
-Result<std::unique_ptr<source::FrameSource>> open_kind(const source::CameraKind& kind, const std::string& place,
-                                               const SourceOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_kind(const source::CameraKind& kind,
+                                                       const std::string& place,
+                                                       const SourceOptions& options) {
   if (kind.make == nullptr) {
     return Error{ErrorCode::kUnsupported, "this roomcast was built without " +
                                               std::string(kind.library) + ", which is needed for " +
@@ -76,14 +77,15 @@ simulator::SimulatedSourceOptions simulated(const SourceOptions& options) {
 }
 
 Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& text,
-                                                   const SourceOptions& options) {
+                                                           const SourceOptions& options) {
   const Spec spec = split(text);
   if (spec.kind == "sim") {
     const auto index = sensor_index(spec.sensor);
     if (!index) return invalid(text, "numbers its sensor wrongly");
     return simulator::open_simulated_source(spec.place, *index, simulated(options));
   }
-  if (const source::CameraKind* kind = source::camera_kind(spec.kind)) return open_kind(*kind, spec.place, options);
+  if (const source::CameraKind* kind = source::camera_kind(spec.kind))
+    return open_kind(*kind, spec.place, options);
   const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
   if (!is_recording) return invalid(text, "names no kind of source");
   if (spec.place.empty()) return invalid(text, "names no recording");
@@ -96,7 +98,7 @@ Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& te
 }  // namespace
 
 Result<std::unique_ptr<source::FrameSource>> open_source(const std::string& text,
-                                                 const SourceOptions& options) {
+                                                         const SourceOptions& options) {
   auto source = open_as_it_is(text, options);
   if (!source || options.calibration.empty()) return source;
   return with_calibration(*std::move(source), options.calibration);

@@ -27,7 +27,8 @@ TEST(SourceFactory, opens_a_sensor_of_a_rig) {
 
 TEST(SourceFactory, opens_a_single_recording) {
   const TemporaryFolder folder;
-  const auto sensor = recording::write_small_rig(folder) / "s0";  // a rig's sensor folder is a TUM folder too
+  const auto sensor =
+      recording::write_small_rig(folder) / "s0";  // rig sensor folders are TUM folders
   expect_opens("tum:" + sensor.string(), "s0");
 }
 

@@ -16,15 +16,15 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kMaxSightingGap_s = 0.35;  // between sightings of b, to be joined by a line
-constexpr double kMaxMotion_m = 0.06;       // of a corner meanwhile: held still, more or less
+constexpr double kMaxMotion_m = 0.06;       // of a corner during the gap: held roughly still
 constexpr double kAnotherPlace_m = 0.15;
 constexpr double kMaxCornerDistance_m = 0.05;
 constexpr std::size_t kMinPlaces = 4;
 constexpr double kMinSpread_m = 0.3;     // of the places, root mean square
-constexpr double kCornerSigma_m = 0.01;  // of depth on a tag: all four err together
+constexpr double kCornerSigma_m = 0.01;  // of depth on a tag, common to its corners
 constexpr double kMaxBoardError_mm = 40;
 
-/// The tag at one time, seen by both.
+/// The pose of the tag at one time, seen by both.
 struct Pose {
   double time_s;
   int tag;
@@ -35,7 +35,7 @@ Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 4>& corners) {
   return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
-/// Where b would have seen it at that time.
+/// The corners as b would have seen them at that time (interpolated).
 std::optional<std::array<Eigen::Vector3d, 4>> seen_at(std::span<const TagSighting> b, int tag,
                                                       double time_s) {
   const TagSighting *before = nullptr, *after = nullptr;
@@ -89,7 +89,7 @@ std::vector<const Pose*> agreeing(std::span<const Pose> poses, const RigidTransf
   return agree;
 }
 
-/// How many places the tag was held at, and how far apart they are.
+/// The number of places at which the tag was held, and how far apart they are.
 struct Places {
   std::size_t count = 0;
   double spread_m = 0;
@@ -110,7 +110,8 @@ Places places_of(std::span<const Pose* const> poses) {
           std::sqrt(squares / std::max<double>(1, static_cast<double>(places.size())))};
 }
 
-/// Each place counts once, however long the tag was held there.
+/// Standard deviation 2.5 m in front of b. Each place counts once, however long the tag was held
+/// there.
 double expected_error_ahead_m(std::span<const Pose* const> poses, const RigidTransform& a_from_b,
                               const Places& places) {
   Matrix6 information = Matrix6::Zero();

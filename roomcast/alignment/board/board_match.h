@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How two sensors stand to each other, from a printed tag that both saw at the same times, held
-// here and there. The tag's corners are points in space for each of them, so many poses of it give
-// the transform as any matched points do (Kabsch 1976, without outliers by RANSAC in a fixed
-// order). One place of the tag never suffices. Metres, seconds. Thread-safe (no state).
+// Relative pose of two sensors, from a printed tag that both saw at the same times at several
+// places. The corners of the tag are 3-D points for each sensor, so many poses of the tag give the
+// transform like any matched points (Kabsch 1976; outliers removed by RANSAC in a fixed order). A
+// single place of the tag is not sufficient. Metres, seconds. Thread-safe (no state).
 #pragma once
 
 #include <array>
@@ -24,10 +24,10 @@ struct TagSighting {
 struct BoardMatch {
   RigidTransform a_from_b;
   double expected_error_mm = 0;  // one standard deviation, 2.5 m in front of b
-  int poses = 0;                 // of the tag that agree
+  int poses = 0;                 // of the tag that agree with a_from_b
 };
 
-/// Both in the order of time, on one clock. kUnavailable: what is missing.
+/// Both sorted by time, on one clock. kUnavailable: the message says what is missing.
 [[nodiscard]] Result<BoardMatch> match_boards(std::span<const TagSighting> a,
                                               std::span<const TagSighting> b);
 

@@ -15,7 +15,7 @@ struct BoardPage {
   int tag = 0;
 };
 inline constexpr BoardPage kA4{210, 297, 0}, kA3{297, 420, 0};
-/// Printers leave so much of the page white.
+/// Margin that printers leave white.
 inline constexpr double kPageMargin_mm = 10;
 
 /// The side of the black square.

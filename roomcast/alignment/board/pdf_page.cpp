@@ -7,7 +7,7 @@
 
 namespace roomcast::alignment {
 
-/// Header, objects, table of where they are, trailer.
+/// Writes the header, the objects, the cross-reference table and the trailer.
 std::string pdf_page(double width_mm, double height_mm, const std::string& drawing) {
   const std::vector<std::string> objects = {
       "<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",

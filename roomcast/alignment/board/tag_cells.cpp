@@ -28,7 +28,7 @@ std::optional<TagCells> tag_cells(int tag) {
   TagCells cells{};
   for (std::size_t i = 0; i < kTagCells; ++i)
     cells[0][i] = cells[kTagCells - 1][i] = cells[i][0] = cells[i][kTagCells - 1] = true;
-  constexpr std::size_t kSquare = (kTagCells - kTagSquareCells) / 2;  // where it begins
+  constexpr std::size_t kSquare = (kTagCells - kTagSquareCells) / 2;  // first black-square cell
   for (std::uint32_t bit = 0; bit < family->nbits; ++bit) {
     const bool white = ((family->codes[tag] >> (family->nbits - 1 - bit)) & 1U) != 0;
     cells[family->bit_y[bit] + kSquare][family->bit_x[bit] + kSquare] = white;

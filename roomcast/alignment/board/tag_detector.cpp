@@ -7,8 +7,8 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kBitsCorrected = 1;  // more would take other things for tags
-constexpr double kMinTagMargin = 30;  // of a detection's contrast
+constexpr int kBitsCorrected = 1;     // correcting more causes false detections
+constexpr double kMinTagMargin = 30;  // least decision margin (contrast) of a detection
 
 }  // namespace
 
@@ -59,7 +59,7 @@ std::vector<TagOutline> TagDetector::find(ColorView color) {
     zarray_get(found, i, &detection);
     if (static_cast<double>(detection->decision_margin) < kMinTagMargin) continue;
     TagOutline tag{detection->id, {}};
-    // The library counts from the corner of the first pixel, we from its middle.
+    // The library puts the origin at the corner of the top left pixel, roomcast at its centre.
     for (std::size_t c = 0; c < 4; ++c)
       tag.corners_px[c] = Eigen::Vector2d(detection->p[c][0], detection->p[c][1]).array() - 0.5;
     tags.push_back(tag);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMinReadings = 25;
 constexpr double kMinIncidence = 0.35;  // cosine
-constexpr double kSidesAlike = 0.15;    // of a square that is one
+constexpr double kSidesAlike = 0.15;    // relative difference of the sides of a square
 
 using Pixels = std::array<Eigen::Vector2d, 4>;
 
@@ -41,7 +41,7 @@ DepthPlane plane_through(const std::vector<Eigen::Vector3d>& points_m) {
   return {axes.eigenvectors().col(0), mean};
 }
 
-/// Without the points that lie furthest from it: flying pixels, fingers.
+/// Fits a plane without the farthest outliers: flying pixels, fingers.
 std::optional<DepthPlane> steady_plane(std::vector<Eigen::Vector3d> points_m) {
   constexpr int kRounds = 3;
   constexpr double kKept = 0.85;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// TagTracker: AprilTags (Olson 2011; Wang & Olson 2016; family 36h11) in a colour picture, and
-// where their corners are in space. The corners' directions come from the picture, their distance
-// from the depth camera: a plane through all readings on the tag. The pose of a single tag by its
-// outline alone (PnP) is ambiguous and is not used. Metres, depth camera's frame. Single-threaded;
-// some 20 ms of CPU per picture.
+// TagTracker: finds AprilTags (Olson 2011; Wang & Olson 2016; family 36h11) in a colour picture and
+// measures the 3-D positions of their corners. The directions of the corners come from the picture,
+// their distance from the depth camera: a plane fitted to all readings on the tag. The pose of a
+// single tag by its outline alone (PnP) is ambiguous and is not used. Metres, depth camera's frame.
+// Single-threaded; some 20 ms of CPU per picture.
 #pragma once
 
 #include <array>
@@ -19,20 +19,20 @@ namespace roomcast::alignment {
 
 struct SeenTag {
   int id = 0;
-  /// Of the black square, as printed: bottom left, bottom right, top right, top left.
+  /// Corners of the black square, as printed: bottom left, bottom right, top right, top left.
   std::array<Eigen::Vector3d, 4> corners_m;
 };
 
 class TagTracker {
  public:
-  /// The calibration has been checked.
+  /// `calibration` has been checked.
   explicit TagTracker(const SensorCalibration& calibration);
   ~TagTracker();
   TagTracker(TagTracker&&) noexcept;
   TagTracker& operator=(TagTracker&&) noexcept;
 
-  /// Pictures of the cameras' sizes. Tags without depth, and what is no square in space, are left
-  /// out.
+  /// Pictures of the cameras' sizes. Omits tags without depth and outlines that are not square in
+  /// 3-D.
   [[nodiscard]] std::vector<SeenTag> find(DepthView depth_mm, ColorView color);
 
  private:

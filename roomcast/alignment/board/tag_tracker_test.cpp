@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSide_m = 0.16;
 
-/// A wall 4 m ahead and before it a white board with a tag in its middle.
+/// A wall 4 m ahead and in front of it a white board with a tag in its middle.
 class TagScene {
  public:
   explicit TagScene(const RigidTransform& depth_from_board) : depth_from_board_(depth_from_board) {
@@ -29,7 +29,7 @@ class TagScene {
   ColorImage color;
 
  private:
-  /// Along a ray: where the board is hit, on it.
+  /// The point where a ray meets the board, in the board's frame.
   [[nodiscard]] std::optional<Eigen::Vector3d> on_board(const RigidTransform& board_from_eye,
                                                         const Eigen::Vector3d& ray,
                                                         double& along) const {
@@ -68,7 +68,7 @@ class TagScene {
     color.resize(calibration.color.width, calibration.color.height);
     for (int y = 0; y < color.height(); ++y) {
       for (int x = 0; x < color.width(); ++x) {
-        int sum = 0;  // of 3 x 3 rays to a pixel
+        int sum = 0;  // over 3 x 3 rays per pixel
         for (int i = 0; i < 9; ++i) {
           const auto ray =
               unproject(calibration.color, {x + (i % 3 - 1) / 3.0, y + (i / 3 - 1) / 3.0}, 1);
@@ -81,7 +81,7 @@ class TagScene {
     }
   }
 
-  RigidTransform depth_from_board_;  // board: x right, y up, z towards whoever reads it
+  RigidTransform depth_from_board_;  // board: x right, y up, z towards the reader
   TagCells cells_ = *tag_cells(7);
 };
 

@@ -9,7 +9,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// Leaves every second one, beginning with the first.
+/// Keeps every second picture, beginning with the first.
 void thin_out(std::vector<ColorImage>& pictures) {
   for (std::size_t i = 0; 2 * i < pictures.size(); ++i) std::swap(pictures[i], pictures[2 * i]);
   pictures.resize((pictures.size() + 1) / 2);

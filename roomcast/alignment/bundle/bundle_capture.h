@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BundleCapture: watches the first frames of a sensor and makes its calibration bundle of them.
-// About 30 depth pictures are kept, and few colour pictures, evenly spread over them.
-// Single-threaded.
+// BundleCapture: makes a calibration bundle from the first frames of a sensor. About 30 depth
+// pictures are kept, and a few colour pictures, spread evenly over them. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +18,11 @@ class BundleCapture {
  public:
   BundleCapture(std::string name, const SensorCalibration& calibration);
 
-  /// Takes a frame; `color` may be empty. True when enough have been seen. Frames of another size
-  /// than the cameras' are kInvalidArgument.
+  /// Adds a frame; `color` may be empty. Returns true when enough frames have been added.
+  /// kInvalidArgument: a picture is not of its camera's size.
   [[nodiscard]] Result<bool> add(const DepthImage& depth_mm, const ColorImage& color);
 
-  /// The bundle of what has been seen so far. kUnavailable before the first frame; else as `check`.
+  /// The bundle of the frames so far. kUnavailable before the first frame; else as `check`.
   [[nodiscard]] Result<CalibrationBundle> finish() const;
 
  private:
@@ -34,7 +33,7 @@ class BundleCapture {
   std::vector<DepthImage> depth_mm_;
   std::vector<ColorImage> colors_;
   std::size_t seen_colors_ = 0;
-  std::size_t colors_apart_ = 1;  // of those seen every so many are kept
+  std::size_t colors_apart_ = 1;  // one in this many colour pictures is kept
 };
 
 }  // namespace roomcast::alignment

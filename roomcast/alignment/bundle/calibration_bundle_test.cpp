@@ -88,7 +88,7 @@ TEST(BundleCapture, gives_the_steady_pictures_of_what_it_saw) {
   EXPECT_EQ(bundle->color, seen.color);
 }
 
-/// The colour of a bundle of so many frames, in some of which somebody stands in the way.
+/// The colour of a bundle of `frames` frames, in some of which a person is in the way.
 template <class InTheWay>
 ColorImage color_of(std::size_t frames, InTheWay in_the_way) {
   const CalibrationBundle seen = good_bundle();

@@ -22,7 +22,7 @@ class SampleStack {
     return {samples_.data() + index * width_, width_};
   }
 
-  /// Afterwards every pixel's samples grow from picture 0 to the last.
+  /// Sorts each pixel's samples in ascending order over the pictures.
   void sort() {
     for (std::size_t round = 0; round < pictures_; ++round) {
       for (std::size_t i = round % 2; i + 1 < pictures_; i += 2) order(i, i + 1);

@@ -16,11 +16,10 @@ constexpr double kNormalSigmaPerMad = 1.4826;
 constexpr double kSteadySigma_mm = 20, kSteadySigmaPerDepth = 0.01;
 constexpr std::uint16_t kNoReading = std::numeric_limits<std::uint16_t>::max();
 
-/// What one row holds once its samples are sorted. Missing readings are 0 and so come before all
-/// others.
+/// The medians of one row of sorted samples. Missing readings are 0 and are sorted to the front.
 struct RowMedian {
   std::vector<std::uint16_t> median_mm;
-  std::vector<std::size_t> missing;  // of the pictures
+  std::vector<std::size_t> missing;  // pictures without a reading, by pixel
 };
 
 void fill(SampleStack<std::uint16_t>& stack, std::span<const DepthImage> pictures_mm, int y) {
@@ -44,7 +43,7 @@ RowMedian median_of(SampleStack<std::uint16_t>& sorted, std::size_t pictures, st
   return row;
 }
 
-/// Turns samples into distances from the median; missing ones become the largest of all.
+/// Replaces samples by their distances from the median; missing ones become the largest value.
 void deviate(SampleStack<std::uint16_t>& stack, std::size_t pictures, const RowMedian& row) {
   for (std::size_t i = 0; i < pictures; ++i) {
     const auto samples = stack.picture(i);

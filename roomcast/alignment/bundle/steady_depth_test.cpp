@@ -11,7 +11,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// One pixel over time.
+/// The result for a single pixel with these readings over time.
 SteadyDepth of_pixel(const std::vector<std::uint16_t>& readings_mm) {
   std::vector<DepthImage> pictures;
   for (const std::uint16_t mm : readings_mm) pictures.emplace_back(1, 1, mm);

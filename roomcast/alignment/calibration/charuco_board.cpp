@@ -15,7 +15,7 @@ namespace {
 using alignment::kPointsPerMm;
 using alignment::kTagSquareCells;
 
-constexpr double kMargin_mm = 10;  // printers leave so much of the page white
+constexpr double kMargin_mm = 10;  // margin that printers leave white
 constexpr double kCaption_mm = 8;
 constexpr double kSmallestSquare_mm = 10;
 
@@ -23,7 +23,7 @@ bool is_black_square(int column, int row) {
   return (column + row) % 2 == 0;
 }
 
-/// The rim of a tag's cells is white and lies outside of its black square.
+/// The outer ring of a tag's cells is white and is outside its black square.
 constexpr int kRim = (alignment::kTagCells - kTagSquareCells) / 2;
 
 std::string rectangle(double left_mm, double top_mm, double width_mm, double height_mm,
@@ -33,8 +33,8 @@ std::string rectangle(double left_mm, double top_mm, double width_mm, double hei
                      kPointsPerMm * height_mm);
 }
 
-std::string draw_tag(const alignment::TagCells& white, double left_mm, double top_mm, double cell_mm,
-                     const BoardPage& page) {
+std::string draw_tag(const alignment::TagCells& white, double left_mm, double top_mm,
+                     double cell_mm, const BoardPage& page) {
   std::string drawing;
   for (int row = 0; row < kTagSquareCells; ++row) {
     for (int column = 0; column < kTagSquareCells; ++column) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board to calibrate with: a chessboard whose white squares hold AprilTags (ChArUco: An et al.
-// 2018; family 36h11, numbered from 0, row by row; the top left square is black). The chessboard's
-// corners can be found to a fraction of a pixel, the tags tell which is which, so that part of the
-// board is enough. Metres in the board's plane: x right, y down, from its top left corner.
+// The calibration board: a chessboard with AprilTags in its white squares (ChArUco: An et al. 2018;
+// family 36h11, numbered from 0, row by row; the top left square is black). The corners of the
+// chessboard can be located to a fraction of a pixel, and the tags identify them, so that a part of
+// the board suffices. Metres in the board's plane: x right, y down, from its top left corner.
 // Thread-safe (no state).
 #pragma once
 
@@ -20,14 +20,14 @@ struct CharucoBoard {
   int columns = 7, rows = 5;  // squares
   double square_m = 0.053;
 
-  /// Corners between four squares.
+  /// The number of corners between four squares.
   [[nodiscard]] int corner_count() const { return (columns - 1) * (rows - 1); }
-  /// Row by row.
+  /// The position of a corner; corners are numbered row by row.
   [[nodiscard]] Eigen::Vector2d corner_m(int corner) const;
   [[nodiscard]] Eigen::Vector2d size_m() const { return {columns * square_m, rows * square_m}; }
 };
 
-/// Of the side of a square; what remains is white.
+/// Side of a tag relative to that of its square; the rest is white.
 inline constexpr double kTagShare = 0.7;
 
 struct BoardTag {
@@ -36,11 +36,11 @@ struct BoardTag {
 };
 [[nodiscard]] std::vector<BoardTag> tags_of(const CharucoBoard& board);
 
-/// Of the black square: bottom left, bottom right, top right, top left.
+/// Corners of the black square: bottom left, bottom right, top right, top left.
 [[nodiscard]] std::array<Eigen::Vector2d, 4> tag_corners_m(const CharucoBoard& board,
                                                            const BoardTag& tag);
 
-/// What is printed there. Outside of the board: white.
+/// Whether the print is black at this point. White outside the board.
 [[nodiscard]] bool is_black(const CharucoBoard& board, const Eigen::Vector2d& point_m);
 
 /// The largest board that fits a page, and the page as a PDF file.

@@ -12,10 +12,10 @@ namespace {
 
 constexpr float kFullResolution = 1;
 constexpr int kSmallestWindow = 2, kLargestWindow = 8;  // pixels to each side
-constexpr double kWindowShare = 0.8;  // of the way from a corner to the nearest tag
+constexpr double kWindowShare = 0.8;  // of the distance from a corner to the nearest tag
 constexpr double kFurthestMove_px = 3;
 
-/// Where one tag expects the board's corners.
+/// Predicts the positions of the board's corners from one tag.
 class TagView {
  public:
   TagView(const CharucoBoard& board, const BoardTag& tag, const alignment::TagOutline& seen)
@@ -49,7 +49,7 @@ class TagView {
   double side_px_ = 0;
 };
 
-/// So large that no tag is in it.
+/// The largest window without a part of a tag.
 int window_around(double tag_side_px) {
   const double gap_px = tag_side_px * 0.5 * (1 - kTagShare) / kTagShare;
   return std::clamp(static_cast<int>(kWindowShare * gap_px), kSmallestWindow, kLargestWindow);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the corners of a ChArUco board in a colour picture: the tags say about where they are, the
-// gradients around each say where exactly (Foerstner 1987, as in OpenCV's cornerSubPix). Pixels,
-// centres at whole numbers. Single-threaded; some 50 ms of CPU per picture.
+// Finds the corners of a ChArUco board in a colour picture: the tags give approximate positions,
+// the image gradients around each corner refine them (Foerstner 1987, as in OpenCV's cornerSubPix).
+// Pixels, centres at whole numbers. Single-threaded; some 50 ms of CPU per picture.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ class CharucoFinder {
  public:
   explicit CharucoFinder(const CharucoBoard& board);
 
-  /// In the board's order; empty where there is none.
+  /// The visible corners in the board's order; empty if there is no board.
   [[nodiscard]] std::vector<SeenCorner> find(ColorView color);
 
  private:

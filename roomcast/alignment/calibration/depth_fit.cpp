@@ -12,9 +12,9 @@ namespace roomcast::alignment::calibration {
 namespace {
 
 constexpr int kRounds = 4, kStepsPerRound = 5;
-constexpr int kPixelStep = 2;     // every other row and column is plenty
-constexpr double kRim_m = 0.012;  // of the board: readings near its edge mix with what is behind
-constexpr double kWidestError_m = 0.06;  // further from the board's plane is something else
+constexpr int kPixelStep = 2;     // every other row and column suffices
+constexpr double kRim_m = 0.012;  // of the board: readings near its edge mix with the background
+constexpr double kWidestError_m = 0.06;  // readings farther from the plane are not on the board
 constexpr std::size_t kFewestReadings = 200;
 
 /// Noise of a reading grows with the square of its distance.
@@ -27,7 +27,7 @@ enum Unknown { kTurn = 0, kShift = 3, kScale = 6, kBias = 7, kUnknowns = 8 };
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-/// How far the start may be wrong (one sigma): what the views do not determine stays there.
+/// Standard deviations of the start values: parameters that the views do not determine stay there.
 Unknowns trust(bool poses_are_known) {
   const double turn = poses_are_known ? 1e-9 : 0.1, shift = poses_are_known ? 1e-9 : 0.1;
   Unknowns sigma;
@@ -124,7 +124,7 @@ PlaneError error_of_view(const Plane& plane, const std::vector<Reading>& reading
   if (readings.empty()) return error;
   const double count = static_cast<double>(readings.size());
   double square = 0;
-  // Away from the camera is positive, whichever side of the board its normal points to.
+  // Positive is away from the camera, for either direction of the board's normal.
   const double sign = plane.distance_m < 0 ? -1 : 1;
   for (const Reading& reading : readings) {
     const double left_mm = 1000 * sign * error_m(plane, after, reading);

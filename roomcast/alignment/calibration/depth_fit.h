@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the depth camera stands beside the colour camera, and by what scale and bias its readings
-// are off, from planes: the colour camera knows where the board was, and every depth reading on the
-// board should lie in that plane (as in Herrera, Kannala & Heikkila 2012, without their
+// Fits the pose of the depth camera relative to the colour camera, and scale and bias of its
+// readings, from planes: the board's pose is known from the colour camera, and every depth reading
+// on the board should be in that plane (as in Herrera, Kannala & Heikkila 2012, without their
 // distortion of depth). Least squares by Gauss-Newton, reweighted against flying pixels (Cauchy).
 // Metres. Thread-safe (no state).
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace roomcast::alignment::calibration {
 
-/// What is looked for: true z = scale * reading + bias.
+/// The unknowns: true z = scale * reading + bias.
 struct DepthModel {
   RigidTransform color_from_depth;
   double scale = 1;
@@ -27,7 +27,7 @@ struct BoardDepth {
   RigidTransform color_from_board;
 };
 
-/// One view, before and after.
+/// The plane error of one view, before and after the fit.
 struct PlaneError {
   double distance_m = 0;
   std::size_t readings = 0;
@@ -38,14 +38,15 @@ struct PlaneError {
 
 struct DepthFit {
   DepthModel model;
-  std::vector<PlaneError> views;  // in the order given; those without readings have 0
-  /// One standard deviation by the noise of depth alone: whether the views determine it at all.
-  /// What the lens and the board's poses are off by comes on top, and is about ten times as much.
+  std::vector<PlaneError> views;  // in the order given; 0 for views without readings
+  /// One standard deviation due to depth noise alone: it shows whether the views determine the
+  /// parameters. Errors of the lens and of the board's poses are added to it and are about ten
+  /// times as large.
   double translation_sigma_mm = 0, rotation_sigma_deg = 0, bias_sigma_mm = 0;
 };
 
-/// `cameras.color` is the fitted lens, `cameras.color_from_depth` where to begin. Where colour is
-/// registered, depth is looked at by the colour camera, and only scale and bias are looked for.
+/// `cameras.color` is the fitted lens, `cameras.color_from_depth` the start of the fit. If colour
+/// is registered, depth is seen from the colour camera, and only scale and bias are fitted.
 /// kNotFound: fewer than kFewestDepthViews views have readings on the board.
 [[nodiscard]] Result<DepthFit> fit_depth(const CharucoBoard& board,
                                          const std::vector<BoardDepth>& views,

@@ -74,7 +74,7 @@ double rms_of(const std::vector<CornerError>& errors) {
   return std::sqrt(sum / static_cast<double>(errors.size()));
 }
 
-/// OpenCV throws on what it does not like; that ends here.
+/// OpenCV throws on invalid input; the caller turns that into an error.
 void solve(const Correspondences& seen, bool keep_lens, LensFit& fit) {
   cv::Matx33d matrix = matrix_of(fit.camera);
   cv::Mat distortion = distortion_of(fit.camera);
@@ -85,7 +85,7 @@ void solve(const Correspondences& seen, bool keep_lens, LensFit& fit) {
                    rotations.emplace_back(), translations.emplace_back());
     }
   } else {
-    // A third radial term follows the noise rather than the lens.
+    // A third radial term would fit noise rather than the lens.
     cv::calibrateCamera(seen.on_board, seen.in_picture, {fit.camera.width, fit.camera.height},
                         matrix, distortion, rotations, translations,
                         cv::CALIB_USE_INTRINSIC_GUESS | cv::CALIB_FIX_K3);

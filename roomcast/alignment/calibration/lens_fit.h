@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lens of a colour camera, and where the board was in each picture, from the board's corners
+// Fits the lens of a colour camera and the board's pose in each picture from the board's corners
 // (Zhang 2000, as in OpenCV's calibrateCamera). Pixels, metres. Thread-safe (no state).
 #pragma once
 
@@ -12,19 +12,19 @@
 namespace roomcast::alignment::calibration {
 
 struct CornerError {
-  Eigen::Vector2d pixel, error_px;  // seen; seen - expected
+  Eigen::Vector2d pixel, error_px;  // measured; measured - expected
 };
 
 struct LensFit {
   CameraIntrinsics camera;
-  std::vector<RigidTransform> camera_from_board;  // one for each view
+  std::vector<RigidTransform> camera_from_board;  // one per view
   std::vector<CornerError> errors;
   double rms_px = 0;
 };
 
-/// `keep_lens`: `start` is believed, only the poses are looked for. Views hold six corners at
-/// least. kNotFound: too few views (kFewestViews; one, when the lens is kept); kMalformed:
-/// what was seen is no flat board.
+/// `keep_lens`: the lens `start` is kept, and only the poses are fitted. Each view has at least six
+/// corners. kNotFound: too few views (kFewestViews; one if the lens is kept); kMalformed: the
+/// corners do not fit a flat board.
 [[nodiscard]] Result<LensFit> fit_lens(const CharucoBoard& board,
                                        const std::vector<std::vector<SeenCorner>>& views,
                                        const CameraIntrinsics& start, bool keep_lens);

@@ -16,7 +16,7 @@ constexpr double kEnlarged = 100;
 const cv::Scalar kInk(50, 50, 50), kFaint(215, 215, 215), kBefore(200, 130, 40),
     kAfter(30, 90, 200);
 
-/// Drawn on as OpenCV's matrix; its pixels are those of the picture, red first.
+/// An OpenCV matrix over the pixels of the picture, red first.
 class Canvas {
  public:
   Canvas(int width, int height) : picture_(width, height, Rgb8{255, 255, 255}) {
@@ -42,7 +42,7 @@ double round_up(double value, double step) {
   return std::max(step, step * std::ceil(value / step));
 }
 
-/// Of a diagram: distances to the right, errors up.
+/// Axes of a diagram: distances to the right, errors up.
 struct Axes {
   double farthest_m, largest_mm;
   [[nodiscard]] cv::Point2d at(double distance_m, double error_mm) const {

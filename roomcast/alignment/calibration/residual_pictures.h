@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a calibration left over, as pictures: where in the colour picture corners lie off, and by
-// how much depth is off at which distance, before and after. Thread-safe (no state).
+// Pictures of the residuals of a calibration: the corner errors over the colour picture, and the
+// depth error over distance, before and after. Thread-safe (no state).
 #pragma once
 
 #include "roomcast/alignment/calibration/sensor_calibration.h"
@@ -8,11 +8,11 @@
 
 namespace roomcast::alignment::calibration {
 
-/// Every corner of every view, with its error a hundredfold; the picture shows what part of the
-/// field of view the boards covered.
+/// All corners of all views, with errors magnified a hundredfold; the picture also shows the part
+/// of the field of view that the boards covered.
 [[nodiscard]] ColorImage corner_error_picture(const LensFit& lens);
 
-/// Each view's mean error against its distance: hollow before, filled after.
+/// Each view's mean error over its distance: hollow before, filled after the fit.
 [[nodiscard]] ColorImage depth_error_picture(const DepthFit& depth);
 
 }  // namespace roomcast::alignment::calibration

@@ -8,7 +8,7 @@
 namespace roomcast::alignment::calibration {
 namespace {
 
-/// Pixels that are neither paper nor grey.
+/// Counts the pixels that are neither background nor grey.
 int colored(const ColorImage& picture) {
   return static_cast<int>(std::count_if(
       picture.data(), picture.data() + picture.view().pixel_count(), [](const Rgb8& p) {

@@ -18,7 +18,7 @@ std::vector<double> numbers(const YAML::Node& file, const char* name, std::size_
   return data;
 }
 
-/// yaml-cpp throws for whatever is missing or no number; that ends one level above.
+/// yaml-cpp throws for missing fields and invalid numbers; the caller catches that.
 CameraIntrinsics camera_of(const YAML::Node& file) {
   CameraIntrinsics camera;
   camera.width = file["image_width"].as<int>();
@@ -55,7 +55,8 @@ Result<CameraIntrinsics> parse_camera_info(const std::string& yaml) {
 
 Result<CameraIntrinsics> read_camera_info(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes;
-  if (Status status = io::read_file(file, kMaxCameraInfoBytes, bytes); !status) return status.error();
+  if (Status status = io::read_file(file, kMaxCameraInfoBytes, bytes); !status)
+    return status.error();
   auto camera = parse_camera_info({bytes.begin(), bytes.end()});
   if (camera) return camera;
   return Error{camera.error().code, file.string() + ": " + camera.error().message};

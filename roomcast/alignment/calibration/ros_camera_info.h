@@ -14,10 +14,10 @@ namespace roomcast::alignment::calibration {
 
 inline constexpr std::size_t kMaxCameraInfoBytes = 64U << 10U;
 
-/// kMalformed with the field that is wrong; kUnsupported: another lens model than plumb_bob.
+/// kMalformed names the invalid field; kUnsupported: a lens model other than plumb_bob.
 [[nodiscard]] Result<CameraIntrinsics> parse_camera_info(const std::string& yaml);
 
-/// kNotFound, kTooLarge, and the above with the file's name.
+/// kNotFound, kTooLarge, and the errors above with the file's name.
 [[nodiscard]] Result<CameraIntrinsics> read_camera_info(const std::filesystem::path& file);
 
 }  // namespace roomcast::alignment::calibration

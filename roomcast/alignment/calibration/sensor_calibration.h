@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor's calibration from views of a board: the colour camera's lens, where the depth camera
-// stands beside it, and what its readings are off by. The depth camera's lens is believed as it is
-// given: the board's print cannot be seen in depth. Thread-safe (no state).
+// Calibrates one sensor from views of a board: the colour camera's lens, the pose of the depth
+// camera relative to it, and scale and bias of its readings. The depth camera's lens is taken as
+// given: the board's print is not visible in depth. Thread-safe (no state).
 #pragma once
 
 #include <vector>
@@ -24,7 +24,8 @@ struct CalibrationReport {
   DepthFit depth;
 };
 
-/// `start`: what is known, the maker's calibration or nominal. Errors of fit_lens and fit_depth.
+/// `start`: the initial calibration, the manufacturer's or nominal. Errors of fit_lens and
+/// fit_depth.
 [[nodiscard]] Result<CalibrationReport> calibrate(const CharucoBoard& board,
                                                   const std::vector<BoardView>& views,
                                                   const SensorCalibration& start, bool keep_lens);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rendered boards whose cameras are known.
+// Simulated board views with known cameras.
 #include "roomcast/alignment/calibration/sensor_calibration.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ double degrees_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return Eigen::AngleAxisd(a.transpose() * b).angle() * 180 / std::numbers::pi;
 }
 
-/// Once for all tests: it takes seconds.
+/// Computed once for all tests: it takes seconds.
 class RenderedBoards : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -41,7 +41,7 @@ class RenderedBoards : public testing::Test {
     static std::vector<RigidTransform> all;
     return all;
   }
-  /// Nominal: what a camera without memory is taken for.
+  /// Nominal values, as used for a camera without a stored calibration.
   static SensorCalibration start() {
     SensorCalibration nominal;
     nominal.depth = kinect_fixture().calibration.depth;
@@ -79,7 +79,8 @@ TEST_F(RenderedBoards, lens_pose_and_depth_are_found) {
       1000 * (found.color_from_depth.translation_m - real.color_from_depth.translation_m).norm();
   const double turn_deg =
       degrees_between(found.color_from_depth.rotation, real.color_from_depth.rotation);
-  // Scale and bias together: what counts is the error of a reading, over the range of the boards.
+  // Scale and bias are checked together: the error of a reading counts, over the range of the
+  // boards.
   double worst_depth_mm = 0;
   for (const double z : {0.5, 0.8, 1.2, 1.6}) {
     const double mm = 1000 * z;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of a sensor's frames are taken as views of the board: it is held still (depth and colour
-// are not of quite the same instant), most of it is seen, and it is somewhere else than before.
-// Single-threaded.
+// Selects the frames of a sensor that serve as views of the board: at least kMinCorners corners are
+// visible, the board is held still (depth and colour are not captured at exactly the same time),
+// and it is at a new place. Single-threaded.
 #pragma once
 
 #include <vector>
@@ -20,12 +20,12 @@ class ViewCollector {
   Verdict add(const source::CapturedFrame& frame);
 
   [[nodiscard]] const std::vector<BoardView>& views() const { return views_; }
-  /// Of the last frame.
+  /// The corners of the last frame.
   [[nodiscard]] const std::vector<SeenCorner>& corners() const { return last_; }
 
   static constexpr std::size_t kMinCorners = 10;
   static constexpr double kStill_px = 0.7;
-  static constexpr double kElsewhere = 0.05;  // of the picture's width, the corners' mean way
+  static constexpr double kElsewhere = 0.05;  // of the picture's width, from earlier views
 
  private:
   CharucoFinder finder_;
@@ -33,7 +33,8 @@ class ViewCollector {
   std::vector<BoardView> views_;
 };
 
-/// Root mean square way between corners that both hold; nothing when there are fewer than four.
+/// Root mean square distance between the corners that both contain; nothing if there are fewer than
+/// four.
 [[nodiscard]] std::optional<double> way_px(const std::vector<SeenCorner>& a,
                                            const std::vector<SeenCorner>& b);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: what a sensor with known cameras sees of a board whose pose is known. Colour is
-// averaged over each pixel and has noise; depth is off by a known scale and bias and has noise that
-// grows with the square of the distance.
+// For tests: simulated frames of a sensor with known cameras that sees a board at a known pose.
+// Colour is averaged over each pixel and has noise; depth is off by a known scale and bias and has
+// noise that grows with the square of the distance.
 #pragma once
 
 #include <cmath>
@@ -103,7 +103,7 @@ class SensorFixture {
   std::mt19937 random_{1};
 };
 
-/// A board held before the camera here and there, near and far, turned this way and that.
+/// Poses of a board in front of the camera at varying places, distances and tilts.
 inline std::vector<RigidTransform> held_about(const CharucoBoard& board, int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);

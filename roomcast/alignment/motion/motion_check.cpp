@@ -16,16 +16,16 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr std::size_t kMaxLandmarks = 3000;
-constexpr float kFitSigmas = 3;           // what fits
-constexpr float kHidden_m = 0.05F;        // beyond what fits: somebody stands before it
-constexpr float kGone_m = 0.10F;          // beyond what fits: it is not there any more
-constexpr double kMaxIndependent = 1500;  // neighbouring readings err together
-constexpr double kLever_m = 2.5;          // at which rotation and shift weigh the same
-constexpr double kTellable_m = 0.007;     // a direction known less well than this counts as still
-/// The kernel's width, in sigmas of a reading, from step to step.
+constexpr float kFitSigmas = 3;           // largest misfit of a point that fits
+constexpr float kHidden_m = 0.05F;        // nearer by more than a fit: occluded
+constexpr float kGone_m = 0.10F;          // farther by more than a fit: the surface is gone
+constexpr double kMaxIndependent = 1500;  // errors of neighbouring readings are correlated
+constexpr double kLever_m = 2.5;          // at which rotation and shift have equal weight
+constexpr double kTellable_m = 0.007;     // a direction known less exactly counts as no motion
+/// The kernel's width in each step, in sigmas of a reading.
 constexpr std::array<float, 7> kWidening = {8, 6, 4, 2, 1, 1, 1};
 
-/// The motion the equations ask for, in the directions that they know well.
+/// The solution of the equations, restricted to the well-determined directions.
 Vector6 known_motion(const Matrix6& information, const Vector6& gradient) {
   Vector6 scale;  // radians as metres at the lever
   scale << Eigen::Vector3d::Constant(1 / kLever_m), Eigen::Vector3d::Ones();
@@ -65,7 +65,8 @@ MotionCheck::MotionCheck(const CalibrationBundle& bundle)
   }
 }
 
-/// Calls `visit(landmark, its place now, its normal now, how much farther the reading there is)`.
+/// Calls `visit(landmark, its current position, its current normal, distance by which the reading
+/// there is farther)`.
 template <class Visit>
 void MotionCheck::for_each_reading(DepthView depth_mm, const RigidTransform& now_from_then,
                                    Visit visit) const {

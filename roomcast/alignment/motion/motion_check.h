@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// MotionCheck: has the sensor itself moved since its calibration bundle? Compares one depth picture
-// with the bundle's: projective point-to-plane ICP (Blais & Levine 1995; Chen & Medioni 1992) with
-// depth-noise weights, from no motion on, under a robust kernel that narrows from step to step
-// (graduated non-convexity, Blake & Zisserman 1987). People and things that move are a minority
-// that the kernel leaves out; what is hidden behind somebody is not counted at all. Directions that
-// this view cannot tell (along a bare wall) count as still. About a millisecond of CPU per picture.
-// Metres, radians. Thread-safe (immutable).
+// MotionCheck: tests whether the sensor itself has moved since its calibration bundle. Compares one
+// depth picture with the bundle's by projective point-to-plane ICP (Blais & Levine 1995; Chen &
+// Medioni 1992) with depth-noise weights, starting from no motion, under a robust kernel that
+// narrows from step to step (graduated non-convexity, Blake & Zisserman 1987). Moving people and
+// objects are a minority that the kernel rejects as outliers; occluded points are not counted.
+// Directions that the view does not constrain (along a bare wall) count as no motion. About a
+// millisecond of CPU per picture. Metres, radians. Thread-safe (immutable).
 #pragma once
 
 #include <vector>
@@ -17,15 +17,16 @@
 
 namespace roomcast::alignment {
 
-/// What one picture says. Shares are of the bundle's surface points that can be compared.
+/// The evidence of one picture. Shares are of the bundle's surface points that can be compared,
+/// unless noted.
 struct MotionEvidence {
   RigidTransform now_from_then;
   double shift_m = 0, angle_rad = 0;
-  double comparable = 0;      // share of all points: with a reading that nobody stands before
+  double comparable = 0;      // share of all points: with a reading that is not an occluder
   double agree_if_still = 0;  // share that fits if the sensor has not moved
   double agree_if_moved = 0;  // share that fits if it has moved by now_from_then
-  double gain = 0;            // by how much moving makes the mean misfit smaller, in squared sigmas
-  double gone = 0;            // share of all points with readings: seen through if it is still
+  double gain = 0;            // reduction of the mean misfit by the motion, in squared sigmas
+  double gone = 0;  // share of all points with readings: seen through if the sensor has not moved
 };
 
 class MotionCheck {

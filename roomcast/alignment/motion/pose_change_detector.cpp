@@ -7,9 +7,9 @@ namespace {
 constexpr double kMinShift_m = 0.014, kMinAngle_rad = 0.0058;  // 0.33 degrees
 constexpr double kMinAgreement = 0.6;                          // most of the room
 constexpr double kMinGain =
-    0.03;  // of misfit, in squared sigmas; else it fits as well where it was
-constexpr double kMinComparable = 0.2;                  // less than this says nothing
-constexpr double kMaxGone = 0.25, kHardlyAgrees = 0.3;  // turned towards something else altogether
+    0.03;  // of misfit, in squared sigmas; below this the old pose fits equally well
+constexpr double kMinComparable = 0.2;                  // less is inconclusive
+constexpr double kMaxGone = 0.25, kHardlyAgrees = 0.3;  // the sensor was turned away completely
 
 bool moved_a_little(const MotionEvidence& evidence) {
   return (evidence.shift_m > kMinShift_m || evidence.angle_rad > kMinAngle_rad) &&

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// PoseChangeDetector: notices that its sensor was moved, by 2 cm or half a degree and more, within
-// 2 s, and keeps quiet about people who walk past and chairs that are pushed. It looks at a picture
-// now and then; only what most of the room says, several looks in a row, counts. Single-threaded.
+// PoseChangeDetector: detects within 2 s that its sensor was moved by at least 2 cm or half a
+// degree. People who walk past and chairs that are pushed do not trigger it: it checks a picture
+// every 400 ms, and reports a motion only if most of the room agrees in several consecutive checks.
+// Single-threaded.
 #pragma once
 
 #include <optional>
@@ -11,17 +12,17 @@
 
 namespace roomcast::alignment {
 
-/// Between two looks.
+/// Time between two checks.
 inline constexpr std::chrono::milliseconds kLookInterval{400};
-/// That have to agree.
+/// Consecutive checks that must agree.
 inline constexpr int kLooksInARow = 3;
 
-/// After so many that tell nothing, because all that was there is hidden, it is not somebody
-/// standing before the sensor: it was turned towards something close.
+/// After this many consecutive checks in which the background is hidden, the cause is not a person
+/// in front of the sensor: the sensor was turned towards a near object.
 inline constexpr int kBlindLooksInARow = 25;
 
-/// Whether this picture alone says that the sensor has moved; nothing when it cannot tell, as when
-/// somebody stands right before it.
+/// Whether this picture alone indicates that the sensor has moved; nothing if it is inconclusive,
+/// as when a person is close in front of the sensor.
 [[nodiscard]] std::optional<bool> says_moved(const MotionEvidence& evidence);
 
 class PoseChangeDetector {
@@ -29,8 +30,8 @@ class PoseChangeDetector {
   /// `bundle` has passed check().
   explicit PoseChangeDetector(const CalibrationBundle& bundle) : check_(bundle) {}
 
-  /// Takes a picture of the bundle's size, taken at `time`. True: the sensor has moved. Most
-  /// pictures are not even looked at.
+  /// `depth_mm` has the bundle's size and was taken at `time`. Returns true if the sensor has
+  /// moved. Most pictures are skipped.
   [[nodiscard]] bool moved(DepthView depth_mm, HostTime time);
 
  private:

@@ -30,7 +30,8 @@ RigidTransform pushed(double shift_m, double turn_rad) {
   return stand() * push;
 }
 
-/// How long after the picture has changed to `now` it is noticed; nothing within 15 s.
+/// The time from the change of the picture to `now` until its detection; nothing if it takes more
+/// than 15 s.
 std::optional<nanoseconds> noticed_after(const DepthImage& now) {
   PoseChangeDetector watch(bundle_fixture({}, "s0", stand()));
   const DepthImage still = seen_from(stand());
@@ -84,7 +85,7 @@ TEST(PoseChangeDetector, a_knock_that_swings_back_is_none) {
   }
 }
 
-/// Somebody goes through the room, right before the sensor in the end.
+/// A person walks through the room, close to the sensor at the end.
 TEST(PoseChangeDetector, a_walker_is_no_motion_of_the_sensor) {
   PoseChangeDetector watch(bundle_fixture({}, "s0", stand()));
   HostTime time(1h);

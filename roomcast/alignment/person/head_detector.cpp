@@ -16,28 +16,28 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr int kPixelStep = 2;
-constexpr float kBefore_m = 0.08F, kBeforeSigmas = 4;  // nearer than the room by more
-constexpr float kMinHeight_m = 0.4F;                   // what is lower is furniture that was moved
+constexpr float kBefore_m = 0.08F, kBeforeSigmas = 4;  // nearer than the background by more
+constexpr float kMinHeight_m = 0.4F;                   // lower blobs are furniture that was moved
 constexpr float kCell_m = 0.08F, kReach_m = 8;         // of the plan, to each side of the sensor
 constexpr int kCells = static_cast<int>(2 * kReach_m / kCell_m);
-constexpr float kCellArea_m2 = 0.002F;   // surface seen in a cell that counts
-constexpr float kPersonArea_m2 = 0.12F;  // surface seen of somebody, at least
+constexpr float kCellArea_m2 = 0.002F;   // visible surface in a cell that counts
+constexpr float kPersonArea_m2 = 0.12F;  // visible surface of a person, at least
 constexpr float kHeadLength_m = 0.20F;   // below the top
-constexpr float kCrown_m = 0.05F;        // below the top: where heads are most alike
+constexpr float kCrown_m = 0.05F;        // below the top: where heads differ least
 constexpr float kHeadRadius_m = 0.16F;   // about its middle
-constexpr float kTopShare = 0.01F;       // of the points that may lie above the top: flying pixels
+constexpr float kTopShare = 0.01F;       // of the points, allowed above the top: flying pixels
 
 bool is_at_border(DepthView picture, int x, int y) {
-  constexpr int kBorder = 8;  // depth cameras see little there
+  constexpr int kBorder = 8;  // depth cameras have few readings there
   return x < kBorder || y < kBorder || x >= picture.width - kBorder;
 }
 
-/// Somebody's surface, in the level frame.
+/// The surface points of one person, in the level frame.
 struct Body {
   std::vector<Eigen::Vector3f> points_m;
   std::vector<float> areas_m2;
   float area_m2 = 0;
-  float highest_cut_m = 0;  // of what lies at the picture's border
+  float highest_cut_m = 0;  // of the points at the picture's border
 };
 
 float top_of(const Body& body) {
@@ -72,7 +72,7 @@ std::optional<Eigen::Vector3f> middle_of(const Body& body, float low_m, float hi
 std::optional<Eigen::Vector3f> head_of(const Body& body) {
   const float top_m = top_of(body);
   if (top_m < kMinHead_m || top_m > kMaxHead_m) return std::nullopt;
-  if (body.highest_cut_m > top_m - kHeadLength_m) return std::nullopt;  // it goes on beyond
+  if (body.highest_cut_m > top_m - kHeadLength_m) return std::nullopt;  // cut off at the border
   const float chin_m = top_m - kHeadLength_m, above_m = top_m + 0.03F;
   auto head = middle_of(body, top_m - 0.5F * kHeadLength_m, above_m, nullptr);
   for (int step = 0; head && step < 3; ++step) head = middle_of(body, chin_m, above_m, &*head);
@@ -90,7 +90,7 @@ RigidTransform level_from_depth(const Plane& floor) {
   return world_frame(std::array{floor}).world_from_origin;
 }
 
-/// The view from above, and what stands in it.
+/// The plan view and its blobs.
 struct HeadDetector::Plan {
   struct Reading {
     Eigen::Vector3f level_m;
@@ -102,7 +102,7 @@ struct HeadDetector::Plan {
   DepthImage room_mm;
   Image<Eigen::Vector2f> rays;
   RigidTransform level_from_depth;
-  float area_per_z2 = 0;  // of the surface behind a pixel that is looked at
+  float area_per_z2 = 0;  // of the surface behind a sampled pixel
   std::vector<Reading> readings;
   std::vector<float> areas_m2;  // by cell
   std::vector<int> bodies;      // by cell: which body, or -1
@@ -134,7 +134,7 @@ void HeadDetector::Plan::take_readings(DepthView depth_mm) {
   }
 }
 
-/// Cells that touch belong to one body. How many there are.
+/// Labels connected cells as one body. Returns the number of bodies.
 int HeadDetector::Plan::label_bodies() {
   std::ranges::fill(areas_m2, 0.F);
   std::ranges::fill(bodies, -1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// HeadDetector: where the heads of people are that move in one sensor's view. What is nearer than
-// the calibration bundle's depth is somebody or something; seen from above (a plan view on the
-// floor, Darrell et al. 1998; Harville 2004), what is as large and as tall as a person is one, and
-// their head is what is topmost. A few milliseconds per picture. Metres, in the depth camera's
+// HeadDetector: finds the heads of moving people in the view of one sensor. Readings nearer than
+// the depth of the calibration bundle are foreground. In a plan view of the foreground on the floor
+// (Darrell et al. 1998; Harville 2004), a blob of the size and height of a person is a person, and
+// its topmost part is the head. A few milliseconds per picture. Metres, in the depth camera's
 // frame. Single-threaded.
 #pragma once
 
@@ -21,10 +21,11 @@ namespace roomcast::alignment {
 inline constexpr float kMinHead_m = 1.0F, kMaxHead_m = 2.2F;
 inline constexpr std::size_t kMaxHeads = 4;
 
-/// The floor that a sensor sees; nothing where it sees none.
+/// The floor plane in the sensor's view; nothing if it sees no floor.
 [[nodiscard]] std::optional<Plane> floor_of(const CalibrationBundle& bundle);
 
-/// A frame with y up, the floor at y = 0, the sensor above its origin, looking along -z.
+/// Transform to the level frame: y up, the floor at y = 0, the sensor above its origin, looking
+/// along -z.
 [[nodiscard]] RigidTransform level_from_depth(const Plane& floor);
 
 class HeadDetector {
@@ -35,8 +36,8 @@ class HeadDetector {
   HeadDetector(HeadDetector&&) noexcept;
   HeadDetector& operator=(HeadDetector&&) noexcept;
 
-  /// `depth_mm` has the bundle's size. The middle of what is seen of each head's crown: its
-  /// surface, so on the sensor's side of it. Largest person first.
+  /// `depth_mm` has the bundle's size. Returns the centre of the visible surface of each head's
+  /// crown, which is on the sensor's side of the head. Largest person first.
   [[nodiscard]] std::vector<Eigen::Vector3f> find(DepthView depth_mm);
 
  private:

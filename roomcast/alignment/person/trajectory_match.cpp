@@ -16,29 +16,29 @@ using Eigen::Vector2d;
 
 // Times.
 constexpr double kWidestGap_s = 0.35;   // between sightings of b, to be joined by a line
-constexpr double kLongestStep_m = 0.5;  // that somebody goes in such a gap
+constexpr double kLongestStep_m = 0.5;  // that a person walks in such a gap
 constexpr double kMinApart_s = 1;       // the two moments of a hypothesis
 constexpr std::array<double, 6> kOtherTimes_s = {-5, -3, -1.5, 1.5, 3, 5};
 // Places.
 constexpr double kSameHeight_m = 0.12;       // heads of one person
 constexpr double kMinApart_m = 0.7;          // the two moments of a hypothesis
 constexpr double kSameDistance_m = 0.2;      // between them, seen by both
-constexpr double kMaxHeadDistance_m = 0.25;  // with a hypothesis: heads are seen from two sides
-// What is known before: half a head, with hair, is about 98 mm deep (the mean of its length and its
-// breadth). The middle of what is seen of a ball lies 2/3 of that before its centre, of an upright
-// cylinder pi / 4; a head's crown is something between.
+constexpr double kMaxHeadDistance_m = 0.25;  // from a hypothesis: the sensors see different sides
+// Prior on the depth of a head: half a head, with hair, is about 98 mm deep (the mean of its length
+// and its breadth). The centre of the visible surface of a ball is 2/3 of that in front of its
+// centre, of an upright cylinder pi / 4; a head's crown is in between.
 constexpr double kInside_m = 0.0705, kInsideSigma_m = 0.012;
 constexpr double kAcrossSigma_m = 0.02, kAlongSigma_m = 0.035;
-constexpr double kIndependent_s = 0.5;   // about a step: sightings closer in time err together
-constexpr double kShapeSigma_m = 0.012;  // heads are no balls
-// What an answer has to have.
+constexpr double kIndependent_s = 0.5;   // errors of sightings closer in time are correlated
+constexpr double kShapeSigma_m = 0.012;  // heads are not spheres
+// Requirements on a result.
 constexpr int kMinMoments = 25;
 constexpr double kMinSeconds = 3;
-constexpr double kMinShare = 0.5;        // of the moments that both saw somebody
+constexpr double kMinShare = 0.5;        // of the moments in which both saw a person
 constexpr double kMaxRivalShare = 0.75;  // of the moments that agree
 constexpr double kMaxWalkError_mm = 60;
 
-/// Both saw a head of that height at that time.
+/// A time at which both saw a head of the same height.
 struct Moment {
   double time_s;
   Vector2d a, b;            // places
@@ -74,13 +74,13 @@ std::optional<HeadSighting> between(const HeadSighting& before, const HeadSighti
   return there;
 }
 
-/// Where b saw heads at a time, its clock set forward by `late_s`.
+/// The heads that b saw at a time, its clock set forward by `late_s`.
 std::vector<HeadSighting> seen_at(std::span<const HeadSighting> b, double time_s, double late_s) {
   std::vector<HeadSighting> seen;
   const double there_s = time_s - late_s;
   const auto after = std::ranges::lower_bound(b, there_s, {}, &HeadSighting::time_s);
   for (auto late = after; late != b.end() && late->time_s - there_s < kWidestGap_s; ++late) {
-    if (late->time_s > after->time_s) break;  // only the next picture
+    if (late->time_s > after->time_s) break;  // interpolate to the next picture only
     for (auto early = after; early != b.begin();) {
       --early;
       if (there_s - early->time_s > kWidestGap_s) break;
@@ -117,7 +117,7 @@ std::optional<Motion> motion_by(const Moment& one, const Moment& other) {
   return motion;
 }
 
-/// Those that agree; of one time the best.
+/// The moments that agree with the motion; of several at one time the closest.
 std::vector<Moment> agreeing(std::span<const Moment> moments, const Motion& motion) {
   std::vector<Moment> agree;
   const auto off = [&](const Moment& m) { return (motion(m.b) - m.a).norm(); };
@@ -150,7 +150,8 @@ std::optional<Motion> most_agreed(std::span<const Moment> moments, std::size_t& 
   return best;
 }
 
-/// Unknown: turn, shift, and how much deeper inside than usual heads are, seen by a and by b.
+/// Unknowns: turn, shift, and how much deeper inside than usual the heads' centres are, as seen by
+/// a and by b.
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
@@ -160,7 +161,7 @@ struct Fit {
   Matrix5 covariance = Matrix5::Zero();
 };
 
-/// What is not known about where a head is, seen along `away`.
+/// Covariance of a head's position, seen along `away`.
 Eigen::Matrix2d sighting_covariance(const Vector2d& away) {
   const Vector2d across(-away.y(), away.x());
   return kAlongSigma_m * kAlongSigma_m * away * away.transpose() +
@@ -200,7 +201,7 @@ Fit improved(std::span<const Moment> moments, const Fit& fit, double weight_of_e
   return better;
 }
 
-/// Seconds in which there are moments that agree.
+/// The total time of the agreeing moments.
 double seconds_of(std::span<const Moment> moments) {
   constexpr double kPause_s = 0.5;
   double seconds = 0;
@@ -209,7 +210,7 @@ double seconds_of(std::span<const Moment> moments) {
   return seconds;
 }
 
-/// Of the middle of the walk.
+/// Expected error of the middle of the walk.
 double walk_error_m(const Fit& fit, std::span<const Moment> moments) {
   Vector2d middle = Vector2d::Zero();
   for (const Moment& moment : moments) middle += moment.b / static_cast<double>(moments.size());

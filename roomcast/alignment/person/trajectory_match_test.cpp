@@ -14,8 +14,8 @@ namespace {
 
 using Path = std::function<Eigen::Vector3d(double time_s)>;  // of a head
 
-// What is seen lies this much nearer than a head's middle: a centimetre less than is expected of
-// heads.
+// The visible surface is this much nearer than a head's centre: a centimetre less than the matcher
+// expects of heads.
 constexpr double kHeadRadius_m = 0.06;
 constexpr double kMaxError_m = 0.03;  // where the walk was, from opposite sides
 
@@ -26,7 +26,7 @@ RigidTransform level_pose(double turn_rad, double x, double z) {
   return pose;
 }
 
-/// What a sensor 2 m above `world_from_level`'s origin sees of it, with noise.
+/// The sightings of a sensor 2 m above `world_from_level`'s origin, with noise.
 std::vector<HeadSighting> watched(const Path& path, const RigidTransform& world_from_level,
                                   double phase_s, double seconds = 20, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -44,7 +44,7 @@ std::vector<HeadSighting> watched(const Path& path, const RigidTransform& world_
   return sightings;
 }
 
-/// Round a table, now faster, now slower.
+/// Around a table at varying speed.
 Eigen::Vector3d stroll(double time_s) {
   const double angle = 0.5 * time_s + 0.8 * std::sin(0.45 * time_s);
   return {1.1 * std::cos(angle), 1.7, 0.8 * std::sin(angle) + 0.2 * std::sin(2.2 * angle)};

@@ -14,12 +14,13 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kFurthest_m = 0.6, kFurthest_rad = 0.35;  // of the answer from the guess
-constexpr double kMinLead = 4;                             // in score, before a rival
+constexpr double kFurthest_m = 0.6, kFurthest_rad = 0.35;  // from the prior to the result
+constexpr double kMinLead = 4;                             // in score, over a rival
 constexpr double kSettledReach_m = 0.05;
 constexpr double kBeside_m = 0.15, kBeside_rad = 0.07;
 
-/// The guess, and beside it along the floor and turned about the vertical: what people misjudge.
+/// The prior, and poses moved along the floor or turned about the vertical: the usual errors of a
+/// person's estimate.
 std::vector<RigidTransform> starts_about(const RigidTransform& guess) {
   std::vector<RigidTransform> starts = {guess};
   for (const double side : {-1.0, 1.0}) {
@@ -39,8 +40,8 @@ bool is_near(const RigidTransform& pose, const RigidTransform& guess) {
   return apart.distance_m < kFurthest_m && apart.angle_rad < kFurthest_rad;
 }
 
-/// Where the starts end up, and what alignment itself proposes near the guess (the first start);
-/// best first, none twice.
+/// The refined poses of all starts, and alignment's own candidates near the prior (the first
+/// start). Sorted by score, without duplicates.
 std::vector<PoseEvidence> settled_from(const PairCandidates& pair,
                                        std::span<const RigidTransform> starts_a_from_b) {
   std::vector<PoseEvidence> ends;
@@ -59,13 +60,13 @@ std::vector<PoseEvidence> settled_from(const PairCandidates& pair,
   return distinct;
 }
 
-/// Standard deviation 2.5 m ahead of b, from the surfaces that both share.
+/// Standard deviation 2.5 m ahead of b, by the surfaces that both share.
 double expected_error_ahead_m(const SensorView& a, const SensorView& b,
                               const RigidTransform& a_from_b) {
   const auto partners = surface_partners(a.surface, b.surface, a_from_b, {kSettledReach_m, 6000});
   Matrix6 information = surface_equations(partners, a_from_b, surface_noise(partners))
                             .information.topLeftCorner<6, 6>();
-  information += Matrix6::Identity();  // a metre and a radian: what nothing tells at all
+  information += Matrix6::Identity();  // weak prior (1 m, 1 rad) for undetermined directions
   return expected_error_m(information, a_from_b * Eigen::Vector3d(0, 0, 2.5));
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kMinOverlap = 0.05, kMaxConflict = 0.08;
 constexpr double kMinCorrelation = 0.35, kTextured = 0.004;
-constexpr double kPerhapsOverlap = 0.02;  // at the guess: worth a look
+constexpr double kPerhapsOverlap = 0.02;  // at the prior: enough to compare the two
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransf
     const RigidTransform other_from_view = other.world_from_depth.inverse() * guess;
     const auto space =
         check_free_space(other.view->surface, view.surface, other_from_view, kTestedPoints);
-    const double seen = space.consistent + space.violating;  // a guess is off by decimetres
+    const double seen = space.consistent + space.violating;  // a prior is off by decimetres
     if (seen <= most) continue;
     most = seen;
     best = other;

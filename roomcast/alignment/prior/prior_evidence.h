@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What placed sensors say about where another one is thought to stand: which of them shares most
-// with it there, and whether what both see fits. Metres. Thread-safe (no state).
+// Evidence of placed sensors for or against a prior pose of another sensor: the placed sensor with
+// the largest overlap at that pose, and whether the surfaces of both fit. Metres. Thread-safe (no
+// state).
 #pragma once
 
 #include <optional>
@@ -17,20 +18,22 @@ struct PlacedView {
   RigidTransform world_from_depth;
 };
 
-/// The placed sensor that shares most with the view if the guess is about right; nothing where none
-/// shares anything.
+/// The placed sensor with the largest overlap if the prior is about right; nothing if none
+/// overlaps.
 [[nodiscard]] std::optional<PlacedView> best_partner(const SensorView& view,
                                                      const RigidTransform& prior_world_from_depth,
                                                      std::span<const PlacedView> others);
 
-/// Both compared with each other alone.
+/// The pose candidates of this pair alone.
 [[nodiscard]] PairCandidates candidates_of(const SensorView& a, const SensorView& b);
 
-/// Less support is asked for than of a pose that nobody proposed, but nothing may contradict it.
+/// The evidence against a pose. A pose with a prior needs less support than one without, but
+/// nothing may contradict it.
 enum class Contradiction { kNone, kShapes, kColors };
 [[nodiscard]] Contradiction contradiction(const PoseEvidence& evidence);
 
-/// Whether one looks through what the other sees, by more than edges that are a little off.
+/// Whether one sensor sees through surfaces that the other sees, by more than slightly misaligned
+/// edges explain.
 [[nodiscard]] bool is_too_much(const FreeSpaceCheck& space);
 
 }  // namespace roomcast::alignment

@@ -14,8 +14,8 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kReachOfWalk_m = 1;  // about its middle: as long a lever says how it is turned
-constexpr double kMaxSigmas = 3;      // of what found the place, to where it settles
+constexpr double kReachOfWalk_m = 1;  // radius of a walk: the lever for its rotation
+constexpr double kMaxSigmas = 3;      // of the estimate, from it to the refined pose
 
 const Eigen::Vector3d kAhead_m(0, 0, 2.5);
 
@@ -27,7 +27,7 @@ Vector6 motion_between(const RigidTransform& from, const RigidTransform& to) {
   return motion;
 }
 
-/// How much what found a place says about it.
+/// Information matrix of an estimated pose with this error.
 Matrix6 information_of(double sigma_m, const Eigen::Vector3d& ahead_m) {
   const Eigen::Matrix<double, 3, 6> by = point_motion(ahead_m);
   const double weight = 1 / (sigma_m * sigma_m);
@@ -36,7 +36,7 @@ Matrix6 information_of(double sigma_m, const Eigen::Vector3d& ahead_m) {
   return information;
 }
 
-/// Where b stands by what both see; its covariance is 0 where that tells nothing.
+/// The pose of b by the surfaces that both see; its covariance is 0 if they determine nothing.
 RefinedSensor by_what_both_see(const PairCandidates& pair, const RigidTransform& start) {
   const PairState settled = refined_pose(pair.a(), pair.b(), pair.matches(), start);
   const std::array poses = {RigidTransform(), settled.a_from_b};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of a place that was found by something other than what sensors share: somebody's
-// walk. (A board tells more exactly than what is shared.) Most sensors across from each other do
-// share something, a floor, the tops of tables, only too little or too much alike to find the place
-// by. Near it, it says more exactly where the sensor stands. Both are put together, each by how
-// exactly it tells (weighted least squares), so that along what is shared, as on a bare floor, the
-// place stays as it was found. Metres. Thread-safe (no state).
+// Refines a pose that was estimated from a person's walk. (A pose from a board is more exact than
+// the overlap of the sensors and is not refined.) Most sensors that face each other share some
+// surfaces, such as the floor or table tops, but too few or too ambiguous ones to find the pose by.
+// Near the estimated pose they determine it more exactly. The result is the mean of both, weighted
+// by their information (weighted least squares): in directions that the shared surfaces leave open,
+// as on a bare floor, the estimate stays unchanged. Metres. Thread-safe (no state).
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct EstimatedPlacement {
   double expected_error_mm = 0;  // standard deviation, 2.5 m ahead of the sensor
 };
 
-/// Nothing where the sensor shares next to nothing with those that are placed, where what they
-/// share contradicts the place, or where it says something else than what found it.
+/// Nothing if the sensor has next to no overlap with the placed sensors, if the overlap contradicts
+/// the pose, or if the result differs from the estimate by more than 3 of its standard deviations.
 [[nodiscard]] std::optional<EstimatedPlacement> refined_placement(
     const SensorView& view, const EstimatedPlacement& found, std::span<const PlacedView> placed);
 

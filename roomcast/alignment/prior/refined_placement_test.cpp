@@ -47,7 +47,7 @@ TEST(SettledPlace, where_nothing_is_shared_it_stays_as_it_was_found) {
   EXPECT_FALSE(refined_placement(*first_corner().view, {{}, kOfWalk_mm}, {}));
 }
 
-/// A long grey corridor, lit from one side. Each sensor sees another piece of its walls.
+/// A long grey corridor, lit from one side. Each sensor sees a different part of its walls.
 ViewFixture in_corridor(const std::string& name, double x_m, double towards_m) {
   RoomFixture corridor;
   corridor.walls = {Eigen::Vector3d(-30, 0, -1.2), Eigen::Vector3d(30, 2.6, 1.2)};

@@ -7,8 +7,8 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kMinSeen = 0.05;  // of a view: so much has to be judged to contradict a pose
-constexpr double kMaxOff_m = 0.03, kMaxOff_rad = 0.012;  // of where what both see puts it
+constexpr double kMinSeen = 0.05;                        // of a view: less overlap is inconclusive
+constexpr double kMaxOff_m = 0.03, kMaxOff_rad = 0.012;  // from the stored pose to the refined one
 
 }  // namespace
 
@@ -19,7 +19,7 @@ StoredPoseCheck stored_pose_check(const PairCandidates& pair, const RigidTransfo
   const Contradiction against = contradiction(evidence);
   if (against == Contradiction::kColors || is_too_much(evidence.space))
     return {StoredPoseVerdict::kContradicted, against, 0};
-  if (against != Contradiction::kNone) return {};  // too little to go by
+  if (against != Contradiction::kNone) return {};  // too little evidence
   const auto found = refined_prior(pair, world_from_a, world_from_b);
   if (!found) return {};
   const PoseDifference off = difference(found->world_from_depth, world_from_b);

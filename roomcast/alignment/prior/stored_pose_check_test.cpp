@@ -8,7 +8,7 @@
 namespace roomcast::alignment {
 namespace {
 
-/// Between both, when the second is said to stand so.
+/// The check of both sensors if this is the stored pose of the second.
 StoredPoseCheck recalled(const ViewFixture& a, const ViewFixture& b,
                          const RigidTransform& world_from_b) {
   return stored_pose_check(candidates_of(*a.view, *b.view), a.world_from_depth, world_from_b);

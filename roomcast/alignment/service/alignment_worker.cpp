@@ -14,12 +14,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Sensors often come together; one thought for all is cheaper than one for each.
+/// Sensors often join together; one solve for all is cheaper than one for each.
 constexpr auto kWaitForMore = 500ms;
-/// A walk has to be some seconds long anyway.
+/// Delay for sightings alone: a walk has to last some seconds anyway.
 constexpr auto kWaitForSightings = 2s;
 constexpr int kNiceness = 10;
-constexpr int kMaxSightings = 500;  // of a sensor and a kind, while a thought takes long
+constexpr int kMaxSightings = 500;  // per sensor, heads and tags together
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void AlignmentWorker::set_known(KnownRoom known, bool has_unplaced) {
 }
 
 void AlignmentWorker::run(const std::stop_token& stop) {
-  // Linux: of this thread alone. Frames go before thoughts.
+  // On Linux this sets the niceness of this thread only. Frames have priority over alignment.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
   while (auto news = wait_for_news(stop)) {
     take(*news);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// AlignmentWorker: works out where the sensors stand, on a thread of its own and at low priority,
-// whenever something came in that is worth it. Of what came in meanwhile the newest counts.
-// Threading: the methods are thread-safe; `tell` is called on the alignment_worker's thread.
+// AlignmentWorker: estimates sensor poses on a thread of its own, at low priority, when new
+// bundles, sightings or nudges have arrived. A newer bundle, nudge or roster replaces an older one
+// that is still waiting. Threading: the methods are thread-safe; `tell` is called on the worker's
+// thread.
 #pragma once
 
 #include <condition_variable>
@@ -28,16 +29,16 @@ struct AlignmentUpdate {
 class AlignmentWorker {
  public:
   explicit AlignmentWorker(std::function<void(AlignmentUpdate)> tell);
-  /// Waits for a thought to end, which may take seconds.
+  /// Waits for the running solve to end, which may take seconds.
   ~AlignmentWorker() = default;
 
   void add(const std::string& sensor, const SensorCalibration& calibration,
            wire::pb::CalibrationBundle bundle);
-  /// What came from the sensor before no longer holds.
+  /// Discards all data of the sensor, because it was moved.
   void forget(const std::string& sensor);
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
-  /// As the roster says. `has_unplaced`: a sensor that is here does not know where it stands.
+  /// The state of the roster. `has_unplaced`: a connected sensor has no pose.
   void set_known(KnownRoom known, bool has_unplaced);
 
  private:
@@ -45,9 +46,9 @@ class AlignmentWorker {
     SensorCalibration calibration;
     wire::pb::CalibrationBundle message;
   };
-  /// Since the last thought.
+  /// Input since the last solve.
   struct News {
-    std::set<std::string> moved;  // and have not sent another bundle since
+    std::set<std::string> moved;  // sensors to forget before the rest is applied
     std::map<std::string, Bundle> bundles;
     std::map<std::string, wire::pb::Sightings> sightings;
     KnownPoses nudges;
@@ -68,12 +69,12 @@ class AlignmentWorker {
   void take_bundle(const std::string& sensor, const Bundle& bundle);
 
   const std::function<void(AlignmentUpdate)> tell_;
-  PlacementSolver placing_;  // the thread's own, as is what follows
+  PlacementSolver placing_;  // this and the following: used by the thread only
   std::map<std::string, std::uint32_t> bundle_numbers_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   News news_;
-  std::jthread thread_;  // last: ends first
+  std::jthread thread_;  // declared last: joined first
 };
 
 }  // namespace roomcast::alignment

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a printed tag that is held here and there about the middle of a room, as sensors see
-// it.
+// For tests: a printed tag that is held at several places around the middle of a room, as sensors
+// see it.
 #pragma once
 
 #include <Eigen/Geometry>

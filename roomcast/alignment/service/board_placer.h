@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BoardPlacer: places sensors that share nothing with the others by a printed tag that was held
-// where both see it, here and there. Pure. Single-threaded.
+// BoardPlacer: places sensors without overlap from sightings of a printed tag that was held at
+// several places in both views. No I/O. Single-threaded.
 #pragma once
 
 #include <deque>
@@ -16,18 +16,19 @@
 
 namespace roomcast::alignment {
 
-/// Somebody may take so long to hold it everywhere.
+/// How long sightings are kept: the time to hold the board at all places.
 inline constexpr std::chrono::seconds kBoardRemembered{120};
 
 class BoardPlacer {
  public:
-  /// The sensor stands elsewhere now.
+  /// Discards the sightings of a sensor that was moved.
   void forget(const std::string& sensor) { seen_.erase(sensor); }
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
-  /// Those of the `lost` that can be placed beside one of the `placed`, or beside one that was so
-  /// placed before; for the others that have seen a board the reason why not. Where nobody is
-  /// placed, the first of the seeds beside whom another can be makes the world.
+  /// Poses of those `lost` sensors that share board sightings with a `placed` sensor, or with one
+  /// that this call placed before; for other lost sensors that have seen a board, the reason for
+  /// the failure. If `placed` is empty, the first seed from which another sensor can be placed
+  /// defines the world.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
                                              const std::set<std::string>& lost,
                                              const Seeds& seeds) const;
@@ -35,7 +36,7 @@ class BoardPlacer {
  private:
   [[nodiscard]] std::vector<Placement> place_beside(KnownPoses placed,
                                                     const std::set<std::string>& lost) const;
-  using Sightings = std::deque<alignment::TagSighting>;  // in the order of time
+  using Sightings = std::deque<alignment::TagSighting>;  // sorted by time
   [[nodiscard]] Placement place_one(const std::string& sensor, const Sightings& seen,
                                     const KnownPoses& placed) const;
 

@@ -12,7 +12,7 @@ namespace roomcast::alignment {
 
 namespace {
 
-constexpr int kJpegQuality = 90;  // features are found in it
+constexpr int kJpegQuality = 90;  // high enough for feature detection
 
 std::string text_of(const std::vector<std::uint8_t>& bytes) {
   return {bytes.begin(), bytes.end()};
@@ -63,7 +63,8 @@ MaskImage mask_of(const DepthImage& zeros_and_ones) {
 
 }  // namespace
 
-Result<wire::pb::CalibrationBundle> message_from_bundle(const alignment::CalibrationBundle& bundle) {
+Result<wire::pb::CalibrationBundle> message_from_bundle(
+    const alignment::CalibrationBundle& bundle) {
   if (auto status = alignment::check(bundle); !status) return status.error();
   wire::pb::CalibrationBundle message;
   auto depth = encode_lossless(bundle.depth_mm);
@@ -86,8 +87,8 @@ Result<wire::pb::CalibrationBundle> message_from_bundle(const alignment::Calibra
 }
 
 Result<alignment::CalibrationBundle> bundle_from_message(const wire::pb::CalibrationBundle& message,
-                                                     std::string name,
-                                                     const SensorCalibration& calibration) {
+                                                         std::string name,
+                                                         const SensorCalibration& calibration) {
   alignment::CalibrationBundle bundle;
   bundle.name = std::move(name);
   bundle.calibration = calibration;

@@ -10,12 +10,12 @@
 
 namespace roomcast::alignment {
 
-/// kInvalidArgument when the bundle is of no use; the sentence says why.
+/// kInvalidArgument: the bundle is not usable; the sentence gives the reason.
 [[nodiscard]] Result<wire::pb::CalibrationBundle> message_from_bundle(
     const alignment::CalibrationBundle& bundle);
 
-/// `name` and `calibration` as the roster has them. kMalformed for bytes that are not such
-/// pictures.
+/// `name` and `calibration` from the roster. kMalformed: the bytes are not pictures of these
+/// cameras.
 [[nodiscard]] Result<alignment::CalibrationBundle> bundle_from_message(
     const wire::pb::CalibrationBundle& message, std::string name,
     const SensorCalibration& calibration);

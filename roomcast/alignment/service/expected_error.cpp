@@ -9,7 +9,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kStays_m = 0.05, kStays_rad = 0.02;  // well within what alignment accepts
+constexpr double kStays_m = 0.05, kStays_rad = 0.02;  // well within alignment's accepted error
 constexpr double kSigmas = 3, kNegligible_m = 0.005;
 
 }  // namespace

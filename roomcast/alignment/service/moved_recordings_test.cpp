@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real sensors that stood still, where their recordings are at hand (ROOMCAST_DATA): none is taken
-// for moved; and each is once its pictures are what it would see from 2 cm or half a degree away.
+// Real, stationary sensors, if their recordings are available (ROOMCAST_DATA): none is reported as
+// moved; each is reported once its pictures are replaced by those that it would see from 2 cm or
+// half a degree away.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -41,7 +42,8 @@ alignment::MotionCheck check_of_first_half(const Recorded& recorded) {
   return alignment::MotionCheck(bundle);
 }
 
-/// What the sensor would see from where `push` takes it; what hides behind edges stays unknown.
+/// The picture that the sensor would see after the motion `push`; surfaces behind edges stay
+/// unknown.
 DepthImage seen_from(const DepthImage& depth_mm, const CameraIntrinsics& camera,
                      const RigidTransform& push) {
   const auto rays = ray_table(camera);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PersonPlacer: places sensors that share too little with the others by somebody who walked through
-// their views lately. What sensors tell of heads comes in; where a lost sensor stands comes out.
-// Pure. Single-threaded.
+// PersonPlacer: places sensors with too little overlap from a person who recently walked through
+// their views. Input: sightings of heads; output: poses of lost sensors. No I/O. Single-threaded.
 #pragma once
 
 #include <deque>
@@ -19,21 +18,22 @@
 
 namespace roomcast::alignment {
 
-/// A walk may have taken so long.
+/// How long sightings are kept: the longest walk.
 inline constexpr std::chrono::seconds kWalkRemembered{30};
 
 class PersonPlacer {
  public:
-  /// Where a sensor stands has become known, or changed: what it saw before no longer counts.
-  /// Without a floor it takes no part.
+  /// Discards earlier sightings of the sensor, because its position is new, and sets its floor. A
+  /// sensor without a floor is not used.
   void stand(const std::string& sensor, const std::optional<alignment::Plane>& floor);
   void forget(const std::string& sensor) { sensors_.erase(sensor); }
 
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
-  /// Those of the `lost` that can be placed beside the `placed`. Where nobody is placed yet, the
-  /// first of the seeds beside whom another can be makes the world. Each settles before the next is
-  /// looked at. For the others the reason, once there is one.
+  /// Poses of those `lost` sensors that can be placed relative to the `placed`. If `placed` is
+  /// empty, the first seed from which another sensor can be placed defines the world. Each pose is
+  /// refined by `settle` before the next sensor is placed. For the other lost sensors, the reason
+  /// for the failure once there is one.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
                                              const std::set<std::string>& lost, const Seeds& seeds,
                                              const Settle& settle) const;
@@ -45,15 +45,15 @@ class PersonPlacer {
   };
   struct Watcher {
     RigidTransform level_from_depth;
-    std::deque<Head> heads;  // in the order of time
+    std::deque<Head> heads;  // sorted by time
   };
 
   [[nodiscard]] std::vector<Placement> place_beside(KnownPoses known,
                                                     const std::set<std::string>& lost,
                                                     const Settle& settle) const;
   [[nodiscard]] std::vector<alignment::HeadSighting> seen_in_world(const KnownPoses& placed) const;
-  [[nodiscard]] static std::vector<alignment::HeadSighting> sightings_of(const Watcher& watcher,
-                                                                     const RigidTransform& pose);
+  [[nodiscard]] static std::vector<alignment::HeadSighting> sightings_of(
+      const Watcher& watcher, const RigidTransform& pose);
   [[nodiscard]] const Watcher* watcher_of(const std::string& sensor) const;
 
   std::map<std::string, Watcher> sensors_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a sensor stands, or why nobody can tell. Metres, millimetres where a name says so. Plain
-// data.
+// The estimated pose of a sensor, or the reason why there is none. Metres, millimetres where a name
+// says so. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -20,28 +20,29 @@ struct Placement {
   std::string sensor;
   std::optional<RigidTransform> world_from_depth;
   double expected_error_mm = 0;
-  std::string note;                 // why it is not placed
-  std::uint32_t bundle_number = 0;  // of its bundle that this was found from
-  bool withdrawn = false;           // where it was found before it does not stand, either
+  std::string note;                 // the reason why it is not placed
+  std::uint32_t bundle_number = 0;  // of the bundle that the pose was estimated from
+  bool withdrawn = false;           // its earlier estimated pose is invalid, too
 };
 
 /// Poses by the sensor's name.
 using KnownPoses = std::map<std::string, RigidTransform>;
 
-/// Where the room shows its sensors.
+/// The poses of the sensors in the roster, by origin.
 struct KnownRoom {
-  KnownPoses given;            // they hold whatever is found
-  KnownPoses found;            // by what sensors see
-  KnownPoses remembered;       // found once; who was away since may have been moved
-  KnownPoses provisional;      // of those that nobody could place yet
-  std::set<std::string> away;  // of all of them those that are not here now
+  KnownPoses given;        // supplied by sensors: authoritative
+  KnownPoses found;        // estimated; also given by sensors that are not connected now
+  KnownPoses remembered;   // estimated earlier; the sensor was away since and may have been moved
+  KnownPoses provisional;  // placeholders of sensors that could not be placed yet
+  std::set<std::string> away;  // those of all of them that are not connected now
 };
 
-/// Where the first of these would stand, in this order, if the world were made for it.
+/// Candidates for the sensor that defines the world, in order of preference, with the pose each
+/// would have.
 using Seeds = std::vector<std::pair<std::string, RigidTransform>>;
 
-/// Makes a place that was found by something else more exact by what the sensor shares with others,
-/// where that can be.
+/// Refines a pose that was estimated without overlap by the surfaces that the sensor shares with
+/// placed ones, if that is possible.
 using Settle = std::function<void(Placement& found, const KnownPoses& placed)>;
 
 }  // namespace roomcast::alignment

@@ -78,7 +78,7 @@ std::vector<Placement> PlacementSolver::solve(KnownRoom known) {
   recall(room, recalled);
   if (!is_anybody_placed) {
     place_by_overlap(room, LoneStoredPose::kTrusted);
-    recall(room, recalled);  // beside those that have a place now
+    recall(room, recalled);  // relative to the sensors placed just now
   }
   for (const auto& [sensor, placement] : recalled) {
     Placement* place = room.placement_of(sensor);
@@ -106,7 +106,7 @@ void PlacementSolver::Room::place(const Placement& found) {
   if (Placement* placement = placement_of(found.sensor)) *placement = found;
 }
 
-/// Of the sensors that have said what they see.
+/// Verifies the remembered poses of sensors that have sent a bundle.
 void PlacementSolver::recall(Room& room, std::map<std::string, Placement>& recalled) {
   KnownPoses here = room.told.remembered;
   std::erase_if(here, [this](const auto& pose) { return !views_.contains(pose.first); });
@@ -123,7 +123,7 @@ void PlacementSolver::recall(Room& room, std::map<std::string, Placement>& recal
   }
 }
 
-/// Asked with every thought, until somebody moves.
+/// Cached: every solve() asks again, and the result changes only with a bundle or a pose.
 alignment::StoredPoseCheck PlacementSolver::witness(const NamedPose& a, const NamedPose& b) {
   const alignment::PairCandidates* pair = aligner_.pair(a.sensor, b.sensor);
   if (pair == nullptr) return {};
@@ -154,7 +154,7 @@ void PlacementSolver::place_by_overlap(Room& room, LoneStoredPose lone) {
   for (const auto& [sensor, pose] : room.told.given) room.known[sensor] = pose;
 }
 
-/// A guess that was accepted holds until the sensor sees something else.
+/// An accepted prior is valid until the sensor sends another bundle.
 void PlacementSolver::place_by_nudge(Room& room) {
   for (const auto& [sensor, placement] : by_hand_) room.place(placement);
   for (const auto& [sensor, guess] : guesses_) {
@@ -183,7 +183,8 @@ void PlacementSolver::keep_nudged(const Placement& found, Room& room) {
   room.place(found);
 }
 
-/// Beside one that nobody could place yet, where it is shown meanwhile. That one makes the world.
+/// Places a sensor by its prior relative to an unplaced sensor at the placeholder pose that the
+/// room shows for it. The other sensor then defines the world.
 void PlacementSolver::try_prior_near_unplaced(const std::string& sensor,
                                               const RigidTransform& guess, Room& room) {
   const alignment::SensorView& view = *views_.at(sensor);
@@ -203,7 +204,7 @@ void PlacementSolver::try_prior_near_unplaced(const std::string& sensor,
       room);
 }
 
-/// Who is remembered, then those that know where the floor is.
+/// Sensors with a remembered pose, then sensors that see a floor.
 Seeds PlacementSolver::seeds(const Room& room) const {
   Seeds seeds;
   for (const auto& [sensor, pose] : room.told.remembered) {
@@ -261,16 +262,16 @@ void PlacementSolver::place_unplaced(Room& room) {
 void PlacementSolver::settle(Placement& found, const KnownPoses& placed) const {
   const auto view = views_.find(found.sensor);
   if (view == views_.end()) return;
-  const auto settled =
-      alignment::refined_placement(*view->second, {*found.world_from_depth, found.expected_error_mm},
-                               views_except(found.sensor, placed));
+  const auto settled = alignment::refined_placement(
+      *view->second, {*found.world_from_depth, found.expected_error_mm},
+      views_except(found.sensor, placed));
   if (!settled) return;
   found.world_from_depth = settled->world_from_depth;
   found.expected_error_mm = settled->expected_error_mm;
 }
 
 std::vector<alignment::PlacedView> PlacementSolver::views_except(const std::string& sensor,
-                                                             const KnownPoses& placed) const {
+                                                                 const KnownPoses& placed) const {
   std::vector<alignment::PlacedView> others;
   for (const auto& [name, pose] : placed) {
     const auto other = views_.find(name);

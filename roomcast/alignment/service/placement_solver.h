@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PlacementSolver: where the sensors of a running room stand, from all that has come so far: what
-// they see (bundles), and for those that share too little, who walked through their views, a board
-// that was held into them, and people's guesses. The world stays where it is (room_world.h).
+// PlacementSolver: estimates the poses of the sensors of a running room from all data so far:
+// bundles, and for sensors with too little overlap, sightings of a walking person, sightings of a
+// board, and priors that people supply (nudges). The world frame stays fixed (room_world.h).
 // Deterministic. Single-threaded.
 #pragma once
 
@@ -28,40 +28,41 @@ namespace roomcast::alignment {
 
 class PlacementSolver {
  public:
-  /// What a sensor sees. One of that name takes the place of an earlier one. One that is of no use
-  /// is reported with its reason, and what was known of the sensor is forgotten.
+  /// Adds a bundle; it replaces an earlier one of the same name. An unusable bundle is reported
+  /// with the reason, and earlier data of the sensor is discarded.
   void add(const alignment::CalibrationBundle& bundle);
   void refuse(const std::string& sensor, const std::string& reason);
-  /// What was known of it no longer holds.
+  /// Discards all data of the sensor.
   void forget(const std::string& sensor);
 
-  /// What passed through a sensor's view.
+  /// Adds sightings of a sensor.
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
-  /// A person's guess, answered by the next solve().
+  /// Adds a person's prior for a pose; the next solve() answers it.
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
 
-  /// All sensors that have been added. Remembered poses are compared with what is seen there now:
-  /// those that hold are found again, those that are contradicted are withdrawn. Where nothing
-  /// tells, the sensor is lost, and stays where it was meanwhile.
+  /// Placements of all sensors that have been added. Remembered poses are compared with the current
+  /// views: confirmed ones are returned as estimated, contradicted ones are withdrawn. If the
+  /// comparison is inconclusive, the sensor is lost and meanwhile keeps its remembered pose in the
+  /// roster.
   [[nodiscard]] std::vector<Placement> solve(KnownRoom known);
 
-  /// After the last solve(): some sensors can be placed by what passes through their views only.
+  /// After the last solve(): some sensors have no pose and could be placed by sightings.
   [[nodiscard]] bool wants_sightings() const { return !unplaced_.empty() && views_.size() > 1; }
 
  private:
-  /// While it solves.
+  /// The working state of one solve().
   struct Room {
-    KnownRoom told;                     // remembered: those that nothing has confirmed
-    std::vector<Placement> placements;  // the answer
-    KnownPoses known;                   // who holds, and may be a base for others
+    KnownRoom told;                     // `remembered` shrinks to the poses that are not verified
+    std::vector<Placement> placements;  // the result
+    KnownPoses known;                   // valid poses, to place others by
 
     [[nodiscard]] Placement* placement_of(const std::string& sensor);
     void place(const Placement& found);
-    /// The known poses; none where all who have one have left.
+    /// The known poses; empty if all sensors with a known pose are away.
     [[nodiscard]] KnownPoses base() const;
   };
 
-  /// What two sensors said of where they were thought to stand.
+  /// The result of stored_pose_check for a pair of sensors at these poses.
   struct CachedPoseCheck {
     const alignment::PairCandidates* pair = nullptr;
     std::array<std::array<double, 16>, 2> poses{};
@@ -77,12 +78,12 @@ class PlacementSolver {
   void place_unplaced(Room& room);
   [[nodiscard]] Seeds seeds(const Room& room) const;
   void settle(Placement& found, const KnownPoses& placed) const;
-  /// What those see that are placed, but for this sensor.
+  /// The views of the placed sensors, except this one.
   [[nodiscard]] std::vector<alignment::PlacedView> views_except(const std::string& sensor,
-                                                            const KnownPoses& placed) const;
+                                                                const KnownPoses& placed) const;
 
   alignment::RigAligner aligner_;
-  std::optional<alignment::AlignmentReport> report_;  // while nothing new was added
+  std::optional<alignment::AlignmentReport> report_;  // valid until a bundle is added or removed
   std::map<std::string, std::shared_ptr<const alignment::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
   std::set<std::string> unplaced_;
@@ -90,8 +91,8 @@ class PlacementSolver {
   RoomWorld world_;
   PersonPlacer walks_;
   BoardPlacer boards_;
-  KnownPoses guesses_;                        // not answered yet
-  std::map<std::string, Placement> by_hand_;  // guesses that were accepted
+  KnownPoses guesses_;                        // priors that are not answered yet
+  std::map<std::string, Placement> by_hand_;  // priors that were accepted
 };
 
 }  // namespace roomcast::alignment

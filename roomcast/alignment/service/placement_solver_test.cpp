@@ -30,10 +30,9 @@ TEST(PlacementSolver, a_view_of_no_use_is_reported) {
   EXPECT_FALSE(placements[0].note.empty());
 }
 
-/// A long grey corridor, lit from one side: nothing that is seen there tells how far along it
-/// somebody stands.
+/// A long grey corridor, lit from one side: the views do not determine the position along it.
 alignment::CalibrationBundle in_corridor(const std::string& name,
-                                     const RigidTransform& world_from_depth) {
+                                         const RigidTransform& world_from_depth) {
   alignment::RoomFixture corridor;
   corridor.walls = {Eigen::Vector3d(-30, 0, -2), Eigen::Vector3d(30, 2.6, 1.8)};
   corridor.boxes.clear();
@@ -53,7 +52,8 @@ TEST(PlacementSolver, a_walk_tells_where_a_sensor_stands_and_what_both_see_how_e
   ASSERT_FALSE(placed_second().world_from_depth) << "it could be anywhere along the corridor";
   ASSERT_TRUE(placing.wants_sightings());
 
-  // Its crown is seen unlike from both sides: that puts the walk off by half of the difference.
+  // The two sensors see the crown at different depths: this shifts the walk by half of the
+  // difference.
   placing.see("first", stroll_seen_from(first, 0.11));
   placing.see("second", stroll_seen_from(second, 0.03));
   const Placement found = placed_second();
@@ -82,7 +82,8 @@ bool same_bits(const std::optional<RigidTransform>& one, const RigidTransform& o
   return one && row_major_from_transform(*one) == row_major_from_transform(other);
 }
 
-const RigidTransform kLeft = alignment::corner_pose(2, 1.5), kRight = alignment::corner_pose(-2, 1.5);
+const RigidTransform kLeft = alignment::corner_pose(2, 1.5),
+                     kRight = alignment::corner_pose(-2, 1.5);
 const RigidTransform kThird = alignment::corner_pose(-2, -1.5);
 const RigidTransform kFirst = world_from_optical_looking_at({-1, 1.7, -1.6}, {-0.3, 0.6, 1});
 const RigidTransform kSecond = world_from_optical_looking_at({1, 1.7, -1.6}, {0.3, 0.6, 1});
@@ -228,7 +229,8 @@ TEST_F(Corridor, whom_a_board_has_placed_a_walk_places_others_beside) {
 TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world) {
   alignment::RoomFixture symmetric = alignment::nearly_symmetric_room();
   symmetric.boxes.pop_back();
-  const auto one_pose = alignment::corner_pose(2, -1.5), other_pose = alignment::corner_pose(-2, 1.5);
+  const auto one_pose = alignment::corner_pose(2, -1.5),
+             other_pose = alignment::corner_pose(-2, 1.5);
   const RigidTransform truth = one_pose.inverse() * other_pose;
   PlacementSolver placing;
   placing.add(alignment::bundle_fixture(symmetric, "one", one_pose));
@@ -237,7 +239,8 @@ TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world
   room.provisional["one"] = alignment::beside(one_pose, {9, 0.3, 4}, 1);
   for (const Placement& placement : placing.solve(room))
     ASSERT_FALSE(placement.world_from_depth) << "turned by half the room looks alike";
-  placing.nudge("other", alignment::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
+  placing.nudge("other",
+                alignment::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
   const auto placements = placing.solve(room);
   const auto one = of("one", placements), other = of("other", placements);
   ASSERT_TRUE(one.world_from_depth && other.world_from_depth) << other.note;

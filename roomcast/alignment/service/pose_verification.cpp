@@ -28,15 +28,16 @@ class Recollecting {
   struct Verdict {
     double expected_error_mm = 0;  // of the best confirmation
     bool confirmed = false, contradicted = false;
-    std::string by;  // who contradicts
+    std::string by;  // the sensor that contradicts it
     alignment::Contradiction contradiction = alignment::Contradiction::kNone;
   };
 
-  /// Whether that settled somebody's pose, so that others may be compared with it.
+  /// Returns true if a pose was confirmed or contradicted. A confirmed sensor then serves to check
+  /// others.
   bool ask_known() {
     for (const auto& [sensor, pose] : told_.untold) {
       const Verdict verdict = beside_known(sensor, pose);
-      if (verdict.confirmed == verdict.contradicted) continue;  // untold, or they disagree
+      if (verdict.confirmed == verdict.contradicted) continue;  // inconclusive or conflicting
       if (verdict.confirmed) {
         confirm(sensor, verdict.expected_error_mm);
       } else {
@@ -92,10 +93,10 @@ class Recollecting {
     Placement& placement = told_.contradicted[sensor];
     placement.sensor = sensor;
     placement.withdrawn = true;
-    placement.note =
-        std::string("It was moved while it was away: ") +
-        (verdict.contradiction == alignment::Contradiction::kColors ? "the colours" : "what it sees") +
-        " would not fit what " + verdict.by + " sees where it stood.";
+    placement.note = std::string("It was moved while it was away: ") +
+                     (verdict.contradiction == alignment::Contradiction::kColors ? "the colours"
+                                                                                 : "what it sees") +
+                     " would not fit what " + verdict.by + " sees where it stood.";
     told_.untold.erase(sensor);
   }
 

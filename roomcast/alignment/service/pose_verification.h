@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which remembered poses still hold: those of sensors that were away, or that a hub knows from
-// before it was started. Who sees what it should beside a sensor whose pose is known is confirmed,
-// and confirms others; so do two remembered ones each other, for hardly anybody moves two sensors
-// alike. Pure. Deterministic.
+// Verifies remembered poses: those of sensors that were away, and those that a hub stored before it
+// was restarted. A pose is confirmed if it fits the view of a sensor whose pose is known; it then
+// confirms others. Two remembered poses also confirm each other, because two sensors are unlikely
+// to be moved alike. No I/O. Deterministic.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,17 @@ struct NamedPose {
   RigidTransform world_from_depth;
 };
 
-/// What two sensors say of where they are thought to stand.
-using PosePairCheck = std::function<alignment::StoredPoseCheck(const NamedPose& a, const NamedPose& b)>;
+/// Compares the views of two sensors at these poses.
+using PosePairCheck =
+    std::function<alignment::StoredPoseCheck(const NamedPose& a, const NamedPose& b)>;
 
 struct StoredPoseChecks {
   std::map<std::string, Placement> confirmed;
   std::map<std::string, Placement> contradicted;  // withdrawn, with the reason
-  KnownPoses untold;                              // nothing to compare them with
+  KnownPoses untold;                              // without a conclusive comparison
 };
 
-/// `known`: poses that hold.
+/// `known`: valid poses.
 [[nodiscard]] StoredPoseChecks verify_stored_poses(const KnownPoses& remembered,
                                                    const KnownPoses& known,
                                                    const PosePairCheck& witness);

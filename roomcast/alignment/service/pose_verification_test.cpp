@@ -17,7 +17,7 @@ RigidTransform at(double x) {
   return pose;
 }
 
-/// Sensors that stand at these places now see each other's surfaces when they are a metre apart at
+/// Simulates sensors at these positions: their surfaces overlap when they are a metre apart at
 /// most.
 PosePairCheck sees(std::map<std::string, double> truth) {
   return [truth = std::move(truth)](const NamedPose& a, const NamedPose& b) -> StoredPoseCheck {

@@ -29,7 +29,7 @@ pb::Join join_message(const RoomAlignerOptions& options) {
   return join;
 }
 
-/// Those that are known as well as this one.
+/// The group of poses that this entry belongs to, by its placement.
 KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
   if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.provisional;
   if (entry.placement() == pb::PLACEMENT_GIVEN) return entry.online() ? known.given : known.found;
@@ -58,11 +58,11 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     if (message.has_sightings()) take_sightings(message.sightings());
     if (message.has_nudge()) take_nudge(message.nudge());
   }
-  void on_frame(net::MessageBuffer) override {}  // a hub sends an aligner none
+  void on_frame(net::MessageBuffer) override {}  // a hub sends no frames to an aligner
   net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const client::ClockEstimate&) override {}
   void on_down(const Error& reason, bool final) override {
-    sensors_.clear();  // a hub that starts again knows nobody yet: that is not to forget them
+    sensors_.clear();  // a restarted hub has an empty roster; that does not invalidate bundles
     if (options_.log) options_.log(final ? LogLevel::kError : LogLevel::kWarning, reason.message);
   }
 
@@ -115,7 +115,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     if (sensor != sensors_.end() && pose) alignment_worker_.nudge(sensor->second.name, *pose);
   }
 
-  /// From the alignment_worker's thread.
+  /// Called on the worker's thread.
   void tell(AlignmentUpdate thought) {
     boost::asio::post(network_.io(), [this, thought = std::move(thought)] {
       send(thought.placements);
@@ -152,7 +152,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     link_.send(message);
   }
 
-  /// What is new.
+  /// Logs a placement unless it repeats the last sentence about the sensor.
   void log(const Placement& placement) {
     const std::string sentence =
         placement.world_from_depth
@@ -165,12 +165,12 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   }
 
   const RoomAlignerOptions options_;
-  std::map<std::uint32_t, Sensor> sensors_;  // by id; the network thread's own, as is what follows
-  std::map<std::string, std::string> logged_;  // of each sensor the last sentence
+  std::map<std::uint32_t, Sensor> sensors_;    // by id; this and the following: network thread only
+  std::map<std::string, std::string> logged_;  // the last sentence by sensor
   bool asked_for_sightings_ = false;
   client::NetworkThread network_;
   client::HubLink link_;
-  AlignmentWorker alignment_worker_;  // last: ends first, and tells nobody after that
+  AlignmentWorker alignment_worker_;  // declared last: destroyed before the rest
 };
 
 RoomAligner::RoomAligner(std::unique_ptr<Link> link) : link_(std::move(link)) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomAligner: keeps the sensors of a running room placed. A client of the hub like any other: it
-// gets the bundles that sensors send, and says where they stand. Threading: has threads of its own;
-// one waits for the network, one thinks.
+// RoomAligner: keeps the sensors of a running room placed. It is an ordinary client of the hub: it
+// receives the sensors' bundles and sends their poses. Threading: has two threads of its own, one
+// for the network and one for alignment.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@ namespace roomcast::alignment {
 
 struct RoomAlignerOptions {
   std::string hub_url;
-  std::string room;   // empty: the hub's only one
+  std::string room;   // empty: the hub's only room
   std::string token;  // an admin's
   LogSink log;        // from both threads
 };
 
 class RoomAligner {
  public:
-  /// Joins. kInvalidArgument: not a hub's address. It goes on trying when there is no hub yet, or
-  /// no more.
+  /// Joins. kInvalidArgument: not a hub's address. Retries if no hub is there yet, and after the
+  /// connection is lost.
   static Result<std::unique_ptr<RoomAligner>> open(RoomAlignerOptions options);
-  /// Leaves; waits for a thought to end, which may take seconds.
+  /// Leaves; waits for a running solve to end, which may take seconds.
   ~RoomAligner();
 
  private:

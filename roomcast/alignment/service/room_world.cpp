@@ -14,15 +14,15 @@ constexpr auto kNotConnected =
     "what it sees is not connected yet with what a sensor sees whose place is known";
 constexpr auto kAlone = "there is no other sensor to compare it with";
 
-/// How a report lies in the room.
+/// The transform of a report into the room.
 struct Anchor {
   RigidTransform now_from_report;
   double expected_error_mm = 0;  // of the sensor that keeps its pose
-  int votes = 0;                 // of those who keep theirs, itself included
+  int votes = 0;                 // sensors that keep theirs, including itself
 };
 
-/// How the report has to be moved so that the sensors whose poses are known stay where they are:
-/// each of them proposes, and the others vote.
+/// The transform of the report that lets the sensors with known poses keep them: each of them
+/// proposes one, and the others vote.
 Anchor anchor_of(const alignment::AlignmentReport& report, const KnownPoses& known) {
   Anchor best;
   for (const auto& anchor : report.sensors) {
@@ -39,8 +39,8 @@ Anchor anchor_of(const alignment::AlignmentReport& report, const KnownPoses& kno
   return best;
 }
 
-/// Without an anchor nobody has a place. `known`: who stays there if that is as exact as can be
-/// expected.
+/// Without an anchor no sensor gets a pose. `known`: a sensor keeps its pose there if the new one
+/// equals it within the expected error.
 std::vector<Placement> placements_of(const alignment::AlignmentReport& report,
                                      const std::optional<Anchor>& anchor, const KnownPoses& known) {
   std::vector<Placement> placements;
@@ -67,7 +67,7 @@ auto count_here(const KnownPoses& poses, const std::set<std::string>& away) {
   return std::ranges::count_if(poses, [&](const auto& pose) { return !away.contains(pose.first); });
 }
 
-/// How the report lies in the room; nothing where nobody knows.
+/// The anchor of the report in the room; nothing if the transform is not determined.
 std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
                                 const alignment::AlignmentReport& report, LoneStoredPose lone) {
   constexpr int kAgree = 2;
@@ -79,10 +79,10 @@ std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
   const bool needs_others = is_settled || lone == LoneStoredPose::kDoubted;
   if (remembered.votes >= (needs_others ? kAgree : 1)) return remembered;
   if (is_settled || count_here(known.remembered, known.away) > 0) return std::nullopt;
-  return Anchor{};  // a world of its own
+  return Anchor{};  // a provisional world
 }
 
-/// It was placed by nothing but itself.
+/// A sensor that is alone in the report was placed relative to itself only.
 void leave_lone_memory(const KnownPoses& remembered, std::vector<Placement>& placements) {
   if (placements.size() != 1 || !remembered.contains(placements[0].sensor)) return;
   placements[0].world_from_depth.reset();
@@ -127,7 +127,8 @@ std::optional<std::string> RoomWorld::lone_world(const alignment::AlignmentRepor
     if (lone || !provisional_.contains(sensor)) return std::nullopt;
     lone = sensor;
   }
-  const auto says = std::ranges::find(report.sensors, lone.value_or(""), &alignment::SensorReport::id);
+  const auto says =
+      std::ranges::find(report.sensors, lone.value_or(""), &alignment::SensorReport::id);
   const bool others = std::ranges::any_of(report.sensors, &alignment::SensorReport::placed);
   if (says == report.sensors.end() || says->placed || !others) return std::nullopt;
   return lone;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomWorld: the world that a room's sensors are placed in. It stays where it is: when something
-// new is known, a sensor whose pose is known already keeps it, bit for bit, and the others are
-// placed beside it, so that the rest of the room does not jump; unless what is known now says that
-// the pose was off by more than is to be expected. Where no pose is known, alignment makes a world
-// up. Such a world ends when somebody says where a sensor stands: those that nothing connects with
-// it have no place then, for nobody knows how the two worlds lie. Deterministic. Single-threaded.
+// RoomWorld: keeps the world frame of a room fixed. When new data arrives, a sensor with a known
+// pose keeps it, bit for bit, and the others are placed relative to it, so that the room does not
+// jump; a pose changes only if the new estimate differs by more than the expected error. If no pose
+// is known, alignment chooses a provisional world. A provisional world ends when a sensor supplies
+// its pose: sensors without a connection to that one then lose their poses, because the transform
+// between the two worlds is unknown. Deterministic. Single-threaded.
 #pragma once
 
 #include <optional>
@@ -17,30 +17,32 @@
 
 namespace roomcast::alignment {
 
-/// Whether a single remembered pose may be what the world holds on to, when nothing better is here.
+/// Whether a single remembered pose may anchor the world if no better pose is present.
 enum class LoneStoredPose { kDoubted, kTrusted };
 
 class RoomWorld {
  public:
-  /// What the report says, moved as a whole so that one of its sensors that has a known pose keeps
-  /// it: the one with whom most others keep theirs, too, so that the room stays where it is when a
-  /// sensor was moved unnoticed. Poses that were given go before those that were found, and those
-  /// before remembered ones, of which two have to agree unless nothing better is here (`lone`).
-  /// Whom the report places alone it says nothing of: a remembered one is not placed by it.
+  /// The poses of the report, transformed as a whole so that one of its sensors with a known pose
+  /// keeps it: the one for which most other sensors keep theirs, too, so that the room stays in
+  /// place when a sensor was moved unnoticed. Given poses have precedence over estimated ones, and
+  /// estimated ones over remembered ones; of the latter two have to agree unless nothing better is
+  /// present (`lone`). A report with a single sensor is no evidence of its pose: a remembered pose
+  /// is not confirmed by it.
   [[nodiscard]] std::vector<Placement> place(const alignment::AlignmentReport& report,
                                              const KnownRoom& known,
                                              LoneStoredPose lone = LoneStoredPose::kTrusted);
 
-  /// Of the poses that were found those in the world of those that were given, if there are any.
+  /// The estimated poses that are in the world of the given poses, if there are any of those; else
+  /// all.
   [[nodiscard]] KnownPoses settled(const KnownRoom& known) const;
 
  private:
-  /// The only sensor that stands in the room, in a world that was made up for it alone, when others
-  /// stand together without it: it gives way.
+  /// The only connected sensor with a pose, if its world is provisional and the report places
+  /// others without it: it is then given up.
   [[nodiscard]] std::optional<std::string> lone_world(const alignment::AlignmentReport& report,
                                                       const KnownRoom& known) const;
 
-  std::set<std::string> provisional_;  // the sensors that were placed in a world that was made up
+  std::set<std::string> provisional_;  // the sensors that were placed in a provisional world
 };
 
 }  // namespace roomcast::alignment

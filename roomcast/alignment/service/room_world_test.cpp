@@ -83,7 +83,7 @@ TEST(RoomWorld, one_that_was_moved_unnoticed_does_not_take_the_room_along) {
   EXPECT_DOUBLE_EQ(x_of(placements[2]), 5);
 }
 
-/// With "a" in a world that was made up for it.
+/// A world with "a" in a provisional frame.
 RoomWorld provisional_world() {
   RoomWorld world;
   EXPECT_EQ(x_of(world.place(report_of({placed("a", 1)}), {})[0]), 1);

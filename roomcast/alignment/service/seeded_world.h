@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where nobody is placed, one of the sensors makes the world: the first beside whom another can be
-// placed, for alone it stands nowhere. Pure.
+// Chooses the sensor that defines the world if none is placed: the first seed from which another
+// sensor can be placed. One sensor alone stays unplaced. No I/O.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace roomcast::alignment {
 
-/// `place_beside(placed, lost)` says of the lost where they stand. Without seeds, nobody is placed
-/// beside nobody.
+/// `place_beside(placed, lost)` returns placements of the lost sensors. If `placed` and `seeds` are
+/// empty, no sensor is placed.
 template <class PlaceBeside>
 std::vector<Placement> place_or_seed(const KnownPoses& placed, const std::set<std::string>& lost,
                                      const Seeds& seeds, const PlaceBeside& place_beside) {

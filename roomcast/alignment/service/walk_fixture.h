@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: somebody's head on a walk of 20 s about the middle of a room, as sensors see it.
+// For tests: a person's head on a walk of 20 s around the middle of a room, as sensors see it.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline Eigen::Vector3d strolling_head(double time_s) {
   return {1.1 * std::cos(angle), 1.7, 0.8 * std::sin(angle) + 0.2 * std::sin(2.2 * angle)};
 }
 
-/// Each sighting lies `inside_m` before the head's middle.
+/// Each sighting is `inside_m` in front of the head's centre.
 inline wire::pb::Sightings stroll_seen_from(const RigidTransform& world_from_depth,
                                             double inside_m) {
   wire::pb::Sightings seen;

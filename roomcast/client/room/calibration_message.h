@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calibrations and transforms: geometry's types <-> the wire's messages. The one place where the
-// two meet.
+// Converts calibrations and transforms between geometry's types and the wire's messages. The only
+// unit that depends on both.
 #pragma once
 
 #include <google/protobuf/repeated_field.h>
@@ -14,7 +14,7 @@ namespace roomcast::client {
 
 [[nodiscard]] wire::pb::Calibration message_from_calibration(const SensorCalibration& calibration);
 
-/// kMalformed where the message's numbers are no camera or no transform.
+/// kMalformed: the message's numbers are not a valid camera or transform.
 [[nodiscard]] Result<SensorCalibration> calibration_from_message(
     const wire::pb::Calibration& message);
 

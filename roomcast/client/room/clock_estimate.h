@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a client knows of room time, the hub's monotonic clock (client/clock_sync.h finds it out).
+// A client's estimate of room time, the hub's monotonic clock (estimated by client/clock_sync.h).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace roomcast::client {
 
 struct ClockEstimate {
-  HostTime at{};                  // of the newest exchange
-  nanoseconds room_minus_host{};  // then
+  HostTime at{};                  // time of the newest exchange
+  nanoseconds room_minus_host{};  // offset at that time
   double drift = 0;               // by how much the room's clock runs faster; 1e-6 is 1 ppm
   nanoseconds error{};            // bound on room_minus_host
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameChain: may this frame be decoded, given what was decoded before? docs/spec/wire.md §2, last
-// paragraph. Pure.
+// FrameChain: decides whether a frame can be decoded, given the frames decoded before.
+// docs/spec/wire.md §2, last paragraph. No I/O.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class FrameChain {
   void decoded(const wire::FrameHeader& header) {
     if (header.layer == 0) base_seq_ = header.seq;
   }
-  /// Only a key frame helps now.
+  /// Decoding failed: only a key frame can be decoded next.
   void broke() { base_seq_.reset(); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a person's head and hands are and what they point at, as geometry and as a message of the
-// wire (docs/spec/wire.md section 3). World frame, metres; part frames x right, y up, -z forward.
+// The pose of a person's head and hands and their pointer, as geometry and as a message of the wire
+// (docs/spec/wire.md section 3). World frame, metres; part frames x right, y up, -z forward.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace roomcast::client {
 
-/// A laser pointer's light.
+/// The beam of a laser pointer.
 struct PointerBeam {
   Eigen::Vector3d from_m, to_m;
 };
@@ -23,10 +23,10 @@ struct PersonPose {
   std::optional<PointerBeam> pointer;                                         // while pointing
 };
 
-/// Without the viewer's id, which the hub knows.
+/// Without the viewer's ID, which the hub adds.
 [[nodiscard]] wire::pb::ViewerPose message_from_pose(const PersonPose& pose);
 
-/// Of a message that wire::decode_control has let through.
+/// `message` has passed wire::decode_control.
 [[nodiscard]] PersonPose pose_from_message(const wire::pb::ViewerPose& message);
 
 }  // namespace roomcast::client

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomSnapshot: all that a viewer needs to draw a room at one moment. Threading: immutable once
-// shared.
+// RoomSnapshot: all data for drawing a room at one moment. Threading: immutable once shared.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +19,7 @@
 
 namespace roomcast::client {
 
-/// A sensor's newest picture. A picture that has not changed since an earlier snapshot is the same
-/// object.
+/// A sensor's newest picture. An unchanged picture is the same object in later snapshots.
 struct SensorPicture {
   std::uint32_t seq = 0;
   SetId set{};
@@ -34,39 +32,39 @@ struct RoomSensor {
   SensorId id{};
   std::string name;
   bool online = false;
-  bool placed = false;      // false: world_from_depth is a guess, so that there is something to see
-  bool moved = false;       // since world_from_depth was known
-  bool unverified = false;  // away since world_from_depth was found; nothing has confirmed it
-  float expected_error_mm = 0;  // of a placement that was found from what sensors see; 0: not one
-  std::string placement_note;   // why it could not be placed, for a person; else empty
+  bool placed = false;          // false: world_from_depth is only a placeholder
+  bool moved = false;           // moved since world_from_depth was known
+  bool unverified = false;      // away since world_from_depth was estimated; not confirmed yet
+  float expected_error_mm = 0;  // of a pose estimated from what sensors see; 0: no such pose
+  std::string placement_note;   // why it could not be placed, for display; else empty
   double fps = 0;
   SensorCalibration calibration;
   RigidTransform world_from_depth;
   std::shared_ptr<const SensorPicture> picture;  // null before its first frame
   std::uint64_t frames_received = 0;
-  std::uint64_t frames_missed = 0;  // left out on their way, or not to be decoded
+  std::uint64_t frames_missed = 0;  // skipped on their way, or not decodable
   std::uint64_t bytes_received = 0;
 };
 
-/// Somebody who is in the room, the one who looks included.
+/// A person in the room, including the viewer.
 struct RoomPerson {
   ViewerId id{};
   std::string name;
   Rgb8 color;
-  std::optional<PersonPose> pose;  // nothing before it is known
+  std::optional<PersonPose> pose;  // nothing until it is known
 };
 
 struct RoomSnapshot {
   std::uint64_t revision = 0;  // grows with every change
   bool connected = false;
-  std::string problem;  // why not, for a person
+  std::string problem;  // why not connected, for display
   std::string room;
-  ViewerRights rights;  // as of the last time that the hub let us in
+  ViewerRights rights;  // as of the last welcome by the hub
   std::optional<RigidTransform>
       start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
   std::vector<RoomSensor> sensors;  // by id
   ViewerId self{};
-  std::vector<RoomPerson> people;      // nobody is known while there is no connection
+  std::vector<RoomPerson> people;      // empty without a connection
   std::optional<ClockEstimate> clock;  // room time, once it is known
   SetId newest_set{};
   std::uint64_t sets_received = 0;

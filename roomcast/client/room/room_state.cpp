@@ -17,7 +17,7 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.self = ViewerId{welcome.viewer_id()};
   room_.clock.reset();
   if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;
-  decoding_.clear();  // nothing of an earlier connection can be built on
+  decoding_.clear();  // frames of an earlier connection are no base for new ones
 }
 
 void RoomState::disconnected(std::string problem) {
@@ -34,7 +34,7 @@ void RoomState::poses(const wire::pb::ViewerPoses& poses) {
   }
 }
 
-/// Who stays keeps the pose that is known of them.
+/// People who stay in the room keep their last known pose.
 void RoomState::update_people(const wire::pb::Roster& roster) {
   std::vector<RoomPerson> people;
   for (const auto& entry : roster.viewers()) {
@@ -61,7 +61,8 @@ Status RoomState::roster(const wire::pb::Roster& roster) {
   return {};
 }
 
-/// Of sensors that the room has forgotten, also when another has the id by now.
+/// Removes the sensors that are no longer in the roster, also if another sensor has their ID by
+/// now.
 void RoomState::forget_others(const wire::pb::Roster& roster) {
   std::erase_if(room_.sensors, [&](const RoomSensor& known) {
     const bool is_listed = std::ranges::any_of(roster.sensors(), [&](const auto& entry) {
@@ -149,8 +150,8 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   return FrameOutcome::kSetComplete;
 }
 
-/// Frames between the newest one and the one before it. Sensors count from where they like, anew
-/// after a restart.
+/// The number of frames missed before this one. Sensors may start numbering anywhere, also after a
+/// restart.
 std::uint64_t RoomState::SensorDecoding::count_gap(std::uint32_t seq) {
   const std::uint32_t step = newest_seq ? seq - *newest_seq : 1;
   newest_seq = seq;

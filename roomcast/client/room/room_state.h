@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomState: a viewer's copy of the room, built from what the hub sends: roster in, frames in,
-// snapshots out. No sockets; its only clock is the one it is given. Single-threaded.
+// RoomState: a viewer's copy of the room, built from the hub's messages: rosters and frames in,
+// snapshots out. No sockets; the clock is injected. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ namespace roomcast::client {
 
 class RoomState {
  public:
-  /// `clock` outlives this: it says when frames were received and decoded.
+  /// `clock` outlives this and gives the times at which frames are received and decoded.
   explicit RoomState(const Clock& clock) : clock_(clock) {}
 
   void welcome(const wire::pb::Welcome& welcome);
-  /// kMalformed when a sensor's calibration makes no sense; the sensors before it are taken.
+  /// kMalformed: a sensor's calibration or pose is invalid; the sensors before it are applied.
   Status roster(const wire::pb::Roster& roster);
-  /// Of people who are not in the roster (yet, or any more) nothing is shown.
+  /// Ignores people who are not in the roster (yet, or any more).
   void poses(const wire::pb::ViewerPoses& poses);
   void clock_is(const ClockEstimate& estimate) { room_.clock = estimate; }
   void disconnected(std::string problem);
@@ -39,11 +39,11 @@ class RoomState {
   /// `message`: header and payload. kMalformed: not a frame, or of an unknown sensor.
   Result<FrameOutcome> frame(std::span<const std::uint8_t> message);
 
-  /// As of now, with the next revision.
+  /// The current state, with the next revision.
   [[nodiscard]] std::shared_ptr<const RoomSnapshot> snapshot();
 
  private:
-  static constexpr std::uint32_t kLongestGap = 100'000;  // more means that it counts anew
+  static constexpr std::uint32_t kLongestGap = 100'000;  // more: the numbering restarted
   struct SensorDecoding {
     std::uint64_t count_gap(std::uint32_t seq);
 
@@ -51,7 +51,7 @@ class RoomState {
     std::unique_ptr<codec::FrameDecoder> decoder;
     FrameChain chain;
     std::vector<std::shared_ptr<SensorPicture>>
-        pool;  // pictures are used again once nobody looks at them
+        pool;  // pictures are reused once no snapshot refers to them
   };
 
   void forget_others(const wire::pb::Roster& roster);

@@ -36,7 +36,7 @@ DepthImage depth_picture(std::uint16_t shift) {
   return depth;
 }
 
-/// A sensor that sends depth without colour; each frame can be decoded alone unless told otherwise.
+/// A sensor that sends depth without colour; by default each frame can be decoded alone.
 class SendingSensor {
  public:
   SendingSensor() {
@@ -122,7 +122,7 @@ TEST(RoomState, knows_what_the_hub_lets_it_keep_as_of_the_last_welcome) {
 }
 
 TEST_F(RoomStateTest, people_are_those_of_the_roster_at_their_newest_poses) {
-  state.poses(poses_of(7, 1));  // nobody knows who that is
+  state.poses(poses_of(7, 1));  // not in the roster
   ASSERT_TRUE(state.roster(roster_with({7, 8})).ok());
   EXPECT_FALSE(state.snapshot()->people[0].pose);
   state.poses(poses_of(7, 2));
