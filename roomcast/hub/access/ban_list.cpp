@@ -30,8 +30,8 @@ std::size_t BanList::banned_count(HostTime now) const {
       records_, [now](const auto& entry) { return now < entry.second.banned_until; }));
 }
 
-/// Those whose faults no longer count; when none is such, everything: forgetting is better than
-/// growing.
+/// Removes the records that no longer matter; if there are none, all records, so that memory stays
+/// bounded.
 void BanList::forget_the_old(HostTime now) {
   std::erase_if(records_, [&](const auto& entry) {
     return now >= entry.second.banned_until && now - entry.second.first > rules_.within;

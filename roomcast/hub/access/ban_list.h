@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BanList: whoever shows bad tokens again and again is not listened to for a while. Bounded: when
-// too many addresses misbehave at once, the oldest faults are forgotten. Any thread.
+// BanList: bans addresses for a while if they present bad tokens repeatedly. Bounded: when too many
+// addresses have records at once, older records are dropped. Threading: any thread.
 #pragma once
 
 #include <chrono>
@@ -14,17 +14,17 @@
 namespace roomcast::hub {
 
 struct BanRules {
-  std::size_t faults = 10;  // bad tokens...
+  std::size_t faults = 10;  // so many bad tokens ...
   std::chrono::seconds within{60};
   std::chrono::seconds ban{300};
-  std::size_t max_peers = 10'000;  // that are remembered
+  std::size_t max_peers = 10'000;  // addresses with a record
 };
 
 class BanList {
  public:
   explicit BanList(BanRules rules = {}) : rules_(rules) {}
 
-  /// True: this one is banned from now on.
+  /// Counts a bad token. True: the address is banned from now on.
   bool fault(const std::string& peer, HostTime now);
   [[nodiscard]] bool is_banned(const std::string& peer, HostTime now) const;
   [[nodiscard]] std::size_t banned_count(HostTime now) const;

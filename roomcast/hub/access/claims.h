@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a join token says, and why somebody is not let in. Plain data.
+// Claims: the content of a join token, and the reasons for a refusal. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace roomcast::hub {
 
-/// kHub: of a hub that serves the room on, and says who watches there.
+/// kHub: for a hub that relays the room and reports its people.
 enum class TokenRole { kSensor, kViewer, kHub, kAdmin };
 
 [[nodiscard]] constexpr std::string_view name_of(TokenRole role) {
@@ -36,17 +36,17 @@ enum class TokenRole { kSensor, kViewer, kHub, kAdmin };
   return std::nullopt;
 }
 
-/// Of a token for the hub and all its rooms; role admin only.
+/// The room of a token that is valid for the hub and all its rooms; role admin only.
 inline constexpr std::string_view kAllRooms = "*";
 
-/// What a token, or the token that a code is exchanged for, is good for.
+/// The permission that a token gives, or the token for which a code is exchanged.
 struct Grant {
   std::string room;
   TokenRole role = TokenRole::kViewer;
-  std::string name = {};  // whom it is for; a sensor's: good for the sensor of this name only
+  std::string name = {};  // of the owner; a sensor's token is only for the sensor of this name
 };
 
-/// Seconds since 1970, UTC: a token holds by the calendar, whatever machine made it.
+/// Seconds since 1970, UTC, so that the validity does not depend on the machine.
 using UnixSeconds = std::int64_t;
 
 struct Claims {
@@ -56,13 +56,13 @@ struct Claims {
   UnixSeconds expires_at = 0;
 };
 
-/// Why not: a code for programs, a sentence for a person.
+/// A refusal: a code for programs and a sentence for people.
 struct Refusal {
   wire::pb::ErrorCode code = wire::pb::ERROR_UNSPECIFIED;
   std::string sentence;
 };
 
-/// What was asked for, or why not.
+/// The requested value, or a refusal.
 template <class T>
 using Verdict = std::variant<T, Refusal>;
 

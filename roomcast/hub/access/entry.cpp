@@ -21,7 +21,7 @@ std::string wanted_room(const pb::Join& join, const Claims* claims,
   return for_one_room ? claims->grant.room : only_listed_room;
 }
 
-/// Is what `who` asks for met by these claims? Admins may do all but what nobody may.
+/// Whether these claims meet the requirement `who`. Admins may do everything except kNobody.
 bool meets(Who who, const Claims* claims, std::optional<TokenRole> role = std::nullopt) {
   const bool is_admin = claims != nullptr && claims->grant.role == TokenRole::kAdmin;
   switch (who) {
@@ -38,9 +38,9 @@ bool meets(Who who, const Claims* claims, std::optional<TokenRole> role = std::n
 }
 
 struct RequiredAccess {
-  Who who = Who::kAdmin;  // may have it
+  Who who = Who::kAdmin;  // is permitted
   TokenRole role = TokenRole::kAdmin;
-  const char* what = "";  // of a sentence
+  const char* what = "";  // verb for the refusal
 };
 
 RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may come into which room as what. Pure: what a Join asks for, what its token says and what
-// the room's owner decided go in; what it may do, or why not, comes out.
+// Decides whether a client may join a room, and in which role. Pure: takes the Join, the claims of
+// its token and the room's settings, and returns the permissions or a refusal.
 //
-// Whoever has no token for a private room (not listed, and asking for tokens) gets the very answer
-// that a room gets which does not exist.
+// A client without a token for a private room (unlisted, and requiring tokens) gets the same answer
+// as for a room that does not exist.
 #pragma once
 
 #include <functional>
@@ -15,29 +15,29 @@
 
 namespace roomcast::hub {
 
-/// What somebody may do who was let in.
+/// The permissions of an admitted client.
 struct Entry {
   std::string room = {};
-  std::string token_id = {};     // of the token that it came with
-  UnixSeconds expires_at = 0;    // of that token; 0: stays as long as it likes
-  bool may_place = false;        // say where sensors stand
-  bool may_record = false;       // keep what it is sent
-  bool may_share = false;        // and hand it on
-  bool takes_over_name = false;  // a sensor that may replace another of its name
-  std::string new_token = {};    // in exchange for a code
-  std::uint64_t other_hub = 0;   // at which the sensor is, for which a backplane speaks; 0: here
+  std::string token_id = {};     // of the token that it joined with
+  UnixSeconds expires_at = 0;    // of that token; 0: never
+  bool may_place = false;        // set sensor poses
+  bool may_record = false;       // record the streams that it gets
+  bool may_share = false;        // and pass recordings on
+  bool takes_over_name = false;  // the sensor may replace an online one of the same name
+  std::string new_token = {};    // issued in exchange for a code
+  std::uint64_t other_hub = 0;   // the hub of a sensor that a backplane represents; 0: this hub
 };
 
-/// Null: there is no such room.
+/// Returns null if there is no such room.
 using FindRoom = std::function<const RoomSettings*(const std::string& name)>;
 
-/// `claims` null: no token was shown. `only_listed_room`: what an empty name means to whoever has
-/// none; empty when there is not exactly one.
+/// `claims` null: no token was presented. `only_listed_room`: the room for an empty name if the
+/// token names none; empty unless the hub has exactly one listed room.
 [[nodiscard]] Verdict<Entry> decide_entry(const wire::pb::Join& join, const Claims* claims,
                                           const FindRoom& find_room,
                                           const std::string& only_listed_room);
 
-/// May whoever has these claims (null: none) know that this room exists?
+/// Whether a client with these claims (null: none) may learn that this room exists.
 [[nodiscard]] bool may_know_of(const RoomSettings& room, const Claims* claims);
 
 }  // namespace roomcast::hub

@@ -55,7 +55,8 @@ Result<HubSecret> read_secret(const std::filesystem::path& path) {
   return secret;
 }
 
-/// Under another name first: whoever reads it meanwhile, or after a crash, finds all of it or none.
+/// Writes a temporary file and links it, so that a reader finds all of the secret or none, also
+/// after a crash.
 Status write_secret(const std::filesystem::path& path, const HubSecret& secret) {
   const std::filesystem::path draft = path.string() + "." + std::to_string(::getpid());
   {
@@ -102,7 +103,7 @@ Result<HubSecret> find_hub_secret(const std::filesystem::path& file) {
   if (!is_there(file)) {
     if (auto status = write_secret(file, make_hub_secret()); !status) return status.error();
   }
-  return read_secret(file);  // of two that start at once, the first one's
+  return read_secret(file);  // if two hubs start at once, both use the secret that was linked first
 }
 
 }  // namespace roomcast::hub

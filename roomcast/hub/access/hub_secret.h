@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubSecret: with which a hub signs its tokens. Made once, kept in a file that only its owner may
-// read. Hubs that are to take each other's tokens share it.
+// HubSecret: the key with which a hub signs its tokens. It is generated once and stored in a file
+// that only its owner may read. Hubs that accept each other's tokens share it.
 #pragma once
 
 #include <array>
@@ -13,17 +13,18 @@ namespace roomcast::hub {
 
 using HubSecret = std::array<std::uint8_t, 32>;
 
-/// Nobody can guess it.
+/// A new random secret.
 [[nodiscard]] HubSecret make_hub_secret();
 
-/// Where a hub keeps it in its folder.
+/// The path of the secret in a hub's data folder.
 [[nodiscard]] std::filesystem::path secret_file_in(const std::filesystem::path& folder);
 
-/// Why find_hub_secret() could not take what is there; fine where there is nothing. Makes none.
+/// The error that find_hub_secret() would return for an existing file; ok if there is no file.
+/// Writes nothing.
 [[nodiscard]] Status check_hub_secret(const std::filesystem::path& file);
 
-/// What `file` holds; a new one, and the file with it, where there is none. kUnavailable: it cannot
-/// be written or read. kMalformed: it is none. kInvalidArgument: others may read it.
+/// Reads the secret in `file`; if there is no file, generates a secret and writes it. kUnavailable:
+/// cannot be written or read. kMalformed: not a secret. kInvalidArgument: others may read it.
 [[nodiscard]] Result<HubSecret> find_hub_secret(const std::filesystem::path& file);
 
 }  // namespace roomcast::hub

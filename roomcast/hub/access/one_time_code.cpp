@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kDigits = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
 constexpr std::size_t kLength = 16, kGroup = 4;
 
-/// What somebody meant by a letter; 0 for one that cannot be in a code.
+/// Corrects a typed letter to the digit that was meant; 0: not allowed in a code.
 char as_meant(char letter) {
   const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   if (upper == 'O') return '0';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One-time codes: short enough to read out, exchanged once for a token. Four groups of four of
-// Crockford's base 32 (80 bits): no letter looks like a digit. The hub keeps only their digests.
-// Threading: thread-safe (no state).
+// One-time codes: short enough to read out, exchanged once for a token. Four groups of four digits
+// of Crockford's base 32 (80 bits), in which no letter looks like a digit. The hub stores only
+// their digests. Threading: thread-safe (no state).
 #pragma once
 
 #include <array>
@@ -17,11 +17,12 @@ namespace roomcast::hub {
 
 using CodeDigest = std::array<std::uint8_t, 32>;
 
-/// SHA-256 of a code, however it was typed: hyphens and case do not count, O is 0, I and L are 1.
-/// Nothing: this is no code.
+/// SHA-256 of a code as typed by a person: hyphens and case are ignored, O is read as 0, I and L as
+/// 1. Nothing: not a code.
 [[nodiscard]] std::optional<CodeDigest> digest_of_code(std::string_view code);
 
-/// "code-0123456789abcdef": by which its owner lists and revokes it; nobody learns it from that.
+/// "code-0123456789abcdef": the ID under which a code is listed and revoked. It does not reveal the
+/// code.
 [[nodiscard]] std::string id_of_code(const CodeDigest& digest);
 
 /// 128 random bits in hexadecimal: a token's id.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RateLimit: so much per second, and a little more at once (a token bucket). Pure;
+// RateLimit: limits a rate per second and the size of bursts (a token bucket). Pure;
 // single-threaded. Source: RFC 2697 describes the meter.
 #pragma once
 
@@ -12,11 +12,11 @@ namespace roomcast::hub {
 
 class RateLimit {
  public:
-  /// `burst`: what may come at once.
+  /// `burst`: the amount allowed at once.
   RateLimit(double per_second, double burst)
       : per_second_(per_second), burst_(burst), left_(burst) {}
 
-  /// False: this is too much.
+  /// False: the limit is exceeded.
   [[nodiscard]] bool take(double amount, HostTime now) {
     if (last_ != HostTime{}) {
       const double passed_s = std::chrono::duration<double>(now - last_).count();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// TokenSigner: makes join tokens and tells whether one is this hub's. A token is a compact JSON Web
-// Token, HMAC-SHA256 with the hub's secret; no other algorithm is taken, whatever its header says.
+// TokenSigner: signs and verifies join tokens. A token is a compact JSON Web Token with HMAC-SHA256
+// and the hub's secret; other algorithms are refused, whatever the token's header states.
 // Threading: thread-safe (immutable). Source: RFC 7519 (JWT), RFC 8725 (what to refuse); by libjwt.
 #pragma once
 
@@ -17,7 +17,7 @@ class TokenSigner {
 
   [[nodiscard]] std::string sign(const Claims& claims) const;
 
-  /// ERROR_TOKEN_INVALID: not made with this secret, or changed since. ERROR_TOKEN_EXPIRED.
+  /// ERROR_TOKEN_INVALID: not signed with this secret, or modified. ERROR_TOKEN_EXPIRED.
   [[nodiscard]] Verdict<Claims> verify(const std::string& token, UnixSeconds now) const;
 
  private:

@@ -25,7 +25,7 @@ pb::ErrorCode fault_in(const std::string& token, UnixSeconds now = kNow) {
   return why == nullptr ? pb::ERROR_UNSPECIFIED : why->code;
 }
 
-/// What a forger would make who knows how, but not the secret.
+/// A token forged with knowledge of the format but without the hub's secret.
 std::string forged(jwt_alg_t algorithm, const std::string& secret) {
   jwt_t* token = nullptr;
   jwt_new(&token);
@@ -63,7 +63,7 @@ TEST(TokenSigner, every_changed_letter_is_noticed) {
   const std::string token = TokenSigner(kSecret).sign(for_a_viewer());
   for (std::size_t i = 0; i < token.size(); ++i) {
     std::string changed = token;
-    changed[i] = changed[i] == 'A' ? 'Q' : 'A';  // apart in the upper bits, which base64 keeps
+    changed[i] = changed[i] == 'A' ? 'Q' : 'A';  // differ in an upper bit, which base64 keeps
     EXPECT_EQ(fault_in(changed), pb::ERROR_TOKEN_INVALID) << "letter " << i;
   }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time of day, for what holds by the calendar: until when a token is good. Nothing else in a
-// hub asks for it. Threading: thread-safe.
+// The calendar time, used by a hub only for the validity of tokens. Threading: thread-safe.
 #pragma once
 
 #include <functional>

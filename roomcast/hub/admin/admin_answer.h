@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the hub's HTTP interface answers: its objects as JSON, and refusals with a code and a
-// sentence (docs/spec/admin.openapi.yaml). Threading: no state.
+// The answers of the hub's HTTP interface: objects as JSON, and refusals with a code and a sentence
+// (docs/spec/admin.openapi.yaml). Threading: no state.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ namespace roomcast::hub {
 [[nodiscard]] net::HttpResponse error_answer(const Refusal& why);
 [[nodiscard]] net::HttpResponse error_answer(const Error& error);
 
-/// For whoever may only look: without what concerns its owner.
+/// For callers without admin rights: omits the owner's data.
 [[nodiscard]] nlohmann::json brief_room(const RoomSettings& settings, const RoomStats& stats);
 [[nodiscard]] nlohmann::json whole_room(const RoomSettings& settings, const RoomStats& stats);
 [[nodiscard]] nlohmann::json sensor_json(const SensorStats& sensor, const std::string& address);

@@ -38,7 +38,7 @@ net::HttpResponse keeps_no_recordings() {
   return error_answer(409, "conflict", "this hub has no folder to keep recordings in");
 }
 
-/// Nothing: the body is no JSON object.
+/// Nothing: the body is not a JSON object.
 std::optional<Json> object_in(const std::string& body) {
   Json json = Json::parse(body, nullptr, false);
   if (!json.is_object()) return std::nullopt;
@@ -92,8 +92,8 @@ void AdminApi::apply(const Call& call) {
   }
 }
 
-/// What only an admin of the room may do. Who is none, of a room that it may not know of, is
-/// answered as if there were no room.
+/// Calls for the room's admins only. For a caller who may not know of the room the answer is the
+/// same as if it did not exist.
 void AdminApi::carry_out_in_room(const Call& call) {
   const RoomSettings* settings = hall_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
@@ -235,7 +235,7 @@ void AdminApi::close_room(const Call& call) {
                     });
 }
 
-// ---- who is in a room
+// ---- clients in a room
 
 void AdminApi::list_sensors(const Call& call) const {
   Json sensors = Json::array();
@@ -263,8 +263,8 @@ void AdminApi::end_sensor(const Call& call) {
   call.respond(no_content());
 }
 
-/// All that were ever here are kept, so what is kept knows whether it was. The room forgets first:
-/// what it has still to keep of the sensor is kept before that is forgotten.
+/// The store has all sensors that ever joined, so its answer tells whether this one did. The room
+/// forgets first, so that a pending save of the sensor runs before it is deleted from the store.
 void AdminApi::forget_sensor(const Call& call) {
   const std::string &room = call.parameter(0), &sensor = call.parameter(1);
   hall_.forget_sensor(room, sensor);
@@ -287,7 +287,7 @@ void AdminApi::end_viewer(const Call& call) {
   call.respond(no_content());
 }
 
-// ---- its recording
+// ---- recordings
 
 void AdminApi::recording(const Call& call) const {
   const std::string& room = call.parameter(0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// AdminApi: answers the hub's HTTP interface for whoever runs it (docs/spec/admin.openapi.yaml).
-// What is changed is on disk before it is done, and done before it is acknowledged. Threading: the
-// rooms' thread; answers come later, from there.
+// AdminApi: answers the hub's HTTP interface for operators (docs/spec/admin.openapi.yaml). A change
+// is written to disk before it takes effect, and takes effect before it is acknowledged. Threading:
+// the rooms' thread; answers come later, on that thread.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,14 @@ namespace roomcast::hub {
 
 class AdminApi {
  public:
-  /// `recordings` is null where rooms are not kept.
+  /// `recordings`: null if rooms cannot be recorded.
   AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
            RoomRecordings* recordings, LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
  private:
-  /// One call that may be made, and by whom.
+  /// One admitted call with its caller and parameters.
   struct Call : Caller {
     MatchedRoute match;
     std::string body;

@@ -80,7 +80,7 @@ class AdminApiTest : public testing::Test {
   std::vector<std::unique_ptr<Shard>> shards;
   RoomRegistry hall{{.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
   FakeRecordings recordings;
-  std::map<std::string, std::string, std::less<>> logged;  // of the last line that had fields
+  std::map<std::string, std::string, std::less<>> logged;  // from the last line with fields
   AdminApi api{hall, store_worker, "test", &recordings,
                [this](LogLevel, std::string_view, LogFields fields) {
                  for (const auto& [key, value] : fields) logged[std::string(key)] = value;

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct Outcome {
-  std::string about;  // what was made: a token's id, a room's name
+  std::string about;  // the object that was made: a token's ID or a room's name
   std::string error, sentence;
 };
 

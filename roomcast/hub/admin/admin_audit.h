@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who did what with the interface for admins: one line of the log for each call that changes
-// something, whatever comes of it, and for each that is refused. Threading: no state.
+// Audit log of the admin interface: one line for each call that changes something, whatever its
+// outcome, and for each refused call. Threading: no state.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace roomcast::hub {
 
 struct AuditedCall {
   std::string method, path, peer;
-  std::string token_id = {}, name = {};  // of the token that was shown; empty: none, or a bad one
+  std::string token_id = {}, name = {};  // of the token presented; empty: none, or an invalid one
 };
 
-/// `respond`, and the log is told what it answers. Nothing secret: of a token its id.
+/// Wraps `respond` so that the answer is logged. No secrets are logged: of a token only its ID.
 [[nodiscard]] net::Respond audited(const LogSink& log, AuditedCall call, net::Respond respond);
 
 }  // namespace roomcast::hub

@@ -16,7 +16,7 @@ using Fields = std::map<std::string, std::string, std::less<>>;
 
 class AdminAuditTest : public testing::Test {
  protected:
-  /// What is answered in the end.
+  /// Sends the response through audited() and returns what arrives.
   net::HttpResponse answer(AuditedCall call, net::HttpResponse response) {
     std::optional<net::HttpResponse> answered;
     const net::Respond respond =

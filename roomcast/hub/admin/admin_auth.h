@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// AdminAuth: who asks over HTTP? A token that is no good is answered here and held against the
-// address it came from, as a bad join is. Threading: the rooms' thread; whoever comes in is
-// announced later, from there.
+// AdminAuth: authenticates HTTP requests. A request with a bad token is refused here and counts
+// towards a ban of its address, as a bad join does. Threading: the rooms' thread; `enter` is called
+// later, on that thread.
 #pragma once
 
 #include <functional>
@@ -15,9 +15,9 @@
 
 namespace roomcast::hub {
 
-/// Who makes a call, and how it is answered so that the log tells of it.
+/// The caller of a request, and a `respond` that also writes the audit log.
 struct Caller {
-  std::optional<Claims> claims;  // nothing: showed no token
+  std::optional<Claims> claims;  // nothing: no token was presented
   net::Respond respond;
 
   [[nodiscard]] bool is_admin_of(std::string_view room) const {
@@ -30,8 +30,8 @@ class AdminAuth {
  public:
   AdminAuth(RoomRegistry& hall, StoreWorker& store_worker, LogSink log = {});
 
-  /// `enter` is called with who asks, unless they are refused: for a token that is no good, or for
-  /// none where one is needed.
+  /// Calls `enter` with the caller, unless the request is refused because its token is bad, or
+  /// missing where one is required.
   void admit(const net::HttpRequest& request, bool needs_token, net::Respond respond,
              std::function<void(Caller)> enter);
 

@@ -29,7 +29,7 @@ constexpr std::array kRoutes = {
     AdminRoute{"DELETE", "/tokens/{id}", AdminCall::kRevokeToken},
 };
 
-/// Takes "/x" off the front of "/x/y".
+/// Removes "/x" from the front of "/x/y" and returns it.
 std::string_view take_segment(std::string_view& path) {
   const auto end = path.find('/', 1);
   const std::string_view segment = path.substr(0, end);
@@ -37,7 +37,7 @@ std::string_view take_segment(std::string_view& path) {
   return segment;
 }
 
-/// The parameters, if `path` is such a path.
+/// The parameters in `path`; nothing: it does not match `pattern`.
 std::optional<std::vector<std::string>> match(std::string_view pattern, std::string_view path) {
   std::vector<std::string> parameters;
   while (!pattern.empty() && !path.empty()) {

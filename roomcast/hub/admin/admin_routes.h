@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the hub's HTTP interface: which address and method means what. Specified in
+// The routes of the hub's HTTP interface: method and path of each call. Specified in
 // docs/spec/admin.openapi.yaml; a test compares the two. Threading: immutable.
 #pragma once
 

@@ -27,8 +27,8 @@ std::ifstream specification() {
   return std::ifstream(std::string(ROOMCAST_SOURCE_DIR) + "/docs/spec/admin.openapi.yaml");
 }
 
-/// "#/components/schemas/Error" ...: what stands two deep below `components:`, indented by four
-/// spaces.
+/// The components that the specification defines, as "#/components/schemas/Error": the names two
+/// levels below `components:`, indented by four spaces.
 std::set<std::string> specified_components() {
   std::ifstream file = specification();
   std::set<std::string> components;
@@ -44,7 +44,7 @@ std::set<std::string> specified_components() {
   return components;
 }
 
-/// What its `$ref: "..."` name.
+/// The targets of all `$ref: "..."` in the specification.
 std::set<std::string> specified_references() {
   std::ifstream file = specification();
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -57,8 +57,8 @@ std::set<std::string> specified_references() {
   return references;
 }
 
-/// "GET /rooms" ... as the specification lists them: a path is indented by two spaces, a method by
-/// four.
+/// The routes in the specification, as "GET /rooms". There a path is indented by two spaces, a
+/// method by four.
 std::set<std::string> specified_routes() {
   const std::set<std::string> methods = {"get", "post", "put", "patch", "delete"};
   std::ifstream file = specification();

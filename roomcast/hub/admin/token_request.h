@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What somebody asks for who wants a token, and what he is given: the TokenRequest and NewToken of
-// docs/spec/admin.openapi.yaml. Threading: no state; make_token_for() as the book.
+// A request for a token and its answer: TokenRequest and NewToken of docs/spec/admin.openapi.yaml.
+// Threading: no state; make_token_for() as HubStore.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,16 +15,16 @@ struct TokenRequest {
 
   Grant grant;
   UnixSeconds ttl = kTtl;
-  bool once = false;  // a code instead
+  bool once = false;  // issue a one-time code instead
 };
 
-/// kInvalidArgument, and which field.
+/// kInvalidArgument: the message names the field.
 [[nodiscard]] Result<TokenRequest> read_token_request(const nlohmann::json& json);
 
-/// A NewToken. Errors of HubStore::issue.
+/// Issues a token or code and returns it as a NewToken. Errors of HubStore::issue.
 [[nodiscard]] Result<nlohmann::json> make_token_for(const TokenRequest& request, HubStore& book);
 
-/// "#room=R&code=C", what follows a page's address: browsers keep it to themselves.
+/// "#room=R&code=C", to be appended to a page's address: browsers do not send fragments.
 [[nodiscard]] std::string link_fragment(const std::string& room, const std::string& code);
 
 }  // namespace roomcast::hub

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 #define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1  // the library of Debian throws
+#define TOML_HEADER_ONLY 1  // Debian's library build throws exceptions
 #include <toml++/toml.h>
 
 #include "roomcast/net/hub_url.h"
@@ -76,7 +76,7 @@ std::string in_line(const toml::node& node) {
   return " (line " + std::to_string(node.source().begin.line) + ")";
 }
 
-// From TOML: false for a value of another kind.
+// From TOML. False: the value has another type.
 
 bool read(const toml::node& node, std::string& text) {
   const auto value = node.value_exact<std::string>();
@@ -191,7 +191,7 @@ Status read_table(const toml::table& table, const std::string& prefix, HubConfig
   return {};
 }
 
-/// As a browser says it: scheme and host, and nothing behind them.
+/// As in a browser's Origin header: scheme, host and port, without a path.
 bool is_origin(std::string_view text) {
   const auto scheme = text.find("://");
   if (scheme != 4 && scheme != 5) return false;
@@ -302,7 +302,7 @@ Status check(const HubConfig& config) {
   for (const auto& [name, field] : fields()) {
     const auto* count = std::get_if<std::int64_t HubConfig::*>(&field);
     if (count == nullptr || !name.starts_with("limits.")) continue;
-    const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent";  // never
+    const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent";  // off
     if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > 1'000'000) {
       return invalid_argument(std::string(name) + " is " + (may_be_zero ? "0" : "1") +
                               " to 1000000");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rigid transform as it is on the wire. The hub does no geometry but for where people start.
+// A rigid transform as in wire messages. The hub computes poses only for placing viewers and
+// unplaced sensors.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ constexpr std::array<std::pair<Who, std::string_view>, 4> kWho = {{{Who::kAnyone
                                                                    {Who::kNobody, "nobody"}}};
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
-// Readers of one value each: false for a value of another kind.
+// Readers of one value each. False: the value has another type.
 
 bool read(const Json& json, std::string& text) {
   if (!json.is_string()) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomSettings: what its owner decides about a room: how many it holds, where viewers enter, and
-// who may do what in it. As JSON it is what the admin interface speaks
-// (docs/spec/admin.openapi.yaml). Plain data. Metres, radians.
+// RoomSettings: the owner's settings of a room: capacity, start positions and permissions. The
+// admin interface transfers them as JSON (docs/spec/admin.openapi.yaml). Plain data. Metres,
+// radians.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace roomcast::hub {
 
-/// Who may do something in a room.
+/// The clients that have a permission in a room.
 enum class Who {
   kAnyone,
   kToken,  // with a token of the right role
@@ -28,7 +28,7 @@ enum class Who {
 [[nodiscard]] std::string_view name_of(Who who);
 [[nodiscard]] std::optional<Who> who_is(std::string_view name);
 
-/// Where a viewer enters.
+/// The position and direction in which a viewer starts.
 struct StartPosition {
   double x_m = 0, z_m = 0;
   double eye_height_m = 1.6;
@@ -40,26 +40,26 @@ struct StartPosition {
 
 struct RoomSettings {
   std::string name = "room";
-  std::string title = {};  // for people; empty: the name
+  std::string title = {};  // shown to people; empty: the name
   std::size_t max_sensors = wire::kMaxSensors;
   std::size_t max_viewers = wire::kMaxViewers;
-  bool listed = true;  // else nobody without a token for it learns that it exists
+  bool listed = true;  // false: known only to clients with a token for it
   Who send = Who::kAnyone;
   Who view = Who::kAnyone;
   Who record = Who::kAnyone;
   Who share = Who::kAnyone;                         // "export" in JSON
-  std::vector<StartPosition> start_positions = {};  // in turn; none: beside the sensors
+  std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
 };
 
 inline constexpr std::size_t kMaxStartPositions = 64;
 
-/// kInvalidArgument: a limit is exceeded, or a name cannot be one.
+/// kInvalidArgument: a limit is exceeded, or a name is invalid.
 [[nodiscard]] Status check(const RoomSettings& settings);
 
 [[nodiscard]] nlohmann::json to_json(const RoomSettings& settings);
 
-/// `settings` with what `changes` says instead. kInvalidArgument: a field that there is not, or a
-/// value that makes no sense there; the sentence names it.
+/// Returns `settings` with the fields of `changes` replaced. kInvalidArgument: an unknown field or
+/// an invalid value; the sentence names it.
 [[nodiscard]] Result<RoomSettings> changed(RoomSettings settings, const nlohmann::json& changes);
 
 }  // namespace roomcast::hub

@@ -33,8 +33,7 @@ CertificateWatch::Stamp CertificateWatch::stamp() const {
           std::filesystem::last_write_time(key_, absent)};
 }
 
-/// Between the writing of the one file and of the other they do not belong together: the next look
-/// will find that they do.
+/// If only one of the two files is written yet, they do not match; a later check loads both.
 void CertificateWatch::look() {
   const Stamp now = stamp();
   if (!asked_.exchange(false) && now == seen_) return;

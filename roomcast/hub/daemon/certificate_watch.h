@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// CertificateWatch: notices that a hub's certificate files were renewed, and hands on the new
-// certificate, so that nobody has to restart a hub every few weeks. Looks once a second; what
-// cannot be loaded is reported once, and the old one goes on. Threading: has a thread of its own,
-// which calls `take` and `log`.
+// CertificateWatch: detects that a hub's certificate files were renewed and passes on the new
+// certificate, so that the hub need not be restarted. Checks once a second by default. A
+// certificate that cannot be loaded is reported once, and the old one stays in use. Threading: has
+// its own thread, which calls `take` and `log`.
 #pragma once
 
 #include <atomic>
@@ -21,7 +21,7 @@ class CertificateWatch {
  public:
   using Take = std::function<Status(const net::Certificate&)>;
 
-  /// `asked`: who sets it has them loaded again whether they were renewed or not.
+  /// `asked`: setting it reloads the files even if they have not changed.
   CertificateWatch(std::filesystem::path certificate, std::filesystem::path key, Take take,
                    std::atomic<bool>& asked, LogSink log,
                    std::chrono::milliseconds look_every = std::chrono::seconds(1));

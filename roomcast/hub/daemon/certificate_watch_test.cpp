@@ -23,7 +23,7 @@ class CertificateWatchTest : public testing::Test {
   net::Fingerprint write(const std::string& host) {
     const auto certificate = *net::Certificate::make_self_signed({host});
     EXPECT_TRUE(certificate.save(file).ok());
-    // Files are stamped by a coarse clock; a renewal comes later than the last one.
+    // File timestamps are coarse, so each write gets a distinctly later one.
     std::filesystem::last_write_time(
         file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++writes));
     return certificate.fingerprint();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a hub keeps what it keeps on this machine. Threading: no state.
+// The folder of a hub's persistent data on this machine. Threading: no state.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,20 @@
 
 namespace roomcast::hub::daemon {
 
-/// $XDG_STATE_HOME/roomcast, else ~/.local/state/roomcast, else nothing.
+/// $XDG_STATE_HOME/roomcast, else ~/.local/state/roomcast; nothing: without an absolute
+/// XDG_STATE_HOME or HOME.
 [[nodiscard]] std::optional<std::filesystem::path> default_data_folder();
 
-/// `named`, else the default one.
+/// `named`, or the default folder if it is empty.
 [[nodiscard]] std::optional<std::filesystem::path> data_folder(const std::string& named);
 
-/// Made where it is missing; nothing where there is no home to have it in. kUnavailable: it cannot
-/// be made.
+/// The data folder, created if missing; nothing: there is no home folder. kUnavailable: it cannot
+/// be created.
 [[nodiscard]] Result<std::optional<std::filesystem::path>> make_data_folder(
     const std::string& named);
 
-/// Can this program write here? Where there is no such folder: could it make one? Nothing is made
-/// or written. kUnavailable: no, and why.
+/// Checks that this program can write in the folder, or could create it. Changes nothing.
+/// kUnavailable: it cannot; the message gives the reason.
 [[nodiscard]] Status check_folder(const std::filesystem::path& folder);
 
 }  // namespace roomcast::hub::daemon

@@ -27,7 +27,8 @@ void HubAligners::trust(const net::Fingerprint& certificate) {
   hub_.certificate = certificate;
 }
 
-/// A room that was closed and opened again gets a new one: the old one has given up.
+/// Starts a new aligner also for a room that was closed and opened again, because the old one has
+/// ended.
 void HubAligners::start(const std::string& room) {
   const std::lock_guard lock(mutex_);
   auto started = alignment::RoomAligner::open(

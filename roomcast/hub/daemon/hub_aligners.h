@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The aligners that come with a hub: one for each room that has had a sensor, in the same process,
-// clients of the hub like any other. Threading: thread-safe.
+// The hub's built-in aligners: one for each room that has had a sensor. They run in the hub's
+// process but connect as clients. Threading: thread-safe.
 #pragma once
 
 #include <map>
@@ -21,24 +21,24 @@ namespace roomcast::hub::daemon {
 struct OwnHub {
   std::string listen_address = "127.0.0.1";
   std::uint16_t port = 0;
-  std::optional<net::Fingerprint> certificate;  // of a hub that encrypts
+  std::optional<net::Fingerprint> certificate;  // if the hub uses TLS
 };
 
-/// How the hub is reached from its own machine.
+/// The URL of the hub for clients on its own machine.
 [[nodiscard]] std::string own_hub_url(const OwnHub& hub);
 
 class HubAligners {
  public:
   explicit HubAligners(LogSink log) : log_(std::move(log)) {}
 
-  /// The hub is open, and takes this token. Call it before it runs.
+  /// The hub is open and accepts this token. Must be called before the hub runs.
   void serve(OwnHub hub, std::string token);
   /// The hub's certificate was renewed.
   void trust(const net::Fingerprint& certificate);
 
-  /// A room has a sensor.
+  /// A room has its first sensor.
   void start(const std::string& room);
-  /// Another hub does it from now on. Waits for nothing.
+  /// Another hub aligns the room from now on. Does not block.
   void stop(const std::string& room);
 
  private:
@@ -47,7 +47,7 @@ class HubAligners {
   OwnHub hub_;
   std::string token_;
   std::map<std::string, std::unique_ptr<alignment::RoomAligner>> aligners_;  // by room
-  std::vector<std::jthread> ending_;  // each waits for an aligner's last thought
+  std::vector<std::jthread> ending_;  // each waits until an aligner has finished
 };
 
 }  // namespace roomcast::hub::daemon

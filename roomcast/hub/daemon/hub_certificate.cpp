@@ -21,7 +21,7 @@ Error wrong_usage(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-/// Nothing: there is none yet, and none is to be made.
+/// Nothing: there is none yet, and `only_look` is set.
 Result<std::optional<net::Certificate>> find_self_signed(const fs::path& folder,
                                                          const HubCertificateOptions& options) {
   const fs::path file = folder / kSelfSignedName;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// With which certificate a hub encrypts: one of the user's, one that it makes for itself and keeps,
-// or none.
+// The TLS certificate of a hub: the user's, a stored self-signed one, or none.
 #pragma once
 
 #include <optional>
@@ -15,18 +14,17 @@ namespace roomcast::hub::daemon {
 struct HubCertificateOptions {
   std::string certificate_file, key_file;  // PEM
   bool self_signed = false;
-  std::string data_folder;     // where a self-signed one is kept; empty: default_data_folder()
-  std::string listen_address;  // one more address that a self-signed one is for
-  bool only_look = false;      // make none, write nothing
+  std::string data_folder;     // for the self-signed one; empty: default_data_folder()
+  std::string listen_address;  // one more address in the self-signed one
+  bool only_look = false;      // create and write nothing
 };
 
-/// Names and addresses under which a hub on this machine may be called.
+/// The names and addresses of a hub on this machine, for its certificate.
 [[nodiscard]] std::vector<std::string> own_hosts(const std::string& listen_address);
 
-/// Nothing when TLS is not asked for, or there is no self-signed one yet and none is to be made. A
-/// self-signed certificate stays the same from start to start,
-/// so that whoever pinned its fingerprint finds the hub again. kInvalidArgument: options that
-/// contradict each other; errors of Certificate.
+/// Nothing: TLS is not requested, or there is no self-signed certificate yet and `only_look` is
+/// set. A self-signed certificate is kept across restarts, so clients can pin its fingerprint.
+/// kInvalidArgument: contradictory options; errors of Certificate.
 [[nodiscard]] Result<std::optional<net::Certificate>> find_hub_certificate(
     const HubCertificateOptions& options);
 

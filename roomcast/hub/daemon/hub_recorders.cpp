@@ -34,7 +34,7 @@ void HubRecorders::trust(const net::Fingerprint& certificate) {
   hub_.certificate = certificate;
 }
 
-/// With what the recorder says by now.
+/// The recording's state with the recorder's current counters.
 hub::RoomRecording HubRecorders::as_it_is(const Recording& recording) {
   hub::RoomRecording said = recording.said;
   if (!recording.recorder) return said;
@@ -64,7 +64,7 @@ Status HubRecorders::start(const std::string& room) {
     return Error{ErrorCode::kInvalidArgument, "the room " + room + " is being recorded already"};
   }
   recording.said = {.state = RecordingState::kStarting, .file = {}, .problem = {}};
-  // One that has failed goes on the worker, too: it may wait for the disk.
+  // A failed recorder is destroyed on the worker, too, because that may wait for the disk.
   std::shared_ptr<recording::Recorder> before = std::move(recording.recorder);
   boost::asio::post(orders_, [this, room, before = std::move(before)]() mutable {
     before.reset();
@@ -102,8 +102,8 @@ Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
 
 void HubRecorders::open(const std::string& room) {
   const auto file = io::next_free_path(folder_, io::file_stem(room), ".mcap");
-  auto recorder =
-      file ? open_recorder(room, *file) : Result<std::unique_ptr<recording::Recorder>>(file.error());
+  auto recorder = file ? open_recorder(room, *file)
+                       : Result<std::unique_ptr<recording::Recorder>>(file.error());
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
   if (!recorder) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recorders that come with a hub: one for each room that is being kept, in the same process,
-// clients of the hub like any other. Opening and ending a file waits for hub and disk, so a thread
-// of their own does it. Threading: thread-safe.
+// The hub's built-in recorders: one for each room that is recorded. They run in the hub's process
+// but connect as clients. Opening and finishing a file waits for hub and disk, so a separate thread
+// does it. Threading: thread-safe.
 #pragma once
 
 #include <chrono>
@@ -24,12 +24,12 @@ namespace roomcast::hub::daemon {
 
 class HubRecorders final : public hub::RoomRecordings {
  public:
-  /// Files go into `folder`, which is made when it is needed.
+  /// Files go into `folder`, which is created when needed.
   HubRecorders(std::filesystem::path folder, LogSink log);
-  /// Ends what is being recorded.
+  /// Finishes all recordings.
   ~HubRecorders() override;
 
-  /// The hub is open, and takes this token. Call it before it runs.
+  /// The hub is open and accepts this token. Must be called before the hub runs.
   void serve(OwnHub hub, std::string token);
   /// The hub's certificate was renewed.
   void trust(const net::Fingerprint& certificate);
@@ -40,18 +40,18 @@ class HubRecorders final : public hub::RoomRecordings {
 
  private:
   struct Recording {
-    hub::RoomRecording said;  // all of it while there is no recorder
+    hub::RoomRecording said;  // the whole state while there is no recorder
     std::unique_ptr<recording::Recorder> recorder;
     std::chrono::steady_clock::time_point since;
   };
 
   [[nodiscard]] static hub::RoomRecording as_it_is(const Recording& recording);
 
-  // On the worker.
+  // Called on the worker.
   void open(const std::string& room);
   void finish(const std::string& room, recording::Recorder& recorder);
-  Result<std::unique_ptr<recording::Recorder>> open_recorder(const std::string& room,
-                                                  const std::filesystem::path& file) const;
+  Result<std::unique_ptr<recording::Recorder>> open_recorder(
+      const std::string& room, const std::filesystem::path& file) const;
 
   const std::filesystem::path folder_;
   const LogSink log_;
@@ -59,7 +59,7 @@ class HubRecorders final : public hub::RoomRecordings {
   OwnHub hub_;
   std::string token_;
   std::map<std::string, Recording> recordings_;  // by room
-  boost::asio::io_context orders_{1};            // at most one of each room
+  boost::asio::io_context orders_{1};            // tasks of the worker; at most one per room
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
       boost::asio::make_work_guard(orders_);
   std::jthread worker_;  // last: uses all of the above

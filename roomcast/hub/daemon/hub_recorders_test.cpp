@@ -21,7 +21,7 @@ class HubRecordersTest : public testing::Test {
     recorders_.serve({.port = hub_.port(), .certificate = {}}, hub_.server().own_token());
   }
 
-  /// As it is once it is no more on its way to another state.
+  /// Waits until the state is neither starting nor stopping, and returns it.
   hub::RoomRecording settled() {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     for (;;) {

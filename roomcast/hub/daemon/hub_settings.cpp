@@ -29,7 +29,7 @@ hub::HubLimits limits_of(const hub::HubConfig& config) {
   return limits;
 }
 
-/// With TLS the certificate proves that the hub is who was asked for.
+/// With TLS any host name is allowed, because the certificate proves the hub's identity.
 net::AllowedNames names_of(const hub::HubConfig& config, const std::string& listen_address,
                            bool encrypted) {
   net::AllowedNames names{
@@ -101,8 +101,8 @@ Result<std::optional<hub::federation::ClusterOptions>> cluster_of(const hub::Hub
   return std::optional(std::move(options));
 }
 
-Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config, const net::ListenAddress& listen,
-                                       bool encrypted) {
+Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
+                                       const net::ListenAddress& listen, bool encrypted) {
   const bool open = config.access == "anyone" || (config.access == "auto" && listen.loopback);
   auto rooms = hub::rooms_of(config, open ? hub::Who::kAnyone : hub::Who::kToken);
   if (!rooms) return rooms.error();

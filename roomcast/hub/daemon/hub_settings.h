@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hub's configuration comes to: file, environment and command line put together, and what
-// "auto" means there. Threading: no state.
+// Reads a hub's configuration from file and environment, turns the complete configuration into
+// options, and resolves "auto". Threading: no state.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,30 @@
 
 namespace roomcast::hub::daemon {
 
-/// What the file says (no file: nothing), and over it the environment. The sentence of an error
-/// begins with the file's name.
+/// Reads the file, if one is named, then applies the environment over it. An error about the file
+/// begins with its name.
 [[nodiscard]] Result<hub::HubConfig> find_hub_config(const std::string& file);
 
-/// Does the hub encrypt? Beyond this machine it does unless told otherwise, with a certificate that
-/// it makes for itself where none is named. kInvalidArgument: it cannot do both.
-[[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config, const net::ListenAddress& listen);
+/// Whether the hub uses TLS. Unless configured otherwise it does if it is reachable from other
+/// machines, with a self-signed certificate if none is named. kInvalidArgument: TLS and `insecure`
+/// are both set.
+[[nodiscard]] Result<bool> decide_encryption(hub::HubConfig& config,
+                                             const net::ListenAddress& listen);
 
-/// Whose rooms the hub serves on; nothing where no other hub is named. kInvalidArgument: not a
-/// hub's address. kNotFound: there is no token in the file.
+/// The hubs whose rooms this hub relays; nothing: none is configured. kInvalidArgument: not a hub's
+/// address. kNotFound: there is no token in the file.
 [[nodiscard]] Result<std::optional<hub::federation::UpstreamOptions>> upstream_of(
     const hub::HubConfig& config);
 
-/// With whom it shares its rooms; nothing where no NATS server is named. Errors of
-/// hub::federation::check().
+/// The NATS cluster over which this hub shares its rooms; nothing: no server is configured. Errors
+/// of hub::federation::check().
 [[nodiscard]] Result<std::optional<hub::federation::ClusterOptions>> cluster_of(
     const hub::HubConfig& config);
 
-/// All but certificate, folders and log. Whoever reaches a hub from elsewhere needs a token unless
-/// the configuration says that anyone may come.
+/// All options but certificate, folders and log. Unless configured otherwise, a hub that is
+/// reachable from other machines requires tokens.
 [[nodiscard]] Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
-                                                     const net::ListenAddress& listen, bool encrypted);
+                                                     const net::ListenAddress& listen,
+                                                     bool encrypted);
 
 }  // namespace roomcast::hub::daemon

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connections of a backplane are those of no shard: their ids have the highest bit.
+// IDs of the virtual connections of a backplane, which speak for sensors and hubs elsewhere. They
+// belong to no shard and have the highest bit set.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@ namespace roomcast::hub {
 
 inline constexpr std::uint64_t kBackplaneBit = std::uint64_t{1} << 63;
 
-/// `owner` below 2^31 is for the backplane's own use.
+/// The ID of a backplane's connection. `owner` below 2^31 is free for the backplane's own use.
 [[nodiscard]] inline ConnectionId backplane_connection(std::uint32_t owner, std::uint32_t number) {
   return ConnectionId{kBackplaneBit | std::uint64_t{owner} << 32 | number};
 }

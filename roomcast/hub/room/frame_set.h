@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameSet: the frames of all sensors for one instant of a room, ready to be written to any number
+// FrameSet: the frames of all sensors of a room for one instant, ready to be written to any number
 // of viewers. Threading: immutable once shared.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace roomcast::hub {
 
-/// As it came from a sensor; wire::parse_frame has accepted it.
+/// A frame as a sensor sent it, after wire::parse_frame accepted it.
 struct IncomingFrame {
   ConnectionId from;
   wire::FrameHeader header;
@@ -27,8 +27,7 @@ struct SetFrame {
 
 struct FrameSet {
   SetId id;
-  std::vector<SetFrame>
-      frames;  // in order of connection_info; of a sensor that catches up more than one
+  std::vector<SetFrame> frames;  // in order of arrival; several of a sensor that catches up
 };
 
 using FrameSetPtr = std::shared_ptr<const FrameSet>;

@@ -38,7 +38,7 @@ double FrameSynchronizer::fps() const {
   return highest;
 }
 
-// Another rate counts other slots: what waits is closed, and everyone starts anew.
+// Another rate changes the slot numbers: closes all open sets and resets all sensors.
 void FrameSynchronizer::follow_rate() {
   const nanoseconds period = period_of(fps());
   if (period == period_) return;
@@ -55,10 +55,10 @@ FrameSynchronizer::Slot FrameSynchronizer::natural_slot(RoomTime capture) const 
   return static_cast<Slot>(std::floor(periods + 0.5));
 }
 
-// A frame that is late for its set travels with the next one. Two frames that fall into one set
-// because the sensor's phase lies on the border between two are spread over both. A sensor that
-// catches up, after a stall of its network for example, may have several frames in a set: leaving
-// one out would cost a key frame.
+// A frame too late for its own set goes into the next open one. If the phase of a sensor falls on
+// the border between two slots, two frames can fall into one slot; the second then goes into the
+// next. A sensor that catches up, for example after a network stall, may have several frames in a
+// set, because dropping one would cost a key frame.
 std::optional<FrameSynchronizer::Slot> FrameSynchronizer::assign_slot(const Sensor& sensor,
                                                                       RoomTime capture) const {
   const Slot natural = natural_slot(capture);
@@ -100,10 +100,11 @@ void FrameSynchronizer::note_closing(std::uint64_t other_hub, Slot slot, bool is
   if (is_last) hub.closed = hub.newest;
 }
 
-// Is this sensor's frame for this slot still to come, by its own rate, and will it be in time if it
-// takes as long as the last one did? A late frame that travels in this slot does not stand for it:
-// were the sensor not awaited now, it would be late again, and stay behind for good. A slot that is
-// not due yet was begun by a sensor that outruns its rate; the others must not be hurried by it.
+// Returns whether the sensor's frame for this slot is still expected by the sensor's own rate, and
+// would be in time with the delay of its last frame. A late frame placed in this slot does not
+// count as the slot's frame: if the sensor were not awaited now, it would stay one slot behind
+// forever. A slot that is still in the future was opened by a sensor that exceeds its rate; the
+// other sensors are awaited as usual.
 bool FrameSynchronizer::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
                                RoomTime now) const {
   if (!sensor.last || now - sensor.last->arrival_time > wire::kSensorSilent) return false;

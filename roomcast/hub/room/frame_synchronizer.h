@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameSynchronizer: sorts the frames of a room's sensors into frame sets by capture time:
-// docs/spec/wire.md §3, "Frame sets". A set closes when every sensor that is due in it has
-// delivered, or at its deadline; it never waits for the slowest. Pure: time comes in as an
-// argument. Memory: bounded by the two limits below.
+// FrameSynchronizer: groups the frames of a room's sensors into frame sets by capture time
+// (docs/spec/wire.md §3, "Frame sets"). A set closes when every sensor that is due in it has
+// delivered, or at its deadline, so that slow sensors delay nobody. Pure: time is an argument.
+// Memory is bounded by the two limits below.
 #pragma once
 
 #include <cstdint>
@@ -21,41 +21,42 @@ namespace roomcast::hub {
 
 class FrameSynchronizer {
  public:
-  /// Sets that wait at the same time; when one more begins, the oldest closes as it is.
+  /// Open sets at the same time; when one more opens, the oldest closes as it is.
   static constexpr std::size_t kMaxOpenSets = 8;
-  /// Of a sensor that catches up; normally it is one.
+  /// Frames of one sensor in one set; more than one only while the sensor catches up.
   static constexpr std::size_t kMaxFramesOfSensorInSet = 4;
 
-  /// A sensor delivers from now on, `fps` frames a second. Nobody waits for it before its first
-  /// frame. `other_hub`: at which it is, if it is at another one; 0: here. What that hub calls the
-  /// last frame of a set says that none of its other sensors is still to come: nobody waits here,
-  /// too, for whom was waited for there.
+  /// Adds a sensor that delivers `fps` frames a second. Sets do not wait for it before its first
+  /// frame. `other_hub`: the hub to which the sensor is connected; 0: this hub. When another hub
+  /// marks a frame as the last of its set, this set no longer waits for the other sensors of that
+  /// hub.
   void add_sensor(SensorId sensor, double fps, std::uint64_t other_hub = 0);
-  /// It delivers no more; nobody waits for it.
+  /// Removes a sensor; sets no longer wait for it.
   void remove_sensor(SensorId sensor);
 
-  /// The room's rate: the highest of its sensors; 0 without sensors.
+  /// The room's frame rate: the highest of its sensors, in Hz; 0 without sensors.
   [[nodiscard]] double fps() const;
 
-  /// Takes a frame that wire::parse_frame accepted, of a sensor that was added. False: it came more
-  /// than a period ahead of the room's rate and was discarded.
+  /// Takes a frame that wire::parse_frame accepted, of a sensor that was added. False: the frame
+  /// was discarded, because its set already has kMaxFramesOfSensorInSet frames of this sensor.
   bool add_frame(const wire::FrameHeader& header, net::MessageBuffer message, RoomTime now);
 
-  /// Closed sets, in order: those that are complete, and those whose deadline is past.
+  /// Returns the closed sets in order: complete ones, and those whose deadline has passed.
   [[nodiscard]] std::vector<FrameSetPtr> take_closed(RoomTime now);
 
-  /// When take_closed will next have something, if no other frame comes.
+  /// The next time at which take_closed() has a set if no other frame arrives; nothing: no set is
+  /// open.
   [[nodiscard]] std::optional<RoomTime> next_deadline() const;
 
  private:
-  using Slot = std::int64_t;  // k of the spec: counts frame periods since room time 0
+  using Slot = std::int64_t;  // k of the spec: the number of frame periods since room time 0
 
   struct Sensor {
     double fps = 0;
     std::uint64_t other_hub = 0;
     struct Delivery {
       Slot slot = 0;
-      bool is_late = false;  // it belonged to an earlier slot
+      bool is_late = false;  // its capture time belongs to an earlier slot
       std::size_t frames_in_slot = 0;
       RoomTime capture_time{};
       RoomTime arrival_time{};
@@ -72,8 +73,8 @@ class FrameSynchronizer {
   };
 
   struct OtherHub {
-    Slot newest = 0;  // of its frames since it last closed a set
-    Slot closed = 0;  // up to here nothing more comes
+    Slot newest = 0;  // slot of its newest frame since it last closed a set
+    Slot closed = 0;  // no more frames come for slots up to this one
   };
 
   void follow_rate();
@@ -88,7 +89,7 @@ class FrameSynchronizer {
   std::unordered_map<std::uint64_t, OtherHub> other_hubs_;
   nanoseconds period_{};  // of the room; 0 without sensors
   std::map<Slot, OpenSet> open_;
-  std::optional<Slot> newest_closed_;  // slots up to here take no more frames
+  std::optional<Slot> newest_closed_;  // slots up to this one take no more frames
   std::uint64_t next_set_id_ = 1;
   std::vector<FrameSetPtr> closed_;  // not yet taken
 };

@@ -41,7 +41,7 @@ class Builder : public testing::Test {
     return builder.add_frame(header, message_of(header), at(arrived));
   }
 
-  /// Sensors of each set that has closed, sorted.
+  /// The sensors of each set that has closed, sorted.
   std::vector<std::vector<int>> closed(nanoseconds now) {
     std::vector<std::vector<int>> sets;
     for (const auto& set : builder.take_closed(at(now))) {
@@ -52,7 +52,7 @@ class Builder : public testing::Test {
     return sets;
   }
 
-  /// Both sensors have delivered once, so that both are awaited.
+  /// Lets both sensors deliver once, so that sets wait for both.
   void both_deliver_once() {
     add(kLeft, 0ms, 0ms);
     add(kRight, 0ms, 0ms);
@@ -185,7 +185,7 @@ TEST_F(Builder, a_sensor_on_the_border_between_two_sets_loses_nothing) {
 TEST_F(Builder, a_sensor_that_catches_up_is_back_in_step_at_once) {
   add(kLeft, 0ms, 0ms);
   EXPECT_THAT(closed(0ms), ElementsAre(ElementsAre(0)));
-  add(kRight, 0ms, 10ms);  // late: travels with the next set
+  add(kRight, 0ms, 10ms);  // late: goes into the next set
   add(kLeft, 50ms, 51ms);
   closed(51ms);
   add(kRight, 50ms, 60ms);
@@ -315,7 +315,7 @@ TEST_F(Builder, another_room_rate_closes_what_waits_and_goes_on) {
 TEST_F(Builder, waiting_sets_are_bounded) {
   both_deliver_once();
   for (int i = 1; i <= 100; ++i)
-    add(kLeft, i * 50ms, 10ms);  // nothing of the right sensor, no time passes
+    add(kLeft, i * 50ms, 10ms);  // no frame of the right sensor, and no time passes
   EXPECT_GE(builder.take_closed(at(10ms)).size(), 100 - FrameSynchronizer::kMaxOpenSets);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KeyRequestPace: at most one key request per sensor and kKeyRequestInterval; those in between are
-// remembered and become one. A key frame that comes answers all of them. Pure.
+// KeyRequestPace: limits the key requests to one sensor to one per wire::kKeyRequestInterval.
+// Requests in between are merged into one. The arrival of a key frame answers all of them. Pure.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@ namespace roomcast::hub {
 
 class KeyRequestPace {
  public:
-  /// Someone needs a key frame. True: ask the sensor now.
+  /// Records that a viewer needs a key frame. True: send a key request to the sensor now.
   bool request(RoomTime now) {
     wanted_ = true;
     return due(now);
   }
 
-  /// True: ask the sensor now, on behalf of a remembered request.
+  /// True: send the pending key request to the sensor now.
   bool due(RoomTime now) {
     if (!wanted_ || (last_ && now < *last_ + wire::kKeyRequestInterval)) return false;
     wanted_ = false;
@@ -28,7 +28,7 @@ class KeyRequestPace {
 
   void key_frame_came() { wanted_ = false; }
 
-  /// When due() will be true; nothing while no request waits.
+  /// The time from which due() returns true; nothing: no request is pending.
   [[nodiscard]] std::optional<RoomTime> next() const {
     if (!wanted_) return std::nullopt;
     return last_ ? *last_ + wire::kKeyRequestInterval : RoomTime{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hub knows of a sensor beyond its own life. Plain data.
+// KnownSensor: the data about a sensor that a hub keeps across restarts. Plain data.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace roomcast::hub {
 
-/// Where alignment found that a sensor stands.
+/// The pose of a sensor that alignment estimated.
 struct KnownPose {
   Matrix4 world_from_depth{};
   float expected_error_mm = 0;
@@ -19,7 +19,7 @@ struct KnownPose {
 struct KnownSensor {
   std::string name;  // its identity in the room
   SensorId id;
-  std::optional<KnownPose> pose = {};  // nothing: never found, or the sensor says it itself
+  std::optional<KnownPose> pose = {};  // nothing: never estimated, or supplied by the sensor
 };
 
 }  // namespace roomcast::hub

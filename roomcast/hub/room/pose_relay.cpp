@@ -34,7 +34,7 @@ std::optional<wire::pb::Control> PoseRelay::take(RoomTime now) {
     }
   }
   const auto count = control.viewer_poses().poses_size();
-  if (count == 0) return std::nullopt;  // who had moved has left
+  if (count == 0) return std::nullopt;  // the viewers that had moved have left
   next_ = now + std::max<nanoseconds>(wire::kPoseInterval, count * wire::kIntervalPerPose);
   return control;
 }

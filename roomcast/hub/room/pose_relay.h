@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PoseRelay: where the people of a room are: takes the poses that viewers send of their heads and
-// hands, and says what to tell everyone, and when. Everyone's pose goes to everyone, so the more
-// moved the longer until they are told again. Pure. docs/spec/wire.md §3.
+// PoseRelay: collects the head and hand poses that viewers send, and decides when to send which of
+// them to everybody in the room. Every pose goes to every viewer, so the interval grows with the
+// number of viewers that moved. Pure. docs/spec/wire.md §3.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace roomcast::hub {
 
 class PoseRelay {
  public:
-  /// More than kMaxPosesPerSecond of one viewer are dropped.
+  /// Sets the newest pose of a viewer. Poses beyond kMaxPosesPerSecond of a viewer are dropped.
   void set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void forget(ViewerId viewer) { people_.erase(viewer); }
-  /// Somebody new has come, who knows of no pose yet.
+  /// Marks all poses as new, for a client that has just joined.
   void tell_all_again();
 
-  /// The newest poses of those who moved; nothing when nobody did, or not yet. One message for all:
-  /// a viewer skips its own pose.
+  /// The newest poses of the viewers that moved; nothing: no pose has changed, or the next message
+  /// is not yet due. All viewers get the same message and skip their own pose.
   [[nodiscard]] std::optional<wire::pb::Control> take(RoomTime now);
-  /// When take() will have something.
+  /// The time from which take() returns a message; nothing: no pose has changed.
   [[nodiscard]] std::optional<RoomTime> next() const;
 
  private:
@@ -35,7 +35,7 @@ class PoseRelay {
     int poses_in_window = 0;
   };
   std::unordered_map<ViewerId, Person> people_;
-  bool is_news_ = false;  // of somebody
+  bool is_news_ = false;  // of any person
   RoomTime next_{};
 };
 

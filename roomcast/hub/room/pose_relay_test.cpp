@@ -16,7 +16,7 @@ RoomTime at(nanoseconds since_start) {
 
 wire::pb::ViewerPose pose_at(float x) {
   wire::pb::ViewerPose pose;
-  pose.set_viewer_id(12345);  // a lie; the hub knows better
+  pose.set_viewer_id(12345);  // a forged ID; the hub replaces it
   pose.mutable_head()->set_x(x);
   return pose;
 }

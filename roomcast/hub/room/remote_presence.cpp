@@ -12,7 +12,7 @@ namespace pb = wire::pb;
 
 constexpr std::uint32_t kColorBits = 0xFFFFFF;
 
-/// As this room lists the person; it keeps the colour that it has at its own hub.
+/// The person's entry in this room's roster. The colour stays that of the person's own hub.
 pb::ViewerEntry entry_here(const pb::ViewerEntry& told, ViewerId id, ViewerId teller) {
   pb::ViewerEntry entry;
   entry.set_id(id.value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RemotePresence: who watches a room at other hubs, as those tell: a viewer that is a hub tells
-// who is there, the backplane who is at the hubs beside or before this one. Each person gets an id
-// of this room, so that nobody speaks for one of whom another hub has told. Pure.
+// RemotePresence: the people who watch a room at other hubs. They are reported by viewers that are
+// hubs themselves, and by the backplane for peer hubs and upstream hubs. Each person gets a viewer
+// ID of this room, so that a connection can only speak for the people that it reported. Pure.
 #pragma once
 
 #include <cstddef>
@@ -22,26 +22,27 @@ class RemotePresence {
   using NewId = std::function<ViewerId()>;
   struct Teller {
     ConnectionId connection;
-    ViewerId viewer{};  // that it is here; 0: it is the backplane
+    ViewerId viewer{};  // its viewer ID in this room; 0: it is the backplane
   };
   struct Change {
     bool is_news = false;
     std::vector<ViewerId> gone = {};
   };
 
-  /// All of whom this one knows now; more than kMaxPeopleElsewhere in all are left out, and so is
-  /// who is kMaxHubsAway away.
+  /// Replaces the list of people that a connection reports. People beyond kMaxPeopleElsewhere in
+  /// all, or already kMaxHubsAway hubs away, are left out.
   Change tell(const Teller& teller, const wire::pb::PeopleHere& people, const NewId& new_id);
-  /// It knows of nobody any more.
+  /// Removes all people that this connection reported.
   Change forget(ConnectionId teller);
 
-  /// The id here of whom this one calls so; nothing: it has not told of such a person.
+  /// The ID in this room of a person reported under `id_there`; nothing: this connection reported
+  /// no such person.
   [[nodiscard]] std::optional<ViewerId> find(ConnectionId teller, std::uint32_t id_there) const;
-  /// Adds them to those who are here, as far as a roster holds them.
+  /// Adds the people to `roster` until it has wire::kMaxViewers entries.
   void write_to(wire::pb::Roster& roster) const;
 
  private:
-  using People = std::map<std::uint32_t, wire::pb::ViewerEntry>;  // by ids there
+  using People = std::map<std::uint32_t, wire::pb::ViewerEntry>;  // by the IDs of the reporting hub
 
   [[nodiscard]] std::size_t count() const;
 

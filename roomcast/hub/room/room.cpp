@@ -16,7 +16,7 @@ Room::Room(RoomSettings settings, std::string hub_version, bool recalls_poses)
       hub_version_(std::move(hub_version)),
       recalls_poses_(recalls_poses) {}
 
-/// An aligner passes on what somebody did at another hub.
+/// Aligners may, too: the backplane joins as an aligner and forwards the nudges of other hubs.
 bool Room::may_nudge(ConnectionId from) const {
   const auto viewer = viewers_.find(from);
   if (viewer != viewers_.end()) return viewer->second.may_nudge;
@@ -78,7 +78,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       viewer->second.told = message.viewer_stats();
       return out;
     case pb::Control::MESSAGE_NOT_SET:
-      return out;  // of a later version
+      return out;  // a message of a later protocol version
     default:
       break;
   }
@@ -86,7 +86,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
                 "this control message may not be sent to a hub by this kind of client", now);
 }
 
-/// To all but aligners, which belong to this hub.
+/// To all clients but aligners, which belong to this hub.
 void Room::name_other_hubs(const pb::Control& message, RoomActions& out) {
   other_hubs_ = message;
   std::vector<ConnectionId> to = viewer_connections();
@@ -140,7 +140,7 @@ void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
 
 RoomActions Room::key_needed(SensorId id, RoomTime now) {
   RoomActions out;
-  RoomSensor* const sensor = sensors_.find(id);  // none: a viewer with an old roster, or a joker
+  RoomSensor* const sensor = sensors_.find(id);  // null: an old roster, or an invalid ID
   if (sensor == nullptr || !sensor->connection) return out;
   if (sensor->key_pace.request(now)) ask_for_key(*sensor, out);
   return out;
@@ -214,8 +214,9 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   }
 }
 
-/// For what concerns the pictures: nobody may get a sensor's frames before its calibration. Poses
-/// may have been told of people whom nobody knew yet.
+/// Sends the roster at once. Sensor changes need this: a viewer must have a sensor's calibration
+/// before its frames. If people have changed, all poses are sent again, because viewers may have
+/// received poses of people whom no roster had named yet.
 void Room::announce(RoomTime now, RoomActions& out) {
   stand_aside();
   const bool people_are_news = std::exchange(roster_is_news_, false);
@@ -225,8 +226,9 @@ void Room::announce(RoomTime now, RoomActions& out) {
   out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 
-/// For people who come and go: now, or with others a little later. When a whole class arrives, each
-/// would otherwise be told of each. False: later.
+/// Announces that people joined or left, at most once per wire::kRosterInterval. Otherwise a group
+/// that joins together would cause one roster to everybody per person. False: the roster is sent
+/// later.
 bool Room::announce_in_time(RoomTime now, RoomActions& out) {
   roster_is_news_ = true;
   if (now < next_roster_) return false;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Room: who is in it and who gets what. A pure state machine: an event and the time go in, actions
-// come out (the paper's Algorithm 2: ids, forwarding, time-aligned frames, joins and leaves in any
-// order). docs/spec/wire.md §3.
+// Room: the clients of a room and the messages that each of them gets. A pure state machine: it
+// takes an event and the time, and returns actions (the paper's Algorithm 2: ids, forwarding,
+// time-aligned frames, joins and leaves in any order). docs/spec/wire.md §3.
 //
-// A sensor's name is its identity: it leaves and comes back with the same id and pose. Viewers are
-// new each time.
+// A sensor is identified by its name: it leaves and comes back with the same ID and pose. A viewer
+// is a new one each time.
 #pragma once
 
 #include <optional>
@@ -33,50 +33,50 @@ namespace roomcast::hub {
 
 class Room {
  public:
-  /// How often a viewer that is a hub may say who is there; it has reason to when its roster
-  /// changes.
+  /// How often a viewer that is a hub may report its people. It reports when its roster changes.
   static constexpr double kPeopleToldPerSecond = 20;
 
-  /// `recalls_poses`: of sensors that were here before; only where an aligner verifies them.
+  /// `recalls_poses`: restore the estimated poses of remembered sensors. Only where an aligner
+  /// verifies them.
   Room(RoomSettings settings, std::string hub_version, bool recalls_poses = true);
 
-  /// Hold for who comes from now on. The name stays.
+  /// Applies to clients that join from now on. The name stays the same.
   void change(RoomSettings settings) { settings_ = std::move(settings); }
   [[nodiscard]] const RoomSettings& settings() const { return settings_; }
 
-  /// Who was here before the hub was started. They get their ids back when they come. Call it
-  /// first.
+  /// The sensors known before the hub was started. They get their IDs back when they join. Must be
+  /// called before any event.
   void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
 
   // Events. Messages have passed wire::decode_control or wire::parse_frame.
 
-  /// Somebody was let in, and may do what `entry` says.
+  /// A client was admitted with the permissions in `entry`.
   [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, const Entry& entry,
                                  RoomTime now);
-  /// Any later control message.
+  /// Any later control message of a client.
   [[nodiscard]] RoomActions control(ConnectionId from, const wire::pb::Control& message,
                                     RoomTime now);
   [[nodiscard]] RoomActions frame(ConnectionId from, const wire::FrameHeader& header,
                                   net::MessageBuffer message, RoomTime now);
-  /// Several that came together. Their messages are taken.
+  /// Several frames that arrived together. Their messages are moved from.
   [[nodiscard]] RoomActions frames(std::span<IncomingFrame> together, RoomTime now);
-  /// Why `frame` would refuse it; nothing: it would not.
+  /// The reason for which frame() would refuse it; nothing: it would accept it.
   [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
                                                 RoomTime now);
-  /// A viewer's frames of this sensor had to be left out; it needs a key frame to go on.
+  /// Frames of this sensor were dropped for a viewer, which needs a key frame to continue.
   [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
-  /// Of a sensor that is not online nothing is known any more: it comes back as a new one.
+  /// Forgets a sensor; if it joins again it is a new one. Has no effect on a sensor that is online.
   [[nodiscard]] RoomActions forget(const std::string& sensor, RoomTime now);
-  /// A connection ended by itself.
+  /// A connection has closed.
   [[nodiscard]] RoomActions leave(ConnectionId from, RoomTime now);
-  /// Time has passed.
+  /// Time has passed: closes due sets and sends what is due.
   [[nodiscard]] RoomActions tick(RoomTime now);
 
-  /// When `tick` should be called next, if nothing happens before.
+  /// The time for the next tick() if no event happens before; nothing: none is needed.
   [[nodiscard]] std::optional<RoomTime> next_tick() const;
 
   [[nodiscard]] const std::string& name() const { return settings_.name; }
-  /// Everybody in it.
+  /// The connections of all clients.
   [[nodiscard]] std::vector<ConnectionId> connections() const;
   [[nodiscard]] std::size_t online_sensor_count() const { return sensors_.online_count(); }
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
@@ -90,9 +90,9 @@ class Room {
     std::uint32_t color_rgb = 0;
     bool may_nudge = false;
     bool records = false;
-    bool relays = false;  // it is a hub
+    bool relays = false;  // it is a hub that relays this room
     std::string token_id;
-    wire::pb::ViewerStats told = {};  // by itself
+    wire::pb::ViewerStats told = {};  // reported by the viewer
     RateLimit people{kPeopleToldPerSecond, 4 * kPeopleToldPerSecond};
   };
 
@@ -139,15 +139,15 @@ class Room {
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
   wire::pb::SightingRequest wanted_sightings_;
-  wire::pb::Control other_hubs_;  // where else this room is; empty: nowhere
+  wire::pb::Control other_hubs_;  // the other hubs that have this room; empty: none
   RemotePresence remote_presence_;
   PoseRelay poses_;
   FrameSynchronizer sets_;
-  RoomStats set_stats_;  // what changes with sets
+  RoomStats set_stats_;  // the counters that change with frame sets
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
   RoomTime next_roster_{};
-  bool roster_is_news_ = false;  // to some viewers
+  bool roster_is_news_ = false;  // some viewers do not have the newest one
 };
 
 }  // namespace roomcast::hub

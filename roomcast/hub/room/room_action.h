@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Room wants done. The room itself touches no socket and no clock; whoever drives it carries
-// these out in order.
+// RoomAction: an effect that a Room requests. The room itself uses no socket and no clock; its
+// driver (RoomRunner) carries out the actions in order.
 #pragma once
 
 #include <string>
@@ -19,33 +19,35 @@ struct SendControl {
   wire::pb::Control message;
 };
 
-/// To all viewers that were accepted before.
+/// To all viewers that were accepted before this action.
 struct SendSet {
   FrameSetPtr set;
 };
 
-/// The sensor starts anew: what viewers were sent of it is nothing to build on.
+/// The sensor has started again. Frames that viewers already have are no reference for its next
+/// ones.
 struct RestartSensor {
   SensorId sensor;
 };
 
-/// kHub: a viewer that serves the room on.
+/// kHub: a viewer that relays the room to viewers of its own.
 enum class Role { kSensor, kViewer, kHub, kAligner };
 
-/// This connection was accepted. Frames may come from sensors, and go to viewers.
+/// The connection was accepted in this role. From now on a sensor may send frames, and a viewer
+/// gets them.
 struct AcceptConnection {
   ConnectionId connection;
   Role role = Role::kViewer;
 };
 
-/// The room knows this connection no more. Tell it why and close it.
+/// The room has removed this connection. Send it the reason and close it.
 struct Disconnect {
   ConnectionId connection;
   wire::pb::ErrorCode code = wire::pb::ERROR_UNSPECIFIED;
   std::string sentence;
 };
 
-/// To be known when the hub starts again.
+/// Save these sensors, so that the hub knows them after a restart.
 struct KeepSensors {
   std::vector<KnownSensor> sensors;
 };

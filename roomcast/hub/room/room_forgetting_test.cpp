@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sensors a Room keeps a place for, and which make way for others.
+// The sensors that a Room remembers, and those that it removes to make room for others.
 #include "roomcast/hub/room/room.h"
 #include "roomcast/hub/room/room_test_fixture.h"
 #include "roomcast/wire/limits.h"

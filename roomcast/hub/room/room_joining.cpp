@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who comes into a Room, and what each is told on entering.
+// How clients join a Room, and which messages they get on joining.
 #include <array>
 #include <optional>
 #include <string>
@@ -16,12 +16,12 @@ namespace {
 
 namespace pb = wire::pb;
 
-// Told apart by people with red-green blindness too: Okabe and Ito's palette without black and
-// grey.
+// Distinguishable with red-green blindness: the palette of Okabe and Ito without black and grey.
 constexpr std::array<std::uint32_t, 7> kViewerColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                         0x0072B2, 0xD55E00, 0xCC79A7};
 
-/// One sensor cannot send as another: the name of one that is online is its own.
+/// The name of an online sensor is reserved: it can be taken over only with the same token, or with
+/// one that permits taking over the name. So one sensor cannot send as another.
 bool may_replace(const RoomSensor& sensor, const Entry& entry) {
   return !sensor.connection || sensor.token_id == entry.token_id || entry.takes_over_name;
 }
@@ -67,7 +67,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   }
   const bool was_here = sensors_.find(join.name()) != nullptr;
   RoomSensor* sensor = known_or_new_sensor(join.name(), out);
-  ROOMCAST_ASSERT(sensor != nullptr);  // there are ids for kMaxSensors
+  ROOMCAST_ASSERT(sensor != nullptr);  // make_room_for() left a free ID
   if (!may_replace(*sensor, entry)) {
     out = refuse(from, pb::ERROR_WRONG_ROLE,
                  "another sensor is here as \"" + sensor->name + "\"; choose another --name", now);
@@ -102,7 +102,8 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   send_closed_sets(now, out);
 }
 
-/// What other hubs did not send while nobody was here was not missed.
+/// Restarts the count of missed frames. Other hubs send no frames while nobody here watches; these
+/// frames must not count as missed.
 void Room::forget_newest_frames() {
   for (RoomSensor& sensor : sensors_.all()) sensor.stats.newest_seq.reset();
 }
@@ -156,8 +157,9 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
   }
 }
 
-/// Who is gone and has no place makes way, so that invented names keep nobody out. False: all are
-/// here, or have a place to come back to.
+/// Removes offline sensors that have no estimated pose, oldest first, until a sensor of this name
+/// fits; so invented names cannot fill the room. False: the room is full of sensors that are online
+/// or have an estimated pose.
 bool Room::make_room_for(const std::string& name) {
   if (sensors_.find(name) != nullptr) return true;
   while (sensors_.count() >= settings_.max_sensors || sensors_.would_displace(name)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may enter a Room, as whom, and what each is told first.
+// The clients that may join a Room, their roles, and the messages that they get first.
 #include "roomcast/hub/room/room.h"
 #include "roomcast/hub/room/room_test_fixture.h"
 #include "roomcast/wire/limits.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// People who watch a Room at other hubs: who may tell of them, and to whom those here are told.
+// People who watch a Room at other hubs: which clients may report them, and which clients are sent
+// the poses of the people here.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -11,7 +12,7 @@ namespace roomcast::hub {
 
 namespace pb = wire::pb;
 
-/// An aligner: the backplane speaks as one.
+/// Viewers that are hubs may, and aligners, because the backplane joins as one.
 bool Room::tells_of_people(ConnectionId from) const {
   const auto viewer = viewers_.find(from);
   if (viewer != viewers_.end()) return viewer->second.relays;
@@ -40,13 +41,13 @@ void Room::take_poses(ConnectionId from, const pb::ViewerPoses& poses, RoomTime 
   }
 }
 
-/// Of those who are gone. True: the roster is news.
+/// Removes the poses of people who have left. True: the roster has changed.
 bool Room::forget_people(const RemotePresence::Change& change) {
   for (const ViewerId gone : change.gone) poses_.forget(gone);
   return change.is_news;
 }
 
-/// The backplane's, too: it tells other hubs.
+/// All viewers, and the backplane's connections, which forward poses to other hubs.
 std::vector<ConnectionId> Room::readers_of_poses() const {
   std::vector<ConnectionId> connections = viewer_connections();
   std::ranges::copy_if(aligners_, std::back_inserter(connections), is_of_backplane);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Room does with what sensors and aligners say of where sensors stand.
+// How a Room handles the messages of sensors and aligners about sensor poses.
 #include <functional>
 #include <string>
 #include <utility>
@@ -11,8 +11,8 @@ namespace roomcast::hub {
 
 namespace pb = wire::pb;
 
-/// A sensor that comes back with the very bundle that its place was found from was away from the
-/// hub only: it has watched its stand all the time.
+/// A sensor that comes back with the bundle from which it was placed had only lost its connection.
+/// It has monitored its own pose all the time, so its pose counts as verified.
 void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomTime now,
                        RoomActions& out) {
   sensor.bundle_hash = std::hash<std::string>{}(bundle.SerializeAsString());
@@ -28,7 +28,7 @@ void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, 
   if (!aligners_.empty()) out.push_back(SendControl{aligners_, *sensor.bundle});
 }
 
-/// Sensors that come later are asked when they come.
+/// Asks all online sensors for sightings; sensors that join later are asked when they join.
 void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& out) {
   wanted_sightings_ = request;
   pb::Control message;
@@ -64,7 +64,7 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
   announce(now, out);
 }
 
-/// Those that nobody has placed stand in a row beside the others.
+/// Shows unplaced sensors in a row next to the placed ones.
 void Room::stand_aside() {
   const auto is_placed = [](const RoomSensor& sensor) {
     return sensor.place.placement != pb::PLACEMENT_UNPLACED;

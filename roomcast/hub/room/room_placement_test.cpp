@@ -9,12 +9,12 @@ using testing::IsEmpty;
 
 pb::Control bundle_message() {
   pb::Control control;
-  control.mutable_calibration_bundle()->set_sensor_id(99);  // a lie; the hub knows better
+  control.mutable_calibration_bundle()->set_sensor_id(99);  // a forged ID; the hub replaces it
   control.mutable_calibration_bundle()->set_depth("depth");
   return control;
 }
 
-/// The aligner found "left" from its first bundle; it went at 3 s, and is back at 4 s.
+/// The aligner placed "left" from its first bundle. The sensor left at 3 s and is back at 4 s.
 class RoomOfOneWhoWasAway : public RoomTest {
  protected:
   ConnectionId enter_placed_leave_and_enter_again(ConnectionId aligner) {
@@ -163,7 +163,7 @@ TEST_F(RoomTest, what_sensors_catch_sight_of_aligners_are_told_under_their_own_i
   enter(sensor_join("left", std::nullopt));
   const auto right = enter(sensor_join("right", std::nullopt));
   pb::Control seen;
-  seen.mutable_sightings()->set_sensor_id(0);  // a lie
+  seen.mutable_sightings()->set_sensor_id(0);  // a forged ID
   seen.mutable_sightings()->add_heads()->set_z(2);
   EXPECT_THAT(room.control(right, seen, at(1s)), IsEmpty()) << "nobody listens";
   const auto aligner = enter(aligner_join());

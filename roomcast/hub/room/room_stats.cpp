@@ -8,7 +8,7 @@ namespace roomcast::hub {
 
 namespace {
 
-/// The newest capture of a sensor: is this frame's?
+/// Returns whether this frame is its sensor's newest in the set, by capture time.
 bool is_newest(const FrameSet& set, const SetFrame& frame) {
   return std::ranges::none_of(set.frames, [&frame](const SetFrame& other) {
     return other.header.sensor == frame.header.sensor &&
@@ -17,7 +17,8 @@ bool is_newest(const FrameSet& set, const SetFrame& frame) {
   });
 }
 
-/// How many frames lie between these two, modulo 2^32; a sensor that counts anew has left none out.
+/// The number of frames missing between two sequence numbers, modulo 2^32; 0 if the sensor
+/// restarted its count.
 std::uint32_t frames_between(std::uint32_t before, std::uint32_t after) {
   constexpr std::uint32_t kBackwards = 1U << 31U;
   const std::uint32_t between = after - before - 1;

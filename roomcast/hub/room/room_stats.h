@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomStats: how a room is doing, for whoever runs the hub.
+// RoomStats: counters and state of a room for the hub's operator.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,27 @@ struct SensorStats {
   std::string name = {};
   bool online = false;
   ConnectionId connection = {};  // while online
-  std::string token_id = {};     // that it came with
+  std::string token_id = {};     // of the token that it joined with
   SensorPlace place = {};
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
-  std::optional<std::uint32_t> newest_seq = {};  // nothing: the next frame follows none
-  std::uint64_t missed = 0;                  // frames that it has numbered and that did not come
-  std::optional<double> clock_error_s = {};  // the sensor's own bound, of its newest frame
-  double delay_s = 0;                        // capture to connection_info, of its newest frame
-  double frames_per_s = 0, bytes_per_s = 0;  // lately
+  std::optional<std::uint32_t> newest_seq = {};  // nothing: no gap before the next frame
+  std::uint64_t missed = 0;  // gaps in its sequence numbers: frames that did not arrive
+  std::optional<double> clock_error_s = {};  // the bound that the sensor states in its newest frame
+  double delay_s = 0;  // of its newest frame, from capture to arrival at the hub
+  double frames_per_s = 0, bytes_per_s = 0;  // over the last second or so
 };
 
 struct ViewerStats {
   ViewerId id = {};
   std::string name = {};
   ConnectionId connection = {};
-  std::string token_id = {};  // that it came with
+  std::string token_id = {};  // of the token that it joined with
   bool records = false;
-  float shown_fps = 0, latency_ms = 0;  // by its own word; 0: it has not told
+  float shown_fps = 0, latency_ms = 0;  // reported by the viewer; 0: not reported
   std::uint64_t bytes = 0;              // sent to it
-  std::uint64_t dropped_sets = 0;       // left out because it reads too slowly
-  double bytes_per_s = 0;               // lately
+  std::uint64_t dropped_sets = 0;       // dropped because it reads too slowly
+  double bytes_per_s = 0;               // over the last second or so
 };
 
 struct RoomStats {
@@ -46,16 +46,17 @@ struct RoomStats {
   std::vector<SensorStats> sensors = {};
   std::vector<ViewerStats> viewers = {};
   std::uint64_t sets = 0;             // closed
-  std::uint64_t incomplete_sets = 0;  // without a frame of a sensor that was online
-  std::uint64_t dropped_sets = 0;     // left out for slow viewers, over all that were ever here
-  double set_skew_s = 0;              // first to last capture in the newest set
+  std::uint64_t incomplete_sets = 0;  // without a frame of some sensor that was online
+  std::uint64_t dropped_sets = 0;     // dropped for slow viewers, over all viewers so far
+  double set_skew_s = 0;              // between the first and last capture in the newest set
 };
 
-/// First to last capture of a set; of a sensor that catches up only the newest frame counts.
+/// The time between the first and the last capture in a set. Only the newest frame of each sensor
+/// counts.
 [[nodiscard]] nanoseconds capture_skew(const FrameSet& set);
 [[nodiscard]] std::size_t sensor_count(const FrameSet& set);
 
-/// A frame has arrived; a set has closed while so many sensors were online.
+/// Count an arrived frame, and a set that closed while `online_sensors` sensors were online.
 void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime now,
                  SensorStats& stats);
 void count_set(const FrameSet& set, std::size_t online_sensors, RoomStats& stats);

@@ -192,7 +192,7 @@ TEST_F(RoomTest, sensors_and_viewers_are_told_where_else_the_room_is_now_and_whe
 
 pb::Control pose_message(float x) {
   pb::Control control;
-  control.mutable_viewer_pose()->set_viewer_id(12345);  // a lie; the hub knows better
+  control.mutable_viewer_pose()->set_viewer_id(12345);  // a forged ID; the hub replaces it
   control.mutable_viewer_pose()->mutable_head()->set_x(x);
   return control;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of the Room: who joins it, and what it then wants done.
+// For tests of the Room: lets clients join it and sorts the actions that it returns.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ inline pb::Join aligner_join() {
   return join;
 }
 
-/// Of a sensor by its id.
+/// A placement of the sensor with this ID at (x, 0, 0), x in metres.
 inline pb::Control placement_of(std::uint32_t sensor, double x) {
   pb::Control control;
   auto& found = *control.mutable_placements()->add_sensors();
@@ -63,7 +63,7 @@ inline pb::Control placement_of(std::uint32_t sensor, double x) {
   return control;
 }
 
-/// Of sensor 0.
+/// A placement of sensor 0 that was estimated from bundle `number`.
 inline pb::Control placement_from_bundle(std::uint32_t number, double x) {
   pb::Control control = placement_of(0, x);
   control.mutable_placements()->mutable_sensors(0)->set_bundle_number(number);
@@ -79,7 +79,7 @@ std::vector<T> all(const RoomActions& actions) {
   return found;
 }
 
-/// Control messages of one kind, with whom they go to.
+/// The control messages of one kind, with their receivers.
 inline std::vector<SendControl> messages(const RoomActions& actions,
                                          pb::Control::MessageCase kind) {
   auto found = all<SendControl>(actions);
@@ -116,7 +116,7 @@ class RoomTest : public testing::Test {
   }
 
   Room room{RoomSettings{.name = "lab"}, "test"};
-  RoomActions actions;  // of the last enter()
+  RoomActions actions;  // returned by the last enter()
   std::uint64_t next_connection = 1;
 };
 

@@ -27,8 +27,8 @@ RoomSensor* SensorList::add(const std::string& name) {
   return &sensors_.emplace(*id, std::move(sensor)).first->second;
 }
 
-/// Ids of those who may come back are taken by others only when nothing else is left, and of those
-/// with a place last.
+/// IDs remembered for absent sensors are given to others only when no other ID is free; IDs of
+/// sensors with a pose come last.
 std::optional<SensorId> SensorList::free_id(const std::string& name) const {
   if (const KnownSensor* earlier = remembered(name);
       earlier != nullptr && !sensors_.contains(earlier->id)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SensorList: the sensors that a room has seen, by name, id and connection. A name keeps its id,
-// also over a restart of the hub when its earlier ids are remembered, unless it is gone, has no
-// place, and others need the room. Single-threaded.
+// SensorList: the sensors that a room has seen, by name, ID and connection. A name keeps its ID,
+// also across a restart of the hub if remember() is called. An offline sensor without an estimated
+// pose loses its ID if new sensors need it. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -22,59 +22,60 @@
 
 namespace roomcast::hub {
 
-/// What a message calls a sensor; an id that none can have for one that is too large.
+/// The sensor ID in a message. A number that is too large becomes wire::kMaxSensors, which no
+/// sensor has.
 [[nodiscard]] SensorId wire_id(std::uint32_t id);
 
 struct RoomSensor {
   SensorId id;
   std::string name;
   std::optional<ConnectionId> connection = {};  // while online
-  wire::pb::SensorRole description = {};        // as last joined
+  wire::pb::SensorRole description = {};        // from its newest Join
   SensorPlace place = {};
-  std::optional<wire::pb::Control> bundle = {};  // the newest since it joined
-  std::uint32_t bundles = 0;                     // that it has sent, ever
-  std::size_t bundle_hash = 0;                   // of the newest
-  std::optional<std::size_t> verified_by = {};   // hash of the bundle that its place was found from
-  std::string token_id = {};                     // that it came with
-  std::uint64_t left_as = 0;                     // of all that left, in their order
+  std::optional<wire::pb::Control> bundle = {};  // the newest one since it joined
+  std::uint32_t bundles = 0;                     // number of bundles that it has ever sent
+  std::size_t bundle_hash = 0;                   // of the newest bundle
+  std::optional<std::size_t> verified_by = {};   // hash of the bundle its pose is from
+  std::string token_id = {};                     // of the token that it joined with
+  std::uint64_t left_as = 0;                     // counts the departures of all sensors
   KeyRequestPace key_pace = {};
-  SensorStats stats = {};  // what changes with its frames
+  SensorStats stats = {};  // the counters that change with its frames
 };
 
 class SensorList {
  public:
-  /// Who was here before the hub was started. Call it first.
+  /// The sensors known before the hub was started. Must be called before all other members.
   void remember(std::vector<KnownSensor> sensors) { remembered_ = std::move(sensors); }
 
-  /// What is remembered under this name, if anything.
+  /// The remembered sensor of this name; null: none.
   [[nodiscard]] const KnownSensor* remembered(const std::string& name) const;
 
-  /// A sensor whose name is new here. It gets the id that it had, or else the lowest that nobody
-  /// has, or else one of who had no place. Null: wire::kMaxSensors are here.
+  /// Adds a sensor with a new name. It gets the ID remembered for its name if that is free, else
+  /// the lowest ID that is neither used nor remembered, else a remembered one. Null: all
+  /// wire::kMaxSensors IDs are in use.
   RoomSensor* add(const std::string& name);
-  /// Would a new one take the id of somebody who was here before, and had a place?
+  /// Whether add() would take the ID of another remembered sensor that had a pose.
   [[nodiscard]] bool would_displace(const std::string& name) const;
 
-  /// Of those who are offline and have no place that was found for them: who left first. Null:
-  /// none.
+  /// The sensor that has been offline longest, among those without an estimated pose. Null: none.
   [[nodiscard]] RoomSensor* longest_gone();
-  /// It was never here. Not for one that is online.
+  /// Removes a sensor, which must be offline.
   void remove(const RoomSensor& sensor);
-  /// As remove(), and what is remembered under this name. False: nothing was known of it.
+  /// As remove(), and drops the remembered data of this name. False: the name was unknown.
   bool forget(const std::string& name);
 
-  /// Null: there is none of this name or id, or none behind this connection.
+  /// Null: no sensor has this name, ID or connection.
   [[nodiscard]] RoomSensor* find(const std::string& name);
   [[nodiscard]] RoomSensor* find(SensorId id);
   [[nodiscard]] RoomSensor* find(ConnectionId connection);
 
-  /// It is online now, behind this connection and no other.
+  /// Marks the sensor as online on this connection only.
   void connect(RoomSensor& sensor, ConnectionId connection);
   void disconnect(RoomSensor& sensor);
 
   [[nodiscard]] std::size_t count() const { return sensors_.size(); }
   [[nodiscard]] std::size_t online_count() const { return by_connection_.size(); }
-  /// In the order of their ids.
+  /// In the order of the IDs.
   [[nodiscard]] auto all() { return std::views::values(sensors_); }
   [[nodiscard]] auto all() const { return std::views::values(sensors_); }
 
@@ -86,7 +87,8 @@ class SensorList {
   std::unordered_map<ConnectionId, SensorId> by_connection_;
   std::vector<KnownSensor> remembered_;
   std::uint64_t departures_ = 0;
-  std::uint32_t bundles_of_the_removed_ = 0;  // the highest number: what is found from it is old
+  /// The highest number; poses estimated from bundles up to it are outdated.
+  std::uint32_t bundles_of_the_removed_ = 0;
 };
 
 }  // namespace roomcast::hub

@@ -10,7 +10,7 @@ namespace pb = wire::pb;
 
 namespace {
 
-/// Who reads a pose makes its rotation orthonormal, which may cost its last bits.
+/// Readers of a pose make its rotation orthonormal, which may change its last bits.
 bool is_the_same(const google::protobuf::RepeatedField<double>& found, const Matrix4& known) {
   constexpr double kRounding = 1e-9;
   return std::ranges::equal(
@@ -19,10 +19,10 @@ bool is_the_same(const google::protobuf::RepeatedField<double>& found, const Mat
 
 }  // namespace
 
-/// In a row along x, looking into the world's -z like somebody who faces the room.
+/// The sensors are placed in a row along x and face the world's -z.
 SensorPlace SensorPlace::guessed(std::size_t nth, std::span<const Matrix4> placed) {
   constexpr double kSpacing_m = 3, kHeight_m = 1.2;
-  constexpr double kBeside_m = 8;  // what a sensor shows reaches that far to its side at most
+  constexpr double kBeside_m = 8;  // a sensor's view reaches at most that far to the side
   constexpr std::size_t kX = 3, kZ = 11;
   double x = kSpacing_m * static_cast<double>(nth), z = 0;
   if (!placed.empty()) {
@@ -64,7 +64,7 @@ bool SensorPlace::find(const pb::SensorPlacement& found) {
   return true;
 }
 
-/// The note stays: it says why. Where it is shown meanwhile the room says (Room::announce).
+/// Keeps the note, which gives the reason. Room::announce() chooses where to show the sensor.
 void SensorPlace::withdraw() {
   placement = pb::PLACEMENT_UNPLACED;
   expected_error_mm = 0;

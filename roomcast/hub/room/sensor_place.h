@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// SensorPlace: where a sensor stands and who says so. What somebody gave holds; what alignment
-// found gives way to what it finds later; before either there is a guess, so that there is
-// something to see. Once the sensor was moved none of it holds, until a pose is found from what it
-// sees since. Whoever was away may have been moved unseen: what was found is unverified then. Plain
-// data and its rules. docs/spec/wire.md §3, "Where sensors stand".
+// SensorPlace: the pose of a sensor and its origin. A pose supplied by the sensor is authoritative.
+// An estimated pose is replaced by later estimates. A sensor with neither gets a provisional pose,
+// so that viewers can show it. After the sensor was moved no pose is valid until one is estimated
+// from what it has seen since. A sensor that was offline may have been moved unnoticed, so its
+// estimated pose is then unverified. Plain data and its rules. Metres, world_from_depth.
+// docs/spec/wire.md §3, "Where sensors stand".
 #pragma once
 
 #include <cstddef>
@@ -21,27 +22,27 @@ namespace roomcast::hub {
 struct SensorPlace {
   wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
   Matrix4 world_from_depth{};
-  float expected_error_mm = 0;          // 0: unknown
-  std::string note;                     // why alignment could not place it
-  bool moved = false;                   // since this pose was known
-  bool unverified = false;              // the sensor was away since, and nothing has confirmed it
-  std::uint32_t valid_from_bundle = 0;  // what was found from earlier bundles came too late
+  float expected_error_mm = 0;  // 0: unknown
+  std::string note;             // why alignment could not place the sensor
+  bool moved = false;           // the sensor was moved since this pose was set
+  bool unverified = false;      // the sensor was offline since; nothing has confirmed the pose yet
+  std::uint32_t valid_from_bundle = 0;  // ignore poses estimated from earlier bundles
 
-  /// Shown beside the room: the `nth` of those that nobody has placed, well outside of where the
-  /// placed ones stand.
+  /// The provisional pose of the `nth` unplaced sensor: next to the room, well outside the area of
+  /// the placed sensors.
   [[nodiscard]] static SensorPlace guessed(std::size_t nth, std::span<const Matrix4> placed = {});
 
-  /// What the sensor itself says; nothing changes when it says nothing.
+  /// Takes the pose that the sensor supplies in its Join, if any.
   void give(const wire::pb::SensorRole& role);
-  /// What the aligner says. True: a new pose holds, or the one before no longer.
+  /// Takes an aligner's result. True: the estimated pose was set or withdrawn.
   bool find(const wire::pb::SensorPlacement& found);
-  /// The sensor says that it was moved; its next bundle will have this number.
+  /// The sensor reports that it was moved; its next bundle has the number `next_bundle`.
   void lose(std::uint32_t next_bundle);
-  /// What was found before the hub was started.
+  /// Restores the pose estimated before the hub was started, as unverified.
   void recall(const KnownPose& pose);
-  /// The sensor was away; its next bundle will have this number.
+  /// The sensor was offline; its next bundle has the number `next_bundle`.
   void doubt(std::uint32_t next_bundle);
-  /// The pose that alignment found, if one holds.
+  /// The estimated pose; nothing: the sensor has none.
   [[nodiscard]] std::optional<KnownPose> found() const;
 
   void write_to(wire::pb::SensorEntry& entry) const;

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kEyeHeight_m = 1.6;
 constexpr double kLookAtHeight_m = 1.0;
-constexpr double kSubjectDistance_m = 2.5;  // what indoor depth sensors are pointed at, typically
+constexpr double kSubjectDistance_m = 2.5;  // typical of indoor depth sensors
 constexpr double kElbowRoom_m = 0.6;
 constexpr double kStepTowardsSubject =
-    0.15;  // share of the way: in front of the sensor, not inside it
+    0.15;  // share of the distance: the viewer starts in front of the sensor, not inside it
 
 struct OnFloor {
   double x = 0, z = 0;
@@ -21,7 +21,7 @@ OnFloor position(const Matrix4& m) {
   return {m[3], m[11]};
 }
 
-/// The middle of what the sensors look at.
+/// The centre of the points that the sensors look at.
 OnFloor subject(std::span<const Matrix4> world_from_depth) {
   OnFloor sum;
   for (const Matrix4& m : world_from_depth) {

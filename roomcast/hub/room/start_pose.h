@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a viewer enters the room (the paper's "render position per client"): beside a sensor, at
-// eye height, looking at what the sensors look at. A place next to a sensor is known to be inside
-// the room and to have something to see.
+// The start pose of a viewer in the room (the paper's "render position per client"): next to a
+// sensor, at eye height, facing the point that the sensors look at. A place next to a sensor is
+// known to be inside the room and to have something to see.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace roomcast::hub {
 
-/// world_from_viewer of the `index`-th viewer, viewer frame x right, y up, -z forward.
-/// `world_from_depth`: of all placed sensors (optical frames). Viewers are spread over the sensors
-/// and then stand side by side.
+/// world_from_viewer of the `index`-th viewer; viewer frame x right, y up, -z forward; metres.
+/// `world_from_depth`: the poses of all placed sensors (optical frames). Viewers are distributed
+/// over the sensors; several at one sensor start side by side.
 [[nodiscard]] Matrix4 start_pose(std::span<const Matrix4> world_from_depth, std::size_t index);
 
 }  // namespace roomcast::hub

@@ -9,8 +9,8 @@
 namespace roomcast::hub {
 namespace {
 
-// Optical frames: x right, y down, z forward. Both stand 4 m apart and look at each other along
-// world z.
+// Optical frames: x right, y down, z forward. The two sensors are 4 m apart and face each other
+// along the world's z.
 constexpr Matrix4 kLookingTowardsMinusZ = {1, 0, 0, 0, 0, -1, 0, 1.5, 0, 0, -1, 2, 0, 0, 0, 1};
 constexpr Matrix4 kLookingTowardsPlusZ = {-1, 0, 0, 0, 0, -1, 0, 1.5, 0, 0, 1, -2, 0, 0, 0, 1};
 

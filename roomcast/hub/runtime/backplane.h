@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backplane: brings into a hub's rooms what other hubs have, and to other hubs what they want of
-// this one. It says what its sensors say through BackplaneEvents, as if each had a connection of
-// its own here, and is told what the room says to them. Threading: the rooms' thread.
+// Backplane: brings the sensors and people of other hubs into this hub's rooms, and sends other
+// hubs what they request of this one. It acts for each remote sensor like a connection of its own:
+// the sensor's messages enter through BackplaneEvents, and the room's messages to it go to send().
+// Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
@@ -21,27 +22,27 @@
 
 namespace roomcast::hub {
 
-/// One of several hubs.
+/// The state of one of several hubs.
 struct HubStatus {
   std::string id;
-  std::string public_url;  // empty: not for others
-  float load = 0;          // processor cores that it uses
+  std::string public_url;  // empty: not reachable for viewers of other hubs
+  float load = 0;          // number of processor cores in use
   struct Room {
     std::string name;
-    std::size_t sensors = 0, viewers = 0;  // connected there
+    std::size_t sensors = 0, viewers = 0;  // connected to that hub
   };
-  std::vector<Room> rooms = {};  // where somebody is, or was
+  std::vector<Room> rooms = {};  // rooms that have, or have had, clients
 };
 
 struct BackplaneTraffic {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// How a backplane is doing, since the hub was started.
+/// The state of a backplane and its counters since the hub was started.
 struct BackplaneStats {
-  std::size_t links = 0;     // that it wants: to NATS, or one for each room pulled from another hub
-  std::size_t links_up = 0;  // of these
-  std::size_t other_hubs = 0;  // heard of lately
+  std::size_t links = 0;       // links it needs: to NATS, or one per room pulled from another hub
+  std::size_t links_up = 0;    // links that are connected
+  std::size_t other_hubs = 0;  // heard from lately
   BackplaneTraffic sent = {}, received = {};
   std::uint64_t dropped = 0;  // messages that could not be sent
 };
@@ -51,49 +52,52 @@ class Backplane {
   virtual ~Backplane() = default;
   virtual void room_opened(const std::string& /*room*/) {}
   virtual void room_closed(const std::string& /*room*/) {}
-  /// A sensor is let in that has a connection here. `token_id`: of the token that it showed.
+  /// A sensor that is connected to this hub was admitted. `token_id`: of the token that it
+  /// presented.
   virtual void sensor_joins(const std::string& /*room*/, const std::string& /*name*/,
                             const std::string& /*token_id*/) {}
-  /// Of such a sensor; the room takes it.
+  /// A frame of such a sensor, which the room accepts.
   virtual void frame(const std::string& /*room*/, const wire::FrameHeader& /*header*/,
                      std::span<const std::uint8_t> /*message*/) {}
-  /// The room has closed a set: its frames have all been told.
+  /// The room has closed a set, after frame() was called for its frames.
   virtual void set_closed(const std::string& /*room*/) {}
-  /// All tokens of this hub that hold no more.
+  /// All revoked tokens of this hub.
   virtual void revoked(const std::vector<Claims>& /*tokens*/) {}
-  /// Those that are there now, this one first; empty: this one is alone.
+  /// The hubs that are alive, this one first; empty: this hub is the only one.
   [[nodiscard]] virtual std::vector<HubStatus> hubs() const { return {}; }
   [[nodiscard]] virtual BackplaneStats stats() const { return {}; }
-  /// Where somebody who comes to watch this room should rather go; empty: he may stay here.
+  /// Public URLs of hubs that a viewer of this room should use instead; empty: it may stay here.
   [[nodiscard]] virtual std::vector<std::string> less_busy_hubs(const std::string& /*room*/) const {
     return {};
   }
-  /// Somebody here sees this room now, or nobody any more.
+  /// The room's first viewer here has joined, or its last one has left.
   virtual void watch(const std::string& room, bool is_watched) = 0;
-  /// What the room says to one of the backplane's connections.
+  /// A message of the room to one of the backplane's connections.
   virtual void send(ConnectionId to, const wire::pb::Control& message) = 0;
-  /// The room knows it no more.
+  /// The room has removed this connection.
   virtual void let_go(ConnectionId connection) = 0;
 };
 
-/// What comes in from a backplane.
+/// Messages and frames that a backplane brings in.
 class BackplaneEvents : public SessionEvents {
  public:
-  /// These came together, of sensors of one room: what they close goes on as it came, and nobody
-  /// is looked after once for each. Their messages are taken.
+  /// Frames of sensors of one room that arrived together. The room takes them in one event:
+  /// it closes sets, and does the other work after an event, once for all. Their messages are moved
+  /// from.
   virtual void on_frames(std::span<IncomingFrame> together) = 0;
 };
 
-/// Where a backplane works; outlives it.
+/// The hub's interface for a backplane; outlives it.
 struct BackplaneContext {
   boost::asio::io_context& io;
   BackplaneEvents& rooms;
-  std::string token;  // with which it may join every room
-  /// These tokens hold no more, say other hubs.
+  std::string token;  // permits joining every room
+  /// Takes the tokens that other hubs report as revoked.
   std::function<void(std::vector<Claims>)> revoke = {};
-  /// Answered by Backplane::revoked().
+  /// Requests the revoked tokens; the answer is a call of Backplane::revoked() if there are any.
   std::function<void()> tell_revoked = {};
-  /// Addresses of the other hubs that are for others: the page may go on there, and theirs here.
+  /// Takes the public URLs of the other hubs. This hub's page may reconnect to them, and their
+  /// pages to this hub.
   std::function<void(std::vector<std::string>)> name_hubs = {};
 };
 using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneContext)>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A control message as it is written to connections: encoded once, shared by all receivers.
+// Frames a control message for writing to connections: encoded once, shared by all receivers.
 #pragma once
 
 #include "roomcast/net/framed_message.h"

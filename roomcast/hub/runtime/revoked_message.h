@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hub tells hubs behind it of tokens that hold no more: those for the room that they serve
-// on, without whom they were for. Pure.
+// Messages to hubs that relay a room, about revoked tokens for that room. They leave out the names
+// of the tokens' owners. Pure.
 #pragma once
 
 #include <string>
@@ -11,11 +11,13 @@
 
 namespace roomcast::hub {
 
-/// Of those that cover the room, in messages of at most kMaxRevokedTokens; none: there are none.
+/// The revoked tokens that are valid for the room, at most kMaxRevokedTokens per message; empty:
+/// there are none.
 [[nodiscard]] std::vector<wire::pb::Control> revoked_messages(const std::vector<Claims>& revoked,
                                                               const std::string& room);
 
-/// What a hub says of the room that we serve on. Of another room, or nonsense: left out.
+/// The tokens that the upstream hub reports as revoked for the room that this hub relays. Leaves
+/// out tokens of other rooms and invalid entries.
 [[nodiscard]] std::vector<Claims> revoked_claims(const wire::pb::RevokedTokens& message,
                                                  const std::string& room);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRecordings: whoever keeps this hub's rooms in files, as the hub's interface sees him. The hub
-// itself writes none. Threading: called on the rooms' thread, which none of it may keep waiting.
+// RoomRecordings: the admin interface's view of the recorder that writes this hub's rooms to files.
+// The hub itself writes none. Threading: called on the rooms' thread; no member may block.
 #pragma once
 
 #include <cstdint>
@@ -29,13 +29,13 @@ enum class RecordingState { kOff, kStarting, kOn, kStopping, kFailed };
   return "failed";
 }
 
-/// Of a room: the recording that is made, or the last one.
+/// The running recording of a room, or its last one.
 struct RoomRecording {
   RecordingState state = RecordingState::kOff;
-  std::string file;  // on the hub's machine; empty: there was none yet
+  std::string file;  // on the hub's machine; empty: no recording yet
   double seconds = 0;
   std::uint64_t frames = 0, bytes = 0;
-  std::string problem;  // why it failed
+  std::string problem;  // why it failed; empty: it did not fail
 };
 
 class RoomRecordings {

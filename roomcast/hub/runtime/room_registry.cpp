@@ -13,7 +13,8 @@ namespace {
 
 namespace pb = wire::pb;
 
-/// What somebody types wrong, or guesses; an old token is an honest mistake.
+/// Whether a refusal counts towards a ban: it may come from guessing. An expired or revoked token
+/// does not count.
 bool is_fault(pb::ErrorCode code) {
   return code == pb::ERROR_TOKEN_INVALID || code == pb::ERROR_CODE_USED;
 }
@@ -94,7 +95,7 @@ std::string RoomRegistry::only_listed_room() const {
   return only;
 }
 
-// ---- who comes
+// ---- joining
 
 bool RoomRegistry::may_connect(const std::string& peer) const {
   return !bans_.is_banned(peer, clock_.now());
@@ -123,7 +124,7 @@ void RoomRegistry::on_join(const ConnectionInfo& connection_info, const pb::Join
 
 void RoomRegistry::on_checked(const ConnectionInfo& connection_info, const pb::Join& join,
                               const Verdict<NewToken>& shown, bool was_code) {
-  if (!clients_.contains(connection_info.from)) return;  // it did not wait
+  if (!clients_.contains(connection_info.from)) return;  // it has disconnected meanwhile
   if (const Refusal* why = refusal(shown)) return refuse(connection_info, join, *why);
   const auto& [claims, token] = std::get<NewToken>(shown);
   decide(connection_info, join, &claims, was_code ? token : "");
@@ -170,7 +171,8 @@ void RoomRegistry::hold_against(const std::string& peer, const Refusal& why) {
       {{"event", "ban"}, {"peer", peer}});
 }
 
-/// To a hub that is less busy, where there is one. Nobody is sent on twice.
+/// Redirects a viewer to a less busy hub, if there is one. A viewer is redirected only once. True:
+/// redirected.
 bool RoomRegistry::send_on(const ConnectionInfo& connection_info, const pb::Join& join,
                            const std::string& room) {
   if (backplane_ == nullptr || !join.has_viewer() || join.redirected()) return false;
@@ -211,7 +213,7 @@ void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& 
   }
 }
 
-/// It learns which tokens hold no more before it was here.
+/// Sends a hub that has just joined the tokens revoked so far.
 void RoomRegistry::greet_hub(ConnectionId hub) {
   store_worker_.ask([](HubStore& book) { return book.revoked(); },
                     [this, hub](const Result<std::vector<Claims>>& revoked) {
@@ -219,7 +221,7 @@ void RoomRegistry::greet_hub(ConnectionId hub) {
                     });
 }
 
-// ---- what they say
+// ---- events of clients
 
 RoomRunner* RoomRegistry::room_of(ConnectionId from) const {
   const auto client = clients_.find(from);
@@ -258,7 +260,7 @@ void RoomRegistry::on_key_needs(ConnectionId from, const std::vector<SensorId>& 
 
 void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto client = clients_.find(from);
-  if (client == clients_.end()) return;  // we sent it away
+  if (client == clients_.end()) return;  // the hub has disconnected it
   log_client(client->second.address + " has left: " + reason.sentence, client->second, "leave");
   RoomRunner* room = client->second.room;
   clients_.erase(client);
@@ -277,9 +279,9 @@ void RoomRegistry::log_client(const std::string& line, const Client& client, std
        {"error", error}});
 }
 
-// ---- sending away
+// ---- disconnecting
 
-/// The room's doing, or ours.
+/// A room removed the client, by itself or through send_away().
 void RoomRegistry::let_go(const Disconnect& end) {
   const auto client = clients_.find(end.connection);
   if (client == clients_.end()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRegistry: all rooms of a hub. Lets people in who may come, brings what they say to their
-// room, and sends them away when their token ends. Threading: the rooms' thread, where shards bring
-// what their sessions say and the store_worker its answers.
+// RoomRegistry: all rooms of a hub. It admits clients, passes their events to their room, and
+// disconnects them when their token expires or is revoked. Threading: the rooms' thread, on which
+// shards report the events of their sessions and the store worker its answers.
 #pragma once
 
 #include <chrono>
@@ -34,11 +34,11 @@ namespace roomcast::hub {
 
 struct RoomRegistryOptions {
   std::string hub_version;
-  bool recalls_poses = true;                    // that alignment found before the hub was started
-  std::set<std::string> configured_rooms = {};  // there again whenever the hub starts
+  bool recalls_poses = true;  // restore poses estimated before the hub was started
+  std::set<std::string> configured_rooms = {};  // opened at every start of the hub
   BanRules bans = {};
-  std::vector<std::string> never_banned = {};  // proxies: everyone comes from there
-  std::function<void(const std::string& room)> on_in_use = {};  // its first sensor has joined
+  std::vector<std::string> never_banned = {};  // proxies, which share one address for many clients
+  std::function<void(const std::string& room)> on_in_use = {};  // a room's first sensor has joined
   LogSink log = {};
 };
 
@@ -47,12 +47,12 @@ class RoomRegistry final : public BackplaneEvents {
   RoomRegistry(RoomRegistryOptions options, boost::asio::io_context& io, StoreWorker& store_worker,
                const std::vector<std::unique_ptr<Shard>>& shards);
 
-  /// What other hubs have comes in here; before any room is opened.
+  /// Sets the backplane to other hubs. Must be called before any room is opened.
   void connect(Backplane& backplane) { backplane_ = &backplane; }
-  /// Begins to look after tokens that end.
+  /// Starts the timer for expired tokens and traffic rates.
   void start();
 
-  // Rooms. Who is in a room that closes is sent away.
+  // Rooms. Closing a room disconnects its clients.
   void open(const RoomSettings& settings, std::vector<KnownSensor> sensors);
   void change(const RoomSettings& settings);
   void close(const std::string& room);
@@ -62,39 +62,39 @@ class RoomRegistry final : public BackplaneEvents {
   [[nodiscard]] const RoomSettings* find(const std::string& room) const;
   [[nodiscard]] std::size_t room_count() const { return rooms_.size(); }
 
-  /// By name.
+  /// In the order of the names.
   [[nodiscard]] std::vector<RoomStats> stats() const;
   [[nodiscard]] std::optional<RoomStats> stats(const std::string& room) const;
   [[nodiscard]] std::uint64_t refused_joins() const { return refused_joins_; }
   [[nodiscard]] std::size_t banned_count() const { return bans_.banned_count(clock_.now()); }
-  /// "192.0.2.7:50312"; empty: it has gone.
+  /// "192.0.2.7:50312"; empty: the client has disconnected.
   [[nodiscard]] std::string address_of(ConnectionId client) const;
 
-  /// Of a sensor that is not online; what the hub keeps of it is the caller's.
+  /// Makes a room forget a sensor that is offline. The caller removes it from the store.
   void forget_sensor(const std::string& room, const std::string& sensor);
-  /// False: it has gone.
+  /// Disconnects a client. False: it is in no room any more.
   bool send_away(ConnectionId client, const std::string& sentence);
-  /// Whoever came with one of these tokens.
+  /// Disconnects the clients that joined with one of these tokens.
   void send_away_holders(const std::vector<std::string>& token_ids);
-  /// Other hubs learn which tokens hold no more, if there are any: those beside this one, and those
-  /// that serve its rooms on.
+  /// Sends the revoked tokens, if there are any, to the backplane and to hubs that relay rooms of
+  /// this hub.
   void tell_revoked();
-  /// They hold no more, say other hubs.
+  /// Takes the tokens that other hubs report as revoked.
   void take_revoked(std::vector<Claims> tokens);
-  /// Empty: this one is alone.
+  /// Empty: this hub is the only one.
   [[nodiscard]] std::vector<HubStatus> hubs() const {
     return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
   }
 
-  /// This address was refused because of its token: of who wants to join, or of a request. Who
-  /// shows bad ones again and again is not listened to for a while.
+  /// Counts a refused token, of a join or of an HTTP request, against this address. An address with
+  /// too many bad tokens is banned for a while (BanRules).
   void hold_against(const std::string& peer, const Refusal& why);
-  /// Nothing: there is none.
+  /// Nothing: there is no backplane.
   [[nodiscard]] std::optional<BackplaneStats> backplane_stats() const {
     return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
   }
 
-  /// Any thread.
+  /// Whether the address is not banned. Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;
 
   void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) override;
@@ -112,7 +112,7 @@ class RoomRegistry final : public BackplaneEvents {
     RoomRunner* room = nullptr;
     std::string token_id = {};
     UnixSeconds expires_at = 0;  // 0: never
-    bool relays = false;         // it is a hub
+    bool relays = false;         // it is a hub that relays the room
   };
   struct Sent {
     std::uint64_t bytes = 0, dropped_sets = 0;
@@ -156,8 +156,8 @@ class RoomRegistry final : public BackplaneEvents {
   SteadyClock clock_;
   std::map<std::string, std::shared_ptr<RoomRunner>> rooms_;
   std::uint32_t next_room_id_ = 1;
-  std::unordered_map<ConnectionId, Client> clients_;  // who knocked, and who is in a room
-  std::set<RoomId> in_use_;                           // rooms that had a sensor
+  std::unordered_map<ConnectionId, Client> clients_;  // clients that asked to join or are in a room
+  std::set<RoomId> in_use_;                           // rooms that have had a sensor
   BanList bans_;
   std::uint64_t refused_joins_ = 0;
   boost::asio::steady_timer timer_;

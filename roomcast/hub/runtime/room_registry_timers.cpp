@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a RoomRegistry looks after once a second: tokens that end, and how fast everything flows.
+// The RoomRegistry's tasks of every second: expired and revoked tokens, and traffic rates.
 #include <utility>
 
 #include "roomcast/hub/access/wall_clock.h"

@@ -52,7 +52,7 @@ void RoomRunner::apply(const RestartSensor& action) {
 }
 
 void RoomRunner::apply(const AcceptConnection& action) {
-  if (is_of_backplane(action.connection)) return;  // its welcome says it all
+  if (is_of_backplane(action.connection)) return;  // the Welcome that follows tells the backplane
   shard_of(action.connection).accept(action.connection, action.role, id_);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRunner: one room of a running hub: its state, its timer, and what carries out what it wants
-// done. Threading: the rooms' thread.
+// RoomRunner: one room of a running hub: its state and its timer. Carries out the room's actions.
+// Threading: the rooms' thread.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ namespace roomcast::hub {
 
 class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
  public:
-  /// What it needs around it; all outlives it.
+  /// The parts of the hub that a room needs; they outlive it.
   struct Context {
     boost::asio::io_context& io;
     std::span<const std::unique_ptr<Shard>> shards;
@@ -31,7 +31,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
     Backplane* backplane;  // null: there are no other hubs
     const Clock& clock;
     std::function<void(const std::string&)> complain;
-    std::function<void(const Disconnect&)> on_let_go;  // the room knows this one no more
+    std::function<void(const Disconnect&)> on_let_go;  // the room has removed this connection
   };
 
   RoomRunner(RoomId id, Room room, Context around);
@@ -41,13 +41,13 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   [[nodiscard]] RoomId id() const { return id_; }
   [[nodiscard]] RoomTime now() const { return RoomTime(around_.clock.now().time_since_epoch()); }
 
-  /// What one of the room's events returned.
+  /// Carries out the actions that an event of the room returned.
   void apply(RoomActions actions);
 
-  /// Sends this one away, who is in the room.
+  /// Removes a client that is in the room, and disconnects it.
   void send_away(ConnectionId connection, wire::pb::ErrorCode code, const std::string& sentence);
 
-  /// Nobody is in it any more.
+  /// Stops the timer and removes the room from the shards. All clients must have left.
   void close();
 
  private:
@@ -67,9 +67,9 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   Room room_;
   const Context around_;
   boost::asio::steady_timer timer_;
-  std::optional<RoomTime> armed_for_;  // what timer_ waits for
-  bool is_watched_ = false;            // the backplane knows
-  std::uint64_t closed_sets_ = 0;      // as told
+  std::optional<RoomTime> armed_for_;  // the time for which timer_ is set
+  bool is_watched_ = false;            // as last reported to the backplane
+  std::uint64_t closed_sets_ = 0;      // as last reported to the backplane
 };
 
 }  // namespace roomcast::hub

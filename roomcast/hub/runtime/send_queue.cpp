@@ -32,7 +32,8 @@ void SendQueue::make_room() {
   }
 }
 
-/// False: no set that waits has anything on which nothing builds.
+/// Drops the upper-layer frames of the oldest waiting set that has any. False: no waiting set has
+/// any.
 bool SendQueue::thin_out_one() {
   const auto victim = std::ranges::find_if(sets_, [](const QueuedSet& queued) {
     const auto& frames = queued.set->frames;
@@ -51,7 +52,7 @@ std::size_t SendQueue::base_frames(const FrameSet& set) {
       set.frames, [](const SetFrame& frame) { return frame.header.layer == 0; }));
 }
 
-/// In whole sets; nothing for one that is being written.
+/// The size of a waiting set, in whole sets; 0 for a set that is being written.
 double SendQueue::worth(const QueuedSet& queued) {
   if (queued.next_frame > 0) return 0;
   if (!queued.base_only) return 1;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// SendQueue: what waits to be written to one connection. Control messages go first; then frame
-// sets, of which at most kMaxQueuedSets' worth waits without a byte written. When more comes, the
-// oldest loses the frames on which nothing builds, and when none has such frames the oldest goes
-// whole. So a slow viewer loses its own frames, upper layers before anything else, and delays
-// nobody. Frames that the receiver could not decode, because a frame they need was left out, are
-// left out too. docs/spec/wire.md §2 (last paragraph) and §3 "Back-pressure". Pure.
+// SendQueue: the messages that wait to be written to one connection. Control messages go first,
+// then frame sets. The sets of which no byte is written yet may add up to kMaxQueuedSets whole
+// sets. When more come, the oldest set with upper-layer frames loses these, since no frame depends
+// on them; if no set has any, the oldest set is dropped. So a slow viewer loses its own frames,
+// upper layers first, and delays no other viewer. Frames that depend on a dropped frame are dropped
+// too, because the receiver could not decode them. docs/spec/wire.md §2 (last paragraph) and §3
+// "Back-pressure". Pure.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +21,21 @@ namespace roomcast::hub {
 
 class SendQueue {
  public:
-  /// False when kMaxQueuedControlMessages wait already: the receiver has to be cut off.
+  /// False: kMaxQueuedControlMessages wait already, and the receiver must be disconnected.
   [[nodiscard]] bool push_control(net::FramedMessagePtr message);
   void push_set(FrameSetPtr set);
 
-  /// What to write next; null when there is nothing.
+  /// The next message to write; null: there is none.
   [[nodiscard]] net::FramedMessagePtr next();
 
-  /// The sensor starts anew: only its key frames can be decoded now.
+  /// The sensor has started again: only its key frames can be decoded now.
   void forget(SensorId sensor);
 
-  /// Sensors of which frames had to be left out, and which should send a key frame. Each once per
-  /// gap.
+  /// The sensors of which frames were dropped and which must send a key frame. Each is returned
+  /// once per gap.
   [[nodiscard]] std::vector<SensorId> take_key_needs();
 
-  /// That went whole.
+  /// The number of sets that were dropped whole.
   [[nodiscard]] std::uint64_t dropped_sets() const { return dropped_sets_; }
 
  private:
@@ -44,8 +45,8 @@ class SendQueue {
     bool base_only = false;  // without its upper layers
   };
   struct Chain {
-    bool broken = true;          // nothing to build on: only a key frame helps
-    std::uint32_t base_seq = 0;  // the newest layer-0 frame that was delivered
+    bool broken = true;          // no reference frame: only a key frame can be decoded
+    std::uint32_t base_seq = 0;  // sequence number of the newest layer-0 frame delivered
     bool key_asked = false;
   };
 
@@ -57,8 +58,8 @@ class SendQueue {
   static double worth(const QueuedSet& queued);
   [[nodiscard]] Chain& chain_of(SensorId sensor);
 
-  // A hub has hundreds of these and visits all of them for every set: no memory elsewhere for what
-  // is short.
+  // A hub has hundreds of queues and visits all of them for every set, so short lists are stored in
+  // place.
   boost::container::small_vector<net::FramedMessagePtr, 2> control_;
   boost::container::small_vector<QueuedSet, 4> sets_;
   boost::container::small_vector<Chain, 4> chains_;  // by sensor id

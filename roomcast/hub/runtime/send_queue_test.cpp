@@ -73,7 +73,7 @@ TEST(SendQueue, sets_of_upper_layers_give_way_first) {
   EXPECT_EQ(drain(send_queue), 2);
   const auto base = set_of({{kSensor, 1, 0}, {kOther, 1, 0}});
   send_queue.push_set(base);
-  send_queue.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 1, 1}}));  // gives way
+  send_queue.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 1, 1}}));  // dropped
   const auto next_base = set_of({{kSensor, 3, 1}, {kOther, 3, 1}});
   send_queue.push_set(next_base);
   EXPECT_EQ(send_queue.next(), base->frames[0].message);
@@ -83,7 +83,7 @@ TEST(SendQueue, sets_of_upper_layers_give_way_first) {
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
 }
 
-// Sensors that are not in step: in every set one sends a base frame and the other does not.
+// The sensors are out of step: in every set, one of them sends a base frame and the other does not.
 TEST(SendQueue, of_mixed_sets_the_upper_layers_give_way_and_nothing_breaks) {
   SendQueue send_queue;
   send_queue.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
@@ -130,7 +130,7 @@ TEST(SendQueue, after_a_lost_base_frame_nothing_goes_out_up_to_the_next_key_fram
   send_queue.push_set(set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
   for (std::uint32_t seq = 1; seq <= 3; ++seq)
-    send_queue.push_set(set_of({{kSensor, seq, seq - 1}}));  // 1 is dropped
+    send_queue.push_set(set_of({{kSensor, seq, seq - 1}}));  // set 1 is dropped
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
   send_queue.push_set(set_of({{kSensor, 4, 3}}));
@@ -145,7 +145,7 @@ TEST(SendQueue, a_lost_droppable_frame_harms_nothing) {
   SendQueue send_queue;
   send_queue.push_set(set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
-  send_queue.push_set(set_of({{kSensor, 1, 0, 1}}));  // gives way
+  send_queue.push_set(set_of({{kSensor, 1, 0, 1}}));  // dropped
   send_queue.push_set(set_of({{kSensor, 2, 0}}));
   send_queue.push_set(set_of({{kSensor, 3, 2, 1}}));
   EXPECT_EQ(drain(send_queue), 2);

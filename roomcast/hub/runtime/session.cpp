@@ -102,7 +102,8 @@ void Session::take_control(std::span<const std::uint8_t> message) {
   hub_.on_join({id_, connection_.peer_address(), connection_.peer()}, control->join());
 }
 
-// Here and at once: what the answer waits for on its way makes the client's clock uncertain.
+// Answers at once, on the shard's thread, because any delay of the answer makes the client's clock
+// less certain.
 void Session::tell_time(const wire::pb::ClockPing& ping) {
   pb::Control pong;
   pong.mutable_clock_pong()->set_client_ns(ping.client_ns());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Session: one connection of a hub. Turns bytes into the room's events, holds what waits to be
-// written back, and tells the time. Threading: its shard's event loop.
+// Session: one connection of a hub. Decodes messages into events of the room, queues messages to be
+// written, and answers clock pings. Threading: its shard's event loop.
 #pragma once
 
 #include <functional>
@@ -21,35 +21,36 @@
 
 namespace roomcast::hub {
 
-/// Who knocks.
+/// A connection that asks to join.
 struct ConnectionInfo {
   ConnectionId from;
   std::string address;  // "192.0.2.7:50312"
   std::string peer;     // for counting and banning
-  /// Of the token that a sensor showed another hub, for which a backplane speaks here.
+  /// For a sensor that a backplane represents: the ID of the token that it presented to its own
+  /// hub.
   std::optional<std::string> token_id_there = {};
-  std::uint64_t other_hub = 0;  // at which that sensor is; 0: it is here
+  std::uint64_t other_hub = 0;  // the hub to which the sensor is connected; 0: this hub
 };
 
-/// What comes in from sessions: told to their shard, and by it to the room.
+/// Events of sessions: a session reports them to its shard, and the shard to the room.
 class SessionEvents {
  public:
   virtual ~SessionEvents() = default;
-  /// Once for each session, before everything else.
+  /// Called once for each session, before all other events.
   virtual void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) = 0;
   virtual void on_control(ConnectionId from, const wire::pb::Control& message) = 0;
   virtual void on_frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message) = 0;
-  /// Of these sensors it had to be left frames out.
+  /// Frames of these sensors were dropped for this connection.
   virtual void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) = 0;
   /// The session is over; it is not used after this.
   virtual void on_left(ConnectionId from, const net::CloseReason& reason) = 0;
 };
 
-/// What one connection may send, by what it is.
+/// The sending limits of a connection, by role.
 struct SessionLimits {
   wire::SendingLimits sensor = wire::kMaxFromSensor;
-  wire::SendingLimits viewer = wire::kMaxFromViewer;  // and who has not been taken in
+  wire::SendingLimits viewer = wire::kMaxFromViewer;  // also before a connection is accepted
   wire::SendingLimits hub = wire::kMaxFromHub;
   wire::SendingLimits aligner = wire::kMaxFromAligner;
 
@@ -58,7 +59,7 @@ struct SessionLimits {
 
 class Session final : public net::ConnectionHandler {
  public:
-  /// `connection` is used up to on_closed().
+  /// `connection` must be valid until on_closed().
   Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
           const Clock& clock, const SessionLimits& limits = {});
 
@@ -66,21 +67,21 @@ class Session final : public net::ConnectionHandler {
   net::FramedMessagePtr next_message() override;
   void on_closed(const net::CloseReason& reason) override;
 
-  /// The room has taken it in.
+  /// The room has accepted the connection in this role.
   void accept(Role role);
   [[nodiscard]] std::uint64_t bytes_out() const { return connection_.counters().bytes_out; }
   [[nodiscard]] ConnectionId id() const { return id_; }
   [[nodiscard]] bool is_accepted() const { return is_accepted_; }
-  /// It has asked to be taken in.
+  /// A Join has arrived.
   [[nodiscard]] bool has_joined() const { return has_joined_; }
 
-  /// False when the peer lets its control messages pile up: disconnect it.
+  /// False: too many control messages are unread; disconnect the peer.
   [[nodiscard]] bool send_control(net::FramedMessagePtr message);
   void send_set(FrameSetPtr set);
   [[nodiscard]] std::uint64_t dropped_sets() const { return send_queue_.dropped_sets(); }
   void restart_sensor(SensorId sensor) { send_queue_.forget(sensor); }
 
-  /// Says why and closes. Nothing more comes from it but on_left.
+  /// Sends the reason and closes. on_left is the only event after this.
   void disconnect(wire::pb::ErrorCode code, const std::string& sentence);
 
  private:
@@ -98,7 +99,7 @@ class Session final : public net::ConnectionHandler {
   const SessionLimits limits_;
   bool has_joined_ = false;
   bool is_accepted_ = false;
-  bool is_sensor_ = false;  // by its own word; the room knows
+  bool is_sensor_ = false;  // as stated in its Join; the room decides
   RateLimit messages_{0, 0}, bytes_{0, 0};
 };
 

@@ -46,7 +46,7 @@ Session* Shard::find(ConnectionId id) const {
   return found == sessions_.end() ? nullptr : found->second.get();
 }
 
-// ---- from the room
+// ---- actions from the room
 
 void Shard::accept(ConnectionId connection, Role role, RoomId room) {
   asio::dispatch(place_.io, [this, connection, role, room] {
@@ -114,7 +114,7 @@ void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::s
   });
 }
 
-// ---- to the room
+// ---- events to the room
 
 void Shard::on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) {
   asio::dispatch(place_.room_io,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shard: one thread's share of a hub's connections. What its sessions say goes to the rooms'
-// thread; what a room wants done comes back, a frame set once for all its viewers here. Nothing is
-// shared with other shards but immutable messages, so nothing is locked.
+// Shard: one thread's share of a hub's connections. Events of its sessions go to the rooms' thread.
+// Actions of a room come back; a frame set comes once for all its viewers here. Shards share only
+// immutable messages and an atomic counter, so there are no locks.
 //
 // Threading: sessions live on the thread that runs `io`. The members marked "any thread" may be
-// called from elsewhere: they are carried out there, in the order of their calls; called from that
-// thread they are carried out at once.
+// called from other threads: they are posted to that thread and run there in the order of the
+// calls. When called from that thread they run at once.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@
 
 namespace roomcast::hub {
 
-/// Connections of all shards that have not joined.
+/// The number of connections, over all shards, that have not joined.
 using UnjoinedCount = std::atomic<std::size_t>;
 
 struct ShardLimits {
@@ -34,7 +34,7 @@ struct ShardLimits {
   SessionLimits session = {};
 };
 
-/// What was sent, as one shard knows it. Counters grow.
+/// Bytes sent and sets dropped by one shard. The counters only grow.
 struct ShardTraffic {
   struct Viewer {
     ConnectionId connection;
@@ -43,7 +43,7 @@ struct ShardTraffic {
   };
   struct Room {
     RoomId room;
-    std::uint64_t dropped_sets = 0;  // over all viewers that were ever here
+    std::uint64_t dropped_sets = 0;  // over all viewers so far
   };
   std::vector<Viewer> viewers;
   std::vector<Room> rooms;
@@ -52,35 +52,35 @@ struct ShardTraffic {
 class Shard final : public SessionEvents {
  public:
   struct Place {
-    std::size_t index = 0, count = 1;  // which of how many shards
+    std::size_t index = 0, count = 1;  // the shard's index and the number of shards
     boost::asio::io_context& io;
-    boost::asio::io_context& room_io;  // perhaps the same
+    boost::asio::io_context& room_io;  // may be the same as `io`
   };
 
-  /// `room` is told of everything, on the thread that runs `room_io`.
+  /// `room` gets all events, on the thread that runs `room_io`.
   Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined, ShardLimits limits = {});
 
-  /// A new connection of this shard; null when too many have not joined.
+  /// Adds a new connection; null: too many connections have not joined.
   std::shared_ptr<net::ConnectionHandler> welcome(
       const std::shared_ptr<net::WebSocketConnection>& connection);
 
-  /// Which of `count` shards has this connection.
+  /// The index of the shard, of `count`, that has this connection.
   [[nodiscard]] static std::size_t of(ConnectionId connection, std::size_t count) {
     return connection.value % count;
   }
 
-  // Any thread. What is for a connection that has gone is dropped.
+  // Any thread. Calls for a connection that has closed have no effect.
   void accept(ConnectionId connection, Role role, RoomId room);
   void send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message);
   void send_set(RoomId room, FrameSetPtr set);
   void restart_sensor(RoomId room, SensorId sensor);
   void disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence);
-  /// Nobody is in it any more.
+  /// The room has no clients any more.
   void forget(RoomId room);
-  /// Tells what its viewers were sent, on the rooms' thread.
+  /// Reports the traffic of this shard's viewers, on the rooms' thread.
   void report_traffic(std::function<void(ShardTraffic)> to);
 
-  // From the sessions.
+  // Events of the sessions.
   void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) override;
   void on_control(ConnectionId from, const wire::pb::Control& message) override;
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
@@ -91,7 +91,7 @@ class Shard final : public SessionEvents {
  private:
   struct Viewers {
     std::vector<Session*> sessions;
-    std::uint64_t dropped_sets = 0;  // over all that were ever here
+    std::uint64_t dropped_sets = 0;  // over all viewers so far
   };
 
   void expect_join(ConnectionId id);
@@ -104,7 +104,7 @@ class Shard final : public SessionEvents {
   std::uint64_t next_connection_;
   SteadyClock clock_;
   std::unordered_map<ConnectionId, std::shared_ptr<Session>> sessions_;
-  std::unordered_map<RoomId, Viewers> viewers_;  // those of sessions_ that get frame sets
+  std::unordered_map<RoomId, Viewers> viewers_;  // the sessions_ that get frame sets
 };
 
 }  // namespace roomcast::hub

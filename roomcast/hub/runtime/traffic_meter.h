@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// TrafficMeter: how fast counters grow, looked at about once a second. Pure; single-threaded.
+// TrafficMeter: growth rates of counters that are sampled about once a second. Pure;
+// single-threaded.
 #pragma once
 
 #include <chrono>
@@ -11,7 +12,7 @@
 
 namespace roomcast::hub {
 
-/// One counter, and how fast it grew between the last two looks.
+/// One counter and its growth rate between the last two samples.
 class Growth {
  public:
   void look(std::uint64_t count, HostTime now) {
@@ -32,7 +33,7 @@ class Growth {
   double per_s_ = 0;
 };
 
-/// Growths by key; those that were not looked at for a while are forgotten.
+/// Growth rates by key. forget_before() drops those that were not sampled for a while.
 template <class Key>
 class TrafficMeter {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is let into the rooms of a running hub, over real connections, while a sensor sends: whoever
-// is refused is told why and is not sent a single frame.
+// Admission to the rooms of a running hub, over real connections, while a sensor sends. A refused
+// client gets the reason and not a single frame.
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/hub/server/hub_server_fixture.h"
@@ -14,7 +14,7 @@ const std::vector<RoomSettings> kRooms = {
     {.name = "cellar", .listed = false, .send = Who::kToken, .view = Who::kToken},
     {.name = "open"}};
 
-/// Made before the hub, gone after it.
+/// A base class, so that it outlives the hub.
 struct WithFolder {
   TemporaryFolder folder;
 };
@@ -44,7 +44,7 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
     return client;
   }
 
-  /// Refused with this code, while frames flow in the room and a viewer who may gets them.
+  /// Expects a refusal with this code, while frames flow in the room and reach an admitted viewer.
   void expect_refused(const pb::Control& join, pb::ErrorCode code) {
     const auto sensor =
         welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));

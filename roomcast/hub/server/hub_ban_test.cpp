@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who shows a running hub bad tokens again and again, in joining or in asking over HTTP, is not
-// listened to for a while.
+// A running hub bans addresses that present bad tokens again and again, in Joins or HTTP requests.
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
@@ -17,7 +16,7 @@ namespace asio = boost::asio;
 
 constexpr std::size_t kFaults = 3;
 
-/// Made before the hub, gone after it.
+/// A base class, so that it outlives the hub.
 struct WithFolder {
   TemporaryFolder folder;
 };
@@ -36,7 +35,7 @@ class HubBanTest : protected WithFolder, public HubServerTest {
            (is_last ? "Connection: close\r\n" : "") + "\r\n";
   }
 
-  /// All that the hub answers before it closes.
+  /// All bytes that the hub sends before it closes.
   std::string answers(const std::string& requests) {
     asio::ip::tcp::socket socket(io);
     socket.connect({asio::ip::address_v4::loopback(), hub->port()});
@@ -49,7 +48,7 @@ class HubBanTest : protected WithFolder, public HubServerTest {
     return heard;
   }
 
-  /// Its status code; 0: none came.
+  /// The status code of the answer; 0: no answer.
   int ask(const std::string& path, const std::string& authorization = "") {
     const std::string answer = answers(request(path, authorization));
     return answer.empty() ? 0 : std::stoi(answer.substr(answer.find(' ') + 1));

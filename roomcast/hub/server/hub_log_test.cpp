@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a running hub tells its log of those who come and go: under which keys, for programs that
-// read it.
+// The log of a running hub about clients that join and leave: the keys that programs read.
 #include <map>
 #include <mutex>
 
@@ -12,7 +11,7 @@ namespace {
 
 using Fields = std::map<std::string, std::string, std::less<>>;
 
-/// Made before the hub, gone after it.
+/// A base class, so that it outlives the hub.
 struct WithLog {
   LogSink sink() {
     return [this](LogLevel, std::string_view, LogFields about) {
@@ -21,7 +20,7 @@ struct WithLog {
       for (const auto& [key, value] : about) fields.emplace(key, value);
     };
   }
-  /// The newest line about this; nothing: there is none yet.
+  /// The newest line with this event; nothing: none yet.
   std::optional<Fields> last(std::string_view event) {
     const std::lock_guard lock(mutex);
     std::optional<Fields> found;
@@ -51,7 +50,7 @@ class HubLogTest : protected WithLog, public HubServerTest {
     run_until([&] { return !client->heard.empty(); });
     return client;
   }
-  /// It is told on the hub's threads.
+  /// Waits for the line, because it is written on the hub's threads.
   Fields told(std::string_view event) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     std::optional<Fields> fields;
@@ -98,7 +97,7 @@ TEST_F(HubLogTest, names_the_token_of_who_is_inside) {
 
 TEST_F(HubLogTest, names_who_is_sent_away_and_why) {
   answered(in_room(sensor_join("left"), "open"));
-  answered(in_room(sensor_join("left"), "open"));  // where no token is asked for it is the same one
+  answered(in_room(sensor_join("left"), "open"));  // without tokens it may replace the earlier one
   Fields away = told("send_away");
   EXPECT_EQ(away["name"], "left");
   EXPECT_FALSE(away["error"].empty());

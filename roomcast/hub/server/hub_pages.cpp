@@ -40,7 +40,7 @@ std::optional<net::HttpResponse> HubPages::find(std::string_view path) const {
     auto page = site_->find(path);
     if (!page) return page;
     page->headers.emplace_back("Content-Security-Policy", peer_origins_.policy());
-    // The policy of a worker comes with its script: a browser asks whether it still holds.
+    // A worker's policy is sent with its script, so the browser must revalidate the script.
     if (page->content_type.starts_with("text/javascript")) page->cache_control = "no-cache";
     return page;
   }
@@ -73,7 +73,7 @@ void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond
   });
 }
 
-/// For whoever asks: of rooms that are not listed it says nothing.
+/// Open to everybody, so it counts listed rooms only.
 net::HttpResponse HubPages::health() const {
   std::ptrdiff_t sensors = 0, viewers = 0;
   for (const RoomStats& stats : hall_.stats()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubPages: what a hub answers to HTTP: the page, `/healthz`, `/metrics`, and the interface for
-// whoever runs it. Threading: find() on the door's thread; answer() from any, what it looks up
-// lives on the rooms' thread.
+// HubPages: a hub's HTTP answers: the page, `/healthz`, `/metrics` and the admin interface.
+// Threading: find() on the thread that accepts connections; answer() on any thread, it posts to the
+// rooms' thread.
 #pragma once
 
 #include <optional>
@@ -28,14 +28,14 @@ class HubPages {
            boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
            RoomRecordings* recordings, const LogSink& log);
 
-  /// Whose connections `/metrics` counts.
+  /// Sets the server whose connections `/metrics` counts.
   void count_connections_of(const net::HttpServer& server) { server_ = &server; }
 
-  /// What answer() is for.
+  /// The path prefixes that go to answer().
   [[nodiscard]] static std::vector<std::string> request_paths();
 
   [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
-  /// Hubs beside this one. On the door's thread, as find().
+  /// The other hubs that pages may reach. Same thread as find().
   [[nodiscard]] PeerOrigins& peer_origins() { return peer_origins_; }
   void answer(net::HttpRequest request, net::Respond respond);
 

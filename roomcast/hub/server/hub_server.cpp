@@ -25,9 +25,9 @@ namespace {
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
 constexpr std::chrono::milliseconds kGoodbyeLook{10};
-constexpr int kDoorNiceness = 10;  // who is in a room goes before who knocks
+constexpr int kDoorNiceness = 10;  // clients in rooms go before new connections
 
-/// The options' rooms, but those that were changed or opened since, as they are kept.
+/// The rooms of the options, replaced and extended by those that the store has.
 std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
                                                   const std::vector<RoomSettings>& kept) {
   std::map<std::string, RoomSettings> rooms;
@@ -49,7 +49,7 @@ class HubServer::Loop {
   Loop(HubOptions options, std::unique_ptr<HubStore> book, std::optional<net::StaticSite> site);
   ~Loop();
 
-  /// Before any room is opened.
+  /// Must be called before any room is opened.
   Status open_backplane();
   void open_rooms(const std::map<std::string, RoomSettings>& rooms,
                   std::map<std::string, std::vector<KnownSensor>> sensors);
@@ -67,7 +67,7 @@ class HubServer::Loop {
   HubOptions options_;
   const std::string own_token_;
   UnjoinedCount unjoined_ = 0;
-  // One per thread, the first is the rooms'.
+  // One per thread; the first is the rooms'.
   std::vector<std::unique_ptr<asio::io_context>> loops_;
   std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
   std::vector<std::unique_ptr<Shard>> shards_;
@@ -103,9 +103,9 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
                                       options_.recordings.get(), options_.log);
 }
 
-// The store_worker first: nothing is asked of it any more, and its last answers go to a loop that
-// is still there. The rooms' loop goes before the door: an answer that it would have given goes out
-// there.
+// The store worker goes first: its work ends, and its last answers go to a loop that still exists.
+// The rooms' loop goes before the door's, because handlers pending there own HTTP sessions that use
+// the door's loop.
 HubServer::Loop::~Loop() {
   store_worker_.reset();
   http_.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a running hub on loopback, and clients that speak to it in bytes.
+// For tests: a running hub on loopback, and clients that exchange single messages with it.
 #pragma once
 
 #include <chrono>
@@ -28,7 +28,7 @@ namespace roomcast::hub {
 using namespace std::chrono_literals;
 namespace pb = wire::pb;
 
-/// Speaks to the hub in bytes; remembers what it said.
+/// Sends the given messages and stores the hub's answers.
 class RawClient final : public net::ConnectionHandler {
  public:
   explicit RawClient(std::deque<net::FramedMessagePtr> to_send) : to_send_(std::move(to_send)) {}
@@ -116,7 +116,7 @@ class HubServerTest : public testing::Test {
     thread.join();
   }
 
-  /// A connected client that is about to say this.
+  /// A connected client that sends this message first.
   std::shared_ptr<RawClient> connect(const pb::Control& first) {
     return connect(std::deque{framed_control(first)});
   }
@@ -135,7 +135,7 @@ class HubServerTest : public testing::Test {
   }
 
   void run_until(const std::function<bool()>& done) {
-    io.restart();  // it stops when nothing is left to do
+    io.restart();  // run_one_until() stops the loop when it has no work left
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     while (!done() && io.run_one_until(give_up) > 0) {
     }

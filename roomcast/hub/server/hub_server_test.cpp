@@ -50,7 +50,7 @@ TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
   EXPECT_LE(told, SteadyClock().now());
 }
 
-/// The same hub on one thread and on several.
+/// Runs the same hub on one thread and on several.
 class HubOnThreadsTest : public HubServerTest, public testing::WithParamInterface<std::size_t> {
  protected:
   HubOnThreadsTest() : HubServerTest({.threads = GetParam()}) {}
@@ -134,7 +134,7 @@ TEST_P(HubOnThreadsTest, a_stopping_hub_says_good_bye) {
     run_until([&] { return viewer->closed.has_value(); });
     EXPECT_EQ(viewer->closed->code, net::close_code::kGoingAway);
   }
-  io.run_for(100ms);  // for the end of the TCP connection
+  io.run_for(100ms);  // lets the TCP connection end
   thread.join();
 }
 

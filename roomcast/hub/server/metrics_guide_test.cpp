@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/guides/metrics.md names every metric that a hub prints, and packaging/grafana asks for no
-// other.
+// docs/guides/metrics.md names every metric that a hub exports, and the dashboard in
+// packaging/grafana uses no others.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -37,7 +37,7 @@ std::vector<std::smatch> all_in(const std::string& text, const std::regex& wante
   return {std::sregex_iterator(text.begin(), text.end(), wanted), std::sregex_iterator()};
 }
 
-/// As Prometheus would have it: it stands in the name.
+/// The unit in a metric's name, by the naming convention of Prometheus.
 std::string unit_in(const std::string& name) {
   if (name.find("_per_second") != std::string::npos)
     return name.find("_bytes") != std::string::npos ? "bytes/s" : "1/s";
@@ -45,7 +45,7 @@ std::string unit_in(const std::string& name) {
   return name.find("_bytes") != std::string::npos ? "bytes" : "";
 }
 
-/// What a hub prints that has a room with somebody in it, and other hubs.
+/// The metrics of a hub with a sensor, a viewer and a backplane.
 Metrics printed() {
   std::array<RoomStats, 1> rooms{RoomStats{.room = "lab"}};
   rooms[0].sensors.push_back({.name = "left", .clock_error_s = 0.001});

@@ -8,7 +8,7 @@ namespace roomcast::hub {
 
 namespace {
 
-/// A label's value: names come from outside, and may hold anything.
+/// A label's value in quotes; names come from clients and may contain any character.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -18,7 +18,7 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-/// One metric after another, each with a line per room, sensor or viewer.
+/// Writes one metric after another, each with a line per room, sensor or viewer.
 class MetricsWriter {
  public:
   explicit MetricsWriter(std::span<const RoomStats> rooms) : rooms_(rooms) {}
@@ -28,7 +28,7 @@ class MetricsWriter {
     begin(name, type, help);
     out_ << "roomcast_" << name << " " << value << "\n";
   }
-  /// Under the name that programs of all kinds give it.
+  /// Uses the prefix `process_`, as programs of all kinds do.
   template <class Value>
   void of_process(const char* name, const char* type, const char* help, Value value) {
     out_ << "# HELP process_" << name << " " << help << "\n# TYPE process_" << name << " " << type
@@ -46,7 +46,7 @@ class MetricsWriter {
            << "\n";
     }
   }
-  /// `value_of` gives an optional: nothing, no line.
+  /// `value_of` may return an optional; an empty one writes no line.
   template <class ValueOf>
   void of_sensors(const char* name, const char* type, const char* help, ValueOf value_of) {
     begin(name, type, help);

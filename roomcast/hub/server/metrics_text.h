@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `/metrics`: how a hub and its rooms are doing, in the text format of Prometheus (version 0.0.4).
-// All are described in docs/guides/metrics.md.
-// Threading: no state.
+// `/metrics`: the state of a hub and its rooms in the text format of Prometheus (version 0.0.4).
+// docs/guides/metrics.md describes all metrics. Threading: no state.
 #pragma once
 
 #include <optional>
@@ -14,14 +13,14 @@
 
 namespace roomcast::hub {
 
-/// What concerns no single room.
+/// The metrics that belong to no single room.
 struct HubStats {
   std::string version = {};
   ProcessStats process = {};
-  std::size_t connections = 0;      // of all kinds
-  std::uint64_t refused_joins = 0;  // for want of a good token
+  std::size_t connections = 0;      // HTTP and WebSockets
+  std::uint64_t refused_joins = 0;  // joins that access control refused
   std::size_t banned_peers = 0;
-  std::optional<BackplaneStats> backplane = {};  // nothing: this hub is alone
+  std::optional<BackplaneStats> backplane = {};  // nothing: there is no backplane
 };
 
 [[nodiscard]] std::string metrics_text(const HubStats& hub, std::span<const RoomStats> rooms);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PeerOrigins: hubs beside this one, as browsers see them. The page of this hub may go on at one of
-// them when this one is gone, and theirs here: also long after we have seen the last of them.
-// Threading: the door's.
+// PeerOrigins: the web origins of the other hubs. When this hub is gone, its page may reconnect to
+// one of them, and their pages to this hub, even long after a hub was last seen. Threading: the
+// thread that accepts connections.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class PeerOrigins {
  public:
   static constexpr std::size_t kMax = wire::kMaxOtherHubs;
 
-  /// Addresses of hubs that are there now; those that were stay, as long as there is room.
+  /// Adds the URLs of hubs that are alive. Older entries stay while there are at most kMost.
   void are(const std::vector<std::string>& hub_urls) {
     for (const std::string& url : hub_urls) {
       const auto hub = net::parse_hub_url(url);
@@ -28,12 +28,12 @@ class PeerOrigins {
     }
     if (hubs_.size() > kMax) hubs_.erase(hubs_.begin(), hubs_.end() - kMax);
   }
-  /// Is this the Origin of a page of theirs?
+  /// Whether this is the Origin of a page of one of these hubs.
   [[nodiscard]] bool has(std::string_view origin) const {
     return std::ranges::any_of(hubs_,
                                [origin](const auto& hub) { return net::site_of(hub) == origin; });
   }
-  /// What the page of this hub may do.
+  /// The content security policy for the page of this hub.
   [[nodiscard]] std::string policy() const { return net::page_policy(hubs_); }
 
  private:

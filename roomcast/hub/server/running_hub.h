@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests and benches: a hub on threads of this process while it is held. Its socket is made on
-// the constructing thread's network.
+// For tests and benches: a hub that runs on threads of this process until it is destroyed. Its
+// socket is opened in the network namespace of the constructing thread.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace roomcast::hub {
 
 class RunningHub {
  public:
-  /// At the port that `options` names; 0 is a free one.
+  /// Uses the port in `options`; 0: any free port.
   static Result<std::unique_ptr<RunningHub>> start(HubOptions options) {
     std::string address = options.address;
     auto server = HubServer::open(std::move(options));
@@ -24,7 +24,7 @@ class RunningHub {
     return std::unique_ptr<RunningHub>(new RunningHub(*std::move(server), std::move(address)));
   }
 
-  /// For tests, where nothing hinders it: on loopback, and whatever port `options` name, at this.
+  /// For tests, where opening cannot fail: on loopback, at `port` instead of the port in `options`.
   explicit RunningHub(HubOptions options = {}, std::uint16_t port = 0)
       : RunningHub(*HubServer::open(at_port(std::move(options), port)), "127.0.0.1") {}
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each role may send: who sends more is cut off, and honest use stays below.
+// Sending limits of each role: a client that exceeds them is disconnected, and normal use stays
+// below.
 #include <algorithm>
 
 #include "roomcast/hub/access/rate_limit.h"
@@ -9,7 +10,7 @@
 namespace roomcast::hub {
 namespace {
 
-/// So little comes back per second that a slow machine changes nothing.
+/// The rate is so low that the result does not depend on the machine's speed.
 constexpr wire::SendingLimits at_once(double messages, double bytes = 1e6) {
   return {1e-6, messages, 1e-6, bytes};
 }
@@ -17,7 +18,7 @@ constexpr wire::SendingLimits at_once(double messages, double bytes = 1e6) {
 struct Case {
   const char* name;
   pb::Control join;
-  int messages;  // that it may send at once
+  int messages;  // number that it may send at once
 };
 
 pb::Control aligner_join() {
@@ -55,7 +56,7 @@ class SessionLimitsTest : public HubServerTest {
     return client;
   }
 
-  /// `client` came last.
+  /// `client` must be the newest one.
   void say(RawClient& client, int times, const net::FramedMessagePtr& message = clock_ping(1)) {
     for (int i = 0; i < times; ++i) client.say(message);
     sockets.back()->wake();
@@ -115,13 +116,14 @@ TEST_F(SmallMessagesTest, who_sends_larger_messages_than_its_role_may_is_cut_off
   EXPECT_FALSE(sensor->closed);
 }
 
-/// So many of these a second.
+/// One kind of message, sent at a fixed rate.
 struct Use {
   double per_s;
   std::size_t bytes;
 };
 
-/// Everything on its own clock for a minute, of which it could not send for the first 4 s.
+/// Whether a minute of these messages keeps within `limits` if those of the first 4 s are delayed
+/// and sent at once.
 bool passes(const wire::SendingLimits& limits, const std::vector<Use>& uses) {
   RateLimit messages(limits.messages_per_s, limits.messages_at_once);
   RateLimit bytes(limits.bytes_per_s, limits.bytes_at_once);

@@ -7,13 +7,13 @@ namespace roomcast::hub {
 
 namespace {
 
-constexpr int kWaitForOthers_ms = 2000;  // `roomcast token` writes to a running hub's file
+constexpr int kWaitForOthers_ms = 2000;  // `roomcast token` writes to the file of a running hub
 
-/// What leads from each version of the tables to the next.
+/// The SQL that migrates the tables from each version to the next.
 constexpr const char* kSteps[Database::kVersion] = {
     "CREATE TABLE IF NOT EXISTS sensors ("
     "  room TEXT NOT NULL, name TEXT NOT NULL, id INTEGER NOT NULL,"
-    "  world_from_depth BLOB,"  // 16 little-endian doubles, row-major; null: not found yet
+    "  world_from_depth BLOB,"  // 16 little-endian doubles, row-major; null: none estimated
     "  expected_error_mm REAL,"
     "  PRIMARY KEY (room, name), UNIQUE (room, id)) STRICT;",
 
@@ -24,13 +24,13 @@ constexpr const char* kSteps[Database::kVersion] = {
     "  id TEXT PRIMARY KEY, room TEXT NOT NULL, role TEXT NOT NULL, name TEXT NOT NULL,"
     "  issued_at INTEGER NOT NULL, expires_at INTEGER NOT NULL, revoked_at INTEGER) STRICT;"
     "CREATE TABLE codes ("
-    "  digest BLOB PRIMARY KEY,"  // SHA-256: who reads the file learns no code
+    "  digest BLOB PRIMARY KEY,"  // SHA-256: a reader of the file learns no code
     "  room TEXT NOT NULL, role TEXT NOT NULL, name TEXT NOT NULL,"
     "  token_ttl_s INTEGER NOT NULL, expires_at INTEGER NOT NULL, used_at INTEGER) STRICT;",
 
     "ALTER TABLE codes ADD COLUMN issued_at INTEGER NOT NULL DEFAULT 0;"
     "ALTER TABLE codes ADD COLUMN revoked_at INTEGER;"
-    "UPDATE codes SET issued_at = expires_at - 3600;",  // so long a code held
+    "UPDATE codes SET issued_at = expires_at - 3600;",  // codes were valid for one hour
 };
 
 }  // namespace
@@ -84,7 +84,7 @@ Result<int> Database::version() const {
   return static_cast<int>(statement.integer(0));
 }
 
-/// All steps or none: a hub that dies in between finds the old tables.
+/// Runs in one transaction, so that a crash leaves the old tables.
 Status Database::bring_up_to_date(int version) {
   for (int step = version; step < kVersion; ++step) {
     if (auto s = run(kSteps[step]); !s) return s;

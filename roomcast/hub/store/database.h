@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Database: what a hub keeps, in one SQLite file, or in memory when there is no file. Its tables
-// have a version; an older file is brought up to date when it is opened, a later one is refused.
+// Database: a hub's persistent data in one SQLite file, or in memory when there is no file. The
+// tables have a version; an older file is migrated when it is opened, a newer one is refused.
 //
-// A statement that succeeded survives the end of the program and of the machine: the write-ahead
+// A statement that succeeded survives a crash of the program and of the machine: the write-ahead
 // log is synced before it is acknowledged. Threading: one thread at a time. Source: SQLite's
 // documentation, "Write-Ahead Logging" and "PRAGMA synchronous".
 #pragma once
@@ -25,17 +25,17 @@ class Database {
  public:
   static constexpr int kVersion = 3;
 
-  /// Makes the file where there is none; nothing: in memory. kUnavailable: it cannot be opened, is
-  /// no such file or is of a later version; the sentence says which.
+  /// Creates the file if it does not exist; `file` empty: in memory. kUnavailable: the file cannot
+  /// be opened, is no database, or has a newer version; the sentence says which.
   static Result<std::unique_ptr<Database>> open(const std::optional<std::filesystem::path>& file);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
   [[nodiscard]] Status run(const char* sql);
-  /// Rows that the last statement changed.
+  /// The number of rows that the last statement changed.
   [[nodiscard]] int changed_rows() const;
-  /// Changes whenever another program has changed the file.
+  /// A number that changes whenever another program changes the file.
   [[nodiscard]] std::int64_t foreign_changes();
   [[nodiscard]] Error failure(std::string_view what) const;
   [[nodiscard]] sqlite3* native() const { return database_; }
@@ -47,7 +47,7 @@ class Database {
   sqlite3* database_;
 };
 
-/// A prepared statement. Columns and parameters count from 0 and 1, as in SQLite.
+/// A prepared statement. Columns count from 0 and parameters from 1, as in SQLite.
 class Statement {
  public:
   Statement(const Database& database, const char* sql);
@@ -60,17 +60,17 @@ class Statement {
   Statement& bind(int index, double number);
   Statement& bind_blob(int index, const void* bytes, std::size_t size);
 
-  /// There is a row to read. False: no more, or it failed; see finished().
+  /// Steps to the next row. False: there are no more rows, or an error occurred; see finished().
   [[nodiscard]] bool next();
-  /// The last next() found the end, and no fault.
+  /// The last next() found the end without an error.
   [[nodiscard]] bool finished() const { return finished_; }
-  /// Runs it to its end.
+  /// Runs the statement to its end.
   [[nodiscard]] bool run();
 
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double real(int column) const;
-  [[nodiscard]] std::string_view blob(int column) const;  // until the next row
+  [[nodiscard]] std::string_view blob(int column) const;  // valid until the next row
   [[nodiscard]] bool is_null(int column) const;
 
  private:

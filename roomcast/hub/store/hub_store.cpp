@@ -39,7 +39,7 @@ Result<std::unique_ptr<HubStore>> HubStore::open(const std::optional<std::filesy
 
 HubStore::HubStore(std::unique_ptr<Database> database, const HubSecret& secret, WallClock now)
     : database_(std::move(database)), signer_(secret), now_(std::move(now)) {
-  (void)tokens_.tidy(now_());  // for tidiness only: what has expired is refused anyway
+  (void)tokens_.tidy(now_());  // an error does no harm: expired tokens are refused anyway
   foreign_changes_ = database_->foreign_changes();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubStore: what a hub keeps and what it signs. Rooms, sensors and tokens lie in one database; a
-// token is good when this hub's secret signed it, its time has not passed, and nobody revoked it.
-// Every change is on disk before it is acknowledged. Threading: one thread at a time; calls may
-// wait for the disk.
+// HubStore: a hub's persistent data and its token signing. Rooms, sensors and tokens are in one
+// database. A token is valid if this hub's secret signed it, it has not expired, and it was not
+// revoked. Every change is on disk before it is acknowledged. Threading: one thread at a time;
+// calls may wait for the disk.
 #pragma once
 
 #include <filesystem>
@@ -38,30 +38,30 @@ class HubStore {
   static constexpr UnixSeconds kMaxTtl = 10LL * 365 * 24 * 3600;
   static constexpr UnixSeconds kCodeTtl = 3600;
 
-  /// `folder`: holds hub.sqlite and hub.secret, both made where there are none; nothing: all is
-  /// forgotten with the hub. Errors of Database::open and find_hub_secret.
+  /// `folder`: contains hub.sqlite and hub.secret, both created if missing; nothing: all data is
+  /// lost when the hub ends. Errors of Database::open and find_hub_secret.
   static Result<std::unique_ptr<HubStore>> open(const std::optional<std::filesystem::path>& folder,
                                                 WallClock now = wall_time);
 
   SensorStore& sensors() { return sensors_; }
   RoomStore& rooms() { return rooms_; }
 
-  /// Its settings, its sensors, and that its tokens hold: all or nothing, so that who comes to a
-  /// new room of this name has a token for that one.
+  /// Deletes a room's settings and sensors and revokes its tokens, all or nothing, so that old
+  /// tokens do not admit to a new room of the same name.
   [[nodiscard]] Status forget_room(const std::string& room);
 
   /// ERROR_TOKEN_INVALID, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED.
   [[nodiscard]] Verdict<Claims> check(const std::string& token);
-  /// A code becomes a token. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED,
+  /// Exchanges a code for a token. ERROR_CODE_USED, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED,
   /// ERROR_TOKEN_INVALID.
   [[nodiscard]] Verdict<NewToken> redeem(const std::string& code);
 
-  /// kInvalidArgument: `ttl` is not 1 to kMaxTtl, or a grant that makes no sense.
+  /// kInvalidArgument: `ttl` is not 1 to kMaxTtl, or the grant is invalid.
   [[nodiscard]] Result<NewToken> issue(const Grant& grant, UnixSeconds ttl);
   [[nodiscard]] Result<NewCode> issue_code(const Grant& grant, UnixSeconds ttl);
 
-  /// For helpers in the hub's own process: the whole hub's admin. Not listed, and good until the
-  /// secret changes.
+  /// Signs an admin token for the whole hub, for helpers in the hub's process. It is not listed,
+  /// and valid for kMaxTtl or until the secret changes.
   [[nodiscard]] std::string sign_own() const;
 
   [[nodiscard]] Result<std::vector<IssuedToken>> tokens(std::string_view room) const {
@@ -69,12 +69,12 @@ class HubStore {
   }
   [[nodiscard]] Result<IssuedToken> token(std::string_view id) const { return tokens_.find(id); }
   [[nodiscard]] Status revoke(std::string_view id) { return tokens_.revoke(id, now_()); }
-  /// All tokens that have not expired.
+  /// All revoked tokens that have not expired.
   [[nodiscard]] Result<std::vector<Claims>> revoked() const { return tokens_.revoked(now_()); }
-  /// Tokens that other hubs with the same secret have made, or this one, hold no more. Those that
-  /// were not known as such.
+  /// Stores tokens as revoked that this hub or others with the same secret issued. Returns those
+  /// that were not known to be revoked.
   [[nodiscard]] Result<std::vector<Claims>> take_revoked(const std::vector<Claims>& tokens);
-  /// Has another program, `roomcast token`, changed what is kept since this was last asked?
+  /// Whether another program (`roomcast token`) has changed the data since the last call.
   [[nodiscard]] bool changed_elsewhere();
 
   [[nodiscard]] UnixSeconds now() const { return now_(); }

@@ -87,7 +87,7 @@ TEST_F(HubStoreTest, a_token_from_a_code_can_be_revoked_as_any) {
 
 TEST_F(HubStoreTest, what_another_program_does_is_noticed) {
   const auto hub = open(folder.path()), program = open(folder.path());
-  (void)hub->changed_elsewhere();  // the other program has opened the file
+  (void)hub->changed_elsewhere();  // opening the second store changed the file
   EXPECT_FALSE(hub->changed_elsewhere());
   const auto made = *program->issue(kViewer, 60);
   EXPECT_TRUE(hub->changed_elsewhere());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomStore: the rooms that admins opened or changed, so that they are there after a restart.
-// Threading: the database's.
+// RoomStore: the rooms that admins opened or changed, kept across restarts. Threading: as Database.
 #pragma once
 
 #include <string>
@@ -16,7 +15,7 @@ class RoomStore {
  public:
   explicit RoomStore(Database& database) : database_(database) {}
 
-  /// By name. What makes no sense is left out.
+  /// In the order of the names. Invalid entries are left out.
   [[nodiscard]] Result<std::vector<RoomSettings>> load() const;
   /// Adds or replaces.
   [[nodiscard]] Status save(const RoomSettings& settings);

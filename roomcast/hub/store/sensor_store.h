@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SensorStore: which sensors a room has had, under which ids, and where alignment found that they
-// stand, so that a room is itself again right after its hub starts. Poses that sensors bring
-// themselves are not kept. Threading: the database's.
+// SensorStore: the sensors of each room with their IDs and estimated poses, so that a room is
+// restored when its hub starts. Poses supplied by sensors are not stored. Threading: as Database.
 #pragma once
 
 #include <span>
@@ -18,15 +17,15 @@ class SensorStore {
  public:
   explicit SensorStore(Database& database) : database_(database) {}
 
-  /// Of one room. Entries that make no sense are left out.
+  /// The sensors of one room. Invalid entries are left out.
   [[nodiscard]] Result<std::vector<KnownSensor>> load(const std::string& room) const;
 
-  /// Adds or replaces, by name; all or none. Who had one of the ids before is forgotten.
+  /// Adds or replaces sensors by name, all or none. Deletes other sensors with one of these IDs.
   [[nodiscard]] Status save(const std::string& room, std::span<const KnownSensor> sensors);
 
-  /// All of a room.
+  /// Deletes all sensors of a room.
   [[nodiscard]] Status forget(const std::string& room);
-  /// One. kNotFound: this room has had no such sensor.
+  /// Deletes one sensor. kNotFound: the room has had no such sensor.
   [[nodiscard]] Status forget(const std::string& room, const std::string& sensor);
 
  private:

@@ -10,7 +10,7 @@
 namespace roomcast::hub {
 namespace {
 
-/// Each is a hub's life.
+/// The database and store of one run of a hub.
 struct Open {
   std::unique_ptr<Database> database;
   SensorStore* operator->() { return &store; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// StoreWorker: the one thread that uses a hub's book, so that nobody who serves frames waits for
-// the disk or for a signature. Questions are worked off in the order they were asked. Threading:
-// ask() from the thread that runs `answers`, which is where answers come to.
+// StoreWorker: the one thread that uses a hub's store, so that no thread that serves frames waits
+// for the disk or for a signature. Requests run in the order of the calls. Threading: ask() and the
+// answers on the thread that runs `answers`.
 #pragma once
 
 #include <memory>
@@ -21,12 +21,12 @@ class StoreWorker {
   StoreWorker(std::unique_ptr<HubStore> book, boost::asio::io_context& answers)
       : book_(std::move(book)), answers_(answers), thread_([this] { io_.run(); }) {}
 
-  /// Finishes what was asked; answers that are not fetched by then are lost.
+  /// Finishes the pending requests; answers that have not been delivered by then are lost.
   ~StoreWorker() { keep_open_.reset(); }
   StoreWorker(const StoreWorker&) = delete;
   StoreWorker& operator=(const StoreWorker&) = delete;
 
-  /// `then(work(book))`
+  /// Runs `work(book)` on the worker, then `then(result)` on the thread that runs `answers`.
   template <class Work, class Then>
   void ask(Work work, Then then) {
     boost::asio::post(io_, [this, work = std::move(work), then = std::move(then)]() mutable {

@@ -5,8 +5,8 @@ namespace roomcast::hub {
 
 namespace {
 
-constexpr UnixSeconds kRemembered_s = 30 * 24 * 3600;  // after their end
-/// Tokens, and codes that nobody has used under the ids of id_of_code().
+constexpr UnixSeconds kRemembered_s = 30 * 24 * 3600;  // after they expire
+/// Tokens, and unused codes with the IDs of id_of_code().
 constexpr char kIssued[] =
     "SELECT * FROM ("
     "  SELECT id, room, role, name, issued_at, expires_at, revoked_at, 0 AS is_code, rowid AS "
@@ -144,7 +144,7 @@ Verdict<CodeGrant> TokenStore::redeem(const CodeDigest& digest, UnixSeconds now)
                             .role = token_role(row.text(1)).value_or(TokenRole::kViewer),
                             .name = row.text(2)},
                   .token_ttl = row.integer(3)};
-  if (!row.run()) {  // ends the statement, and so writes that the code was used
+  if (!row.run()) {  // ends the statement and so commits that the code is used
     return Refusal{wire::pb::ERROR_UNSPECIFIED, "the hub cannot look up codes now; try again"};
   }
   return grant;
