@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ROOMCAST_ASSERT: for promises our own code makes to itself. Never used to check what comes from
-// outside.
+// ROOMCAST_ASSERT checks invariants of our own code. It is never used to validate outside input.
 #pragma once
 
 namespace roomcast {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backoff: how long to wait before the next try to reach a hub or a camera. Doubles with every
-// failure in a row, up to a few seconds; random within a quarter, so that a hub that comes back is
-// not met by all its clients at once (exponential back-off with jitter: Metcalfe and Boggs 1976).
-// Pure.
+// Backoff: the delay before the next attempt to reach a hub or a camera. The delay doubles with
+// each consecutive failure, up to kLongest. A random factor in [kMinShare, 1] spreads the
+// reconnections of many clients after a hub restart (exponential back-off with jitter: Metcalfe and
+// Boggs 1976). No I/O, no clock.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class Backoff {
 
   explicit Backoff(std::uint32_t seed) : random_(seed) {}
 
-  /// It worked: after the next failure begin again with the shortest.
+  /// Resets the delay to kFirst after a successful attempt.
   void succeeded() { pause_ = kFirst; }
 
   [[nodiscard]] std::chrono::nanoseconds next() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// BlockingQueue: first in, first out, never longer than its capacity; when full, the producer
-// waits. For work where nothing may be lost (recording, conversion of files). Thread-safe, any
-// number of each side.
+// BlockingQueue: a FIFO of bounded capacity; a producer waits while it is full. For work in which
+// no item may be lost (recording, file conversion). Thread-safe, any number of producers and
+// consumers.
 #pragma once
 
 #include <condition_variable>
@@ -23,7 +23,7 @@ class BlockingQueue {
     ROOMCAST_ASSERT(capacity > 0);
   }
 
-  /// Waits for room. False, and the item is not taken, once stopped or closed.
+  /// Waits for free capacity. False, and the item is discarded, once stopped or closed.
   bool push(T item, std::stop_token stop) {
     std::unique_lock lock(mutex_);
     const bool woken =
@@ -45,7 +45,7 @@ class BlockingQueue {
     return item;
   }
 
-  /// No more items will come; what is queued can still be popped.
+  /// Accepts no more items; items already queued can still be popped.
   void close() {
     std::lock_guard lock(mutex_);
     closed_ = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time. Everything that measures time asks a Clock, so that tests can hold it still.
-// Host time is this machine's monotonic clock; room time is the hub's. Both are int64 nanoseconds.
+// Time. Code that measures time asks a Clock, so that tests can control it. Host time is this
+// machine's monotonic clock; room time is the hub's. Both are int64 nanoseconds.
 #pragma once
 
 #include <chrono>
@@ -45,7 +45,7 @@ class SteadyClock final : public Clock {
   }
 };
 
-/// Stands still until told otherwise. For tests; single-threaded.
+/// Advances only by advance(). For tests; single-threaded.
 class FakeClock final : public Clock {
  public:
   [[nodiscard]] HostTime now() const override { return now_; }

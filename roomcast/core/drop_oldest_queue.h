@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// DropOldestQueue: first in, first out, never longer than its capacity; when full, the oldest item
-// goes. For streams where a gap is better than a delay. Thread-safe, any number of each side.
+// DropOldestQueue: a FIFO of bounded capacity; a push into a full queue drops the oldest item. For
+// streams in which a gap is better than a delay. Thread-safe, any number of producers and
+// consumers.
 #pragma once
 
 #include <condition_variable>
@@ -23,7 +24,7 @@ class DropOldestQueue {
     ROOMCAST_ASSERT(capacity > 0);
   }
 
-  /// Never blocks. Returns the item that had to go, if any.
+  /// Never blocks. Returns the dropped item, if any.
   std::optional<T> push(T item) {
     std::optional<T> dropped;
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ids are types: a SensorId cannot be passed where a ViewerId is meant.
+// IDs are distinct types: a SensorId cannot be passed where a ViewerId is expected.
 #pragma once
 
 #include <compare>
@@ -15,15 +15,16 @@ struct Id {
   friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };
 
-/// One room of a hub. Never used twice while a hub runs.
+/// One room of a hub. Not reused while the hub runs.
 using RoomId = Id<struct RoomTag, std::uint32_t>;
-/// A sensor of one room. Given by the hub, kept by the sensor's name when it comes back.
+/// A sensor of one room. Assigned by the hub; a sensor that reconnects under the same name keeps
+/// it.
 using SensorId = Id<struct SensorTag, std::uint16_t>;
-/// A person's program in one room. Never used twice while a hub runs.
+/// A viewer in one room. Not reused while the hub runs.
 using ViewerId = Id<struct ViewerTag, std::uint32_t>;
-/// One accepted connection of a hub. Never used twice while a hub runs.
+/// One accepted connection of a hub. Not reused while the hub runs.
 using ConnectionId = Id<struct ConnectionTag, std::uint64_t>;
-/// One instant of a room, at the room's frame rate. Grows.
+/// One frame set of a room, at the room's frame rate. Increases over time.
 using SetId = Id<struct SetTag, std::uint64_t>;
 
 }  // namespace roomcast

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images and views of them. Row-major, origin top left. A view never owns; an image always does.
+// Images and views of them. Row-major, origin top left. A view never owns pixels; an image always
+// does.
 //   DepthImage  u16 millimetres along the optical axis (z), 0 = no reading
 //   ColorImage  8-bit sRGB, red first
-//   MaskImage   u8, 0 = no, anything else = yes
+//   MaskImage   u8, 0 = false, any other value = true
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@ struct Rgb8 {
 };
 static_assert(sizeof(Rgb8) == 3, "rows of Rgb8 are handed to image libraries as packed bytes");
 
-/// A window on `height` rows of `width` pixels, `stride` pixels apart. `T` const makes it
-/// read-only.
+/// A view of `height` rows of `width` pixels; row starts are `stride` pixels apart. A const `T`
+/// makes it read-only.
 template <class T>
 struct ImageView {
   T* data = nullptr;

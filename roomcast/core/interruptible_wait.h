@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waiting that ends early when the thread is asked to stop. Thread-safe (no state).
+// Waits that end early when the thread is asked to stop. Thread-safe (no state).
 #pragma once
 
 #include <condition_variable>
@@ -10,7 +10,7 @@
 
 namespace roomcast {
 
-/// False if `stop` came first.
+/// False if `stop` was requested first.
 inline bool wait_until(HostTime time, const std::stop_token& stop) {
   std::mutex mutex;
   std::condition_variable_any never;
@@ -20,7 +20,7 @@ inline bool wait_until(HostTime time, const std::stop_token& stop) {
   return !stop.stop_requested();
 }
 
-/// False if `stop` came first.
+/// False if `stop` was requested first.
 inline bool wait_for(nanoseconds time, const std::stop_token& stop) {
   return wait_until(SteadyClock().now() + time, stop);
 }

@@ -22,7 +22,7 @@ TEST(InterruptibleWait, ends_at_once_when_it_is_asked_to) {
   {
     std::jthread waits(
         [&](const std::stop_token& stop) { waited_to_the_end = wait_for(1h, stop); });
-  }  // asks, and waits for the thread
+  }  // requests the stop and joins the thread
   EXPECT_FALSE(waited_to_the_end);
 }
 

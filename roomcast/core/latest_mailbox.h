@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LatestMailbox: holds one item; putting a newer one drops the one that nobody has taken.
-// For live pictures, where only the newest is worth anything. Thread-safe, any number of each side.
+// LatestMailbox: keeps one item; a newer item replaces one that was not taken. For live pictures,
+// of which only the newest is useful. Thread-safe, any number of producers and consumers.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@ namespace roomcast {
 template <class T>
 class LatestMailbox {
  public:
-  /// Never blocks. Returns what it pushed out, so that its memory can be used again.
+  /// Never blocks. Returns the replaced item, so that its memory can be reused.
   std::optional<T> put(T item) {
     std::optional<T> dropped(std::move(item));
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Little-endian numbers in byte arrays. The caller has checked that the bytes are there.
+// Little-endian numbers in byte arrays. The caller has checked that enough bytes are available.
 #pragma once
 
 #include <cstdint>

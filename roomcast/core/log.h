@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Libraries do not print. What an operator should know goes to a LogSink that the program passes
-// in: a line for people, and what it is about for programs that read logs.
+// Libraries do not print. Messages for the operator go to a LogSink passed in by the program: one
+// line of text for people, plus key-value fields for log parsers.
 #pragma once
 
 #include <concepts>
@@ -15,22 +15,22 @@ namespace roomcast {
 
 enum class LogLevel { kInfo, kWarning, kError };
 
-/// {"room", "lab"}; one without a value is left out.
+/// {"room", "lab"}; a field without a value is left out.
 struct LogField {
   std::string_view key, value;
 };
 using LogFields = std::span<const LogField>;
 
-/// May be empty. Called on the thread that has something to say; the text is one line without a
-/// newline. Nothing is allocated for the fields: they hold for the call only.
+/// May be empty. Called on the thread that logs; the text is one line without a newline. The fields
+/// are not copied: they are valid during the call only.
 class LogSink {
  public:
   LogSink() = default;
-  /// What takes the fields, too.
+  /// From a function that takes the fields, too.
   template <class Write>
   requires std::is_invocable_v<Write&, LogLevel, std::string_view, LogFields> LogSink(Write write)
       : write_(std::move(write)) {}  // NOLINT: implicit
-  /// What is for people only.
+  /// From a function that takes only the level and the line.
   template <class Write>
   requires std::is_invocable_v<Write&, LogLevel, std::string_view> &&
       (!std::same_as<Write, LogSink>)LogSink(Write write)  // NOLINT: implicit

@@ -11,12 +11,12 @@
 namespace roomcast {
 namespace {
 
-/// What the threads share: which task is next, which have ended, and whether to go on.
+/// State shared by the threads: the next task, the finished tasks, and whether to continue.
 class Ledger {
  public:
   Ledger(int tasks, int most_ahead) : tasks_(tasks), most_ahead_(most_ahead) {}
 
-  /// A task to do, or -1 when there is no more.
+  /// The next task, or -1 when there is none left.
   int take() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || next_ < handed_on_ + most_ahead_; });
@@ -30,7 +30,7 @@ class Ledger {
     changed_.notify_all();
   }
 
-  /// Waits for this task's end; whether all went well so far.
+  /// Waits until this task has finished or any has failed; returns the first failure.
   Status wait_for(int task) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !failure_.ok() || ended_.count(task) > 0; });

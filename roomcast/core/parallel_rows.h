@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a function for every row of a picture on several threads. The rows must not depend on each
-// other; then the result does not depend on the number of threads.
+// Runs a function for every row of a picture on several threads. The rows must be independent of
+// each other; then the result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace roomcast {
 
 inline constexpr int kMaxThreads = 64;
 
-/// `threads`; 0: as many as the machine has cores.
+/// `threads`, or the number of cores for 0; at most kMaxThreads.
 [[nodiscard]] inline int thread_count(int threads) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(threads > 0 ? threads : cores, 1, kMaxThreads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result<T>: a value or an Error, for everything that depends on the outside world.
-// The message is one sentence for the person who has to act on it; it says what to do where that is
+// Result<T>: a value or an Error, for every operation that depends on the outside world. The
+// message is one sentence for the person who has to act on it; it says what to do where that is
 // known. Compiles without exceptions (the codec is also built to wasm).
 #pragma once
 
@@ -13,13 +13,13 @@
 namespace roomcast {
 
 enum class ErrorCode {
-  kInvalidArgument,  // the caller or user asked for something that makes no sense
-  kNotFound,         // a file, a sensor, a host is not there
+  kInvalidArgument,  // the caller or user passed an invalid value
+  kNotFound,         // a file, sensor or host does not exist
   kMalformed,        // bytes from outside do not follow their format
   kTooLarge,         // a stated limit is exceeded
   kUnsupported,      // well-formed, but from another version or kind
   kUnavailable,      // may work later: connection lost, port in use
-  kClosed,           // the other side, or we, ended it in good order
+  kClosed,           // closed in good order by either side
 };
 
 struct Error {
@@ -90,7 +90,7 @@ class [[nodiscard]] Result<void> {
   bool ok_ = true;
 };
 
-/// Done, or why not.
+/// Success, or the reason for the failure.
 using Status = Result<void>;
 
 }  // namespace roomcast

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests that write files: a folder of their own that goes away with them.
+// For tests that write files: a temporary folder, deleted with its contents by the destructor.
 #pragma once
 
 #include <filesystem>

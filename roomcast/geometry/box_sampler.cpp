@@ -12,11 +12,11 @@
 namespace roomcast {
 namespace {
 
-constexpr int kSteps = 32;  // positions per pixel
+constexpr int kSteps = 32;  // sub-pixel positions per pixel
 static_assert(kLargestBox * kSteps * 255 <= 65535, "sums down a column are 16 bits wide");
 
-/// Where a square begins along one axis: first pixel, and the share of it (in steps) that is left
-/// out.
+/// Start of the averaged square along one axis: its first pixel, and the part of that pixel (in
+/// steps) outside the square.
 struct Start {
   int pixel;
   std::uint16_t left_out;
@@ -31,12 +31,12 @@ Start start_of(float center, int side) {
   return {pixel, static_cast<std::uint16_t>(steps - pixel * kSteps)};
 }
 
-// Eight at a time, by the vector extension that GCC and Clang share.
+// Eight values at a time, in the vector extension shared by GCC and Clang.
 using Bytes = std::uint8_t __attribute__((vector_size(8)));
 using Words = std::uint16_t __attribute__((vector_size(16)));
 constexpr int kLanes = 8;
 
-/// Up to eight bytes, widened.
+/// Loads up to eight bytes and widens them.
 template <int Count>
 Words load(const std::uint8_t* from) {
   Bytes bytes{};
@@ -44,8 +44,8 @@ Words load(const std::uint8_t* from) {
   return __builtin_convertvector(bytes, Words);
 }
 
-/// Sums down N + 1 rows of `Count` bytes each, first and last row weighted. `sums` has room for
-/// whole vectors.
+/// Sums N + 1 rows of `Count` bytes each by column, with the first and last row weighted. `sums`
+/// has space for whole vectors.
 template <int N, int Count>
 void sum_columns(const std::uint8_t* top, std::ptrdiff_t row_bytes, std::uint16_t left_out,
                  std::uint16_t* sums) {

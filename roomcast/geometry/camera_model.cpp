@@ -13,14 +13,14 @@ namespace roomcast {
 namespace {
 
 constexpr int kMaxNewtonSteps = 30;
-constexpr double kNewtonTolerance = 1e-12;  // normalised; 1e-6 px would be about 1e-9
+constexpr double kNewtonTolerance = 1e-12;  // normalised coordinates; 1e-6 px is about 1e-9
 
-/// d(distorted radius)/d(radius) of the radial part; the model folds over where it reaches 0.
+/// d(distorted radius)/d(radius) of the radial part; the model folds over where this reaches 0.
 double radial_slope(const CameraIntrinsics& c, double r2) {
   return 1 + r2 * (3 * c.k1 + r2 * (5 * c.k2 + r2 * 7 * c.k3));
 }
 
-/// Whether the radial part still grows everywhere from the axis out to this radius.
+/// Whether the radial part increases everywhere from the axis out to this radius.
 bool before_fold(const CameraIntrinsics& c, double r2) {
   if (!(radial_slope(c, r2) > 0)) return false;
   const double a = 21 * c.k3, b = 10 * c.k2,
@@ -129,7 +129,7 @@ std::optional<Eigen::Vector3d> unproject(const CameraIntrinsics& camera,
 }
 
 double widest_radius_squared(const CameraIntrinsics& camera) {
-  constexpr double kReserve = 1.01;  // half a pixel beyond the border
+  constexpr double kReserve = 1.01;  // covers half a pixel beyond the border
   double largest = 0;
   const auto visit = [&](int u, int v) {
     if (const auto ray = unproject(camera, {u, v}, 1)) {
@@ -145,7 +145,7 @@ Image<Eigen::Vector2f> ray_table(const CameraIntrinsics& camera) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   Image<Eigen::Vector2f> table(camera.width, camera.height, Eigen::Vector2f(kNone, kNone));
   for (int v = 0; v < camera.height; ++v) {
-    std::optional<Eigen::Vector2d> left;  // the neighbour's ray is a good start
+    std::optional<Eigen::Vector2d> left;  // the neighbour's ray is a good initial value
     for (int u = 0; u < camera.width; ++u) {
       const Eigen::Vector2d distorted = normalised(camera, {u, v});
       if (left) left = undistort_from(camera, distorted, *left);

@@ -20,13 +20,13 @@ struct CameraIntrinsics {
   double k1 = 0, k2 = 0, k3 = 0;          // radial
   double p1 = 0, p2 = 0;                  // tangential
 
-  /// kInvalidArgument with the offending field unless sizes are 1..kMaxImageSide, focal lengths
-  /// positive, all finite.
+  /// kInvalidArgument naming the invalid field, unless sizes are 1..kMaxImageSide, focal lengths
+  /// are positive and all values are finite.
   [[nodiscard]] Status check() const;
   friend bool operator==(const CameraIntrinsics&, const CameraIntrinsics&) = default;
 };
 
-/// No image from outside is larger than this in either direction.
+/// Images from outside are at most this wide and high, in pixels.
 inline constexpr int kMaxImageSide = 8192;
 
 /// An RGB-D sensor as calibrated by its maker (or by the rig's author).
@@ -34,7 +34,7 @@ struct SensorCalibration {
   CameraIntrinsics depth;
   CameraIntrinsics color;
   RigidTransform color_from_depth;
-  /// True where colour pictures come already resampled into the depth grid (`color` then equals
+  /// True if colour pictures arrive already resampled to the depth grid (`color` then equals
   /// `depth`).
   bool color_is_registered = false;
 };
@@ -48,22 +48,21 @@ struct SensorCalibration {
 [[nodiscard]] std::optional<Eigen::Vector2d> undistort(const CameraIntrinsics& camera,
                                                        const Eigen::Vector2d& distorted_xy);
 
-/// A point in front of the camera -> pixel coordinates (which may lie outside the picture); nothing
-/// for z <= 0, nor where the lens model folds over (its formula would put points from far outside
-/// into the picture).
+/// A point in front of the camera -> pixel coordinates (possibly outside the picture); nothing for
+/// z <= 0, or where the lens model folds over (its formula would map points far outside into the
+/// picture).
 [[nodiscard]] std::optional<Eigen::Vector2d> project(const CameraIntrinsics& camera,
                                                      const Eigen::Vector3d& point_m);
 
-/// Pixel coordinates and z in metres -> point.
+/// Pixel coordinates and z in metres -> point in metres; nothing where `undistort` gives nothing.
 [[nodiscard]] std::optional<Eigen::Vector3d> unproject(const CameraIntrinsics& camera,
                                                        const Eigen::Vector2d& pixel, double z_m);
 
-/// The squared radius (x/z, y/z) within which all rays of the picture lie, those half a pixel
-/// beyond its border too; the lens polynomial means nothing outside. 0 where no ray of the border
-/// is known.
+/// The squared radius (x/z, y/z) that contains all rays of the picture, including half a pixel
+/// beyond its border; the lens polynomial is invalid outside. 0 if no ray of the border is known.
 [[nodiscard]] double widest_radius_squared(const CameraIntrinsics& camera);
 
-/// For every pixel the undistorted (x/z, y/z); NaN where there is none. Built once per camera.
+/// The undistorted (x/z, y/z) of every pixel; NaN where there is none. Built once per camera.
 [[nodiscard]] Image<Eigen::Vector2f> ray_table(const CameraIntrinsics& camera);
 
 }  // namespace roomcast

@@ -91,7 +91,7 @@ const CameraIntrinsics kFolding{640, 480, 300, 300, 320, 240, -0.3, 0, 0, 0, 0};
 TEST(Project, gives_nothing_where_the_lens_model_folds_over) {
   EXPECT_TRUE(project(kFolding, {std::sqrt(1.1), 0, 1}));
   EXPECT_FALSE(project(kFolding, {std::sqrt(1.12), 0, 1}));
-  EXPECT_FALSE(project(kFolding, {std::sqrt(1 / 0.3), 0, 1}));  // would be the principal point
+  EXPECT_FALSE(project(kFolding, {std::sqrt(1 / 0.3), 0, 1}));  // not the principal point
 }
 
 TEST(Project, gives_nothing_past_a_fold_even_where_the_model_grows_again) {

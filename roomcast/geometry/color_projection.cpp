@@ -8,8 +8,8 @@ namespace roomcast {
 namespace {
 
 constexpr float kMetresPerMillimetre = 0.001F;
-constexpr float kNearestZ_m = 0.01F;           // nothing is nearer to a colour camera
-constexpr std::uint16_t kFarDepth_mm = 50000;  // where the baseline no longer shows
+constexpr float kNearestZ_m = 0.01F;           // no surface is closer to a colour camera
+constexpr std::uint16_t kFarDepth_mm = 50000;  // the baseline is negligible here
 
 }  // namespace
 

@@ -66,7 +66,7 @@ TEST(ColorProjection, what_is_outside_the_picture_or_has_no_depth_is_zero) {
 
 TEST(ColorProjection, rays_far_outside_do_not_fold_back_into_the_picture) {
   SensorCalibration calibration;
-  calibration.depth = {200, 200, 50, 50, 99.5, 99.5};  // sees 126 degrees
+  calibration.depth = {200, 200, 50, 50, 99.5, 99.5};  // 126 degrees field of view
   calibration.color = {400, 400, 300, 300, 199.5, 199.5, -0.3};
   const ColorProjection projection(calibration);
   const std::vector<std::uint16_t> depth_mm(200, 1000);

@@ -9,18 +9,19 @@ namespace roomcast {
 namespace {
 
 constexpr int kReadingsOfFarther = 3;
-constexpr int kKeep = 7, kOf = 8;            // of what is known, when a reading is added to it
-constexpr int kClearChange = 12;             // levels of a channel
-constexpr int kReach = 2, kMinInPatch = 13;  // of the 25 pixels around
+constexpr int kKeep = 7,
+              kOf = 8;                       // known depth's share: kKeep / kOf
+constexpr int kClearChange = 12;             // levels of a colour channel
+constexpr int kReach = 2, kMinInPatch = 13;  // of the 25 pixels of the 5x5 patch
 constexpr int kCell = 5;                     // pixels
 constexpr int kCorners = 3;                  // of 4
 
-/// More than noise puts between two readings of one surface.
+/// Readings of one surface differ by less than this: a bound on depth noise, mm.
 int same_surface_mm(int depth_mm) {
   return 8 + depth_mm * depth_mm / (1 << 19);
 }
 
-/// Nearer than this stands before a surface, and does not lie on it.
+/// Largest depth that counts as clearly in front of a surface at `depth_mm`.
 int before_mm(int depth_mm) {
   return depth_mm - 100 - depth_mm / 32;
 }
@@ -136,7 +137,7 @@ void HoleRegistration::find_changes() {
   }
 }
 
-/// By the mean over the depth pixel.
+/// Compares the mean colour over the depth pixel.
 bool HoleRegistration::is_changed(int x, int y) const {
   int r = 0, g = 0, b = 0;
   for (int j = color_scale_ * y; j < color_scale_ * (y + 1); ++j) {
@@ -174,7 +175,7 @@ void HoleRegistration::keep_colors(DepthView depth_mm, RegisteredColor& out) {
   }
 }
 
-/// Remembers the pixel's colour where it is new, and gives out what is remembered.
+/// Stores the pixel's colour if it is new, and outputs the stored colour.
 void HoleRegistration::keep_color(int x, int y, const ColorImage& now, bool is_new,
                                   ColorImage& out) {
   for (int j = color_scale_ * y; j < color_scale_ * (y + 1); ++j) {

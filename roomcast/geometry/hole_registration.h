@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// HoleRegistration: registered colour also where depth is lost: what the colour camera sees at the
-// surface that was read there before, so that who receives it can tell a wall whose reading is
-// missing from a dark thing before the wall. Colour of small or slight changes stays as it was:
-// readings come and go at every edge. Depth in millimetres. Single-threaded; one for each sensor.
+// HoleRegistration: registered colour also for pixels without depth. A pixel without a reading gets
+// the colour that the colour camera sees at the surface read there before, so that a receiver can
+// distinguish a wall with missing depth from a dark object in front of it. Small or slight colour
+// changes are ignored, because readings come and go at every edge. Depth in millimetres.
+// Single-threaded; one instance per sensor.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace roomcast {
 class FarthestDepth {
  public:
   FarthestDepth(int width, int height);
-  /// Learns from `depth_mm`, whose size is that of the constructor.
+  /// Updates the estimate from `depth_mm`, whose size is that of the constructor.
   void learn(DepthView depth_mm);
   /// 0: none yet.
   [[nodiscard]] DepthView depth_mm() const { return known_mm_; }
@@ -26,14 +27,14 @@ class FarthestDepth {
   Image<std::uint8_t> candidate_readings_;
 };
 
-/// Things that give a reading here and there only (a dark screen): how far they are between these.
+/// Depth of objects that return only sparse readings (a dark screen), interpolated between these.
 class SparseCover {
  public:
   SparseCover(int width, int height);
-  /// The readings of a frame that lie clearly before `behind_mm`.
+  /// Collects the readings of a frame that are clearly in front of `behind_mm`.
   void find(DepthView depth_mm, DepthView behind_mm);
-  /// Between readings at three corners of a pixel that agree; 0: there are none, or it lies beside
-  /// them.
+  /// Mean of the readings in the diagonally neighbouring cells, if at least three of them have
+  /// readings and these agree; else 0.
   [[nodiscard]] int between_mm(int x, int y) const;
 
  private:
@@ -49,12 +50,12 @@ class HoleRegistration {
   static Result<HoleRegistration> create(const SensorCalibration& calibration,
                                          const RegistrationOptions& options = {});
 
-  /// As Registration::run, but `out.color` is not black without a reading: it is what was seen
-  /// there last. Allocates nothing after its first call.
+  /// As Registration::run, but `out.color` is not black without a reading: it is the last colour
+  /// stored there. Allocates nothing after its first call.
   [[nodiscard]] Status run(DepthView depth_mm, ColorView color, RegisteredColor& out);
 
-  /// Of the newest frame: 255 where its colour was taken from it: `seen`, and in holes where
-  /// something else came before the surface, or went.
+  /// For the newest frame: 255 where the colour was taken from it, which is where `seen` is set,
+  /// and in holes whose colour clearly changed; 0 elsewhere.
   [[nodiscard]] MaskView fresh() const { return fresh_; }
 
  private:
@@ -74,7 +75,7 @@ class HoleRegistration {
   DepthImage filled_mm_;
   RegisteredColor in_holes_;
   MaskImage changed_, fresh_;
-  ColorImage last_;  // the colour as it was given out last
+  ColorImage last_;  // the colour as last output
 };
 
 }  // namespace roomcast

@@ -17,7 +17,8 @@ void fill_box(Image<T>& image, int x0, int y0, int x1, int y1, T value) {
     std::fill(image.view().row(y) + x0, image.view().row(y) + x1, value);
 }
 
-/// Both cameras at one place, with the same lens: what is where can be worked out by hand.
+/// Both cameras at the same position with the same lens, so that expected values can be computed by
+/// hand.
 SensorCalibration one_eye() {
   SensorCalibration calibration;
   calibration.depth = {kWidth, kHeight, 50, 50, 29.5, 24.5};
@@ -31,7 +32,7 @@ class HoleRegistrationTest : public testing::Test {
     for (int i = 0; i < 5; ++i) see();
   }
   void see() { ASSERT_TRUE(registration->run(depth, color, out).ok()); }
-  /// Nothing is read there any more.
+  /// Removes the readings in the box.
   void lose(int x0, int y0, int x1, int y1) { fill_box<std::uint16_t>(depth, x0, y0, x1, y1, 0); }
   void paint(int x0, int y0, int x1, int y1, Rgb8 with) { fill_box(color, x0, y0, x1, y1, with); }
 
@@ -78,7 +79,7 @@ TEST_F(HoleRegistrationTest, the_wall_comes_back_when_the_thing_has_gone) {
 
 TEST_F(HoleRegistrationTest, what_stands_before_the_color_camera_only_is_not_taken_for_the_wall) {
   SensorCalibration apart = one_eye();
-  apart.color_from_depth.translation_m.x() = 0.2;  // sees behind the edge of what is near
+  apart.color_from_depth.translation_m.x() = 0.2;  // sees behind the edge of the near surface
   registration = HoleRegistration::create(apart);
   for (int i = 0; i < 5; ++i) see();
   const auto hidden_from_color = [&] {
@@ -86,7 +87,7 @@ TEST_F(HoleRegistrationTest, what_stands_before_the_color_camera_only_is_not_tak
     lose(10, 0, 20, kHeight);
   };
   hidden_from_color();
-  paint(0, 0, kWidth, kHeight, kDark);  // whatever the camera sees
+  paint(0, 0, kWidth, kHeight, kDark);  // the camera sees this everywhere
   see();
   EXPECT_EQ(registration->fresh().at(25, 25), 255);
   int kept = 0;

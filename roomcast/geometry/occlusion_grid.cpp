@@ -11,7 +11,7 @@ namespace roomcast {
 namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::infinity();
-constexpr std::int32_t kNowhere = 0;  // the corner of the border: no picture position falls into it
+constexpr std::int32_t kNowhere = 0;  // the corner of the border: no picture position maps to it
 
 int cells_for(int pixels, int cell_size) {
   return (pixels + cell_size - 1) / cell_size;
@@ -39,8 +39,8 @@ void OcclusionGrid::find_cells(const float* __restrict u, const float* __restric
                                const float* __restrict z_m, int count,
                                std::int32_t* __restrict cells) const {
   const float scale = cells_per_pixel_;
-  // The border, the pixel's half before its centre, and a little so that -0.5 never rounds into the
-  // border.
+  // The border cell, the half pixel before the first pixel centre, and a small margin so that -0.5
+  // never rounds into the border.
   const float first = 1.0F + 0.5F * scale + 1e-4F;
   const std::int32_t stride = columns_;
   for (int i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ void OcclusionGrid::splat_row(const float* u, const float* v, const float* z_m, 
 }
 
 void OcclusionGrid::finish() {
-  splatted_m_[kNowhere] = kNothing;  // pixels without depth left their zeros there
+  splatted_m_[kNowhere] = kNothing;  // pixels without depth wrote their zeros there
   for (int y = 0; y < rows_; ++y) {
     const float* const in = splatted_m_.data() + index(0, y);
     float* const __restrict out = across_m_.data() + index(0, y);

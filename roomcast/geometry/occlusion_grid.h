@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A coarse z-buffer over the colour picture: how near is the nearest surface that the depth camera
-// knows of, in and around each cell? Cells are about as wide as the gap between neighbouring depth
-// pixels in the picture, and a look-up answers for the 3x3 cells around, so that surfaces have no
-// holes and reach past their last depth pixel: the true edge lies somewhere before the next one.
-// Picture positions in pixels, z in metres. Single-threaded.
+// A coarse z-buffer over the colour picture: the z of the nearest surface read by the depth camera,
+// in and around each cell. Cells are about as wide as the gap between neighbouring depth pixels in
+// the picture. A look-up covers the 3x3 cells around a position, so that surfaces have no holes and
+// extend past their last depth pixel: the true edge is somewhere before the next one. Picture
+// positions in pixels, z in metres. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ namespace roomcast {
 
 class OcclusionGrid {
  public:
-  /// Pictures and cells at least one pixel wide.
+  /// Picture sides and cells must be at least one pixel.
   OcclusionGrid(int picture_width, int picture_height, int cell_size);
 
-  /// Forgets all surfaces.
+  /// Removes all surfaces.
   void clear();
 
-  /// Puts in the surfaces of a row of pixels at (u, v), each inside the picture (-0.5 <= u <= width
-  /// - 0.5), and tells the cell of each. Pixels with z <= 0 are no surface; their cell is one where
-  /// everything is occluded.
+  /// Enters the surfaces of a row of pixels at (u, v), each inside the picture (-0.5 <= u <= width
+  /// - 0.5), and writes the cell of each. A pixel with z <= 0 is not a surface; its cell is one in
+  /// which everything is occluded.
   void splat_row(const float* u, const float* v, const float* z_m, int count, std::int32_t* cells);
 
-  /// Only tells the cells.
+  /// Writes the cells only.
   void find_cells(const float* u, const float* v, const float* z_m, int count,
                   std::int32_t* cells) const;
 
-  /// To be called after the last surface and before `nearest_m`.
+  /// Call after the last surface and before `nearest_m`.
   void finish();
 
   /// z of the nearest surface in the cell and its eight neighbours.
@@ -44,7 +44,7 @@ class OcclusionGrid {
 
   int columns_, rows_;  // with a border of one cell all around
   float cells_per_pixel_;
-  std::vector<float> splatted_m_;  // nearest z that fell into each cell
+  std::vector<float> splatted_m_;  // nearest z in each cell
   std::vector<float> across_m_;    // the same over three cells of a row
   std::vector<float> nearest_m_;   // and over three rows
 };

@@ -13,7 +13,7 @@ struct Pixel {
   float u, v, z_m;
 };
 
-/// Puts in `pixels` and returns what is nearest around each.
+/// Enters `pixels` and returns the nearest z around each.
 std::vector<float> nearest_around(OcclusionGrid& grid, const std::vector<Pixel>& pixels) {
   std::vector<std::int32_t> cells(pixels.size());
   grid.clear();

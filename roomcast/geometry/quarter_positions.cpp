@@ -7,7 +7,7 @@
 namespace roomcast {
 namespace {
 
-// Neighbours further apart are not of one surface.
+// Neighbours further apart in depth are not on the same surface.
 constexpr float kApart_m = 0.012F, kApartPer_m = 0.022F;
 constexpr float kQuarter = 0.25F;
 
@@ -19,7 +19,8 @@ bool same_surface(float a, float b) {
   return a > 0 && b > 0 && std::abs(a - b) < kApart_m + kApartPer_m * std::min(a, b);
 }
 
-/// How far it is from pixel to pixel around `at`, whose neighbours lie `stride` apart.
+/// Step in the colour picture from pixel to pixel around `at`; neighbours are `stride` elements
+/// apart.
 Step step_along(const ProjectedSurface& surface, std::size_t at, std::size_t stride,
                 bool has_before, bool has_after, Step otherwise) {
   const float z = surface.z_m[at];

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kWidth = 4, kHeight = 3;
 
-/// A wall whose pixels lie 3 across and 2 down apart.
+/// A wall whose pixels are 3 colour pixels apart horizontally and 2 vertically.
 class QuarterPositions : public testing::Test {
  protected:
   QuarterPositions() {
@@ -46,7 +46,7 @@ TEST_F(QuarterPositions, at_the_border_the_one_neighbour_tells) {
 }
 
 TEST_F(QuarterPositions, another_surface_beside_tells_nothing) {
-  z_m_[6] = 1.0F;  // right of the pixel; it lies far aside in the colour picture
+  z_m_[6] = 1.0F;  // right of the pixel; its projection is far off to the side
   u_[6] = 40;
   find(1);
   EXPECT_FLOAT_EQ(upper_.u[3], 13 + 0.75F);

@@ -9,11 +9,11 @@
 namespace roomcast {
 namespace {
 
-// A look-up in the occlusion grid sees surfaces up to two cells away. On a slanted surface those
-// lie nearer by up to two steps between neighbouring depth pixels along each axis; they must not
+// A look-up in the occlusion grid covers surfaces up to two cells away. On a slanted surface those
+// are nearer by up to two steps between neighbouring depth pixels along each axis; they must not
 // hide their own neighbours.
 constexpr int kReach = 2;
-constexpr int kSteepest = 8;  // the allowance for that is at most 1/8 of the depth
+constexpr int kSteepest = 8;  // this allowance is at most 1/8 of the depth
 constexpr int kLargestCell = 64;
 
 std::string size_text(int width, int height) {
@@ -49,8 +49,8 @@ Status check_calibration(const SensorCalibration& calibration) {
   return {};
 }
 
-/// As small as leaves no gaps: a look-up covers three cells, so where the lens spreads the depth
-/// pixels most, two cells may lie between them.
+/// The smallest cell that leaves no gaps: a look-up covers three cells, so where the lens spreads
+/// the depth pixels most, they may be two cells apart.
 int cell_size(const ColorProjection::Spacing& spacing) {
   const float size = std::max(spacing.typical, spacing.largest / 2);
   return std::clamp(static_cast<int>(std::ceil(size)), 1, kLargestCell);
@@ -81,10 +81,10 @@ void copy_holes(DepthView depth_mm, DepthView filled_mm, ColorView color, Regist
   }
 }
 
-/// A gap in a row that could be a thing; single readings are missing everywhere.
+/// Shortest gap in a row that could be an object; single readings are missing everywhere.
 constexpr int kSmallestGap = 5;
 
-/// Whether the row has a gap of readings that is filled.
+/// Whether the row has a gap in its readings of at least that length that is filled.
 bool has_gap(DepthView depth_mm, DepthView filled_mm, int y) {
   const std::uint16_t *read = depth_mm.row(y), *filled = filled_mm.row(y);
   int length = 0;
@@ -94,8 +94,8 @@ bool has_gap(DepthView depth_mm, DepthView filled_mm, int y) {
   return length == kSmallestGap;
 }
 
-/// The smaller of two consecutive steps of depth along an axis; 0 at a peak or in a pit, which is
-/// no slope.
+/// The smaller of two consecutive depth steps along an axis; 0 at a peak or in a pit, where there
+/// is no slope.
 int slope(int step_before, int step_after) {
   const bool same_direction = (step_before ^ step_after) >= 0;
   return same_direction ? std::min(std::abs(step_before), std::abs(step_after)) : 0;
@@ -206,7 +206,7 @@ void Registration::project_surfaces(DepthView depth_mm) {
   grid_.finish();
 }
 
-/// Hides nothing: nobody has read it.
+/// Filled pixels are not entered into the grid, so they occlude nothing: they are not readings.
 void Registration::project_filled(DepthView filled_mm, int y) {
   const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
   const ProjectedRow row{&u_[start], &v_[start], &z_m_[start]};
@@ -217,7 +217,7 @@ void Registration::project_filled(DepthView filled_mm, int y) {
 void Registration::limit_occluders(DepthView depth_mm, int y) {
   const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth_width_);
   const std::uint16_t* const here = depth_mm.row(y);
-  // Rows between which the steps are taken; at the border the one step there is stands for both.
+  // Rows between which the steps are taken; at the border the only step is used twice.
   const int before = std::max(y - 1, 0), after = std::min(y + 1, depth_height_ - 1);
   const std::uint16_t* const above = depth_mm.row(before);
   const std::uint16_t* const above_to = depth_mm.row(before + 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registration: the paper's Algorithm 1 (Lesniak & Tucker 2018): every depth pixel gets the colour
-// that the colour camera saw at the same surface point. Colour is down-sampled to the depth grid.
-// Added to the paper's algorithm: an occlusion test, so that a surface hidden from the colour
-// camera does not take the colour of what hides it. Depth in millimetres. Single-threaded; one
+// Registration: the paper's Algorithm 1 (Lesniak & Tucker 2018). Every depth pixel gets the colour
+// that the colour camera saw at the same surface point, down-sampled to the depth grid. An
+// occlusion test is added to the paper's algorithm, so that a surface hidden from the colour camera
+// does not take the colour of the surface in front. Depth in millimetres. Single-threaded; one
 // Registration per sensor.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace roomcast {
 
-/// Colour in the depth grid, and where it is to be believed.
+/// Colour in the depth grid, and a mask of its valid pixels.
 struct RegisteredColor {
   ColorImage color;  // depth size, or twice that each way; black where `seen` is 0
   MaskImage seen;    // 255 where the colour camera saw this surface; 0 without depth, outside its
@@ -27,30 +27,31 @@ struct RegisteredColor {
 };
 
 struct RegistrationOptions {
-  /// A surface this much behind the nearest one in the same colour pixel is occluded: metres +
-  /// share of its z.
+  /// A surface further than this behind the nearest one in the same colour pixel is occluded:
+  /// metres + share of its z.
   double occlusion_margin_m = 0.015;
   double occlusion_margin_per_m = 0.015;
   /// Colour pixels for each depth pixel and direction: 1, or 2 for four quarters of it.
   int color_scale = 1;
 };
 
-/// Precomputes what depends on the calibration only; `run` allocates nothing after its first call.
+/// Precomputes everything that depends on the calibration only; `run` allocates nothing after its
+/// first call.
 class Registration {
  public:
-  /// kInvalidArgument for cameras that CameraIntrinsics::check refuses, pictures of a single row or
-  /// column, margins that are negative or not finite, another scale than 1 or 2, and for registered
-  /// colour of another size than depth or a scale of 2.
+  /// kInvalidArgument for cameras that CameraIntrinsics::check rejects, pictures of a single row or
+  /// column, margins that are negative or not finite, a scale other than 1 or 2, and registered
+  /// colour with a size other than that of depth or a scale of 2.
   static Result<Registration> create(const SensorCalibration& calibration,
                                      const RegistrationOptions& options = {});
 
-  /// kInvalidArgument when the sizes are not those of the calibration.
+  /// kInvalidArgument if the sizes are not those of the calibration.
   [[nodiscard]] Status run(DepthView depth_mm, ColorView color, RegisteredColor& out);
 
-  /// After run() with the same depth and colour: the colour of pixels without a reading, if their
-  /// surface were where `filled_mm` says, as far as nothing that was read hides it. `filled_mm` is
-  /// that depth where it has a reading. `out` is unseen at pixels with one, and in rows without a
-  /// gap of several.
+  /// Call after run() with the same depth and colour. Gives the colour of pixels without a reading
+  /// as if their surface were at `filled_mm`, unless a surface that was read hides them.
+  /// `filled_mm` equals the depth where there is a reading. In `out`, pixels with a reading and
+  /// rows without a gap of several pixels are unseen.
   [[nodiscard]] Status run_in_holes(DepthView depth_mm, DepthView filled_mm, ColorView color,
                                     RegisteredColor& out);
 
@@ -69,7 +70,7 @@ class Registration {
   void sample_quarters(ColorView color, int y, RegisteredColor& out);
 
   int depth_width_, depth_height_, color_width_, color_height_;
-  bool copy_only_;  // colour comes registered
+  bool copy_only_;  // colour is already registered
   RegistrationOptions options_;
   ColorProjection projection_;
   ColorProjection::Spacing spacing_;
@@ -79,7 +80,7 @@ class Registration {
   // Of the current frame, one per depth pixel.
   std::vector<float> u_, v_, z_m_;
   std::vector<float>
-      occluder_limit_m_;  // what is nearer than this in the colour picture hides the pixel
+      occluder_limit_m_;  // a surface nearer than this in the colour picture hides the pixel
   std::vector<std::int32_t> cells_;
 
   // Of the current row, at a scale of 2.

@@ -19,7 +19,7 @@ int cell_of(double position, int cell_size) {
   return static_cast<int>((position + 0.5 + 1e-4 * cell_size) / cell_size);
 }
 
-/// Mean of the N x N square around (u, v), moved inside the picture.
+/// Mean of the N x N square around (u, v), shifted inside the picture.
 Rgb8 box_average(ColorView picture, double u, double v, int size) {
   const double left = std::clamp(u - 0.5 * (size - 1), 0.0, double(picture.width - size));
   const double top = std::clamp(v - 0.5 * (size - 1), 0.0, double(picture.height - size));
@@ -38,8 +38,7 @@ Rgb8 box_average(ColorView picture, double u, double v, int size) {
   return {std::uint8_t(mean.x()), std::uint8_t(mean.y()), std::uint8_t(mean.z())};
 }
 
-/// How steep the surface is along one axis: depth change to the next pixel, mm; 0 at a peak or in a
-/// pit.
+/// Slope along one axis: depth change to the next pixel, mm; 0 at a peak or in a pit.
 double slope(DepthView depth_mm, int x, int y, int dx, int dy) {
   const auto inside = [&](int i, int j) {
     return i >= 0 && j >= 0 && i < depth_mm.width && j < depth_mm.height;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registration written to be read: what registration.h does at speed, pixel by pixel in double
-// precision through project(). Tests require that both agree; `roomcast bench register` shows what
-// the speed is worth.
+// A readable version of registration.h: the same result pixel by pixel in double precision through
+// project(). Tests require that both agree; `roomcast bench register` compares their speed.
 #pragma once
 
 #include "roomcast/core/image.h"

@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 constexpr Rgb8 kRed{230, 20, 20};
 constexpr Rgb8 kGreen{20, 230, 20};
 
-/// Shaped like a Kinect v2, an eighth of its pixels, no lens distortion: what is where can be
-/// worked out by hand.
+/// Like a Kinect v2 with an eighth of its pixels and no lens distortion, so that expected values
+/// can be computed by hand.
 SensorCalibration small_kinect() {
   SensorCalibration calibration;
   calibration.depth = {180, 150, 130, 130, 89.5, 74.5};
@@ -44,7 +44,7 @@ SensorCalibration distorted_kinect() {
   return calibration;
 }
 
-/// A background plane at z = far_m, and before it a square card, both facing the depth camera.
+/// A background plane at z = far_m and a square card in front of it, both facing the depth camera.
 struct CardScene {
   double near_m = 1.0, far_m = 3.0, half_side_m = 0.2;
 
@@ -52,7 +52,7 @@ struct CardScene {
     const Vector3d at = origin + ray * ((near_m - origin.z()) / ray.z());
     return std::abs(at.x()) <= half_side_m && std::abs(at.y()) <= half_side_m;
   }
-  /// Ray through each pixel of a camera, asked from the depth camera's frame.
+  /// Renders the ray through each pixel of a camera, traced in the depth camera's frame.
   template <class T>
   void render(const CameraIntrinsics& camera, const RigidTransform& depth_from_camera, T& image,
               const std::function<typename std::remove_reference_t<decltype(image.at(0, 0))>(bool)>&
@@ -112,8 +112,8 @@ TEST(Registration, background_hidden_from_the_colour_camera_is_not_seen) {
   const CardScene scene;
   const DepthImage depth = scene.depth_mm(calibration);
   const RegisteredColor out = register_or_die(calibration, depth, scene.color(calibration));
-  // Colour sits 52 mm to the right, so the card's left side hides background that depth sees: 52 mm
-  // * (3 - 1) of shift at 3 m is 130 px * 0.104 / 3 = 4.5 depth pixels.
+  // The colour camera is 52 mm to the right, so the card's left side hides background that the
+  // depth camera sees: 52 mm * (3 - 1) of shift at 3 m is 130 px * 0.104 / 3 = 4.5 depth pixels.
   int hidden = 0;
   for (int x = 0; x < depth.width(); ++x) {
     const bool background = depth.at(x, 75) == 3000;
@@ -132,8 +132,7 @@ TEST(Registration, an_object_keeps_its_own_colour_up_to_its_edge) {
     for (int x = 0; x < depth.width(); ++x) {
       if (depth.at(x, y) != 1000) continue;
       ASSERT_EQ(out.seen.at(x, y), 255) << x << ',' << y;
-      // At the outermost pixel up to half of the square that is averaged may lie beside the card,
-      // in both axes.
+      // At the outermost pixel up to half of the averaged square may be off the card, in both axes.
       ASSERT_GE(out.color.at(x, y).r, kGreen.r + (kRed.r - kGreen.r) / 4 - 2) << x << ',' << y;
       const bool inside = depth.at(x - 1, y) == 1000 && depth.at(x + 1, y) == 1000 &&
                           depth.at(x, y - 1) == 1000 && depth.at(x, y + 1) == 1000;
@@ -150,7 +149,7 @@ TEST(Registration, a_steep_floor_does_not_hide_itself) {
   calibration.color = {1920, 1080, 1065, 1065, 959.5, 539.5};
   DepthImage depth(calibration.depth.width, calibration.depth.height);
   const double camera_height_m = 0.6;
-  const int horizon = 240;  // where the floor is 7.7 m away
+  const int horizon = 240;  // here the floor is 7.7 m away
   for (int y = horizon; y < depth.height(); ++y) {
     const double z_m = camera_height_m * calibration.depth.fy / (y - calibration.depth.cy);
     for (int x = 0; x < depth.width(); ++x) {
@@ -169,7 +168,7 @@ TEST(Registration, rows_above_and_below_the_colour_picture_are_not_seen) {
   const DepthImage depth(calibration.depth.width, calibration.depth.height, 2000);
   const ColorImage color(calibration.color.width, calibration.color.height, kGreen);
   const RegisteredColor out = register_or_die(calibration, depth, color);
-  // A depth row y lies at 179.5 + 355 * (y - 74.5) / 130: inside the picture for y from 9 to 140.
+  // Depth row y projects to 179.5 + 355 * (y - 74.5) / 130: inside the picture for y from 9 to 140.
   for (int x = 40; x < 140; ++x) {
     EXPECT_EQ(out.seen.at(x, 8), 0);
     EXPECT_EQ(out.color.at(x, 8), Rgb8{});
@@ -188,7 +187,7 @@ TEST(Registration, without_depth_nothing_is_seen) {
   EXPECT_EQ(out.color, ColorImage(180, 150));
 }
 
-/// A slanted plane, and a picture whose colour says where it is.
+/// A slanted plane, and a picture whose colour encodes its position.
 struct SlantedPlane {
   explicit SlantedPlane(const SensorCalibration& of)
       : calibration(of),
@@ -208,7 +207,7 @@ struct SlantedPlane {
   }
   static double depth_mm_at(double x, double y) { return 1500 + 3 * x + 2 * y; }
 
-  /// `color` should be that of the surface at this place in the depth grid.
+  /// `color` should be that of the surface at this position in the depth grid.
   void expect_own_color(Rgb8 of, double x, double y) const {
     const auto point = unproject(calibration.depth, Vector2d(x, y), 0.001 * depth_mm_at(x, y));
     const auto pixel = project(calibration.color, calibration.color_from_depth * *point);
@@ -248,7 +247,7 @@ TEST(Registration, at_twice_the_resolution_each_quarter_shows_its_own_colour) {
   }
 }
 
-/// Steps, slopes, holes and texture, from a fixed recurrence.
+/// Steps, slopes, holes and texture, from a deterministic recurrence.
 struct RoughFrame {
   DepthImage depth_mm;
   ColorImage color;
@@ -313,7 +312,7 @@ TEST(Registration, a_second_frame_leaves_no_trace_of_the_first) {
   const DepthImage depth = scene.depth_mm(calibration);
   const ColorImage color = scene.color(calibration);
   ASSERT_TRUE(registration->run(depth, color, out).ok());
-  EXPECT_EQ(out.color.data(), pixels);  // memory is used again
+  EXPECT_EQ(out.color.data(), pixels);  // memory is reused
   const RegisteredColor fresh = register_or_die(calibration, depth, color);
   EXPECT_EQ(out.color, fresh.color);
   EXPECT_EQ(out.seen, fresh.seen);

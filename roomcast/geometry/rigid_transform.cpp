@@ -26,7 +26,8 @@ bool is_rotation(const Eigen::Matrix3d& matrix) {
          matrix.determinant() > 0;
 }
 
-/// Nearest in the Frobenius norm (orthogonal Procrustes): drop the singular values.
+/// The nearest rotation in the Frobenius norm (orthogonal Procrustes): the SVD without its singular
+/// values.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.matrixV().transpose();

@@ -29,13 +29,12 @@ struct RigidTransform {
 /// Row-major 4x4, as in rig.json, camera.json and on the wire.
 [[nodiscard]] std::array<double, 16> row_major_from_transform(const RigidTransform& transform);
 
-/// Fails (kMalformed) unless there are 16 finite numbers, the last row is 0 0 0 1, and the rotation
-/// is one to within 1e-3 (files round). The rotation returned is exactly orthonormal: the nearest
-/// one.
+/// kMalformed unless there are 16 finite numbers, the last row is 0 0 0 1, and the rotation is one
+/// to within 1e-3 (files round). Returns the nearest exactly orthonormal rotation.
 [[nodiscard]] Result<RigidTransform> transform_from_row_major(std::span<const double> row_major);
 
-/// The pose of an optical frame (x right, y down, z forward) at `eye_m` looking at `target_m`,
-/// world y up. Looking straight up or down, the picture's top is towards world -z.
+/// The pose of an optical frame (x right, y down, z forward) at `eye_m` looking at `target_m`, with
+/// world y up. If it looks straight up or down, the top of the picture is towards world -z.
 [[nodiscard]] RigidTransform world_from_optical_looking_at(const Eigen::Vector3d& eye_m,
                                                            const Eigen::Vector3d& target_m);
 

@@ -12,7 +12,7 @@ namespace {}  // namespace
 FramedMessagePtr frame_message(MessageBuffer&& message, Opcode opcode,
                                std::optional<MaskKey> mask) {
   ROOMCAST_ASSERT(!is_control(opcode) || message.size() <= kMaxControlPayload);
-  message.reserve(0);  // gives an empty buffer its headroom
+  message.reserve(0);  // allocates the headroom of an empty buffer
   const auto payload = message.payload();
   if (mask) mask_copy(payload, payload, *mask, 0);
   const FrameHeader header = make_frame_header(opcode, payload.size(), mask);

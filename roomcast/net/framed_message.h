@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// FramedMessage: one WebSocket frame ready for the socket, header included, never changed again.
-// A server's frames are not masked, so one sealed message is written to all viewers from the same
-// memory. Threading: immutable, share freely.
+// FramedMessage: one immutable WebSocket frame, header included, ready for the socket. A server's
+// frames are not masked, so one framed message is written to all viewers from the same memory.
+// Threading: immutable, share freely.
 #pragma once
 
 #include <cstddef>
@@ -26,17 +26,17 @@ class FramedMessage {
   };
 
  public:
-  /// Header and payload, as they go over the wire.
+  /// Header and payload as sent over the network.
   [[nodiscard]] std::span<const std::uint8_t> wire_bytes() const {
     return std::span(storage_).subspan(start_);
   }
-  /// The payload alone. Masked, if the message was sealed with a mask.
+  /// The payload alone; masked if the message was framed with a mask.
   [[nodiscard]] std::span<const std::uint8_t> payload() const {
     return std::span(storage_).subspan(MessageBuffer::kHeadroom);
   }
   [[nodiscard]] std::size_t size() const { return payload().size(); }
 
-  /// Use the functions below.
+  /// Use the functions below instead.
   FramedMessage(Private, std::vector<std::uint8_t> storage, std::size_t start)
       : storage_(std::move(storage)), start_(start) {}
 
@@ -48,13 +48,13 @@ class FramedMessage {
   std::size_t start_;  // of the header within storage_
 };
 
-/// Puts the header in front of the payload, without moving it; masks the payload in place if told
-/// to. Control frames (ping, pong, close) hold at most kMaxControlPayload bytes.
+/// Puts the header in front of the payload without moving it; with a `mask`, masks the payload in
+/// place. Control frames (ping, pong, close) contain at most kMaxControlPayload bytes.
 [[nodiscard]] FramedMessagePtr frame_message(MessageBuffer&& message,
                                              Opcode opcode = Opcode::kBinary,
                                              std::optional<MaskKey> mask = std::nullopt);
 
-/// A masked copy of an unmasked binary message: what a client sends.
+/// A masked copy of an unmasked binary message, as sent by a client.
 [[nodiscard]] FramedMessagePtr seal_masked_copy(const FramedMessage& message, MaskKey mask);
 
 }  // namespace roomcast::net

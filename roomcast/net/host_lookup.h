@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a host is: its name looked up, or a numeric address as it is, for which nobody need be
-// asked, and Asio's resolver would start a thread.
+// Host look-up by name. A numeric address is used directly, because Asio's resolver would start a
+// thread for it.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace roomcast::net {
 
-/// `then(error, endpoints)`: from within for a numeric address, else later on the resolver's
-/// io_context.
+/// Calls `then(error, endpoints)`: from within this call for a numeric address, else later on the
+/// resolver's io_context.
 template <class Then>
 void look_up(boost::asio::ip::tcp::resolver& resolver, const std::string& host, std::uint16_t port,
              Then then) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// HttpResponse: what is answered to a GET. The body is shared, so that a file in memory is never
-// copied.
+// HttpResponse: the answer to an HTTP request. The body is shared, so that a file in memory is
+// never copied.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,13 @@ struct HttpResponse {
   int status = 200;
   std::string content_type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = {};  // null = empty
-  std::shared_ptr<const std::string> gzip = {};  // the same, for who takes it; null = there is none
-  /// Quoted, as in the header; empty = none. A request that has it already is answered with 304.
+  std::shared_ptr<const std::string> gzip = {};  // for clients that accept gzip; null = none
+  /// Quoted, as in the header; empty = none. A request with a matching If-None-Match is answered
+  /// with 304.
   std::string etag = {};
   std::string cache_control = "no-cache";
   std::vector<std::pair<std::string, std::string>> headers =
-      {};  // besides those that the server sets
+      {};  // in addition to those set by the server
 };
 
 /// A short plain-text answer.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// HttpServer: one listening port for the page, the few plain HTTP answers, and the WebSocket.
-// Pages answer GET and HEAD; what programs are asked (`on_request`) may have a body. A WebSocket is
-// accepted when path, version, subprotocol and Origin are right (docs/spec/wire.md section 1).
-// Threading: everybody is let in, and what is no WebSocket answered, on the one thread that runs
-// the door's io_context. A WebSocket is handed over to one of the workers, where it stays for life
-// and from where its callbacks come: whoever knocks, however often or slowly, keeps no worker from
-// its work. They may be the same thread. Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server
+// HttpServer: one listening port for the page, plain HTTP answers, the API and the WebSocket. Pages
+// answer GET and HEAD; API requests (`on_request`) may have a body. A WebSocket is accepted if
+// path, version, subprotocol and Origin are correct (docs/spec/wire.md section 1).
+// Threading: connections are accepted, and plain HTTP is answered, on the one thread that runs the
+// io_context `door`. Each WebSocket is handed over to one of the workers, where it stays and where
+// its callbacks are called, so that floods and slow clients do not delay the workers. `door` and
+// the workers may be the same thread. Source: RFC 9110 (HTTP), RFC 6455 section 4.2 (server
 // handshake); parsing by Boost.Beast.
 #pragma once
 
@@ -37,21 +37,21 @@ struct HttpServerOptions {
   std::string address = "127.0.0.1";  // a numeric IPv4 or IPv6 address; "0.0.0.0" for all
   std::uint16_t port = 7600;          // 0 = any free one, see HttpServer::port()
 
-  /// With it everything is encrypted; an unencrypted request is told so.
+  /// If set, all connections are encrypted; an unencrypted request gets an error answer.
   std::shared_ptr<const TlsServerContext> tls = {};
 
   /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
-  /// it. On the door's thread.
+  /// it. Called on the door's thread.
   std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
 
-  /// Is asked for paths that begin with one of `request_paths`, on the door's thread; a null
+  /// Called on the door's thread for paths that begin with one of `request_paths`; a null
   /// `on_request` means 404.
   std::function<void(HttpRequest, Respond)> on_request = {};
   std::vector<std::string> request_paths = {"/api/"};
   std::size_t max_body_bytes = 64 * 1024;
 
-  /// A WebSocket is open on one of the workers, and is started with the handler that this returns.
-  /// Null refuses it (closed with 1013).
+  /// Called on a worker with a newly opened WebSocket, which is then started with the returned
+  /// handler. Null refuses it (closed with 1013).
   std::function<std::shared_ptr<ConnectionHandler>(std::shared_ptr<WebSocketConnection>,
                                                    std::size_t thread)>
       on_websocket = {};
@@ -59,24 +59,24 @@ struct HttpServerOptions {
   std::string subprotocol = "roomcast.v1";
 
   AllowedNames names = {};
-  /// Pages of this site ("https://b.example.org:7600") may connect, too. Asked on the door's
-  /// thread.
+  /// Whether pages of this site ("https://b.example.org:7600") may connect as well. Called on the
+  /// door's thread.
   std::function<bool(std::string_view origin)> knows_site = {};
 
-  /// Asked on the door's thread, with peer_name(), for each connection and each request: whoever
-  /// may not connect is dropped without a word.
+  /// Called on the door's thread with peer_name(), for each connection and each request. False
+  /// drops the connection without an answer.
   std::function<bool(const std::string& peer)> may_connect = {};
-  /// Connections of one peer that are not settled (WebSocketConnection::settle); more are dropped.
+  /// Unsettled connections per peer (WebSocketConnection::settle); more are dropped.
   std::size_t max_unsettled_per_peer = 64;
-  std::vector<std::string> uncounted_peers = {};  // a proxy has everyone's connections
+  std::vector<std::string> uncounted_peers = {};  // exempt peers, e.g. a proxy
 
   std::size_t max_message_bytes = 16 * 1024;  // of a new WebSocket; its handler may change it
-  std::size_t max_connections = 1024;       // open sockets of all kinds; more are turned away (503)
-  std::size_t max_header_bytes = 8 * 1024;  // of a request
+  std::size_t max_connections = 1024;         // open sockets of all kinds; more are rejected (503)
+  std::size_t max_header_bytes = 8 * 1024;    // of a request
   std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
   std::chrono::milliseconds response_within{60'000};  // a whole answer
-  std::chrono::milliseconds nonsense_waits{3'000};    // for its answer: who is held asks no more
-  std::chrono::milliseconds goodbye_within{1'000};    // from our last word to the closed socket
+  std::chrono::milliseconds nonsense_waits{3'000};    // before a malformed request is answered
+  std::chrono::milliseconds goodbye_within{1'000};    // from our last byte to the closed socket
   ConnectionTimings websocket_timings = {};
 };
 
@@ -84,8 +84,8 @@ class ServerState;
 
 class HttpServer {
  public:
-  /// Listens at once, serves when the threads run. Errors: kInvalidArgument (not an address),
-  /// kUnavailable (port in use, or not allowed).
+  /// Listens at once; serves while the threads run. Errors: kInvalidArgument (not an address),
+  /// kUnavailable (port in use, or not permitted).
   static Result<std::unique_ptr<HttpServer>> listen(
       boost::asio::io_context& door, std::span<boost::asio::io_context* const> workers,
       HttpServerOptions options, LogSink log = {});
@@ -100,16 +100,16 @@ class HttpServer {
   /// Sockets of all kinds that are open now.
   [[nodiscard]] std::size_t connection_count() const;
 
-  /// For connections from now on. On the door's thread; only when there was one from the start.
+  /// For new connections. Call on the door's thread, and only if TLS was set from the start.
   void set_tls(std::shared_ptr<const TlsServerContext> tls);
 
-  /// Listens no more and closes all connections, WebSockets with 1001. They end while the threads
-  /// go on running. On the door's thread, or when it does not run any more.
+  /// Stops listening and closes all connections, WebSockets with 1001. They end while the threads
+  /// continue to run. Call on the door's thread, or after it has ended.
   void stop();
 
  private:
   explicit HttpServer(std::shared_ptr<ServerState> state);
-  std::shared_ptr<ServerState> state_;  // shared with what is still open
+  std::shared_ptr<ServerState> state_;  // shared with the operations still open
 };
 
 }  // namespace roomcast::net

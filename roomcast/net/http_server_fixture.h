@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: an HttpServer on loopback, and what is said to it byte for byte.
+// For tests: an HttpServer on loopback that is sent raw bytes.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace roomcast::net {
 
 class HttpServerTest : public LoopbackTest {
  protected:
-  /// Answers /page, /large and /squeezed, and takes every WebSocket unless told otherwise.
+  /// Answers /page, /large and /squeezed, and accepts every WebSocket by default.
   HttpServerOptions options() {
     HttpServerOptions options;
     options.port = 0;
@@ -51,7 +51,7 @@ class HttpServerTest : public LoopbackTest {
   }
   void listen() { listen(options()); }
 
-  /// Everything that the server answers to these bytes before it closes.
+  /// Sends these bytes and returns the server's whole answer, up to the close.
   std::string exchange(std::string_view bytes) {
     auto socket = raw_connection(server_->port());
     send(socket, bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an HttpServer lets nobody do to it.
+// Protection of an HttpServer against misuse: limits and timeouts.
 #include <chrono>
 #include <string>
 
@@ -65,7 +65,8 @@ TEST_F(HttpServerTest, a_slow_header_is_cut_off) {
   EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
 }
 
-/// Sends `bytes` every `period` until the server closes; how long that took.
+/// Sends `bytes` every `period` until the server closes the connection; returns the time that this
+/// took.
 std::chrono::nanoseconds time_until_closed(boost::asio::io_context& io,
                                            boost::asio::ip::tcp::socket& socket,
                                            std::string_view bytes,

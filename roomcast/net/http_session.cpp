@@ -24,9 +24,9 @@ namespace http = boost::beast::http;
 
 namespace {
 
-// The page asks nobody but this hub, unless the answer says otherwise (page_policy), runs no script
-// but its own, and is in nobody's frame. Isolated from other origins it has exact clocks and may
-// share memory with its workers.
+// The page connects to this hub only, unless the answer extends that (page_policy); it runs its own
+// scripts only, and cannot be embedded in a frame. Cross-origin isolation gives it exact clocks and
+// memory shared with its workers.
 constexpr std::pair<std::string_view, std::string_view> kSecurityFields[] = {
     {"Content-Security-Policy", kPagePolicy},
     {"Cross-Origin-Opener-Policy", "same-origin"},
@@ -67,7 +67,7 @@ bool takes_gzip(const RequestHeader& request) {
   return std::string_view(accepted.data(), accepted.size()).find("gzip") != std::string_view::npos;
 }
 
-/// The smaller body for who takes it, under a tag of its own.
+/// Uses the compressed body, under its own ETag, if the client accepts it.
 void choose_encoding(const RequestHeader& request, HttpResponse& response) {
   if (response.gzip == nullptr) return;
   response.headers.emplace_back("Vary", "Accept-Encoding");
@@ -142,14 +142,13 @@ void HttpSession::read_request() {
 }
 
 void HttpSession::on_header(ErrorCode error) {
-  if (!stream_.is_open()) return;  // ended while this was under way
+  if (!stream_.is_open()) return;  // closed while this was pending
   if (error) return answer_fault(error);
   if (options_->may_connect && !options_->may_connect(origins_.peer)) return abort();
   answer_request();
 }
 
-/// A request that cannot be understood gets an answer; a connection that is gone or too slow gets
-/// none.
+/// A request that cannot be parsed gets an answer; a connection that is lost or too slow gets none.
 void HttpSession::answer_fault(ErrorCode error) {
   if (stream_.peer_speaks_plain_http()) {
     stream_.write_in_the_clear(kSpeaksTls);
@@ -167,8 +166,8 @@ void HttpSession::answer_fault(ErrorCode error) {
   abort();
 }
 
-/// Not at once: to open and close connections as quickly as somebody asks for them costs the whole
-/// machine more than to hold them for a while.
+/// Delays the answer: a client that opens and closes connections as fast as it can costs the
+/// machine more than one that is kept waiting.
 void HttpSession::answer_nonsense(ErrorCode error) {
   deadline_.expires_after(options_->nonsense_waits);
   deadline_.async_wait([self = shared_from_this(), error](ErrorCode cancelled) {
@@ -207,8 +206,8 @@ bool HttpSession::is_for_program(std::string_view path) const {
          });
 }
 
-/// The parser holds a body's announced length against a limit that it knew with the header; what
-/// comes in chunks it counts.
+/// The parser compares a body's announced length with the limit that it had when it read the
+/// header; it counts the bytes of chunked bodies.
 void HttpSession::read_body() {
   if (parser_->content_length().value_or(0) > options_->max_body_bytes) return refuse_body();
   body_parser_.emplace(std::move(*parser_));
@@ -241,8 +240,8 @@ void HttpSession::ask_program() {
       .peer = origins_.peer};
   auto waiting = std::make_shared<std::shared_ptr<HttpSession>>(shared_from_this());
   options_->on_request(std::move(request), [waiting](HttpResponse response) {
-    auto self = std::exchange(*waiting, nullptr);  // let go on its own thread and nowhere else
-    if (self == nullptr) return;                   // answered already
+    auto self = std::exchange(*waiting, nullptr);  // released on its own thread only
+    if (self == nullptr) return;                   // already answered
     const auto executor = self->stream_.get_executor();
     asio::dispatch(executor, [self = std::move(self), response = std::move(response)]() mutable {
       if (self->stream_.is_open()) self->send(std::move(response), self->wants_more());
@@ -277,7 +276,7 @@ void HttpSession::send(HttpResponse response, bool keep_alive) {
   write(std::move(message), keep_alive, std::move(response.body));
 }
 
-/// `viewed` is what the message's body points into; it lives as long as the write.
+/// The message's body refers to `viewed`, which is kept until the end of the write.
 template <class Message>
 void HttpSession::write(std::shared_ptr<Message> message, bool keep_alive,
                         std::shared_ptr<const std::string> viewed) {
@@ -297,7 +296,7 @@ void HttpSession::on_written(ErrorCode error, bool keep_alive) {
   say_goodbye();
 }
 
-/// Reads on until the peer has closed its side too, so that our last word is not lost to a TCP
+/// Reads until the peer has closed its side as well, so that our last bytes are not lost to a TCP
 /// reset.
 void HttpSession::say_goodbye() {
   stream_.async_read_some(asio::buffer(discarded_),
@@ -319,7 +318,8 @@ void HttpSession::upgrade() {
   }
   auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
   abort_after(options_->response_within);
-  // Who has our word is a WebSocket already, and is told by a worker when all are ended.
+  // Once accepted, the connection counts as a WebSocket: its worker closes it when the server
+  // stops.
   origins_.lease->end_with({});
   http::async_write(stream_, *response,
                     [self = shared_from_this(), response](ErrorCode error, std::size_t) {

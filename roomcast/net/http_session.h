@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// HttpSession: one accepted socket, from its first byte until it is closed or has become a
-// WebSocket, which is handed over to a worker. Answers one request after another (keep-alive);
-// everything is bounded in size and time. Threading: lives on its io_context's thread.
+// HttpSession: one accepted socket, from its first byte until it is closed or upgraded to a
+// WebSocket, which is handed over to a worker. Answers requests one after another (keep-alive);
+// sizes and times are bounded. Threading: runs on its io_context's thread.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ namespace roomcast::net {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  /// Where it comes from, where it may go, and what it holds.
+  /// The peer, the workers for an upgrade, and the reservations of this connection.
   struct Origins {
     std::string peer;  // peer_name()
     std::shared_ptr<WebSocketWorkers> workers;
@@ -68,7 +68,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void upgrade();
   void become_websocket();
   void abort();
-  /// Aborts unless it is called again before this has passed.
+  /// Aborts after `time` unless it is called again before.
   void abort_after(std::chrono::milliseconds time);
 
   Stream stream_;
@@ -77,7 +77,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   Origins origins_;
   boost::beast::flat_buffer buffer_;
   std::optional<Parser> parser_;
-  std::optional<BodyParser> body_parser_;  // of a request for programs
+  std::optional<BodyParser> body_parser_;  // of an API request
   std::array<char, 1024> discarded_{};
 };
 

@@ -31,7 +31,7 @@ std::optional<Fingerprint> parse_pin(std::string_view fragment) {
   return parse_fingerprint(fragment.substr(kPinPrefix.size()));
 }
 
-/// Takes `prefix` off the front, in whatever case it is written.
+/// Removes `prefix` from the front, ignoring case.
 bool take_scheme(std::string_view& text, std::string_view prefix) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   if (text.size() < prefix.size()) return false;

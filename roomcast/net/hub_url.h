@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a hub is: "ws://host:port/ws", "http://host:port", "host:port", "host", "[::1]:7600"; with
-// TLS "wss://host:port/ws", "https://host". "wss://host#sha256=<64 hexadecimal digits>" trusts the
-// one certificate with this fingerprint, whoever signed it. Without a port it is 7600, with
-// https:// and wss:// too: a hub behind a proxy is "https://host:443".
+// Address of a hub: "ws://host:port/ws", "http://host:port", "host:port", "host", "[::1]:7600";
+// with TLS "wss://host:port/ws", "https://host". "wss://host#sha256=<64 hexadecimal digits>" trusts
+// only the certificate with this fingerprint, regardless of its signer. The default port is 7600,
+// also for https:// and wss://: a hub behind a proxy is "https://host:443".
 #pragma once
 
 #include <cstdint>

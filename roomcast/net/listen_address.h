@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// "127.0.0.1:7600", "[::1]:0", "0.0.0.0:7600": where a hub listens.
+// The address on which a hub listens: "127.0.0.1:7600", "[::1]:0", "0.0.0.0:7600".
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct ListenAddress {
   bool loopback = false;  // reachable from this machine only
 };
 
-/// kInvalidArgument with what is wrong.
+/// kInvalidArgument with the reason.
 [[nodiscard]] Result<ListenAddress> parse_listen_address(const std::string& text);
 
 }  // namespace roomcast::net

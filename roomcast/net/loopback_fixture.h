@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For the tests of net/: real sockets on 127.0.0.1, one io_context, nothing that waits without a
-// bound.
+// For the tests of net/: real sockets on 127.0.0.1, one io_context, and bounded waits only.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +25,7 @@
 
 namespace roomcast::net {
 
-/// A handler that remembers what happened to it and sends what it is given.
+/// A handler that records its calls and sends the messages queued in `to_send`.
 class RecordingHandler : public ConnectionHandler {
  public:
   void on_message(MessageBuffer message) override {
@@ -70,7 +69,7 @@ class LoopbackTest : public ::testing::Test {
  protected:
   using Tcp = boost::asio::ip::tcp;
 
-  /// Runs the loop until `done`; fails the test when that takes longer than any of this should.
+  /// Runs the loop until `done`; fails the test after 10 s.
   [[nodiscard]] ::testing::AssertionResult run_until(const std::function<bool()>& done) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (!done()) {
@@ -83,8 +82,8 @@ class LoopbackTest : public ::testing::Test {
     return ::testing::AssertionSuccess();
   }
 
-  /// Runs the loop for this long, `turn` in between; gives the longest time that the machine let it
-  /// stand still.
+  /// Runs the loop for `duration`, calling `turn` in between; returns the longest time between two
+  /// iterations, caused by load on the machine.
   std::chrono::nanoseconds run_for(std::chrono::nanoseconds duration,
                                    const std::function<void()>& turn = {}) {
     std::chrono::nanoseconds longest{0};
@@ -100,7 +99,7 @@ class LoopbackTest : public ::testing::Test {
     return longest;
   }
 
-  /// Runs what is ready, and nothing that has to be waited for.
+  /// Runs ready handlers only, without waiting.
   void run_ready() {
     io_.restart();
     io_.poll();
@@ -128,7 +127,7 @@ class LoopbackTest : public ::testing::Test {
     boost::asio::write(socket, boost::asio::buffer(bytes));
   }
 
-  /// What comes in until the other side closes, or `enough` says so. The loop runs meanwhile.
+  /// Receives until the other side closes or `enough` returns true. The loop runs meanwhile.
   std::string receive(Tcp::socket& socket,
                       const std::function<bool(const std::string&)>& enough = {}) {
     std::string received;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // MessageBuffer: the bytes of one message, with headroom in front so that a WebSocket header can be
-// put there without moving the payload. Filled by the reader or by an encoder, then read, changed
-// in place, or sealed.
+// added without moving the payload. Filled by the reader or by an encoder; then read, changed in
+// place, or framed.
 #pragma once
 
 #include <cstddef>
@@ -36,25 +36,24 @@ class MessageBuffer {
     storage_.insert(storage_.end(), bytes.begin(), bytes.end());
   }
 
-  /// For encoders that append to a vector: the payload's bytes so far, after kHeadroom bytes that
-  /// must stay.
+  /// For encoders that append to a vector: kHeadroom bytes that must be kept, then the payload so
+  /// far.
   [[nodiscard]] std::vector<std::uint8_t>& appendable() {
     if (storage_.empty()) storage_.resize(kHeadroom);
     return storage_;
   }
 
-  /// Room for a payload of this size without another allocation.
+  /// Reserves memory for a payload of this size.
   void reserve(std::size_t payload_size) {
     storage_.reserve(kHeadroom + payload_size);
     if (storage_.empty()) storage_.resize(kHeadroom);
   }
 
-  /// The memory as it is, headroom included; empty when nothing was ever put in. Leaves the buffer
-  /// empty.
+  /// The memory including the headroom; empty if nothing was ever added. Leaves the buffer empty.
   [[nodiscard]] std::vector<std::uint8_t> release() && { return std::exchange(storage_, {}); }
 
  private:
-  std::vector<std::uint8_t> storage_;  // kHeadroom bytes, then the payload; or nothing at all
+  std::vector<std::uint8_t> storage_;  // kHeadroom bytes, then the payload; or empty
 };
 
 }  // namespace roomcast::net

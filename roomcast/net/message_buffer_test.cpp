@@ -49,7 +49,7 @@ TEST(MessageBuffer, moved_from_and_released_buffers_are_empty_and_can_be_used_ag
   MessageBuffer buffer(std::array<std::uint8_t, 1>{1});
   const MessageBuffer moved = std::move(buffer);
   EXPECT_EQ(moved.size(), 1U);
-  EXPECT_TRUE(buffer.empty());  // NOLINT: that is the point
+  EXPECT_TRUE(buffer.empty());  // NOLINT: this use after move is tested
   buffer.append(std::array<std::uint8_t, 1>{2});
   EXPECT_EQ(std::move(buffer).release().size(), MessageBuffer::kHeadroom + 1);
   EXPECT_TRUE(buffer.empty());  // NOLINT

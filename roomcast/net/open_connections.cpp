@@ -20,7 +20,7 @@ void OpenConnections::Lease::end_with(std::function<void()> end) {
   if (end_ && !end) owner_->endable_.erase(this);
   end_ = std::move(end);
   if (!end_ || !owner_->over_) return;
-  const auto end_now = end_;  // a copy: it may give back this lease
+  const auto end_now = end_;  // a copy: the call may release this lease
   end_now();
 }
 
@@ -30,7 +30,7 @@ std::shared_ptr<OpenConnections::Lease> OpenConnections::open() {
 
 void OpenConnections::end_all() {
   over_ = true;
-  std::vector<std::function<void()>> ends;  // a copy: ending one may give back its lease
+  std::vector<std::function<void()>> ends;  // a copy: ending one may release its lease
   for (const Lease* lease : endable_) ends.push_back(lease->end_);
   for (const auto& end : ends) end();
 }

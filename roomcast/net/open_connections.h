@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenConnections: counts the open sockets of one thread and knows how to end each of them.
-// Threading: count() and open() from any thread; the rest on the one that serves the sockets. A
-// lease that was never told how to end may be let go anywhere.
+// OpenConnections: counts the open sockets of one thread and can close each of them. Threading:
+// count() and open() from any thread; the rest on the thread that serves the sockets. A lease
+// without an `end` function may be released on any thread.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace roomcast::net {
 
 class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
  public:
-  /// Held as long as a socket is open; given back by letting go.
+  /// One open socket: kept as long as the socket is open; its destructor decrements the count.
   class Lease {
    public:
     explicit Lease(std::shared_ptr<OpenConnections> owner);
@@ -22,7 +22,7 @@ class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
 
-    /// How this socket is ended when all are.
+    /// Sets the function by which end_all() closes this socket; empty: none.
     void end_with(std::function<void()> end);
 
    private:
@@ -33,7 +33,7 @@ class OpenConnections : public std::enable_shared_from_this<OpenConnections> {
 
   [[nodiscard]] std::shared_ptr<Lease> open();
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// Those that come later end as soon as they say how.
+  /// Leases that come later are closed when they set their `end` function.
   void end_all();
 
  private:

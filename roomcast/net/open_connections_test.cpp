@@ -21,7 +21,7 @@ TEST(OpenConnections, ends_each_one_even_when_that_gives_its_lease_back) {
   const auto connections = std::make_shared<OpenConnections>();
   auto first = connections->open();
   auto second = connections->open();
-  const auto third = connections->open();  // has nothing to end
+  const auto third = connections->open();  // has no `end` function
   int ended = 0;
   first->end_with([&] { ++ended, first.reset(); });
   second->end_with([&] { ++ended, second.reset(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OutgoingFrames: the frames that are being written to one socket, in order, the first perhaps
-// partly. Pure book-keeping for gather writes; holds references, never copies.
+// OutgoingFrames: the frames being written to one socket, in order; the front one may be partly
+// written. Pure book-keeping for gather writes; keeps references, never copies.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace roomcast::net {
 
 class OutgoingFrames {
  public:
-  /// Frames of one gather write. More gains nothing: the kernel is called rarely enough.
+  /// Frames per gather write. More gains nothing: the kernel is called rarely enough.
   static constexpr std::size_t kMaxGather = 16;
 
   void push(FramedMessagePtr frame);
@@ -24,11 +24,11 @@ class OutgoingFrames {
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
   [[nodiscard]] std::size_t unwritten_bytes() const { return unwritten_bytes_; }
 
-  /// What to write next: up to kMaxGather frames. Their bytes are valid until wrote().
+  /// The next up to kMaxGather frames to write. Their bytes are valid until wrote().
   using Buffers = boost::container::static_vector<boost::asio::const_buffer, kMaxGather>;
   [[nodiscard]] Buffers gather() const;
 
-  /// The socket took this many bytes off the front.
+  /// The socket accepted this many bytes of the front.
   void wrote(std::size_t bytes);
 
   void clear();

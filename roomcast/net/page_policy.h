@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page may do in a browser: nothing but run what its server sent, and ask that one; and,
-// where a server says so, connect to the WebSockets of servers beside it. Source: Content Security
-// Policy Level 3 (W3C). Pure.
+// Content Security Policy of a page: it may run only scripts from its server and connect only to
+// that server, and, where the server allows it, to the WebSockets of other servers. Source: Content
+// Security Policy Level 3 (W3C). Pure.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ inline constexpr std::string_view kPagePolicy =
     "connect-src 'self'; img-src 'self' data:; style-src 'self'; base-uri 'none'; "
     "form-action 'self'; frame-ancestors 'none'";
 
-/// kPagePolicy, and it may connect to these servers' WebSockets, too.
+/// kPagePolicy that also permits connections to these servers' WebSockets.
 [[nodiscard]] std::string page_policy(std::span<const HubUrl> others);
 
-/// The server's pages' Origin, as browsers write it: "https://b.example.org:7600".
+/// The Origin of the server's pages, as browsers write it: "https://b.example.org:7600".
 [[nodiscard]] std::string site_of(const HubUrl& server);
 
 }  // namespace roomcast::net

@@ -24,7 +24,8 @@ std::shared_ptr<PeerCounts::Place> PeerCounts::enter(const std::string& address,
   return std::make_shared<Place>(count);
 }
 
-/// What is left is no more than there are connections, so the map is bounded by twice that.
+/// The remaining entries are no more than the open connections, so the map's size is bounded by
+/// twice that number (at least 1024).
 void PeerCounts::forget_the_gone() {
   std::erase_if(counts_, [](const auto& entry) { return *entry.second == 0; });
   forget_at_ = std::max<std::size_t>(1024, 2 * counts_.size());

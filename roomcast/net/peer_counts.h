@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PeerCounts: how many connections of each address have not yet shown what they are for, so that
-// one address cannot take all the places. Threading: enter() on one thread; a place may be left on
-// any.
+// PeerCounts: counts the unsettled connections of each address, so that one address cannot use up
+// all connections. Threading: enter() on one thread; a Place may be released on any thread.
 #pragma once
 
 #include <atomic>
@@ -14,7 +13,7 @@ namespace roomcast::net {
 
 class PeerCounts {
  public:
-  /// One connection's place; left when it is let go.
+  /// The reservation of one connection; its destructor frees it.
   class Place {
    public:
     explicit Place(std::shared_ptr<std::atomic<std::size_t>> count);
@@ -26,7 +25,7 @@ class PeerCounts {
     std::shared_ptr<std::atomic<std::size_t>> count_;
   };
 
-  /// Null: this address has `limit` already.
+  /// Null: this address already has `limit` connections.
   [[nodiscard]] std::shared_ptr<Place> enter(const std::string& address, std::size_t limit);
 
  private:

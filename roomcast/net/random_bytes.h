@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random bytes nobody can guess, from the kernel. For mask keys and handshake keys (RFC 6455
+// Cryptographically random bytes from the kernel, for mask keys and handshake keys (RFC 6455
 // section 10.3). Threading: any thread.
 #pragma once
 

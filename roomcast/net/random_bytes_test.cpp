@@ -13,7 +13,7 @@ TEST(RandomBytes, two_fillings_differ) {
   std::array<std::uint8_t, 32> second{};
   fill_with_random_bytes(first);
   fill_with_random_bytes(second);
-  EXPECT_NE(first, second);  // equal once in 2^256
+  EXPECT_NE(first, second);  // equal with probability 2^-256
 }
 
 TEST(RandomBytes, filling_nothing_is_fine) {

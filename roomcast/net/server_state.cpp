@@ -22,8 +22,7 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// After accepting failed (most likely: no file descriptors left), so that it does not fail in a
-/// busy loop.
+/// Delay after a failed accept (most likely: no file descriptors left), to avoid a busy loop.
 constexpr std::chrono::milliseconds kAcceptAgainAfter{100};
 
 constexpr std::string_view kTurnedAway =
@@ -139,9 +138,9 @@ void ServerState::accept_later(ErrorCode error) {
   });
 }
 
-/// As far as that goes without spending anything on it.
+/// Sends the reason only if that costs nothing.
 void ServerState::turn_away(Tcp::socket socket) const {
-  if (tls_ != nullptr) return;  // a reason inside TLS would cost a handshake
+  if (tls_ != nullptr) return;  // inside TLS it would cost a handshake
   ErrorCode ignored;
   socket.non_blocking(true, ignored);
   socket.write_some(asio::buffer(kTurnedAway), ignored);

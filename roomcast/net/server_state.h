@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ServerState: the listening socket of an HttpServer and its accept loop. Kept alive by its own
-// pending operations, so that an HttpServer can be destroyed while its io_contexts still run.
-// Threading: lives on the door's thread; port() and connection_count() from any.
+// ServerState: the listening socket of an HttpServer and its accept loop. Its pending operations
+// keep it alive, so that an HttpServer can be destroyed while its io_contexts still run. Threading:
+// runs on the door's thread; port() and connection_count() from any.
 #pragma once
 
 #include <cstddef>

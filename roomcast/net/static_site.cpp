@@ -21,8 +21,7 @@ namespace {
 constexpr std::string_view kIndex = "index.html";
 constexpr std::string_view kCompressed = ".gz";
 
-/// Vite writes the contents' hash into the names of what it puts here, so such a file never
-/// changes.
+/// Vite puts the content hash into the names of files in this folder, so such a file never changes.
 constexpr std::string_view kHashedNames = "/assets/";
 
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {

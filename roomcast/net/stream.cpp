@@ -36,7 +36,7 @@ void Stream::handshake(ErrorCode& error) {
   if (tls_) step(tls_->handshake(), to_write_, error);
 }
 
-/// What a step of TLS means to the one who made it: bytes, or an error and what to wait for.
+/// Translates the result of a TLS step: a byte count, or an error and the direction to wait for.
 std::size_t Stream::step(TlsSession::Step step, Wait& direction, ErrorCode& error) {
   using Outcome = TlsSession::Outcome;
   error = {};

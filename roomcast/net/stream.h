@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stream: a connected TCP socket, as it is or inside TLS. What is above does not care which.
-// It never blocks: a call does what can be done now, or gives would_block and can be waited for.
-// Also an AsyncReadStream and AsyncWriteStream of Asio, for Beast's HTTP.
-// At most one reader and one writer wait at a time; the stream must not move while they do.
-// Threading: lives on its io_context's thread.
+// Stream: a connected TCP socket, plain or with TLS, behind one interface. It never blocks: a call
+// does what is possible now, or gives would_block and can be waited for. It is also an
+// AsyncReadStream and AsyncWriteStream of Asio, for Beast's HTTP. At most one reader and one writer
+// wait at a time; the stream must not be moved meanwhile. Threading: runs on its io_context's
+// thread.
 #pragma once
 
 #include <cstddef>
@@ -31,42 +31,43 @@ class Stream {
   using ErrorCode = boost::system::error_code;
   using executor_type = Socket::executor_type;
 
-  /// `tls` speaks on this very socket. The socket becomes non-blocking.
+  /// `tls` must use this socket. The socket becomes non-blocking.
   explicit Stream(Socket socket, std::optional<TlsSession> tls = std::nullopt);
 
   [[nodiscard]] executor_type get_executor() { return socket_.get_executor(); }
   [[nodiscard]] Socket& socket() { return socket_; }
   [[nodiscard]] bool is_open() const { return socket_.is_open(); }
 
-  /// What is there now. Errors: would_block, eof, and the socket's own; connection_aborted when TLS
-  /// failed, see tls_fault().
+  /// Reads the bytes available now. Errors: would_block, eof, and the socket's own;
+  /// connection_aborted if TLS failed, see tls_fault().
   std::size_t read_some(boost::asio::mutable_buffer into, ErrorCode& error);
-  /// What can be taken now, of the front. After would_block the same bytes have to be offered
-  /// again.
+  /// Writes as much of the front as is accepted now. After would_block the same bytes must be
+  /// offered again.
   template <class ConstBuffers>
   std::size_t write_some(const ConstBuffers& from, ErrorCode& error);
 
-  /// Until a write that gave would_block, or took less than all, can go on.
+  /// Waits until a write that gave would_block, or was incomplete, can continue.
   template <class Handler>
   void async_wait_writable(Handler handler) {
     socket_.async_wait(to_write_, std::move(handler));
   }
-  /// Would a write take something now?
+  /// Whether a write would accept bytes now.
   [[nodiscard]] bool is_writable_now();
 
   template <class MutableBuffers, class Token>
   auto async_read_some(const MutableBuffers& into, Token&& token);
   template <class ConstBuffers, class Token>
   auto async_write_some(const ConstBuffers& from, Token&& token);
-  /// For a client, so that it learns of distrust before it says a word. Nothing to do without TLS.
+  /// For a client, which so detects an untrusted server before it sends anything. Does nothing
+  /// without TLS.
   template <class Token>
   auto async_handshake(Token&& token);
 
-  /// It goes on living on another thread's io_context; nobody may be waiting for it. False: it is
-  /// gone.
+  /// Moves the stream to another thread's io_context; no operation may be pending. False: the
+  /// socket is closed.
   [[nodiscard]] bool move_to(boost::asio::io_context& io);
 
-  /// Nothing more will be written.
+  /// Announces that nothing more will be written.
   void shutdown_send();
   void close();
 
@@ -76,7 +77,7 @@ class Stream {
   [[nodiscard]] bool peer_speaks_plain_http() const {
     return tls_ && tls_->peer_speaks_plain_http();
   }
-  /// Past TLS, as far as that goes without waiting: for a peer that does not speak it.
+  /// Writes past TLS, as much as is possible without waiting: for a peer that does not use TLS.
   void write_in_the_clear(std::string_view text);
 
  private:
@@ -86,14 +87,14 @@ class Stream {
   std::size_t encrypt(std::span<const std::uint8_t> from, ErrorCode& error);
   void handshake(ErrorCode& error);
 
-  /// Tries until it does not block.
+  /// Repeats `attempt` until it does not block.
   template <class Token, class Try>
   auto async_try(const Wait& direction, Try attempt, Token&& token);
 
   Socket socket_;
   std::optional<TlsSession> tls_;
-  Wait to_read_ = Socket::wait_read;    // what a reader waits for: TLS may have to write first
-  Wait to_write_ = Socket::wait_write;  // and the other way round
+  Wait to_read_ = Socket::wait_read;    // for reading: TLS may have to write first
+  Wait to_write_ = Socket::wait_write;  // and the reverse
 };
 
 template <class ConstBuffers>
@@ -108,13 +109,13 @@ std::size_t Stream::write_some(const ConstBuffers& from, ErrorCode& error) {
     written += size;
     if (size < bytes.size()) break;
   }
-  if (written > 0) error = {};  // what is wrong will be told next time
+  if (written > 0) error = {};  // the error is reported by the next call
   return written;
 }
 
 template <class Token, class Try>
 auto Stream::async_try(const Wait& direction, Try attempt, Token&& token) {
-  // A first success is posted: nothing may complete within the call that starts it.
+  // A success at the first attempt is posted: nothing may complete within the call that starts it.
   enum class Stage { kBegun, kTrying, kDone };
   return boost::asio::async_compose<Token, void(ErrorCode, std::size_t)>(
       [this, &direction, attempt, stage = Stage::kBegun, result = ErrorCode(),
@@ -137,7 +138,7 @@ auto Stream::async_try(const Wait& direction, Try attempt, Token&& token) {
 template <class MutableBuffers, class Token>
 auto Stream::async_read_some(const MutableBuffers& into, Token&& token) {
   const boost::asio::mutable_buffer first(*boost::asio::buffer_sequence_begin(into));
-  // Asio's own reading need not tell the kernel each time what it waits for.
+  // Asio's own read does not have to register with the kernel each time.
   if (!tls_) return socket_.async_read_some(first, std::forward<Token>(token));
   return async_try(
       to_read_, [this, first](ErrorCode& error) { return read_some(first, error); },

@@ -17,7 +17,7 @@ namespace {
 
 namespace asio = boost::asio;
 
-/// Everything holds with TLS and without.
+/// Each test runs with TLS and without.
 class StreamTest : public LoopbackTest, public ::testing::WithParamInterface<bool> {
  protected:
   StreamTest() {

@@ -9,8 +9,8 @@ namespace roomcast::net {
 namespace {
 
 struct Lead {
-  std::size_t length = 0;          // of the whole character; 0 = cannot begin one
-  std::uint8_t second_min = 0x80;  // keeps out overlong forms and surrogates
+  std::size_t length = 0;          // of the whole character; 0 = not a lead byte
+  std::uint8_t second_min = 0x80;  // excludes overlong forms and surrogates
   std::uint8_t second_max = 0xBF;
 };
 

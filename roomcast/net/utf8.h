@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is this valid UTF-8? Needed for the reason in a close frame. Source: RFC 3629, Unicode table 3-7.
+// Validates UTF-8, for the reason in a close frame. Source: RFC 3629, Unicode table 3-7.
 #pragma once
 
 #include <string_view>

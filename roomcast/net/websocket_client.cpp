@@ -35,7 +35,7 @@ using SystemError = boost::system::error_code;
 namespace {
 
 constexpr std::uint32_t kMaxAnswerHeader = 8 * 1024;
-/// A refusal longer than this is not one of ours, and not read.
+/// A longer refusal does not come from a hub and is not read.
 constexpr std::uint64_t kMaxRefusal = 512;
 
 class Attempt final : public ConnectAttempt, public std::enable_shared_from_this<Attempt> {
@@ -67,7 +67,7 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   void fail(ErrorCode code, std::string sentence);
   void finish(Result<std::shared_ptr<WebSocketConnection>> result);
 
-  /// Calls `next(*this, error)` unless the attempt is over by then.
+  /// Calls `next(*this, error)` unless the attempt has ended by then.
   template <class Next>
   auto then(Next next) {
     return [self = shared_from_this(), next](SystemError error, const auto&...) {
@@ -77,12 +77,12 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
 
   Tcp::resolver resolver_;
   asio::steady_timer deadline_;
-  Tcp::socket socket_;            // while it connects...
-  std::optional<Stream> stream_;  // ...and from then on
+  Tcp::socket socket_;            // while connecting...
+  std::optional<Stream> stream_;  // ...and afterwards
   HubUrl url_;
   std::string where_;
   ClientOptions options_;
-  ConnectCallback callback_;  // empty once it is over
+  ConnectCallback callback_;  // empty once the attempt has ended
 
   std::string key_ = random_key();
   EmptyRequest request_;
@@ -159,7 +159,7 @@ void Attempt::ask() {
                     then([](Attempt& self, SystemError) { self.read_answer(); }));
 }
 
-/// Also when writing failed: reading then fails too, and may find out why.
+/// Also after a failed write: reading then fails as well, and may reveal the reason.
 void Attempt::read_answer() {
   http::async_read(*stream_, buffer_, answer_,
                    then([](Attempt& self, SystemError error) { self.on_answer(error); }));
@@ -192,13 +192,13 @@ void Attempt::succeed() {
       std::span(static_cast<const std::uint8_t*>(received.data()), received.size())));
 }
 
-/// Of a hub that is full, or of a proxy whose hub is not there.
+/// True for the answers of a full hub, or of a proxy whose hub is unreachable.
 bool is_for_now(http::status status) {
   return status == http::status::service_unavailable || status == http::status::bad_gateway ||
          status == http::status::gateway_timeout;
 }
 
-/// An ordinary HTTP answer. A hub explains itself in one line of plain text.
+/// Handles an ordinary HTTP answer. A hub explains a refusal in one line of plain text.
 void Attempt::refused() {
   const auto& answer = answer_.get();
   const auto status = answer.result_int();

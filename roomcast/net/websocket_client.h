@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens a WebSocket to a hub: look up the name, connect, encrypt, shake hands; bounded in time.
+// Opens a WebSocket to a hub: resolves the name, connects, and performs the TLS and WebSocket
+// handshakes, within a time limit.
 // Threading: call from, and called back on, the thread that runs `io`.
 // Source: RFC 6455 section 4.1 (client handshake); HTTP by Boost.Beast.
 #pragma once
@@ -21,21 +22,21 @@ namespace roomcast::net {
 struct ClientOptions {
   std::string subprotocol = "roomcast.v1";
   std::size_t max_message_bytes = std::size_t{2} << 20;
-  std::chrono::milliseconds connect_within{5'000};  // name, TCP and handshake together
+  std::chrono::milliseconds connect_within{5'000};  // name, TCP and handshakes together
   ConnectionTimings timings = {};
 };
 
-/// Called once, never from within connect(). The connection is open and waits for start().
-/// Errors: kNotFound (no such host), kUnavailable (nobody listens there, or no answer in time, or
-/// the hub is full), kUnsupported (answers, but is no hub of this version, or shows a certificate
-/// that cannot be trusted).
+/// Called once, never from within connect(). The connection is open and must be started by start().
+/// Errors: kNotFound (no such host), kUnavailable (no listener, no answer in time, or the hub is
+/// full), kUnsupported (an answer that is not from a hub of this version, or a certificate that
+/// cannot be trusted).
 using ConnectCallback = std::function<void(Result<std::shared_ptr<WebSocketConnection>>)>;
 
-/// An attempt under way. Letting go of it changes nothing.
+/// A pending attempt. Destroying it does not cancel the attempt.
 class ConnectAttempt {
  public:
   virtual ~ConnectAttempt() = default;
-  /// Gives up; the callback is not called any more. No effect once it was.
+  /// Cancels the attempt; the callback is not called any more. No effect after the callback.
   virtual void cancel() = 0;
 };
 

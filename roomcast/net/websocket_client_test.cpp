@@ -33,7 +33,7 @@ class WebSocketClientTest : public LoopbackTest {
     return *std::move(outcome);
   }
 
-  /// A server that says these bytes to whoever connects, and what it then hears.
+  /// Runs a server that sends these bytes to its client; returns the outcome of connecting to it.
   Outcome outcome_when_answered(std::string answer, bool then_close) {
     Tcp::acceptor acceptor(io_, Tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
     std::optional<Tcp::socket> socket;
@@ -109,8 +109,7 @@ TEST_F(WebSocketClientTest, says_when_nobody_listens) {
 }
 
 TEST_F(WebSocketClientTest, says_when_there_is_no_such_host) {
-  // No part of a name is longer than 63 characters (RFC 1035), so this is known without asking the
-  // network.
+  // A label of a name has at most 63 characters (RFC 1035), so this fails without a network query.
   const std::string name = std::string(64, 'a') + ".invalid";
   expect_error(outcome_of({name, 7600, "/ws"}), ErrorCode::kNotFound, name);
 }
@@ -171,7 +170,7 @@ TEST_F(WebSocketClientTest, a_cancelled_attempt_does_not_call_back) {
   attempt->cancel();
 }
 
-/// A server with a certificate of its own.
+/// A server with its own certificate.
 class EncryptedClientTest : public WebSocketClientTest {
  protected:
   HubUrl pinned_url() const {

@@ -22,18 +22,18 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// Idle connections keep a small read buffer; one that receives large messages, or many at once,
-/// gets a larger one: a frame set takes one read then, not one for every frame.
+/// Idle connections keep a small read buffer; a connection that receives large messages, or many at
+/// once, gets a larger one: a frame set then takes one read instead of one per frame.
 constexpr std::size_t kMinReadBuffer = 4 * 1024;
 constexpr std::size_t kMaxReadBuffer = 64 * 1024;
 
-/// Bytes taken from the handler for one write. Once a socket could not take all, it is offered
-/// little at a time, so that what waits does so where it can still be replaced; until it has caught
-/// up and the handler has no more.
+/// Bytes requested from the handler for one write. After a socket could not accept everything, it
+/// is offered little at a time, so that waiting data stays in the handler, where it can still be
+/// replaced, until the socket has caught up and the handler has no more.
 constexpr std::size_t kCongestedPull = 16 * 1024;
 constexpr std::size_t kMaxPull = 256 * 1024;
 
-/// Timers fire a little late on any machine.
+/// Delay up to which a timer counts as on time; some delay is normal on any machine.
 constexpr std::chrono::milliseconds kOnTime{20};
 
 std::string address_of(const asio::ip::tcp::socket& socket) {
@@ -115,7 +115,7 @@ void WebSocketConnection::on_read(ErrorCode error, std::size_t size) {
   if (stage_ == Stage::kClosed) return;
   if (error) return on_broken(error);
   heard_from_peer();
-  if (size == read_buffer_.size()) read_ahead_bytes_ = 2 * size;  // perhaps there was more
+  if (size == read_buffer_.size()) read_ahead_bytes_ = 2 * size;  // there may be more
   take(std::span(read_buffer_).first(size));
   read();
 }
@@ -152,7 +152,7 @@ void WebSocketConnection::take_event(const PeerClose& close) {
 
 void WebSocketConnection::take_event(Violation violation) {
   const bool ours_is_on_its_way = stage_ == Stage::kClosing;
-  stage_ = Stage::kAnswering;  // the reader has stopped: no answer will be understood
+  stage_ = Stage::kAnswering;  // the reader has stopped, so no answer can be read
   if (ours_is_on_its_way) return schedule_write();
   push_close(violation.code, violation.sentence);
   reason_ = {violation.code, std::move(violation.sentence), false};
@@ -183,7 +183,7 @@ void WebSocketConnection::write() {
   on_wrote(size, offered);
 }
 
-/// Everything is written: what comes next? False: nothing before the socket is writable.
+/// After everything is written, collects the next data. False: wait until the socket is writable.
 bool WebSocketConnection::refill() {
   if (pull_limit_bytes_ < kMaxPull && !stream_.is_writable_now()) {
     wait_until_writable();
@@ -231,7 +231,7 @@ void WebSocketConnection::wait_until_writable() {
   stream_.async_wait_writable([self = shared_from_this()](ErrorCode error) {
     self->waiting_until_writable_ = false;
     if (error || self->stage_ == Stage::kClosed) return;
-    self->heard_from_peer();  // there is room again, so it has acknowledged something
+    self->heard_from_peer();  // the peer has acknowledged data, since there is space again
     self->write();
   });
 }
@@ -283,8 +283,8 @@ void WebSocketConnection::set_timings(const ConnectionTimings& timings) {
   if (stage_ == Stage::kOpen && handler_) watch_silence();
 }
 
-/// Who looks too late was kept from reading, too, and what the peer said meanwhile may still have
-/// to be read.
+/// A late timer means that this program was kept from reading as well; messages of the peer may
+/// still be unread, so the delay does not count as silence.
 void WebSocketConnection::on_silence_timer() {
   const SteadyTime now = std::chrono::steady_clock::now();
   if (const auto late = now - timer_.expiry(); late > kOnTime)
@@ -296,8 +296,7 @@ void WebSocketConnection::on_silence_timer() {
   }
   if (silence >= options_.timings.ping_after && !ping_sent_) {
     ping_sent_ = true;
-    // While something is being written, that is the question: it goes on only if the peer
-    // acknowledges.
+    // Data being written serves as the probe: it proceeds only if the peer acknowledges.
     if (outgoing_.empty()) push_control(Opcode::kPing, {});
     schedule_write();
   }
@@ -313,7 +312,7 @@ void WebSocketConnection::bound_closing() {
 
 // ---- the end
 
-/// The peer may have said why before it went, so the reader has the last word.
+/// Reading continues: the peer may have sent a reason before it disconnected.
 void WebSocketConnection::on_write_failed() {
   write_failed_ = true;
   outgoing_.clear();

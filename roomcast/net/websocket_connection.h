@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // WebSocketConnection: one open WebSocket, after the handshake, server or client side.
 //
-// It owns every byte that goes out: messages, pings, pongs and the close frame leave in one order,
-// each whole. It has no queue of its own: when the socket can take more it asks its handler for the
-// next message, so whoever makes messages decides, at the last moment, what is worth sending. A
-// peer that does not read costs no memory beyond the few messages that are being written.
+// It alone writes to the socket: messages, pings, pongs and the close frame leave in one order,
+// each complete. It has no queue of its own: when the socket can accept more, it requests the next
+// message from its handler, so the handler decides at the last moment what to send. A peer that
+// does not read costs no memory beyond the few messages being written.
 //
-// Threading: lives on the one thread that runs its io_context; all calls come from there, and so do
-// the handler's. Source: RFC 6455; TCP_NOTSENT_LOWAT after "Prioritization Only Works When There's
+// Threading: runs on the one thread of its io_context; all calls, and those to the handler, are
+// made there. Source: RFC 6455; TCP_NOTSENT_LOWAT after "Prioritization Only Works When There's
 // Pending Data to Prioritize".
 #pragma once
 
@@ -31,15 +31,14 @@
 
 namespace roomcast::net {
 
-/// Why a connection ended. `code` is kAbnormal when it broke without a close frame from either
-/// side.
+/// The end of a connection. `code` is kAbnormal if it broke without a close frame from either side.
 struct CloseReason {
   std::uint16_t code = close_code::kAbnormal;
   std::string sentence;
   bool by_peer = false;
 };
 
-/// What a connection needs from the layer above.
+/// Interface to the layer above.
 class ConnectionHandler {
  public:
   virtual ~ConnectionHandler() = default;
@@ -47,36 +46,35 @@ class ConnectionHandler {
   /// A whole message from the peer. Not called once close() or on_closed() has been called.
   virtual void on_message(MessageBuffer message) = 0;
 
-  /// All messages that came with one read have been handed over: for who does better with several
-  /// at once. Called like on_message().
+  /// All messages of one read have been passed to on_message(); for handlers that process several
+  /// at once. Called under the same conditions as on_message().
   virtual void on_read_done() {}
 
-  /// The socket can take more: the next message (sealed without a mask), or null when there is
-  /// nothing to say now; then call wake() when there is. Not called once close() or on_closed() has
-  /// been called; may be called from within wake().
+  /// The socket can accept more: returns the next message (framed without a mask), or null if there
+  /// is none; then call wake() when there is. Not called once close() or on_closed() has been
+  /// called; may be called from within wake().
   virtual FramedMessagePtr next_message() = 0;
 
-  /// It is over. Called once, never from within a call to the connection; nothing is called after
-  /// it.
+  /// The connection has ended. Called once, never from within a call to the connection, and last.
   virtual void on_closed(const CloseReason& reason) = 0;
 };
 
-/// Silence is what could be heard and was not: time in which this program did not run (a busy
-/// machine, one that slept) does not count.
+/// Silence is time in which the program listened and received nothing: time in which it did not run
+/// (a busy or suspended machine) does not count.
 struct ConnectionTimings {
   std::chrono::milliseconds ping_after{5'000};      // of silence from the peer
   std::chrono::milliseconds give_up_after{15'000};  // of silence from the peer
   std::chrono::milliseconds close_within{
-      2'000};  // from close() to the end, agreed by the peer or not
+      2'000};  // from close() to the end, whether the peer agreed or not
 };
 
 struct ConnectionOptions {
   WebSocketRole role = WebSocketRole::kServer;
   std::size_t max_message_bytes = 16 * 1024;
   ConnectionTimings timings = {};
-  /// Held as long as the socket is open; for counting open connections. May be null.
+  /// Kept as long as the socket is open, for counting open connections. May be null.
   std::shared_ptr<void> lease = {};
-  /// Held until settle(). May be null.
+  /// Kept until settle(). May be null.
   std::shared_ptr<void> place = {};
 };
 
@@ -84,47 +82,48 @@ struct ConnectionCounters {
   std::uint64_t bytes_in = 0;
   std::uint64_t bytes_out = 0;
   std::uint64_t messages_in = 0;
-  std::uint64_t messages_out = 0;  // handed to the socket; the last ones may still be on their way
+  std::uint64_t messages_out = 0;  // passed to the socket; the last ones may still be unsent
 };
 
 class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnection> {
  public:
-  /// `stream` is connected and the handshake is done; `received` came after it in the same read.
+  /// `stream` is connected and the handshake is done; `received` are bytes that followed it in the
+  /// same read.
   WebSocketConnection(Stream stream, ConnectionOptions options,
                       std::span<const std::uint8_t> received);
   WebSocketConnection(const WebSocketConnection&) = delete;
   WebSocketConnection& operator=(const WebSocketConnection&) = delete;
 
-  /// Begins to read and write. Once. The handler is let go after on_closed().
+  /// Begins to read and write. Call once. The handler is released after on_closed().
   void start(std::shared_ptr<ConnectionHandler> handler);
 
-  /// next_message() has something to give. It is asked for, and what the socket takes is written,
-  /// before this returns: a hub with hundreds of viewers has no time for a turn of the event loop
-  /// for each.
+  /// Call when next_message() has a message. It is called, and as much written as the socket
+  /// accepts, before this returns: a hub with hundreds of viewers cannot afford an iteration of the
+  /// event loop for each.
   void wake();
 
-  /// Sends what was already taken from the handler, then `last` if given, then a close frame. Not
-  /// more than ConnectionTimings::close_within is spent on it. The reason is cut to kMaxCloseReason
-  /// bytes. Only the first call counts; no effect on a connection that the peer has closed.
+  /// Sends the messages already taken from the handler, then `last` if given, then a close frame,
+  /// within ConnectionTimings::close_within. The reason is cut to kMaxCloseReason bytes. Only the
+  /// first call counts; no effect on a connection that the peer has closed.
   void close(std::uint16_t code, std::string sentence);
   void close_after(FramedMessagePtr last, std::uint16_t code, std::string sentence);
 
-  /// The peer has shown what it is here for: see HttpServerOptions::max_unsettled_per_peer.
+  /// Marks the peer as legitimate: see HttpServerOptions::max_unsettled_per_peer.
   void settle() { options_.place.reset(); }
 
-  /// Hold from now on.
+  /// Valid from now on.
   void set_timings(const ConnectionTimings& timings);
-  /// Holds from the next frame on.
+  /// Valid from the next frame on.
   void set_max_message_bytes(std::size_t bytes) { reader_.set_max_message_bytes(bytes); }
 
   /// "127.0.0.1:50312"
   [[nodiscard]] const std::string& peer_address() const { return peer_address_; }
-  /// For counting and banning: peer_name().
+  /// peer_name(), for counting and banning.
   [[nodiscard]] const std::string& peer() const { return peer_; }
   [[nodiscard]] const ConnectionCounters& counters() const { return counters_; }
-  /// Bytes taken from the handler that the kernel has not taken yet.
+  /// Bytes taken from the handler but not yet accepted by the kernel.
   [[nodiscard]] std::size_t unwritten_bytes() const { return outgoing_.unwritten_bytes(); }
-  /// close() was called, or the peer closed, or the connection broke.
+  /// True after close() was called, the peer closed, or the connection broke.
   [[nodiscard]] bool closing() const { return stage_ != Stage::kOpen; }
 
  private:
@@ -133,9 +132,9 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
 
   enum class Stage {
     kOpen,
-    kClosing,    // our close frame is on its way; the peer's answer has not come
-    kAnswering,  // nothing more will be read; our close frame is on its way
-    kDraining,   // all is written; the peer still has to end its side of the TCP connection
+    kClosing,    // our close frame is being sent; the peer's answer has not arrived
+    kAnswering,  // nothing more will be read; our close frame is being sent
+    kDraining,   // all is written; the peer has yet to end its side of the TCP connection
     kClosed,
   };
 
@@ -178,7 +177,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   std::shared_ptr<ConnectionHandler> handler_;
   ConnectionCounters counters_;
   Stage stage_ = Stage::kOpen;
-  CloseReason reason_;  // of our own closing, reported when it is done
+  CloseReason reason_;  // of our own closing, reported at its end
 
   WebSocketReader reader_;
   std::vector<std::uint8_t> read_buffer_;
@@ -188,12 +187,12 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   bool ping_sent_ = false;
 
   OutgoingFrames outgoing_;
-  std::optional<Ping> unanswered_ping_;  // only the newest need be answered
+  std::optional<Ping> unanswered_ping_;  // only the newest must be answered
   bool write_scheduled_ = false;
-  bool pulling_ = false;  // the handler is being asked: its wake() changes nothing
+  bool pulling_ = false;  // next_message() is being called: its wake() has no effect
   bool write_failed_ = false;
   bool waiting_until_writable_ = false;
-  bool handler_is_dry_ = false;  // next_message() gave nothing, and wake() was not called since
+  bool handler_is_dry_ = false;  // next_message() gave null, and wake() was not called since
   std::size_t pull_limit_bytes_;
 };
 

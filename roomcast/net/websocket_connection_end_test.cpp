@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How connections end: in agreement, against the rules, by silence, by loss.
+// How connections end: by agreement, by a protocol violation, by silence, by loss.
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -151,7 +151,7 @@ TEST_F(WebSocketConnectionEnd, a_lost_connection_is_told_apart_from_a_goodbye) {
 
 TEST_F(WebSocketConnectionEnd, what_the_peer_said_before_it_vanished_is_still_heard) {
   open_both();
-  // The server says why and cuts the line at once; the client is just writing when that happens.
+  // The server sends a reason and disconnects at once, while the client is writing.
   server_.connection->close_after(message_of("why"), close_code::kPolicy, "because");
   for (int i = 0; i < 50; ++i) client_.send(frame_message(MessageBuffer(pattern(100'000))));
   ASSERT_TRUE(run_until([&] { return client_.closed(); }));

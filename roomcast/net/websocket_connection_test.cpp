@@ -83,7 +83,7 @@ TEST_F(WebSocketConnectionTest, bytes_that_came_with_the_handshake_are_not_lost)
 TEST_F(WebSocketConnectionTest, a_peer_that_does_not_read_stops_the_asking_not_the_program) {
   open_server();
   const auto large = frame_message(MessageBuffer(pattern(64 * 1024)));
-  constexpr int kOffered = 1000;  // 64 MB: more than any socket buffer takes
+  constexpr int kOffered = 1000;  // 64 MB: more than any socket buffer
   for (int i = 0; i < kOffered; ++i) server_.handler->to_send.push_back(large);
   server_.connection->wake();
   int given_before = -1;
@@ -114,7 +114,7 @@ TEST_F(WebSocketConnectionTest, a_congested_socket_is_offered_little_at_a_time) 
     return std::exchange(given_before, server_.handler->times_given) ==
            server_.handler->times_given;
   }));
-  // From now on it writes what the peer makes room for.
+  // From now on the peer reads, and the server writes as space permits.
   std::vector<char> sink(64 * 1024);
   std::size_t highest = 0;
   for (int i = 0; i < 200; ++i) {

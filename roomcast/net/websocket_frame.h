@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pieces of a WebSocket frame: opcodes, close codes, header and masking. Pure functions over
-// bytes. Source: RFC 6455 sections 5.2 (framing), 5.3 (masking), 7.4 (close codes).
+// Parts of a WebSocket frame: opcodes, close codes, header and masking. Pure functions on bytes.
+// Source: RFC 6455 sections 5.2 (framing), 5.3 (masking), 7.4 (close codes).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace roomcast::net {
 
-/// Who we are on a connection. A client masks what it sends, a server does not.
+/// Our role in a connection. A client masks its frames, a server does not.
 enum class WebSocketRole { kServer, kClient };
 
 enum class Opcode : std::uint8_t {
@@ -46,18 +46,18 @@ inline constexpr std::uint16_t kTooLarge = 1009;
 inline constexpr std::uint16_t kTryAgainLater = 1013;
 }  // namespace close_code
 
-/// May a close frame carry this code? (RFC 6455 section 7.4 and the IANA registry)
+/// Whether a close frame may contain this code (RFC 6455 section 7.4 and the IANA registry).
 [[nodiscard]] bool may_be_sent(std::uint16_t close_code);
 
-/// Payload of a ping, pong or close frame.
+/// Maximum payload of a ping, pong or close frame.
 inline constexpr std::size_t kMaxControlPayload = 125;
-/// Reason of a close frame: what is left after the code.
+/// Maximum reason of a close frame: the payload after the code.
 inline constexpr std::size_t kMaxCloseReason = kMaxControlPayload - 2;
 inline constexpr std::size_t kMaxFrameHeader = 14;
 
 using MaskKey = std::array<std::uint8_t, 4>;
 
-/// A whole message's or control frame's header (FIN set; we never send fragments).
+/// Header of a whole message or control frame (FIN set; we never send fragments).
 struct FrameHeader {
   std::array<std::uint8_t, kMaxFrameHeader> bytes{};
   std::size_t size = 0;
@@ -66,13 +66,13 @@ struct FrameHeader {
 [[nodiscard]] FrameHeader make_frame_header(Opcode opcode, std::uint64_t payload_size,
                                             std::optional<MaskKey> mask = std::nullopt);
 
-/// `to[i] = from[i] ^ key[(phase + i) % 4]`; the same both ways. `to` and `from` are equally long
-/// and are the same memory or do not overlap. `phase`: how many bytes of the frame's payload came
-/// before.
+/// `to[i] = from[i] ^ key[(phase + i) % 4]`; the same in both directions. `to` and `from` have
+/// equal length and are the same memory or do not overlap. `phase`: number of preceding bytes of
+/// the frame's payload.
 void mask_copy(std::span<std::uint8_t> to, std::span<const std::uint8_t> from, MaskKey key,
                std::size_t phase);
 
-/// The reason as it may be sent: cut to kMaxCloseReason bytes at a character's border.
+/// The reason cut to kMaxCloseReason bytes at a character boundary.
 [[nodiscard]] std::string_view cut_close_reason(std::string_view reason);
 
 }  // namespace roomcast::net

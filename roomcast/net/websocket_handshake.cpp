@@ -52,8 +52,7 @@ bool has_token(std::string_view list, std::string_view token) {
       .exists(beast::string_view(token.data(), token.size()));
 }
 
-/// Subprotocol names are compared with their case (RFC 6455 section 4.2.2); has_token() is not that
-/// strict.
+/// Subprotocol names are case-sensitive (RFC 6455 section 4.2.2); has_token() ignores case.
 bool offers(std::string_view list, std::string_view subprotocol) {
   for (const auto token : http::token_list(beast::string_view(list.data(), list.size()))) {
     if (std::string_view(token.data(), token.size()) == subprotocol) return true;

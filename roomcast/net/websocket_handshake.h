@@ -26,26 +26,26 @@ using EmptyResponse = boost::beast::http::response<boost::beast::http::empty_bod
 /// A fresh Sec-WebSocket-Key.
 [[nodiscard]] std::string random_key();
 
-/// Does this GET ask for a WebSocket at all?
+/// Whether this GET requests a WebSocket.
 [[nodiscard]] bool asks_for_websocket(const RequestHeader& request);
-/// The answer that refuses the upgrade, with a sentence; nothing when the request is right.
+/// The answer that refuses the upgrade, with a sentence; nothing if the request is valid.
 [[nodiscard]] std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
                                                          std::string_view subprotocol,
                                                          const AllowedNames& names = {});
-/// 101 for a request that refuse_upgrade() let pass.
+/// 101 for a request accepted by refuse_upgrade().
 [[nodiscard]] EmptyResponse make_upgrade(const RequestHeader& request,
                                          std::string_view subprotocol);
 
 [[nodiscard]] EmptyRequest make_upgrade_request(std::string_view host_and_port,
                                                 std::string_view path, std::string_view key,
                                                 std::string_view subprotocol);
-/// What is wrong with a 101 answer to make_upgrade_request(), as the end of a sentence ("... speaks
-/// no roomcast.v1"); nothing when it is right.
+/// The fault in a 101 answer to make_upgrade_request(), as the end of a sentence ("... speaks
+/// no roomcast.v1"); nothing if the answer is valid.
 [[nodiscard]] std::optional<std::string> fault_in_upgrade(const ResponseHeader& response,
                                                           std::string_view key,
                                                           std::string_view subprotocol);
 
-/// Is a page from `origin` the page that this very host serves? Both as in the headers.
+/// Whether a page from `origin` is served by this very host. Both as in the headers.
 [[nodiscard]] bool is_same_host(std::string_view origin, std::string_view host);
 
 }  // namespace roomcast::net

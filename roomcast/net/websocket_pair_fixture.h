@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For the tests of WebSocketConnection: two of ours talking to each other, or one of ours and a
-// peer that the test plays byte by byte.
+// For the tests of WebSocketConnection: two connections to each other, or one connection and a peer
+// that the test scripts byte by byte.
 #pragma once
 
 #include <memory>
@@ -62,14 +62,14 @@ class WebSocketPairTest : public LoopbackTest {
     return end;
   }
 
-  /// Both ends are ours.
+  /// Both ends are WebSocketConnections.
   void open_both(ConnectionTimings timings = {}) {
     auto sockets = connected_sockets();
     server_ = open(std::move(sockets.ours), options(WebSocketRole::kServer, timings));
     client_ = open(std::move(sockets.theirs), options(WebSocketRole::kClient, timings));
   }
 
-  /// The server is ours, the test plays the client byte by byte.
+  /// The server is a WebSocketConnection; the test scripts the client byte by byte.
   void open_server(ConnectionTimings timings = {}) {
     auto sockets = connected_sockets();
     server_ = open(std::move(sockets.ours), options(WebSocketRole::kServer, timings));
@@ -82,14 +82,14 @@ class WebSocketPairTest : public LoopbackTest {
                        boost::asio::buffer(frame->wire_bytes().data(), frame->wire_bytes().size()));
   }
 
-  /// Reads what is there, at most a bufferful.
+  /// Reads the available bytes, at most a bufferful.
   void peer_takes(std::vector<char>& buffer) {
     boost::system::error_code nothing_there;
     peer_->non_blocking(true);
     peer_->read_some(boost::asio::buffer(buffer), nothing_there);
   }
 
-  /// Frames that the peer has received, until the server ends or `count` came.
+  /// Frames that the peer has received, until the server ends or `count` have arrived.
   std::vector<std::string> peer_receives(std::size_t count) {
     WebSocketReader reader(WebSocketRole::kClient, 4 * kTwoMiB);
     std::vector<std::string> events;

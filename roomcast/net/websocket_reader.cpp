@@ -50,7 +50,7 @@ ReaderEvent WebSocketReader::next(std::span<const std::uint8_t>& bytes) {
   return NeedsMoreBytes{};
 }
 
-/// True once `size` bytes of the header are there.
+/// True once `size` bytes of the header have arrived.
 bool WebSocketReader::fill_header(std::span<const std::uint8_t>& bytes, std::size_t size) {
   if (header_filled_ >= size) return true;
   const std::size_t count = std::min(size - header_filled_, bytes.size());
@@ -117,7 +117,7 @@ std::uint64_t WebSocketReader::announced_length() const {
   return value;
 }
 
-/// The header is whole: takes it in, unless its length is not allowed.
+/// Processes the complete header, unless its length is not allowed.
 std::optional<Violation> WebSocketReader::begin_frame() {
   const std::uint64_t length = announced_length();
   const std::uint8_t form = header_[1] & kLengthBits;
@@ -145,7 +145,7 @@ std::optional<Violation> WebSocketReader::begin_frame() {
   return std::nullopt;
 }
 
-/// True once the frame is whole.
+/// True once the frame is complete.
 bool WebSocketReader::take_payload(std::span<const std::uint8_t>& bytes) {
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(missing_, bytes.size()));
   const auto came = bytes.first(count);
@@ -160,8 +160,8 @@ bool WebSocketReader::take_payload(std::span<const std::uint8_t>& bytes) {
   return missing_ == 0;
 }
 
-/// A message's memory at most doubles, and never beyond what is announced, so an announcement alone
-/// costs nothing.
+/// A message's memory at most doubles and never exceeds the announced length, so an announcement
+/// alone costs nothing.
 void WebSocketReader::append_to_message(std::span<const std::uint8_t> came) {
   auto& storage = message_.appendable();
   const std::size_t needed = storage.size() + came.size();

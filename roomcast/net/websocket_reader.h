@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebSocketReader: takes bytes as they arrive, gives messages, pings, pongs and closes. Pure: no
-// sockets, no time. Binary messages only, fragments joined, no extensions. Memory follows the bytes
-// that have arrived, never a length that was only announced, and never exceeds the message limit.
-// Source: RFC 6455 sections 5 (framing) and 7 (closing). Everything it forbids is refused with its
-// close code.
+// WebSocketReader: parses incoming bytes into messages, pings, pongs and closes. Pure: no sockets,
+// no time. Binary messages only, fragments joined, no extensions. Memory follows the bytes that
+// have arrived, never a length that was only announced, and never exceeds the message limit.
+// Source: RFC 6455 sections 5 (framing) and 7 (closing). Violations are refused with the close code
+// of the RFC.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace roomcast::net {
 
-/// All bytes were taken and nothing is complete.
+/// All bytes were consumed and no event is complete.
 struct NeedsMoreBytes {};
 struct Ping {
   std::string payload;
@@ -28,13 +28,13 @@ struct Ping {
 struct Pong {
   std::string payload;
 };
-/// The peer's close frame. No bytes after it are looked at.
+/// The peer's close frame. Bytes after it are ignored.
 struct PeerClose {
   std::uint16_t code = close_code::kNoCode;
   std::string reason;
 };
-/// The peer broke the rules: `code` is what to close with, `sentence` says why. Nothing can be read
-/// any more.
+/// The peer violated the protocol: close with `code`; `sentence` explains it. Nothing more can be
+/// read.
 struct Violation {
   std::uint16_t code = close_code::kProtocolError;
   std::string sentence;
@@ -44,18 +44,19 @@ using ReaderEvent = std::variant<NeedsMoreBytes, MessageBuffer, Ping, Pong, Peer
 
 class WebSocketReader {
  public:
-  /// A server demands masked frames, a client unmasked ones.
+  /// A server requires masked frames, a client unmasked ones.
   WebSocketReader(WebSocketRole role, std::size_t max_message_bytes)
       : role_(role), max_message_bytes_(max_message_bytes) {}
 
-  /// The next event; takes what it used off the front of `bytes`. Call until NeedsMoreBytes. After
-  /// PeerClose or Violation it gives NeedsMoreBytes for ever and discards.
+  /// The next event; removes the consumed bytes from the front of `bytes`. Call until
+  /// NeedsMoreBytes. After PeerClose or Violation it always gives NeedsMoreBytes and discards the
+  /// bytes.
   [[nodiscard]] ReaderEvent next(std::span<const std::uint8_t>& bytes);
 
-  /// Holds from the next frame header on.
+  /// Valid from the next frame header on.
   void set_max_message_bytes(std::size_t bytes) { max_message_bytes_ = bytes; }
 
-  /// Bytes of the frame in progress that are announced and have not come. For sizing the next read.
+  /// Announced bytes of the frame in progress that have not arrived. For sizing the next read.
   [[nodiscard]] std::uint64_t missing_bytes() const { return missing_; }
 
  private:

@@ -45,7 +45,7 @@ std::string describe(const Violation& violation) {
   return "violation " + std::to_string(violation.code) + " " + violation.sentence;
 }
 
-/// All events that these bytes give, without the requests for more.
+/// All events in these bytes, without NeedsMoreBytes.
 Transcript read(WebSocketReader& reader, std::span<const std::uint8_t> bytes) {
   Transcript transcript;
   for (;;) {
@@ -67,7 +67,7 @@ Transcript read_as_server(const Bytes& bytes, std::size_t limit = kLimit) {
   return read(reader, bytes);
 }
 
-/// A frame with these first byte and payload; masked when a client sends it.
+/// A frame with this first byte and payload; masked if from a client.
 Bytes frame(std::uint8_t first, std::string_view payload, bool masked) {
   const FrameHeader header = make_frame_header(Opcode::kBinary, payload.size(),
                                                masked ? std::optional(kKey) : std::nullopt);

@@ -64,7 +64,7 @@ void WebSocketWorkers::take(Stream stream, std::vector<std::uint8_t> received,
                  });
 }
 
-/// On the thread that it lives on.
+/// Runs on the thread of the worker.
 void WebSocketWorkers::serve(Upgraded upgraded, std::size_t thread,
                              const HttpServerOptions& options) {
   ConnectionOptions connection_options;

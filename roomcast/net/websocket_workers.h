@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebSocketWorkers: the threads on which a server's WebSockets live, and among which they are dealt
-// out when their request has been answered; each stays on one for life.
-// Threading: any thread. Callbacks come from the worker that got the WebSocket.
+// WebSocketWorkers: the threads that serve a server's WebSockets. After the upgrade each WebSocket
+// is assigned to the thread with the fewest connections and stays there. Threading: any thread.
+// Callbacks are called on the WebSocket's worker.
 #pragma once
 
 #include <cstddef>
@@ -24,13 +24,13 @@ class WebSocketWorkers {
   WebSocketWorkers(std::span<boost::asio::io_context* const> threads,
                    std::shared_ptr<const HttpServerOptions> options);
 
-  /// A connection that has become a WebSocket, and what came behind its request. Nobody may be
-  /// waiting for the stream.
+  /// Takes a connection upgraded to a WebSocket, and the bytes that followed its request. No
+  /// operation may be pending on the stream.
   void take(Stream stream, std::vector<std::uint8_t> received,
             std::shared_ptr<PeerCounts::Place> place);
 
   [[nodiscard]] std::size_t connection_count() const;
-  /// With 1001, and those that still come as well.
+  /// Closes all with 1001, and those that arrive later as well.
   void end_all();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control messages <-> bytes, and what is legal in them: docs/spec/wire.md §3 and §4,
-// control.proto. What comes out of `decode_control` has been checked: names, sizes, numbers and
+// Encoding and decoding of control messages, with their validity rules: docs/spec/wire.md §3 and
+// §4, control.proto. The result of `decode_control` has been checked: names, sizes, numbers and
 // matrices can be used as they are.
 #pragma once
 
@@ -13,14 +13,15 @@
 
 namespace roomcast::wire {
 
-/// The limits differ: those who have to do with calibration bundles may be sent large messages.
+/// The sender's role sets the size limit: messages from sensors, and from the hub to aligners, may
+/// be large, because they may contain calibration bundles.
 enum class Sender { kClient, kSensor, kHub, kHubToAligner };
 
 /// Appends the whole message (preamble included) to `out`.
 void encode_control(const pb::Control& control, std::vector<std::uint8_t>& out);
 
-/// kMalformed, kTooLarge or kUnsupported, with a sentence for whoever sent it. A message kind of a
-/// later version decodes to a Control without content.
+/// kMalformed, kTooLarge or kUnsupported, with a sentence for the sender. A message kind of a later
+/// version decodes to a Control without content.
 [[nodiscard]] Result<pb::Control> decode_control(std::span<const std::uint8_t> message,
                                                  Sender sender);
 

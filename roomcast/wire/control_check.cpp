@@ -27,8 +27,8 @@ Status check_fps(double fps) {
   return {};
 }
 
-/// Row-major rigid 4x4. A millimetre and a milliradian of rounding are forgiven; scaling and
-/// mirroring are not.
+/// Checks that the matrix is a row-major rigid 4x4. Rounding of a millimetre and a milliradian is
+/// accepted; scaling and mirroring are not.
 Status check_rigid(const google::protobuf::RepeatedField<double>& m, const char* what) {
   const auto fault = [&](const char* reason) {
     return malformed(std::string(what) + " " + reason);
@@ -108,7 +108,7 @@ Status check_join(const pb::Join& join) {
   return malformed("a Join says whether it is a sensor's, a viewer's or an aligner's");
 }
 
-/// Anything with x, y, z in metres.
+/// Whether a point (x, y, z in metres) is in the allowed range.
 template <class Place>
 bool is_within_reach(const Place& place) {
   const auto is_near = [](float metres) {
@@ -133,7 +133,7 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
     if (part == nullptr) continue;
     if (auto s = check_pose(*part); !s) return s;
   }
-  const pb::Beam& beam = pose.pointer();  // all zero where there is none
+  const pb::Beam& beam = pose.pointer();  // all zero if there is none
   if (!is_within_reach(beam.from()) || !is_within_reach(beam.to()))
     return malformed("a pointer's beam is out of range");
   return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is legal inside control messages. Names, counts and numbers only: whether a message may be
-// said at this moment is the room's business.
+// Validity of control messages: names, counts and numbers only. The room decides whether a message
+// is allowed at that moment.
 #pragma once
 
 #include "roomcast/core/result.h"
@@ -8,7 +8,7 @@
 
 namespace roomcast::wire {
 
-/// kMalformed or kTooLarge with the field that is wrong.
+/// kMalformed or kTooLarge, naming the invalid field.
 [[nodiscard]] Status check_control(const pb::Control& control);
 
 }  // namespace roomcast::wire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tests/golden/wire.json lists messages with what they mean; the browser's tests read the same
-// files. To add one, add it to golden_messages() and run this test once with
+// tests/golden/wire.json lists messages with their meaning; the browser's tests read the same
+// files. To add a message, add it to golden_messages() and run this test once with
 // ROOMCAST_UPDATE_GOLDEN=1.
 #include <cstdlib>
 #include <filesystem>

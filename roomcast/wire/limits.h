@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every limit of roomcast.v1 in one place; docs/spec/wire.md §4 is the table for people,
-// limits_test.cpp and the tests of the code that enforces them are the proof.
+// All limits of roomcast.v1. The table for people is docs/spec/wire.md §4; limits_test.cpp and the
+// tests of the enforcing code check them.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace roomcast::wire {
 
 // Messages.
 inline constexpr std::size_t kMaxFrameBytes = 2u << 20;               // header and payload
-inline constexpr std::size_t kMaxControlFromClientBytes = 16u << 10;  // with the 4 bytes in front
+inline constexpr std::size_t kMaxControlFromClientBytes = 16u << 10;  // with the 4-byte preamble
 inline constexpr std::size_t kMaxControlFromHubBytes = 256u << 10;
 inline constexpr std::size_t kMaxBundleBytes = 2u << 20;  // a control message with a bundle
 
@@ -22,27 +22,27 @@ inline constexpr std::size_t kMaxViewers = 512;
 inline constexpr std::size_t kMaxAligners = 4;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
-// What one connection may send, on average and at once: after a network that stood still.
+// Sending limits of one connection: sustained rates, and bursts, which follow a network stall.
 struct SendingLimits {
   double messages_per_s, messages_at_once;
   double bytes_per_s, bytes_at_once;
 };
 inline constexpr SendingLimits kMaxFromSensor{1000, 2000, 64e6, 128e6};  // frames, at most 240 Hz
-inline constexpr SendingLimits kMaxFromViewer{300, 1200, 256e3, 1e6};  // poses; who has not joined
-inline constexpr SendingLimits kMaxFromHub{300, 1200, 1e6, 4e6};       // people who watch there
+inline constexpr SendingLimits kMaxFromViewer{300, 1200, 256e3, 1e6};  // poses; also before joining
+inline constexpr SendingLimits kMaxFromHub{300, 1200, 1e6, 4e6};       // presence of its viewers
 inline constexpr SendingLimits kMaxFromAligner{100, 400, 1e6, 4e6};    // placements
 
-// What they may say.
+// Contents of messages.
 inline constexpr std::size_t kMaxNameBytes = 64;
 inline constexpr std::size_t kMaxNoteBytes = 300;
 inline constexpr std::size_t kMaxTokenBytes = 1024;
 inline constexpr int kMaxOtherHubs = 16;
 inline constexpr std::size_t kMaxUrlBytes = 256;
-inline constexpr int kMaxPeopleHere = 64;                // that one hub tells another of
+inline constexpr int kMaxPeopleHere = 64;                // that one hub reports to another
 inline constexpr std::size_t kMaxPeopleElsewhere = 128;  // in a room
 inline constexpr unsigned kMaxHubsAway = 4;
-inline constexpr int kMaxRevokedTokens = 256;  // in a message
-inline constexpr int kMaxSightings = 64;       // of a kind, in a message
+inline constexpr int kMaxRevokedTokens = 256;  // per message
+inline constexpr int kMaxSightings = 64;       // of each kind, per message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;
 inline constexpr unsigned kMaxDepthSide = 4096;
@@ -52,15 +52,15 @@ inline constexpr double kMaxPosition_m = 10'000;
 inline constexpr unsigned kMaxLayer = 7;
 
 // Frame sets.
-inline constexpr std::size_t kMaxQueuedSets = 2;  // per viewer, of which no byte has been written
+inline constexpr std::size_t kMaxQueuedSets = 2;  // per viewer, no byte of them written yet
 inline constexpr std::chrono::milliseconds kSetDeadline{50};
 inline constexpr std::chrono::seconds kSensorSilent{1};
 inline constexpr std::chrono::seconds kMaxCaptureAhead{1};
 
-// Pace.
+// Rates.
 inline constexpr std::chrono::milliseconds kKeyRequestInterval{500};  // per sensor
 inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers, or longer:
-inline constexpr std::chrono::milliseconds kIntervalPerPose{5};       // for each that has moved
-inline constexpr std::chrono::milliseconds kRosterInterval{100};      // when only viewers changed
+inline constexpr std::chrono::milliseconds kIntervalPerPose{5};   // for each pose that has changed
+inline constexpr std::chrono::milliseconds kRosterInterval{100};  // if only viewers changed
 
 }  // namespace roomcast::wire

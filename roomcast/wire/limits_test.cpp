@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of docs/spec/wire.md §4, once more: who changes a limit changes the wire and has to
-// mean it.
+// The table of docs/spec/wire.md §4 repeated, so that a limit is changed on purpose only: a changed
+// limit changes the protocol.
 #include "roomcast/wire/limits.h"
 
 #include <gtest/gtest.h>

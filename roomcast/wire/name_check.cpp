@@ -9,7 +9,7 @@
 namespace roomcast::wire {
 namespace {
 
-/// Length of the UTF-8 sequence at the start of `text`, 0 where it is not valid (RFC 3629).
+/// Length of the UTF-8 sequence at the start of `text`, 0 if it is not valid (RFC 3629).
 std::size_t utf8_sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);

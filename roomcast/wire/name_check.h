@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of rooms, sensors and viewers come from strangers and end in logs, pages and error
-// sentences.
+// Names of rooms, sensors and viewers come from untrusted clients and appear in logs, pages and
+// error messages.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace roomcast::wire {
 
-/// At most kMaxNameBytes of valid UTF-8 (RFC 3629) without control characters. `what` says whose
-/// name it is in the sentence. kTooLarge or kMalformed.
+/// Accepts at most kMaxNameBytes of valid UTF-8 (RFC 3629) without control characters. `what` names
+/// the field in the error sentence. kTooLarge or kMalformed.
 [[nodiscard]] Status check_name(std::string_view name, std::string_view what);
 
 }  // namespace roomcast::wire

@@ -38,7 +38,7 @@ Result<Bio> open_pem(const std::filesystem::path& file) {
   return Error{ErrorCode::kNotFound, "cannot read '" + file.string() + "'"};
 }
 
-/// Instead of OpenSSL's, which would ask on the terminal.
+/// Replaces OpenSSL's callback, which would prompt on the terminal.
 int no_passphrase(char*, int, int, void*) {
   return -1;
 }
@@ -48,7 +48,7 @@ std::vector<SharedX509> read_chain(BIO* bio) {
   while (X509* next = PEM_read_bio_X509(bio, nullptr, &no_passphrase, nullptr)) {
     chain.emplace_back(next, &X509_free);
   }
-  ERR_clear_error();  // the end of the file is an error to OpenSSL
+  ERR_clear_error();  // OpenSSL reports the end of the file as an error
   return chain;
 }
 
@@ -73,7 +73,7 @@ bool add_extension(X509* certificate, int nid, const std::string& value) {
 bool set_random_serial(X509* certificate) {
   std::array<unsigned char, kSerialBytes> bytes{};
   if (RAND_bytes(bytes.data(), kSerialBytes) != 1) return false;
-  bytes[0] &= 0x7F;  // positive
+  bytes[0] &= 0x7F;  // makes the number positive
   const std::unique_ptr<BIGNUM, decltype(&BN_free)> number(
       BN_bin2bn(bytes.data(), kSerialBytes, nullptr), &BN_free);
   return number != nullptr &&

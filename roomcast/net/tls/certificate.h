@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A server's certificate and private key: read from PEM files, or made for itself.
-// Source: RFC 5280 (certificates), RFC 6125 (names in them); made and parsed by OpenSSL.
+// A server's certificate and private key, read from PEM files or self-signed. Source: RFC 5280
+// (certificates), RFC 6125 (names in them); created and parsed by OpenSSL.
 #pragma once
 
 #include <filesystem>
@@ -17,17 +17,17 @@ namespace roomcast::net {
 
 class Certificate {
  public:
-  /// `certificate` holds the server's own and then those that sign it, `key` the private key, not
-  /// protected by a passphrase. kNotFound: no such file; kMalformed: not PEM, or the key is not
-  /// the certificate's.
+  /// `certificate` is a PEM file with the server's certificate followed by its signers'
+  /// certificates; `key` contains the private key without a passphrase. kNotFound: no such file;
+  /// kMalformed: not PEM, or the key does not match the certificate.
   static Result<Certificate> load(const std::filesystem::path& certificate,
                                   const std::filesystem::path& key);
 
-  /// A new P-256 key that signs itself, valid for ten years, for these host names and numeric
+  /// A new self-signed P-256 certificate, valid for ten years, for these host names and numeric
   /// addresses (at least one).
   static Result<Certificate> make_self_signed(const std::vector<std::string>& hosts);
 
-  /// Both in one PEM file that only its owner may read. kUnavailable when it cannot be written.
+  /// Saves both in one PEM file readable by its owner only. kUnavailable if it cannot be written.
   [[nodiscard]] Status save(const std::filesystem::path& file) const;
 
   [[nodiscard]] Fingerprint fingerprint() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprint of a certificate: SHA-256 of its DER form, as browsers and openssl show it. Whoever
-// was told a hub's fingerprint can trust its certificate without an authority.
+// Fingerprint of a certificate: SHA-256 of its DER form, as shown by browsers and openssl. A client
+// that knows a hub's fingerprint can trust its certificate without an authority.
 #pragma once
 
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenSSL's own socket BIO raises SIGPIPE when the peer is gone; this one never does.
+// A socket BIO without SIGPIPE: OpenSSL's own raises it when the peer has disconnected.
 #pragma once
 
 #include <openssl/types.h>
 
 namespace roomcast::net {
 
-/// A BIO on a non-blocking socket that stays its owner's. Null when memory is out.
+/// A BIO on a non-blocking socket, which stays owned by the caller. Null if out of memory.
 [[nodiscard]] BIO* make_socket_bio(int fd);
 
 }  // namespace roomcast::net

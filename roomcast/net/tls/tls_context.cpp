@@ -15,22 +15,22 @@ std::shared_ptr<SSL_CTX> make_context(const SSL_METHOD* method) {
   if (context == nullptr) return nullptr;
   SSL_CTX_set_min_proto_version(context.get(), TLS1_2_VERSION);
   SSL_CTX_set_options(context.get(), SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION);
-  // Moving buffers: what is retried lies where its owner keeps it. Released buffers: an idle viewer
-  // then costs 34 KB less.
+  // Moving buffer: data may be at another address when a write is retried. Released buffers: an
+  // idle viewer then costs 34 KB less.
   SSL_CTX_set_mode(context.get(), SSL_MODE_ENABLE_PARTIAL_WRITE |
                                       SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER |
                                       SSL_MODE_RELEASE_BUFFERS);
   return context;
 }
 
-/// The newest of OpenSSL's reasons, as the end of a sentence.
+/// The newest error reason of OpenSSL, as the end of a sentence.
 std::string take_reason() {
   const char* reason = ERR_reason_error_string(ERR_peek_last_error());
   ERR_clear_error();
   return reason == nullptr ? "unknown reason" : reason;
 }
 
-/// Those in this file and no others.
+/// Trusts only the authorities in `file`; empty: those of the system.
 Status trust_authorities(SSL_CTX* context, const std::string& file) {
   if (file.empty()) return {};
   SSL_CTX_set_cert_store(context, X509_STORE_new());
@@ -40,7 +40,7 @@ Status trust_authorities(SSL_CTX* context, const std::string& file) {
                file + " holds no certificates in PEM that a server's can be checked with"};
 }
 
-/// Its key, and those that sign it, too.
+/// Sets the certificate with its key and its signers' certificates.
 Status show_certificate(SSL_CTX* context, const Certificate& certificate) {
   bool good = SSL_CTX_use_certificate(context, certificate.leaf()) == 1 &&
               SSL_CTX_use_PrivateKey(context, certificate.key()) == 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the TLS sessions of a server, or of a client, have in common. TLS 1.2 at least.
+// Settings shared by the TLS sessions of a server, or of a client. TLS 1.2 or later.
 // Threading: immutable, share freely.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace roomcast::net {
 
 class TlsServerContext {
  public:
-  /// kInvalidArgument when OpenSSL does not take the certificate (a weak key, say).
+  /// kInvalidArgument if OpenSSL rejects the certificate (a weak key, for example).
   static Result<std::shared_ptr<const TlsServerContext>> create(const Certificate& certificate);
   [[nodiscard]] SSL_CTX* native() const { return context_.get(); }
 
@@ -26,22 +26,22 @@ class TlsServerContext {
   std::shared_ptr<SSL_CTX> context_;
 };
 
-/// Whom a client believes to be the server.
+/// A client's criteria for accepting a server.
 struct TlsTrust {
-  std::string host;                   // name or numeric address, must be in the certificate...
-  std::optional<Fingerprint> pinned;  // ...unless it is this very certificate
+  std::string host;  // name or numeric address that the certificate must contain...
+  std::optional<Fingerprint> pinned;  // ...unless it is exactly this certificate
 };
 
 /// PEM files of a client.
 struct TlsClientFiles {
-  std::string authorities_file = {};                 // whom it trusts; empty: those of the system
-  std::string certificate_file = {}, key_file = {};  // its own; empty: it shows none
+  std::string authorities_file = {};  // trusted authorities; empty: those of the system
+  std::string certificate_file = {}, key_file = {};  // the client's own; empty: none
 };
 
 class TlsClientContext {
  public:
-  /// kInvalidArgument: a file holds something else; the sentence says which. kUnavailable when
-  /// OpenSSL cannot start.
+  /// kInvalidArgument: a file has the wrong content; the sentence names it. kUnavailable if OpenSSL
+  /// cannot start.
   static Result<std::shared_ptr<const TlsClientContext>> create(const TlsClientFiles& files = {});
   [[nodiscard]] SSL_CTX* native() const { return context_.get(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a server that vouches for itself, and a client's ways to trust it or not.
+// For tests: a server with a self-signed certificate.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,8 @@ bool is_numeric(const std::string& host) {
   return !not_numeric;
 }
 
-/// OpenSSL then refuses every certificate that no authority vouches for, or for another host.
+/// Makes OpenSSL reject every certificate that is for another host or not signed by a trusted
+/// authority.
 bool demand_authority(SSL* ssl, const std::string& host) {
   SSL_set_verify(ssl, SSL_VERIFY_PEER, nullptr);
   if (is_numeric(host))
@@ -95,7 +96,7 @@ TlsSession::Step TlsSession::ready() {
   return {ready_ ? Outcome::kDone : Outcome::kFailed};
 }
 
-/// An authority's word was checked in the handshake; a pin is compared here.
+/// The handshake has verified the signature of an authority; a pinned fingerprint is compared here.
 bool TlsSession::is_trusted() {
   if (!trust_.pinned) return true;
   const X509* certificate = SSL_get0_peer_certificate(ssl_.get());

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// TlsSession: TLS on one connected, non-blocking socket, without ever waiting: each call does what
-// can be done now and says what it would have to wait for. OpenSSL encrypts straight from the
-// caller's memory to the socket.
-// Threading: one thread at a time. Source: RFC 8446 (TLS 1.3), by OpenSSL.
+// TlsSession: TLS on one connected, non-blocking socket. It never waits: each call does what is
+// possible now and reports the condition to wait for. OpenSSL encrypts straight from the caller's
+// memory to the socket. Threading: one thread at a time. Source: RFC 8446 (TLS 1.3), by OpenSSL.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ class TlsSession {
     kDone,
     kWaitsToRead,   // call again when the socket is readable
     kWaitsToWrite,  // call again, with the same data, when the socket is writable
-    kEnded,         // the peer has said goodbye, or the socket has ended
+    kEnded,         // the peer has closed the session, or the socket has ended
     kFailed,        // see fault()
   };
   struct Step {
@@ -33,22 +32,22 @@ class TlsSession {
     std::size_t size = 0;  // bytes read or written
   };
 
-  /// The socket stays the caller's and must outlive the session. kUnavailable: out of memory.
+  /// The caller owns the socket, which must outlive the session. kUnavailable: out of memory.
   static Result<TlsSession> accept(int fd, const TlsServerContext& context);
   static Result<TlsSession> connect(int fd, const TlsClientContext& context, TlsTrust trust);
 
-  /// Also done by the first read() or write(). A client fails here when it does not trust.
+  /// Also done by the first read() or write(). A client fails here if it does not trust the server.
   Step handshake();
   Step read(std::span<std::uint8_t> into);
   /// At most one record's worth, 16 KiB, at a time.
   Step write(std::span<const std::uint8_t> from);
-  /// Tells the peer that nothing more comes, if that can be told now.
+  /// Sends the TLS close notification, if that is possible without waiting.
   void say_goodbye();
 
-  /// What went wrong, a sentence without its subject ("... shows a certificate that nobody
-  /// vouches for"); empty while nothing did.
+  /// The failure, as a sentence without its subject ("... shows a certificate that nobody vouches
+  /// for"); empty without a failure.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// The peer has sent an ordinary HTTP request instead.
+  /// The peer has sent a plain HTTP request instead of TLS.
   [[nodiscard]] bool peer_speaks_plain_http() const { return plain_http_; }
 
  private:
@@ -63,7 +62,7 @@ class TlsSession {
 
   Ssl ssl_;
   TlsTrust trust_;
-  bool ready_ = false;  // the handshake is done, and the peer is who it should be
+  bool ready_ = false;  // the handshake is done and the peer is trusted
   bool failed_ = false;
   bool plain_http_ = false;
   std::string fault_;

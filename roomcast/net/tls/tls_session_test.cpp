@@ -51,7 +51,7 @@ class TlsSessionTest : public ::testing::Test {
   }
   TlsTrust pinned() const { return {"anything", certificate_.fingerprint()}; }
 
-  /// Lets both speak until neither waits; gives what became of the client.
+  /// Runs both until neither waits; returns the client's outcome.
   static Outcome shake_hands(TlsSession& server, TlsSession& client) {
     Outcome outcome = Outcome::kWaitsToRead;
     for (int turn = 0; turn < 10 && outcome == Outcome::kWaitsToRead; ++turn) {
@@ -170,7 +170,7 @@ TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing
   EXPECT_EQ(client.read(buffer).outcome, Outcome::kEnded);
   ::close(std::exchange(fds_[1], -1));
   EXPECT_EQ(server.read(buffer).outcome, Outcome::kEnded);
-  EXPECT_NE(server.write(bytes_of("x")).outcome, Outcome::kDone);  // and no SIGPIPE
+  EXPECT_NE(server.write(bytes_of("x")).outcome, Outcome::kDone);  // without SIGPIPE
 }
 
 TEST_F(TlsSessionTest, recognises_who_does_not_speak_tls) {

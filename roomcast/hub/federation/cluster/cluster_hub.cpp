@@ -65,7 +65,7 @@ void ClusterHub::room_opened(const std::string& name) {
                                      .gathered = boost::asio::steady_timer(seat_.io),
                                      .unwatched = boost::asio::steady_timer(seat_.io)});
   nats_->subscribe(news_subject(name));
-  // Rooms are opened one after the other, before the first of them can take anybody in.
+  // Deferred: all rooms are opened in sequence before any of them can accept a client.
   boost::asio::post(seat_.io, [this, number] {
     const auto room = rooms_.find(number);
     if (room != rooms_.end()) room->second->shared->stay();
@@ -118,7 +118,7 @@ void ClusterHub::frame(const std::string& name, const wire::FrameHeader&,
   if (room == nullptr || !room->is_wanted) return;
   if (room->packer.byte_count() + message.size() > wire::kMaxFrameBytes) flush(*room);
   room->packer.add(message);
-  if (!room->shared->has_sensors_elsewhere()) return;  // they go when they close a set
+  if (!room->shared->has_sensors_elsewhere()) return;  // set_closed() sends them
   if (room->packer.frame_count() >= room->shared->local_sensor_count()) return flush(*room);
   if (room->packer.frame_count() > 1) return;
   room->gathered.expires_after(kGatherFor);
@@ -202,8 +202,8 @@ void ClusterHub::say_alive(bool leaves) {
   nats_->publish(kHeartbeatSubject, bytes_of(own));
 }
 
-/// At random distances: clocks are compared by heartbeats, and what falls in step with frames waits
-/// behind one every time.
+/// Intervals are random: heartbeats serve to compare clocks, and heartbeats in step with frames
+/// would be delayed by a frame every time.
 void ClusterHub::beat_later() {
   std::uniform_real_distribution<double> share(0.7, 1.3);
   timer_.expires_after(

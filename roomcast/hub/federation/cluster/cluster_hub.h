@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// ClusterHub: the backplane of a hub that shares its rooms with others over NATS. Every hub tells
-// the others several times a second that it is alive, what its rooms have, and of which it wants
-// frames; it gets frames of a room only while somebody watches that here, and a little longer.
-// Threading: the rooms' thread.
+// ClusterHub: the backplane of a hub that shares its rooms with other hubs over NATS. Several times
+// a second every hub sends a heartbeat with the state of its rooms and the rooms of which it wants
+// frames. A hub receives a room's frames only while it has viewers in the room, and for a short
+// time afterwards. Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
@@ -28,24 +28,25 @@ namespace roomcast::hub::federation {
 
 struct ClusterOptions {
   NatsOptions nats;
-  std::string public_url;  // how others reach this hub; empty: nobody is sent here
-  /// This hub could work out where sensors stand: it begins for a room when told so, and ends.
+  std::string public_url;  // how clients reach this hub; empty: not advertised
+  /// Set if this hub can estimate sensor poses: called when it starts or stops doing so for a room.
   std::function<void(const std::string& room, bool owns)> on_owned = {};
-  float cores = 1;  // that this hub can use
-  /// Of these, from 0 to 1: a hub that uses more sends who comes to watch on to one that is much
-  /// less busy. 0: never.
+  float cores = 1;  // processor cores available to this hub
+  /// Share of these cores, from 0 to 1: a hub that uses more redirects new viewers to a much less
+  /// busy hub. 0: never.
   float busy_share = 0.75F;
-  /// How long a room's frames still come that nobody watches any more.
+  /// How long a room's frames are still received after its last viewer has left.
   std::chrono::milliseconds kept_unwatched{3000};
   LogSink log = {};
 };
 
 class ClusterHub final : public hub::Backplane, private SharedRoomOut {
  public:
-  /// Frames that close a set together share a message. Where a room has sensors at other hubs, too,
-  /// who would wait for each other's, those that come within this time.
+  /// Frames that complete a set are sent in one message. If the room also has sensors at other
+  /// hubs, completing the set would wait for their frames; then the frames that arrive within this
+  /// time are sent together.
   static constexpr std::chrono::milliseconds kGatherFor{8};
-  /// All rooms are named in each so manyth heartbeat, and where people are who stand still.
+  /// Every so many heartbeats, all rooms are listed and the poses of people at rest are sent again.
   static constexpr unsigned kBeatsPerList = 8;
 
   /// Errors of NatsClient::open.
@@ -69,7 +70,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   [[nodiscard]] std::vector<std::string> less_busy_hubs(const std::string& room) const override;
 
  private:
-  /// Part of the ids of a room's connections. Never used twice.
+  /// Part of the IDs of a room's connections. Never reused.
   using Number = std::uint32_t;
   struct Room {
     std::unique_ptr<SharedRoom> shared;
@@ -79,7 +80,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
     bool is_watched = false, is_subscribed = false;
     bool is_wanted = false;  // by another hub
     std::optional<HubId> owner = {};
-    std::set<HubId> asked = {};  // for their news, since the last heartbeat of ours
+    std::set<HubId> asked = {};  // asked for their news since our last heartbeat
   };
   using Rooms = std::map<Number, std::unique_ptr<Room>>;
 
@@ -108,7 +109,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   SteadyClock clock_;
   HubDirectory directory_{id_};
   ProcessorLoad load_;
-  std::vector<std::string> named_hubs_;  // to those who have the page
+  std::vector<std::string> named_hubs_;  // as last passed to name_hubs()
   std::unique_ptr<NatsClient> nats_;
   Number newest_ = 0;
   unsigned beats_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a ClusterHub hears from other hubs, and what it knows of them.
+// Messages that a ClusterHub receives from other hubs, and its view of these hubs.
 #include <utility>
 
 #include "roomcast/hub/federation/cluster/cluster_hub.h"
@@ -63,7 +63,7 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
   if (heartbeat.leaves()) beat();
   if (!is_new) return;
   beats_ = 0;
-  say_alive();  // it knows of us at once
+  say_alive();  // so that the new hub knows of this one at once
   seat_.tell_revoked();
 }
 
@@ -72,7 +72,7 @@ void ClusterHub::take_revoked(const pb::Revoked& revoked) {
   if (!tokens.empty()) seat_.revoke(std::move(tokens));
 }
 
-// ---- who is there
+// ---- state of the hubs
 
 std::vector<std::string> ClusterHub::less_busy_hubs(const std::string& room) const {
   const pb::Heartbeat own = heartbeat();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kContinues = 1, kGoesOn = 2;
 constexpr std::size_t kLengthBytes = 4;
-/// Of messages that belong together.
+/// Maximum bytes kept for one sequence of parts.
 constexpr std::size_t kMaxBegunBytes = 2 * wire::kMaxFrameBytes;
 
 }  // namespace
@@ -38,7 +38,8 @@ std::vector<FramePacker::Message> FramePacker::take() {
   count_ = 0;
   Message all = std::exchange(bytes_, {});
   if (all.empty()) return messages;
-  if (all.size() <= max_bytes_) {  // as it is: a copy of a whole set costs more than all else here
+  if (all.size() <= max_bytes_) {  // sent without copying: copying a whole set would cost more than
+                                   // the rest of this function
     write_head(all, false, false);
     messages.push_back(std::move(all));
     return messages;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames on their way between hubs: several share a message, since a broker and a hub do per
-// message what they do not per byte, and one that is longer than a message may be goes in parts.
-// Pure.
+// Framing of frames between hubs. Several frames share a message, because a broker and a hub have
+// costs per message that they do not have per byte; frames longer than a message are split into
+// parts. Pure.
 //
-// A message is a number (u32, of this stream; grows by one), flags (u32, bit 0: it goes on where
-// the last one ended, bit 1: it goes on in the next one), and bytes. These bytes, of one or more
-// messages, are frames, each behind its length (u32). All little-endian.
+// Format of a message: number (u32, counts the messages of this stream), flags (u32, bit 0:
+// continues the previous message, bit 1: continued in the next one), bytes. The bytes of one
+// message, or of several joined, are frames, each preceded by its length (u32). All little-endian.
 #pragma once
 
 #include <cstddef>
@@ -27,13 +27,13 @@ class FramePacker {
   /// No message is longer than `max_message_bytes`.
   explicit FramePacker(std::size_t max_message_bytes) : max_bytes_(max_message_bytes) {}
 
-  /// A frame that wire::parse_frame has accepted.
+  /// Adds a frame accepted by wire::parse_frame.
   void add(std::span<const std::uint8_t> frame);
-  /// The newest frame is the last one of its set: marks it as that.
+  /// Marks the newest frame as the last one of its set.
   void close_set();
   [[nodiscard]] std::size_t frame_count() const { return count_; }
-  [[nodiscard]] std::size_t byte_count() const { return bytes_.size(); }  // about
-  /// What was added, in the order in which it is to be sent.
+  [[nodiscard]] std::size_t byte_count() const { return bytes_.size(); }  // approximate
+  /// The messages with the added frames, in sending order.
   [[nodiscard]] std::vector<Message> take();
 
  private:
@@ -41,8 +41,8 @@ class FramePacker {
 
   const std::size_t max_bytes_;
   std::uint32_t next_number_ = 0;
-  Message bytes_;                // room for a message's head, then frames
-  std::size_t usual_bytes_ = 0;  // as long as the last one was
+  Message bytes_;                // space for a message's header, then frames
+  std::size_t usual_bytes_ = 0;  // length of the previous one
   std::size_t count_ = 0;
   std::size_t newest_at_ = 0;  // in bytes_
 };
@@ -51,16 +51,17 @@ class FrameUnpacker {
  public:
   using TakeFrame = std::function<void(net::MessageBuffer frame)>;
 
-  /// What is no such message is left out, and so is a frame of which a part is missing.
+  /// Passes complete frames to `take_frame`. Ignores malformed messages and frames with a missing
+  /// part.
   void take(std::span<const std::uint8_t> message, const TakeFrame& take_frame);
-  /// Of messages that wait for what belongs to them.
+  /// Bytes of incomplete frames.
   [[nodiscard]] std::size_t begun_bytes() const { return begun_.size(); }
 
  private:
   void unpack(std::span<const std::uint8_t> bytes, const TakeFrame& take_frame) const;
 
   std::uint32_t next_number_ = 0;
-  std::vector<std::uint8_t> begun_;  // of messages that go on
+  std::vector<std::uint8_t> begun_;  // of messages that are continued
 };
 
 }  // namespace roomcast::hub::federation

@@ -98,7 +98,7 @@ TEST(FrameParts, parts_that_never_end_take_no_more_memory_than_two_frames) {
   std::size_t frames = 0;
   for (std::uint32_t number = 0; number < 16; ++number) {
     part[0] = static_cast<std::uint8_t>(number);
-    part[4] = number == 0 ? 2 : 3;  // goes on, and continues
+    part[4] = number == 0 ? 2 : 3;  // is continued, and continues
     unpacker.take(part, [&](const net::MessageBuffer&) { ++frames; });
     EXPECT_LE(unpacker.begun_bytes(), 2 * wire::kMaxFrameBytes);
   }

@@ -25,7 +25,7 @@ bool is_public(const OtherHub& hub) {
 }  // namespace
 
 std::optional<float> busy_share(const pb::Heartbeat& hub) {
-  if (!(hub.load() >= 0 && hub.cores() > 0)) return std::nullopt;  // not for NaN, either
+  if (!(hub.load() >= 0 && hub.cores() > 0)) return std::nullopt;  // the negation covers NaN
   return hub.load() / hub.cores();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubDirectory: the other hubs that are alive, as their heartbeats say, and where their clocks
-// stand against ours. Pure: time comes in as an argument.
+// HubDirectory: the other live hubs, from their heartbeats, and the offsets of their clocks to
+// ours. Pure: time is an argument.
 //
-// Heartbeats carry the clock, too: one of ours that left at t1 came there at t2, the next one of
-// theirs left at t3 and came here at t4. Less the time that it lay there this is one exchange of
-// NTP (RFC 5905 section 8), for which no message of its own is sent; client/clock_sync.h filters.
+// Heartbeats also synchronise the clocks: one of ours left at t1 and arrived there at t2; their
+// next one left at t3 and arrived here at t4. After subtracting the time t3 - t2 this is one
+// exchange of NTP (RFC 5905 section 8), without additional messages; client/clock_sync.h filters.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@
 
 namespace roomcast::hub::federation {
 
-/// How often a hub says that it is alive, and after which silence it is not.
+/// Mean heartbeat interval, and the silence after which a hub counts as gone.
 inline constexpr std::chrono::milliseconds kHeartbeatInterval{150};
 inline constexpr std::chrono::milliseconds kGoneAfter{700};
 inline constexpr std::size_t kMaxHubs = 256;
@@ -31,32 +31,32 @@ struct OtherHub {
   pb::Heartbeat newest;
   HostTime received{};
   client::ClockSync clock = {};
-  std::set<std::string> rooms = {};  // all that it has
+  std::set<std::string> rooms = {};  // all rooms of this hub
 };
 
 class HubDirectory {
  public:
   explicit HubDirectory(HubId own) : own_(own) {}
 
-  /// False: it is our own, says nonsense, or there are too many.
+  /// False, and ignored: the heartbeat is our own or invalid, it is a farewell of an unknown hub,
+  /// or there are too many hubs.
   bool take(const pb::Heartbeat& heartbeat, HostTime now);
-  /// Those that say that they go, and those that have said nothing for too long. Each once.
+  /// Removes and returns the hubs that are shutting down or silent for too long.
   [[nodiscard]] std::vector<HubId> take_gone(HostTime now);
-  /// What the others need to know of their last heartbeat.
+  /// Adds the other hubs' newest heartbeats to `own`.
   void write_heard(pb::Heartbeat& own) const;
 
   [[nodiscard]] const std::map<HubId, OtherHub>& others() const { return others_; }
   /// Null: there is no such hub.
   [[nodiscard]] const OtherHub* find(HubId hub) const;
-  /// Where else this room is: public addresses, sorted, at most wire::kMaxOtherHubs.
+  /// Other hubs that have this room: public addresses, sorted, at most wire::kMaxOtherHubs.
   [[nodiscard]] std::vector<std::string> urls_with(const std::string& room) const;
-  /// Those of them that use at most half as much of their processor as this one does, the least
-  /// busy first.
+  /// Those of them whose busy share is at most half of this hub's, the least busy first.
   [[nodiscard]] std::vector<std::string> less_busy_with(const std::string& room,
                                                         const pb::Heartbeat& own) const;
   /// Public addresses of all, sorted, at most wire::kMaxOtherHubs.
   [[nodiscard]] std::vector<std::string> urls() const;
-  /// Does any of them want frames of this room?
+  /// Whether any of them wants frames of this room.
   [[nodiscard]] bool is_wanted(std::string_view room) const;
 
  private:
@@ -68,15 +68,15 @@ class HubDirectory {
   std::map<HubId, OtherHub> others_;
 };
 
-/// How much of its processor a hub uses, from 0 to 1; nothing: it does not say.
+/// The share of its processor cores that a hub uses, 0 to 1; nothing: unknown.
 [[nodiscard]] std::optional<float> busy_share(const pb::Heartbeat& hub);
 
-/// Null: it says nothing of this room.
+/// Null: the heartbeat does not list this room.
 [[nodiscard]] const pb::RoomHere* room_of(const pb::Heartbeat& heartbeat, std::string_view room);
 
-/// Which hub works out where a room's sensors stand: of those that could, one that has sensors
-/// before one that has none, then the lowest id. All who hear the same heartbeats say the same.
-/// Nothing: none could, or there never was a sensor.
+/// The hub that estimates the poses of a room's sensors: of the hubs able to, one that has sensors
+/// is preferred to one without, then the lowest ID. All hubs that received the same heartbeats
+/// agree. Nothing: no hub is able to, or the room never had a participant.
 [[nodiscard]] std::optional<HubId> owner_of(std::string_view room, const pb::Heartbeat& own,
                                             const HubDirectory& directory);
 

@@ -112,7 +112,7 @@ TEST(HubDirectory, says_where_else_a_room_is) {
     heartbeat.set_public_url(url);
     heartbeat.add_all_rooms(hub == HubId{10} ? "kitchen" : "lab");
     directory.take(heartbeat, {});
-    heartbeat.clear_all_rooms();  // not in each
+    heartbeat.clear_all_rooms();  // not in every heartbeat
     directory.take(heartbeat, {});
   }
   EXPECT_EQ(directory.urls_with("lab"), (std::vector<std::string>{"wss://a", "wss://b"}));
@@ -144,7 +144,8 @@ TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
   EXPECT_FALSE(busy_share(heartbeat_of(kOwn)).has_value());
 }
 
-/// All hubs say the same, whichever of them is asked.
+/// The owner that `who` computes from the heartbeats of all hubs; every hub must get the same
+/// result.
 std::optional<HubId> owner_as_seen_by(HubId who, const std::vector<pb::Heartbeat>& hubs) {
   HubDirectory directory(who);
   pb::Heartbeat own;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubId: one run of one hub. Made up when it starts, so that a hub that was killed and started
-// again is another one.
+// HubId: one run of one hub. Chosen at random at the start, so that a restarted hub has a new one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@ namespace roomcast::hub::federation {
 
 using HubId = Id<struct HubTag, std::uint64_t>;
 
-/// Not zero, and nobody else's.
+/// Random, not zero.
 [[nodiscard]] HubId new_hub_id();
 /// 16 hexadecimal digits.
 [[nodiscard]] std::string to_string(HubId hub);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PresenceIdMap: who watches a room at other hubs. Each hub counts its people by itself, so here
-// they get numbers that tell them apart. Pure.
+// PresenceIdMap: the people in a room at other hubs. Each hub numbers its people independently, so
+// this hub assigns them unique IDs of its own. Pure.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ class PresenceIdMap {
  public:
   using Entries = google::protobuf::RepeatedPtrField<wire::pb::ViewerEntry>;
 
-  /// All who are at this hub now, or behind it; more than kMaxPeopleHere are left out.
+  /// Sets all people at this hub or behind it; more than kMaxPeopleHere are left out.
   void are(HubId hub, const Entries& people);
-  /// With our numbers.
+  /// All people, with our IDs.
   [[nodiscard]] wire::pb::PeopleHere all() const;
-  /// Those whom this hub has told of, with our numbers.
+  /// The poses of people that this hub has reported, with our IDs.
   [[nodiscard]] wire::pb::ViewerPoses renamed(HubId hub, const wire::pb::ViewerPoses& poses) const;
 
  private:
-  std::map<HubId, std::map<std::uint32_t, wire::pb::ViewerEntry>> hubs_;  // by ids there
+  std::map<HubId, std::map<std::uint32_t, wire::pb::ViewerEntry>> hubs_;  // by IDs there
   std::uint32_t newest_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ProcessorLoad: how many processor cores this process uses, over about the last second.
-// Source: getrusage(2). Single-threaded.
+// ProcessorLoad: the number of processor cores that this process uses, averaged over about the last
+// second. Source: getrusage(2). Single-threaded.
 #pragma once
 
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens that hold no more, as hubs tell each other. Pure.
+// Encodes and decodes revoked tokens for the exchange between hubs. Pure.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace roomcast::hub::federation {
 
 [[nodiscard]] pb::Revoked revoked_message(const std::vector<hub::Claims>& tokens);
 
-/// Those of which it says what a token can say; the others are left out.
+/// The tokens with valid content; others are left out.
 [[nodiscard]] std::vector<hub::Claims> revoked_tokens(const pb::Revoked& message);
 
 }  // namespace roomcast::hub::federation

@@ -20,7 +20,7 @@ wpb::Control control_with(const wpb::Roster& roster) {
   return control;
 }
 
-/// Like a roster of another hub: names, matrices and cameras can be used as they are.
+/// Checked like a roster of another hub: names, matrices and cameras can be used as they are.
 bool is_legal(const pb::RoomNews& news) {
   wpb::Roster sensors, placed;
   for (const pb::SensorHere& sensor : news.sensors()) *sensors.add_sensors() = sensor.entry();
@@ -95,7 +95,7 @@ void SharedRoom::sensor_joins(const std::string& name, const std::string& token_
   claims_[name] = {winner(name).number + 1, token_id};
 }
 
-/// Of sensors that the room does not know: it did not take them in.
+/// Forgets the claims of sensors that the room did not accept.
 void SharedRoom::forget_claims() {
   std::erase_if(claims_, [this](const auto& claim) { return entry_of(claim.first) == nullptr; });
 }
@@ -113,7 +113,7 @@ const wpb::SensorEntry* SharedRoom::entry_of(const std::string& sensor) const {
   return found == roster_.sensors().end() ? nullptr : &*found;
 }
 
-// ---- whose a sensor is
+// ---- claims to sensor names
 
 bool SharedRoom::is_mirrored(const std::string& sensor) const {
   return std::ranges::any_of(others_,
@@ -141,7 +141,7 @@ SharedRoom::Claim SharedRoom::winner(const std::string& sensor) const {
   return best;
 }
 
-/// Those of other hubs whose name nobody has by a higher claim are here, and no others.
+/// Mirrors exactly those sensors of other hubs that have the highest claim to their name.
 void SharedRoom::follow_winners() {
   std::map<HubId, std::vector<hub::federation::SensorThere>> online;
   for (const auto& [id, hub] : others_) {
@@ -188,7 +188,7 @@ SharedRoom::OtherHub& SharedRoom::other(HubId hub) {
   const auto known = others_.find(hub);
   if (known != others_.end()) return known->second;
   hub::federation::MirroredSensors sensors(hub.value, seat_.room, seat_.token, seat_.rooms,
-                                  seat_.new_connection);
+                                           seat_.new_connection);
   return others_.emplace(hub, OtherHub{{}, std::move(sensors), {}}).first->second;
 }
 

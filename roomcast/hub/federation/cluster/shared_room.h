@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// SharedRoom: one room of this hub among hubs that have it too. It tells the others what sends to
-// this hub and who watches here, brings in what sends to them and who watches there, and sees that
-// a name is one sensor everywhere: who came last has it. One of the hubs, the room's owner, works
-// out where all sensors stand; it gets what the others' sensors see for that, and its word on poses
-// holds everywhere.
+// SharedRoom: one room of this hub that other hubs have as well. It reports this hub's sensors and
+// people to the others, mirrors theirs in the room here, and ensures that a name denotes one sensor
+// on all hubs: the last to join gets it. One of the hubs, the room's owner, estimates the poses of
+// all sensors; the others forward their sensors' bundles and sightings to it, and its poses are
+// valid on all hubs.
 //
-// In the room here it is an aligner, and a sensor for each of another hub's. Pure but for whom it
-// tells. Threading: the rooms' thread.
+// In the room here it is an aligner, and one sensor for each mirrored sensor. Pure except for its
+// calls to `rooms` and `out`. Threading: the rooms' thread.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 
 namespace roomcast::hub::federation {
 
-/// What a room says to other hubs.
+/// Messages from a room to other hubs.
 class SharedRoomOut {
  public:
   virtual ~SharedRoomOut() = default;
@@ -42,7 +42,7 @@ class SharedRoom {
   struct Seat {
     HubId own;
     std::string room;
-    std::string token;  // lets anybody into it
+    std::string token;  // admits any client to the room
     hub::BackplaneEvents& rooms;
     hub::federation::MirroredSensors::NewConnection new_connection;
     SharedRoomOut& out;
@@ -50,14 +50,14 @@ class SharedRoom {
 
   explicit SharedRoom(Seat seat);
 
-  /// Is in the room again if it was sent away. Call it at first, and now and then.
+  /// Rejoins the room if it was removed. Call it at first, and then periodically.
   void stay();
 
   // From the room here.
-  /// To one of our connections.
+  /// A message to one of our connections.
   void said(ConnectionId to, const wire::pb::Control& message);
   void let_go(ConnectionId connection);
-  /// A sensor with a connection here is let in.
+  /// Call when a sensor connected to this hub is admitted.
   void sensor_joins(const std::string& name, const std::string& token_id);
 
   // From other hubs.
@@ -67,23 +67,23 @@ class SharedRoom {
   void people_moved(const pb::PeopleMoved& people);
   void clock_is(HubId hub, const client::ClockEstimate& estimate);
   void hub_is_gone(HubId hub);
-  /// Who works out where sensors stand; nothing: nobody.
+  /// Sets the hub that estimates sensor poses; nothing: none.
   void owner_is(std::optional<HubId> owner);
 
-  /// Where those who watch here are, for who has come since or missed it.
+  /// Sends the poses of this hub's people again, for hubs that have joined since or missed them.
   void tell_poses_again();
 
-  /// Where else this room is.
+  /// Sets the addresses of the other hubs that have this room.
   void others_are(const std::vector<std::string>& urls);
 
-  /// Of the newest news of this hub. 0: nothing ever.
+  /// Of the newest news of this hub. 0: none so far.
   [[nodiscard]] std::uint32_t revision() const { return news_.revision(); }
-  /// Of the newest news of that hub. 0: nothing.
+  /// Of the newest news of that hub. 0: none.
   [[nodiscard]] std::uint32_t revision_of(HubId hub) const;
   [[nodiscard]] std::size_t local_sensor_count() const {
     return static_cast<std::size_t>(news_.sensors_size());
   }
-  /// Does anything in the room here come from another hub?
+  /// Whether the room here has sensors from another hub.
   [[nodiscard]] bool has_sensors_elsewhere() const {
     return std::ranges::any_of(
         others_, [](const auto& other) { return !other.second.sensors.all().empty(); });
@@ -96,7 +96,7 @@ class SharedRoom {
   [[nodiscard]] const std::string& name() const { return seat_.room; }
 
  private:
-  /// Whose a sensor's name is: the highest has it.
+  /// A claim to a sensor's name: the highest one wins.
   struct Claim {
     std::uint32_t number = 0;
     HubId hub;
@@ -140,12 +140,12 @@ class SharedRoom {
   std::optional<ConnectionId> aligner_;
   bool is_welcome_ = false;
   wire::pb::Roster roster_;  // of the room here, newest
-  pb::RoomNews news_;        // as last told
+  pb::RoomNews news_;        // as last sent
   std::map<std::string, OwnClaim> claims_;
   std::map<HubId, OtherHub> others_;
   hub::federation::PresenceRelay people_here_;
   PresenceIdMap people_there_;
-  hub::federation::ShownPresence shown_presence_;  // of these, in the room here
+  hub::federation::ShownPresence shown_presence_;  // people_there_ as last shown in the room here
   std::optional<HubId> owner_;
   std::vector<std::string> other_urls_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a SharedRoom does so that one hub works out where all sensors stand, and all show it.
+// Pose handling of a SharedRoom: one hub estimates the poses of all sensors, and all hubs show
+// them.
 #include <algorithm>
 #include <utility>
 
@@ -15,12 +16,12 @@ bool same_pose(const wpb::SensorEntry& a, const wpb::SensorEntry& b) {
   return std::ranges::equal(a.world_from_depth(), b.world_from_depth());
 }
 
-/// Is this, which another hub says of a sensor, more than what is known of it here?
+/// Whether another hub's entry of a sensor adds to the entry known here.
 bool is_news(const wpb::SensorEntry& said, const wpb::SensorEntry& here) {
   if (here.placement() == wpb::PLACEMENT_GIVEN || said.moved()) return false;
   const bool other_note = said.placement_note() != here.placement_note();
   if (said.placement() != wpb::PLACEMENT_ALIGNED) return other_note;
-  if (here.moved() && same_pose(said, here)) return false;  // the other does not know yet
+  if (here.moved() && same_pose(said, here)) return false;  // the move is unknown there
   return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(said, here) || other_note ||
          said.expected_error_mm() != here.expected_error_mm() ||
          said.unverified() != here.unverified();
@@ -39,7 +40,7 @@ void SharedRoom::owner_is(std::optional<HubId> owner) {
   }
 }
 
-/// The owner's word holds. Where there is none, that of the hub to which the sensor sends.
+/// Applies the owner's poses. Without an owner, those of the hub to which the sensor is connected.
 void SharedRoom::place_sensors() {
   if (!is_welcome_ || is_owner()) return;
   wpb::Control control;
@@ -58,7 +59,7 @@ void SharedRoom::place_sensors() {
   if (control.has_placements()) seat_.rooms.on_control(*aligner_, control);
 }
 
-/// What sensors and people here say to an aligner.
+/// Forwards messages of sensors and people here to the owner.
 void SharedRoom::pass_to_owner(const wpb::Control& said_here) {
   if (!owner_ || is_owner()) return;
   pb::ToHub message = message_to_hub();
@@ -115,7 +116,7 @@ void SharedRoom::take(const pb::ToHub& message) {
     case pb::ToHub::kNewsPlease:
       return seat_.out.tell_all(news_);
     case pb::ToHub::kBundlesPlease:
-      if (!is_welcome_) return;  // they come with the welcome
+      if (!is_welcome_) return;  // the bundles follow the welcome
       leave();
       return join();
     default:
@@ -123,7 +124,7 @@ void SharedRoom::take(const pb::ToHub& message) {
   }
 }
 
-/// Times come in this hub's clock.
+/// Sighting times are converted to this hub's clock.
 void SharedRoom::take_said(HubId from, const pb::SensorSaid& said) {
   const auto hub = others_.find(from);
   if (!is_owner() || hub == others_.end() || !wire::check_control(said.control())) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two hubs with a sensor each: where sensors stand is worked out by one, and both show it.
+// Two hubs with a sensor each: one estimates the poses, and both show them.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ wpb::SensorEntry aligned(std::uint32_t id, const std::string& name, double x_m) 
   return entry;
 }
 
-/// A hub and what goes from it to the other one, at once.
+/// A hub that passes its messages to the other one immediately.
 class Hub final : public SharedRoomOut {
  public:
   explicit Hub(HubId id) : id_(id) {

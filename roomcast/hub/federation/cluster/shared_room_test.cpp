@@ -36,7 +36,7 @@ class SharedRoomTest : public testing::Test {
     room.stay();
     welcome(0);
   }
-  /// The room here welcomes the `n`th who joined; as sensor `id`.
+  /// The room here sends a welcome to the `n`th client that joined, as sensor `id`.
   void welcome(std::size_t n, std::uint32_t id = 0) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
@@ -159,7 +159,7 @@ TEST_F(SharedRoomTest, frames_come_in_with_this_hubs_time) {
   packer.add(frame.payload());
   for (const auto& message : packer.take()) {
     room.frames(kLower, message);
-    room.frames(kHigher, message);  // has no sensors
+    room.frames(kHigher, message);  // kHigher has no sensors
   }
   ASSERT_EQ(here.frames.size(), 1u);
   EXPECT_EQ(here.frames[0].second.capture_time, RoomTime(14s));

@@ -19,7 +19,7 @@ bool is_plain(char c) {
          c == '_';
 }
 
-/// A room's name as one word of a subject: what is not plain as "=20".
+/// A room's name as one word of a subject; special characters are escaped as "=20".
 std::string word_of(std::string_view room) {
   std::string word;
   for (const char c : room) {
@@ -54,7 +54,7 @@ std::optional<std::string> room_of(std::string_view word) {
   return room;
 }
 
-/// Takes the first one off `text`, and the dot behind it.
+/// Removes the first word and the following dot from `text`.
 std::string_view take_word(std::string_view& text) {
   const auto word = text.substr(0, text.find('.'));
   text.remove_prefix(std::min(word.size() + 1, text.size()));

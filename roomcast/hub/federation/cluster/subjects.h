@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The NATS subjects on which hubs talk. A broker can allow a hub single rooms by them:
+// The NATS subjects used between hubs. They let a broker permit a hub only certain rooms:
 // "roomcast.room.lab.>". Source: NATS subject naming, docs.nats.io/nats-concepts/subjects.
 #pragma once
 
@@ -17,12 +17,12 @@ inline constexpr char kRevokedSubject[] = "roomcast.revoked";
 /// To one hub alone.
 [[nodiscard]] std::string inbox_subject(HubId hub);
 [[nodiscard]] std::string news_subject(std::string_view room);
-/// Frames of what sends to this hub.
+/// Frames of the sensors connected to hub `from`.
 [[nodiscard]] std::string frames_subject(std::string_view room, HubId from);
-/// Of what sends to any hub.
+/// Frames of the sensors connected to any hub.
 [[nodiscard]] std::string all_frames_subject(std::string_view room);
 
-/// Where people are who watch the room at any hub.
+/// Poses of the room's people at any hub.
 [[nodiscard]] std::string poses_subject(std::string_view room);
 
 enum class Subject { kHeartbeat, kRevoked, kInbox, kNews, kPoses, kFrames };
@@ -31,7 +31,7 @@ struct ReadSubject {
   std::string room = {};  // of kNews, kPoses and kFrames
   HubId hub = {};         // of kFrames
 };
-/// Nothing: not one of ours.
+/// Nothing: not a subject of ours.
 [[nodiscard]] std::optional<ReadSubject> read_subject(std::string_view subject);
 
 }  // namespace roomcast::hub::federation

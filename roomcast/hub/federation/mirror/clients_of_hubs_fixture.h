@@ -45,7 +45,7 @@ class ClientsOfHubs : public testing::Test {
     ASSERT_TRUE(done()) << "nothing happened in 5 s";
   }
 
-  /// Key frames until `viewer` has got one.
+  /// Sends key frames until `viewer` has received one.
   void send_until_seen(const Client& sensor, const Client& viewer) {
     const auto seen = viewer->frames.size();
     boost::asio::steady_timer pace(io);
@@ -63,7 +63,7 @@ class ClientsOfHubs : public testing::Test {
     io.poll();
   }
 
-  /// What the hub, which has threads of its own, says of itself.
+  /// The metrics of a hub, which runs on threads of its own.
   static std::string metrics_of(const hub::RunningHub& hub) {
     using boost::asio::ip::tcp;
     boost::asio::io_context asking;
@@ -78,7 +78,7 @@ class ClientsOfHubs : public testing::Test {
     return answer;
   }
 
-  /// Else the hubs would wait for an answer to their goodbyes.
+  /// Closes all clients; otherwise the hubs would wait for the answers to their close frames.
   void part() {
     for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
     io.run_for(std::chrono::milliseconds(100));

@@ -15,7 +15,7 @@ namespace pb = wire::pb;
 
 const net::CloseReason kGone{net::close_code::kGoingAway, "it has left the other hub"};
 
-/// What a sensor says of itself on joining.
+/// The join data of a sensor.
 pb::SensorRole role_of(const pb::SensorEntry& entry) {
   pb::SensorRole role;
   *role.mutable_calibration() = entry.calibration();
@@ -64,7 +64,7 @@ MirroredSensors::MirroredSensors(std::uint64_t other_hub, std::string room, std:
 // ---- from the other hub
 
 void MirroredSensors::follow(const std::vector<SensorThere>& online) {
-  pass_on();  // they were sent before this was said
+  pass_on();  // they were sent before this list
   std::set<std::uint32_t> ids;
   for (const SensorThere& sensor : online) {
     ids.insert(sensor.entry.id());
@@ -130,7 +130,7 @@ void MirroredSensors::pass_on() {
   auto together = std::exchange(came_, {});
   here_.on_frames(together);
   together.clear();
-  came_ = std::move(together);  // its memory
+  came_ = std::move(together);  // keeps the memory
 }
 
 void MirroredSensors::say(std::uint32_t id_there, const pb::Control& message) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // MirroredSensors: sensors of another hub's room in a room of this hub, as if each were connected
-// here: who is there and its frames come in, what the room here asks of a sensor goes out. Frames
-// keep their bytes but for the sensor's id, the time (of this hub's clock) and its error. A pose
-// that somebody gave is given on; what alignment found is left to whoever owns this. Pure but for
-// whom it tells. Threading: the rooms' thread.
+// here. Their presence and frames are passed to the room here; the room's key requests are passed
+// to the other hub. Frames keep their bytes except for the sensor ID, the capture time (converted
+// to this hub's clock) and its error. Given poses are passed on; estimated poses are left to the
+// owner of this object. Pure except for its calls to `here`. Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
@@ -24,49 +24,52 @@ namespace roomcast::hub::federation {
 /// A sensor that is online at the other hub.
 struct SensorThere {
   wire::pb::SensorEntry entry;
-  /// Of the token that it showed there, where the other hub says so; else it is as good as ours.
+  /// Of the token used there, if the other hub reports it; nothing: the token of the mirrored join
+  /// applies.
   std::optional<std::string> token_id = {};
 };
 
 struct MirroredSensor {
   SensorThere there;
-  ConnectionId connection;          // here
-  std::optional<SensorId> id = {};  // here, once it was welcomed
+  ConnectionId connection;          // in the room here
+  std::optional<SensorId> id = {};  // in the room here, after its welcome
 };
 
 class MirroredSensors {
  public:
   using NewConnection = std::function<ConnectionId()>;
 
-  /// `here` is told; `token` lets anybody into its room, and it outlives this. `other_hub`: tells
-  /// that hub from others whose sensors are in the room here, not 0.
+  /// `here` gets the events and must outlive this; `token` admits any client to its room.
+  /// `other_hub`: distinguishes that hub from others whose sensors are in the room here; not 0.
   MirroredSensors(std::uint64_t other_hub, std::string room, std::string token,
                   hub::BackplaneEvents& here, NewConnection new_connection);
 
   // From the other hub.
-  /// All that are online there; who was and is not any more is gone here too.
+  /// Sets the sensors online there; those no longer online leave the room here.
   void follow(const std::vector<SensorThere>& online);
   void clock_is(const client::ClockEstimate& estimate) { clock_ = estimate; }
-  /// Dropped while the clock, or the sensor's id here, are not known; what is no frame, too.
+  /// Dropped while the clock offset or the sensor's ID here is unknown, or if it is not a valid
+  /// frame.
   void frame(net::MessageBuffer message);
-  /// Nothing more came with these frames: they go on to the room, together.
+  /// Passes the frames received so far to the room, together.
   void pass_on();
-  /// What the sensor with this id there has said.
+  /// Passes on a message of the sensor with this ID there.
   void say(std::uint32_t id_there, const wire::pb::Control& message);
-  /// Until it comes back all sensors are gone.
+  /// Removes all sensors until the hub returns.
   void other_hub_is_gone();
 
   // From the room here.
-  /// To one of our connections. The message that the other hub should get, if any.
+  /// A message to one of our connections. Returns the message to send to the other hub, if any.
   std::optional<wire::pb::Control> said(ConnectionId to, const wire::pb::Control& message);
-  /// It was sent away. True: it was one of ours. Back when it is followed again.
+  /// The connection was removed from the room. True: it was one of ours. It rejoins with the next
+  /// follow().
   bool let_go(ConnectionId connection);
 
-  /// By their ids there.
+  /// By their IDs there.
   [[nodiscard]] const std::map<std::uint32_t, MirroredSensor>& all() const { return sensors_; }
-  /// Is it in the room here, through us?
+  /// Whether this sensor is in the room here through this object.
   [[nodiscard]] bool has(std::string_view name) const;
-  /// A time of the other hub's clock in this one's. Nothing while that is not known.
+  /// Converts a time of the other hub's clock to this one's. Nothing while the offset is unknown.
   [[nodiscard]] std::optional<RoomTime> time_here(RoomTime there) const;
 
  private:
@@ -83,10 +86,10 @@ class MirroredSensors {
   const NewConnection new_connection_;
   Sensors sensors_;
   std::optional<client::ClockEstimate> clock_;
-  std::vector<hub::IncomingFrame> came_;  // and were not passed on yet
+  std::vector<hub::IncomingFrame> came_;  // received but not yet passed on
 };
 
-/// What alignment knows of it, as an aligner's word on sensor `here`; the newest there is.
+/// The estimated pose in `entry`, as an aligner's placement of sensor `here`.
 [[nodiscard]] wire::pb::SensorPlacement placement_of(const wire::pb::SensorEntry& entry,
                                                      SensorId here);
 

@@ -12,7 +12,7 @@ namespace {
 
 class MirroredSensorsTest : public testing::Test {
  protected:
-  /// The room here welcomes the `n`th who joined as sensor `id`.
+  /// The room here sends a welcome to the `n`th client that joined, as sensor `id`.
   void welcome(std::size_t n, std::uint32_t id) {
     pb::Control control;
     control.mutable_welcome()->set_sensor_id(id);

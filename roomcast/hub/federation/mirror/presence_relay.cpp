@@ -13,7 +13,7 @@ namespace pb = wire::pb;
 
 pb::ViewerEntry told_of(const pb::ViewerEntry& person) {
   pb::ViewerEntry told = person;
-  told.clear_through();  // an id that means nothing elsewhere
+  told.clear_through();  // an ID that is meaningless on another hub
   return told;
 }
 
@@ -24,7 +24,7 @@ bool comes_from_backplane(const pb::ViewerEntry& person) {
 }  // namespace
 
 bool PresenceRelay::take(const pb::Roster& roster) {
-  std::map<std::uint32_t, pb::ViewerEntry> people;  // a roster has them in any order
+  std::map<std::uint32_t, pb::ViewerEntry> people;  // sorted by ID: a roster is unordered
   for (const pb::ViewerEntry& person : roster.viewers()) {
     if (person.relays() || comes_from_backplane(person)) continue;
     people[person.id()] = told_of(person);

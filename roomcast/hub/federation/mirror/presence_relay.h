@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// People in a room here of whom another hub is told, and the newest pose of each; and the other way
-// round, people there of whom this one is told. Whoever comes from where is told of is left out, so
-// that nobody goes round in circles. Pure.
+// PresenceRelay: the people in a room here that are reported to another hub, with the newest pose
+// of each. People are not reported back to their origin, so that no report circulates. Pure.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +12,14 @@ namespace roomcast::hub::federation {
 
 class PresenceRelay {
  public:
-  /// The room's newest roster. True: there are others to tell of than before.
+  /// Takes the room's newest roster. True: the people to report have changed.
   bool take(const wire::pb::Roster& roster);
-  /// Newest poses in the room; those of people to tell of.
+  /// Takes newest poses in the room; returns those of the people to report.
   wire::pb::ViewerPoses take(const wire::pb::ViewerPoses& poses);
 
-  /// Ids are those of the room here; at most kMaxPeopleHere, who came first.
+  /// IDs are those of the room here; at most kMaxPeopleHere, lowest IDs first.
   [[nodiscard]] const wire::pb::PeopleHere& people() const { return people_; }
-  /// All that are known.
+  /// All known poses.
   [[nodiscard]] wire::pb::ViewerPoses newest_poses() const;
 
  private:
@@ -28,8 +27,8 @@ class PresenceRelay {
   std::map<std::uint32_t, wire::pb::ViewerPose> poses_;  // of people_
 };
 
-/// Who is in the roster of another hub, at which we are this viewer, but for us and who is behind
-/// us. Ids are those there.
+/// The people in the roster of another hub, at which we are viewer `own_viewer_id`, except for us
+/// and the people behind us. IDs are those of that hub.
 [[nodiscard]] wire::pb::PeopleHere people_there(const wire::pb::Roster& roster,
                                                 std::uint32_t own_viewer_id);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of what speaks for sensors of other hubs: a room that remembers what it was told.
+// For tests of mirrored sensors and people: a room that records the events it receives.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ namespace roomcast::hub::federation {
 namespace pb = wire::pb;
 using namespace std::chrono_literals;
 
-/// A room here that remembers what it was told.
+/// A room here that records the events it receives.
 struct RoomHere final : hub::BackplaneEvents {
   void on_join(const hub::ConnectionInfo& arrival, const pb::Join& join) override {
     joins.emplace_back(arrival.from, join);
@@ -45,7 +45,7 @@ struct RoomHere final : hub::BackplaneEvents {
   std::vector<hub::ConnectionInfo> arrivals;
   std::vector<std::pair<ConnectionId, pb::Control>> said;
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
-  std::vector<std::size_t> batches;  // how many frames came together
+  std::vector<std::size_t> batches;  // number of frames of each on_frames()
   std::vector<SensorId> key_needs;
   std::vector<ConnectionId> left;
 };
@@ -85,7 +85,7 @@ inline pb::Control pose_of(std::uint32_t person) {
   return control;
 }
 
-/// Of sensor 7 there, captured at 10 s of that hub's clock.
+/// A frame of sensor 7 there, captured at 10 s of that hub's clock.
 inline net::MessageBuffer frame_there() {
   const wire::FrameHeader header{
       .key = true, .sensor = SensorId{7}, .capture_time = RoomTime(10s), .clock_error_us = 100};

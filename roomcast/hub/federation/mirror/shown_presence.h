@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ShownPresence: what a room here was last told of people at other hubs. Pure.
+// ShownPresence: the people at other hubs as last reported to a room here. Pure.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace roomcast::hub::federation {
 
 class ShownPresence {
  public:
-  /// What to tell the room now that these are there; nothing: it knows.
+  /// The message that reports these people to the room; nothing if it has them already.
   [[nodiscard]] std::optional<wire::pb::Control> news(const wire::pb::PeopleHere& people) {
     if (people.SerializeAsString() == shown_.SerializeAsString()) return std::nullopt;
     shown_ = people;
@@ -18,7 +18,7 @@ class ShownPresence {
     *control.mutable_people_here() = people;
     return control;
   }
-  /// It knows of nobody.
+  /// The room has no people of other hubs any more.
   void forget() { shown_.Clear(); }
 
  private:

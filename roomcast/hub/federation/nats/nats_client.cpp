@@ -17,12 +17,13 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr std::chrono::milliseconds kTryAgainAfter{500};
-/// A server that says nothing for so long is asked to, again and again; then it hangs. Where there
-/// is another hub its heartbeats come more often, and none has to be asked.
+/// A server silent for kAskedAfter is pinged every kAskedEvery, and abandoned after kGivenUpAfter.
+/// With another hub in the cluster its heartbeats are more frequent, so no ping is needed.
 constexpr std::chrono::milliseconds kAskedAfter{200}, kAskedEvery{50}, kGivenUpAfter{400};
 constexpr std::size_t kUsualMessageBytes = 1u << 20;
 
-/// The server after the one named `last` first, and that one last: it is gone or hangs.
+/// Rotates the servers so that the one after `last` comes first and `last` itself, which is gone or
+/// hangs, comes last.
 NatsOptions from_next(NatsOptions options, const std::string& last) {
   const auto found = std::ranges::find(options.servers, last, without_secret);
   if (found != options.servers.end()) {
@@ -33,7 +34,7 @@ NatsOptions from_next(NatsOptions options, const std::string& last) {
 
 }  // namespace
 
-// Sessions one after the other.
+// Runs sessions one after another.
 class NatsClient::Link : public std::enable_shared_from_this<Link> {
  public:
   Link(NatsOptions options, asio::io_context& io, NatsHandlers handlers)
@@ -144,7 +145,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     log(LogLevel::kWarning, "NATS at " + server_ + " is gone");
     session_ = nullptr;
     const bool did_it_last = clock_.now() - begun_ >= kTryAgainAfter;
-    if (!did_it_last) return connect_again_later();  // who turns us out would do so without end
+    if (!did_it_last) return connect_again_later();  // no retries without a pause
     connect_again();
   }
 
@@ -174,7 +175,8 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     });
   }
 
-  /// Who looks too late may have been kept from reading what a server said.
+  /// A late check gives no verdict: this program may have been kept from reading the server's
+  /// messages.
   void look(HostTime due) {
     if (!session_) return;
     const HostTime now = clock_.now();
@@ -189,12 +191,12 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   const NatsHandlers handlers_;
   SteadyClock clock_;
   std::shared_ptr<NatsSession> session_;  // null while there is none
-  std::string server_;                    // the newest one's...
-  HostTime begun_{};                      // ...and since when
+  std::string server_;                    // server of the newest session...
+  HostTime begun_{};                      // ...and its start
   std::vector<std::string> subjects_;
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;
-  NatsStats stats_;  // but for is_connected
+  NatsStats stats_;  // except is_connected
   std::string was_told_;
   bool is_stopped_ = false;
   asio::steady_timer again_, watch_;

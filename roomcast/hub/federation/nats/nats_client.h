@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// NatsClient: a hub's connection to a NATS cluster (docs.nats.io). When the node it is connected to
-// is gone or hangs, it goes on at another one; what was said meanwhile may be lost, as always with
-// NATS.
+// NatsClient: a hub's connection to a NATS cluster (docs.nats.io). If its node is gone or hangs, it
+// connects to another one; messages sent meanwhile may be lost, as always with NATS.
 //
-// Threading: made, used and destroyed on the thread that runs `io`, where the handlers are called;
-// only open() waits.
+// Threading: created, used and destroyed on the thread that runs `io`, where the handlers are
+// called; only open() blocks.
 #pragma once
 
 #include <cstddef>
@@ -25,39 +24,39 @@
 
 namespace roomcast::hub::federation {
 
-/// Since it was opened.
+/// Totals since it was opened.
 struct NatsStats {
   bool is_connected = false;
   hub::BackplaneTraffic sent = {}, received = {};
-  std::uint64_t dropped = 0;  // messages: there was no connection, or a slow one
+  std::uint64_t dropped = 0;  // messages, for lack of a connection or because of a slow one
 };
 
 struct NatsHandlers {
-  /// Not to destroy the client.
+  /// Must not destroy the client.
   std::function<void(std::string_view subject, std::span<const std::uint8_t> message)> on_message;
-  /// Connected, perhaps to another node than before.
+  /// Connected, possibly to another node than before.
   std::function<void()> on_connected;
   LogSink log;
 };
 
 class NatsClient {
  public:
-  /// No more waits to be written; what is more is dropped.
+  /// Limit of the bytes waiting to be sent; messages beyond it are dropped.
   static constexpr std::size_t kMaxWaitingBytes = 8u << 20;
 
-  /// Waits for the first connection, at most kConnectWithin for each server; where none answers it
-  /// goes on trying. Errors of check() and log_in_to_nats().
+  /// Waits for the first connection, at most kConnectWithin for each server; if none answers, it
+  /// keeps trying. Errors of check() and log_in_to_nats().
   static Result<std::unique_ptr<NatsClient>> open(NatsOptions options, boost::asio::io_context& io,
                                                   NatsHandlers handlers);
   ~NatsClient();
 
   void subscribe(std::string subject);
   void unsubscribe(const std::string& subject);
-  /// Said later where there is no connection now.
+  /// Kept and sent later if there is no connection now.
   void publish(std::string subject, std::vector<std::uint8_t> message);
-  /// Now or never.
+  /// Dropped if there is no connection now.
   void publish_now(std::string subject, std::vector<std::uint8_t> message);
-  /// What a message may have. As usual, while there was no connection yet.
+  /// Maximum size of a message; the usual value before the first connection.
   [[nodiscard]] std::size_t max_message_bytes() const;
   [[nodiscard]] NatsStats stats() const;
 

@@ -47,7 +47,7 @@ class NatsClientTest : public testing::Test {
     }
     ASSERT_TRUE(done()) << "nothing happened in 5 s";
   }
-  /// Says it until it was heard: a subscription takes a moment.
+  /// Repeats the message until it is received: a subscription takes effect with a delay.
   void say_until_heard(NatsClient& speaker, const std::string& subject) {
     heard.clear();
     boost::asio::steady_timer pace(io);
@@ -130,7 +130,7 @@ TEST_F(NatsClientTest, a_server_that_hangs_is_given_up_and_one_that_has_nothing_
   EXPECT_EQ(connected, 3) << "longer than the one that hung took to be given up";
 }
 
-/// Lets everybody in, and out again.
+/// A server that accepts each client and disconnects it at once.
 class RevolvingDoor {
  public:
   RevolvingDoor() {

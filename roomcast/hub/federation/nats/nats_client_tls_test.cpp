@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// With a real server that encrypts, and somebody in between who stalls in the middle of a record.
+// With a real TLS server, and a relay that stalls in the middle of a record.
 #include <functional>
 
 #include <boost/asio/executor_work_guard.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLongestWait = 250ms;  // of the rooms' thread; a loaded machine has some of its own
+constexpr auto kLongestWait = 250ms;  // of the rooms' thread, including delays on a loaded machine
 
 class NatsClientTlsTest : public testing::Test {
  protected:
@@ -43,7 +43,7 @@ class NatsClientTlsTest : public testing::Test {
     EXPECT_TRUE(client) << client.error().message;
     return *std::move(client);
   }
-  /// The rooms' thread goes on all the time.
+  /// Runs the rooms' thread, which must never block.
   void run_until(const std::function<bool()>& done) {
     const auto give_up = std::chrono::steady_clock::now() + 8s;
     boost::asio::steady_timer pace(io);
@@ -61,7 +61,7 @@ class NatsClientTlsTest : public testing::Test {
     while (!done() && std::chrono::steady_clock::now() < give_up) io.run_one();
     ASSERT_TRUE(done()) << "nothing happened in 8 s";
   }
-  /// A subscription takes effect some time after it was sent.
+  /// Repeats the message until it is received: a subscription takes effect with a delay.
   void run_until_heard(NatsClient& speaker, std::size_t bytes = 10) {
     run_until([&] {
       speaker.publish("a", std::vector<std::uint8_t>(bytes));

@@ -23,10 +23,10 @@ constexpr std::string_view kBlank = " \t\r\n";
 constexpr unsigned kSeedKind = 18 << 3, kUserKind = 20 << 3;  // "S" and "U" in base32
 constexpr std::size_t kPrefixBytes = 2, kCheckBytes = 2, kSignatureBytes = 64;
 
-/// What stands between the line that says that this begins and the next one of dashes.
+/// The text between the BEGIN line of section `name` and the next line of dashes.
 std::optional<std::string_view> section(std::string_view text, std::string_view name) {
   const auto begin = text.find("-----BEGIN " + std::string(name) + "-----");
-  const auto line_end = text.find('\n', begin);  // also where there is no such line
+  const auto line_end = text.find('\n', begin);  // also correct if there is no such line
   if (begin == std::string_view::npos || line_end == std::string_view::npos) return std::nullopt;
   const auto end = text.find("---", line_end);
   if (end == std::string_view::npos) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<std::string_view> section(std::string_view text, std::string_view 
   return inside;
 }
 
-/// RFC 4648, without padding.
+/// Decodes base32 of RFC 4648, without padding.
 std::optional<Bytes> from_base32(std::string_view text) {
   Bytes bytes;
   std::uint32_t bits = 0;
@@ -50,7 +50,7 @@ std::optional<Bytes> from_base32(std::string_view text) {
     count -= 8;
     bytes.push_back(static_cast<std::uint8_t>(bits >> count));
   }
-  if (count >= 5) return std::nullopt;  // the last one says nothing
+  if (count >= 5) return std::nullopt;  // the last character carries no data
   return bytes;
 }
 

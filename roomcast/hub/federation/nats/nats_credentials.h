@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// NatsCredentials: what a NATS operator hands out to a user (.creds): a token (JWT) that says who
-// he is, and the private key, Ed25519, by whose signature he shows it. Threading: immutable.
-// Source: docs.nats.io, "Decentralized JWT Authentication"; github.com/nats-io/nkeys (keys in
-// base32, with a prefix for their kind and a CRC-16); RFC 8032 (Ed25519), by OpenSSL.
+// NatsCredentials: the credentials that a NATS operator issues to a user (.creds): a token (JWT)
+// with the user's identity, and an Ed25519 private key to prove it by a signature. Threading:
+// immutable. Source: docs.nats.io, "Decentralized JWT Authentication"; github.com/nats-io/nkeys
+// (keys in base32, with a type prefix and a CRC-16); RFC 8032 (Ed25519), by OpenSSL.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace roomcast::hub::federation {
 
 class NatsCredentials {
  public:
-  /// kNotFound: no such file. kMalformed: it holds no credentials of a user, or damaged ones.
+  /// kNotFound: no such file. kMalformed: no user credentials in it, or damaged ones.
   static Result<NatsCredentials> load(const std::string& file);
   /// kMalformed, as above.
   static Result<NatsCredentials> parse(std::string_view text);
 
   [[nodiscard]] const std::string& user_jwt() const { return user_jwt_; }
-  /// Of these bytes, in base64url without padding.
+  /// The signature of these bytes, in base64url without padding.
   [[nodiscard]] std::string sign(std::string_view text) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The key is that of RFC 8032, section 7.1, test 2, as the nkeys tool writes it; so is the
-// signature.
+// The key is that of RFC 8032, section 7.1, test 2, in the format of the nkeys tool; the signature
+// is from the same test.
 #include "roomcast/hub/federation/nats/nats_credentials.h"
 
 #include <fstream>

@@ -40,7 +40,7 @@ std::string all_of(const std::vector<std::string>& servers) {
   return text;
 }
 
-/// At one server after the other.
+/// Tries one server after another.
 class Attempt final : public NatsLoginAttempt, public std::enable_shared_from_this<Attempt> {
  public:
   Attempt(asio::io_context& io, NatsOptions options, NatsLoginCallback callback)
@@ -72,7 +72,8 @@ class Attempt final : public NatsLoginAttempt, public std::enable_shared_from_th
   void finish(Result<NatsConnection> result);
   void close();
 
-  /// Calls `next(*this, error)` unless this is over, or at another server, by then.
+  /// Calls `next(*this, error)` unless the attempt has ended, or moved on to another server, by
+  /// then.
   template <class Next>
   auto then(Next next) {
     return [self = shared_from_this(), at = server_, next](SystemError error = {}, const auto&...) {
@@ -83,12 +84,12 @@ class Attempt final : public NatsLoginAttempt, public std::enable_shared_from_th
   asio::io_context& io_;
   Tcp::resolver resolver_;
   asio::steady_timer deadline_;
-  Tcp::socket socket_;                 // while it connects...
-  std::optional<net::Stream> stream_;  // ...and from then on
+  Tcp::socket socket_;                 // while connecting...
+  std::optional<net::Stream> stream_;  // ...and afterwards
   const NatsOptions options_;
-  NatsLoginCallback callback_;    // empty once it is over
-  std::size_t server_ = 0;        // how many were begun with
-  std::optional<Error> refusal_;  // the first that trying again does not help
+  NatsLoginCallback callback_;    // empty once the attempt has ended
+  std::size_t server_ = 0;        // number of servers tried so far
+  std::optional<Error> refusal_;  // the first error that a retry cannot resolve
   NatsAddress address_;
   NatsServerInfo info_;
   bool is_encrypted_ = false, is_introduced_ = false;
@@ -156,7 +157,7 @@ void Attempt::read() {
       });
 }
 
-/// As many as have come; what is behind PONG is the connection's.
+/// Processes all received events; bytes after PONG belong to the connection.
 void Attempt::take_events() {
   for (std::span<const std::uint8_t> bytes = received_;;) {
     const NatsEvent event = next_nats_event(bytes);
@@ -171,7 +172,7 @@ void Attempt::take_events() {
   read();
 }
 
-/// False: nothing more is to be read for now.
+/// False: reading is to stop for now.
 bool Attempt::take(const NatsEvent& event) {
   if (const auto* complaint = std::get_if<NatsComplaint>(&event)) {
     fail(is_about_identity(complaint->text) ? NatsFault::kRefused : NatsFault::kNotTaken);
@@ -185,7 +186,7 @@ bool Attempt::take(const NatsEvent& event) {
 
 void Attempt::on_info(std::string_view json) {
   const auto info = read_server_info(json);
-  received_.clear();  // a server waits now
+  received_.clear();  // the server waits for an answer now
   if (!info) return fail(NatsFault::kNoNats);
   info_ = *info;
   const bool wants = wants_tls(options_);
@@ -222,11 +223,11 @@ void Attempt::introduce() {
   is_introduced_ = true;
   line_ = connect_line(identity, is_encrypted_) + std::string(kNatsPing);
   asio::async_write(*stream_, asio::buffer(line_), then([](Attempt& self, SystemError) {
-    self.read();  // also when writing failed: it may say why
+    self.read();  // also after a failed write: the server may have sent a reason
   }));
 }
 
-/// Who does not trust the other hangs up, or TLS says so.
+/// A peer that does not trust the other disconnects, or TLS reports it.
 void Attempt::on_ended() {
   const bool is_distrust = is_encrypted_ && !stream_->tls_fault().empty();
   fail(is_distrust ? NatsFault::kNotTrusted : NatsFault::kNoAnswer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens a connection to the first NATS server that answers: look up the name, connect, encrypt,
-// say who this is; bounded in time.
+// Opens a connection to the first NATS server that answers: resolves the name, connects, encrypts
+// and authenticates, within a time limit.
 // Threading: call from, and called back on, the thread that runs `io`.
 // Source: docs.nats.io, "Client Protocol" (INFO, CONNECT).
 #pragma once
@@ -21,31 +21,31 @@
 
 namespace roomcast::hub::federation {
 
-/// Each server; all of it.
+/// Time limit per server, for all steps together.
 inline constexpr std::chrono::milliseconds kConnectWithin{500};
 
-/// To a server that has let this hub in.
+/// A connection to a server that has accepted this hub.
 struct NatsConnection {
   net::Stream stream;
   bool is_encrypted = false;
   NatsServerInfo info;
-  std::string server;                  // as it was named, without user and password
-  std::vector<std::uint8_t> received;  // that it said since
+  std::string server;                  // as configured, without user and password
+  std::vector<std::uint8_t> received;  // bytes received after the login
 };
 
-/// Called once, never from within log_in_to_nats(). Errors: of connect_error(), those that trying
-/// again does not help before others; of NatsCredentials::load() and net::TlsClientContext.
+/// Called once, never from within log_in_to_nats(). Errors: those of connect_error(), preferably
+/// one that a retry cannot resolve; of NatsCredentials::load() and net::TlsClientContext.
 using NatsLoginCallback = std::function<void(Result<NatsConnection>)>;
 
-/// An attempt under way. Letting go of it changes nothing.
+/// A pending attempt. Destroying it does not cancel the attempt.
 class NatsLoginAttempt {
  public:
   virtual ~NatsLoginAttempt() = default;
-  /// Gives up; the callback is not called any more. No effect once it was.
+  /// Cancels the attempt; the callback is not called any more. No effect after the callback.
   virtual void cancel() = 0;
 };
 
-/// `options` are legal. The result may be ignored.
+/// `options` must be valid. The result may be ignored.
 std::shared_ptr<NatsLoginAttempt> log_in_to_nats(boost::asio::io_context& io, NatsOptions options,
                                                  NatsLoginCallback callback);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// With somebody who answers as a test wants it; what real servers say: nats_client_test.cpp,
+// With a scripted server. The answers of real servers are tested in nats_client_test.cpp and
 // tests/network/nats_access.test.mjs.
 #include "roomcast/hub/federation/nats/nats_login.h"
 
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
 
-/// Says one thing to who connects, and another to the first thing that it says.
+/// Sends one text to a new client, and another one after the client's first message.
 class Answerer {
  public:
   Answerer(asio::io_context& io, std::string greeting, std::string answer)
@@ -130,7 +130,7 @@ TEST_F(NatsLoginTest, who_gives_up_hears_no_more) {
   bool called = false;
   const auto attempt =
       log_in_to_nats(io, {.servers = {server.url()}}, [&](auto) { called = true; });
-  io.run_one();  // it has begun
+  io.run_one();  // the attempt has begun
   attempt->cancel();
   io.run_for(20ms);
   EXPECT_FALSE(called);

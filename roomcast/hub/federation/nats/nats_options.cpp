@@ -15,7 +15,7 @@ Status check_file(const std::string& file) {
   return Error{ErrorCode::kNotFound, "cannot read " + file + ", which NATS is to be reached with"};
 }
 
-/// Takes "user:password@" off the front.
+/// Removes "user:password@" from the front.
 NatsIdentity take_identity(std::string_view& text) {
   const auto at = text.rfind('@');
   if (at == std::string_view::npos) return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a hub reaches its NATS cluster, checked, and what its refusals mean. Threading: no state.
+// Connection options of a hub's NATS cluster, their validation, and the errors of refused
+// connections. Threading: no state.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +15,18 @@ namespace roomcast::hub::federation {
 
 struct NatsOptions {
   /// "nats://a:4222", "tls://a:4222", "nats://user:password@a:4222"; at least one. The first that
-  /// answers is taken.
+  /// answers is used.
   std::vector<std::string> servers;
   std::string credentials_file = {};  // .creds of NATS: a user's token and its key; empty: none
-  std::string ca_file = {};  // PEM; who signs the servers' certificates; empty: as in the system
-  std::string cert_file = {},
-              key_file = {};  // PEM; by which the servers know this hub; empty: not by that
+  std::string ca_file = {};  // PEM; authorities for the servers' certificates; empty: the system's
+  std::string cert_file = {}, key_file = {};  // PEM; this hub's client certificate; empty: none
 };
 
-/// kInvalidArgument: no NATS address, or half of a pair of files. kNotFound: a file cannot be read.
+/// kInvalidArgument: not a NATS address, or one of a pair of files is missing. kNotFound: a file
+/// cannot be read.
 [[nodiscard]] Status check(const NatsOptions& options);
 
-/// Every connection is to be encrypted.
+/// Whether every connection must be encrypted.
 [[nodiscard]] bool wants_tls(const NatsOptions& options);
 
 struct NatsAddress {
@@ -35,7 +36,7 @@ struct NatsAddress {
   NatsIdentity identity = {};  // "user:password@", or "token@"
 };
 
-/// kInvalidArgument: not such an address; the sentence shows no password.
+/// kInvalidArgument: not such an address; the sentence contains no password.
 [[nodiscard]] Result<NatsAddress> parse_nats_address(const std::string& server);
 
 /// Without user and password: "nats://a:4222".
@@ -43,15 +44,15 @@ struct NatsAddress {
 
 enum class NatsFault {
   kNoAnswer,
-  kNoNats,       // somebody else answers
-  kRefused,      // our name, or that we have none
-  kNotTaken,     // for another reason
-  kNotTrusted,   // its certificate, or ours
-  kOffersNoTls,  // where it is demanded
+  kNoNats,       // the peer is not a NATS server
+  kRefused,      // our credentials, or their absence
+  kNotTaken,     // rejected for another reason
+  kNotTrusted,   // the server's certificate, or ours
+  kOffersNoTls,  // although TLS is required
 };
 
-/// Why there is no connection to `server`. kClosed: and there will be none before somebody changes
-/// something. kUnavailable: trying again may help.
+/// The error for a failed connection to `server`. kClosed: it will fail until the configuration
+/// changes. kUnavailable: a retry may help.
 [[nodiscard]] Error connect_error(NatsFault fault, const std::string& server,
                                   const NatsOptions& options);
 

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kBlank = " \t";
 
-/// The first line without its end. Nothing: it has not come yet, or is too long.
+/// The first line without its end. Nothing: it is incomplete or too long.
 std::optional<std::string_view> first_line(std::span<const std::uint8_t> bytes) {
   const auto text = std::string_view(reinterpret_cast<const char*>(bytes.data()),
                                      std::min(bytes.size(), kMaxNatsLineBytes));
@@ -23,7 +23,7 @@ std::optional<std::string_view> first_line(std::span<const std::uint8_t> bytes) 
   return text.substr(0, end);
 }
 
-/// Takes the first word off `text`, and what is blank around it.
+/// Removes the first word and surrounding blanks from `text`.
 std::string_view take_word(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
   const auto word = text.substr(0, text.find_first_of(kBlank));
@@ -43,14 +43,14 @@ bool read_number(std::string_view word, Number& number) {
   return fault == std::errc() && end == word.data() + word.size() && !word.empty();
 }
 
-/// `text`: the line behind "MSG", "subject subscription [reply-to] size". The message follows it.
+/// `text`: the line after "MSG": "subject subscription [reply-to] size". The message follows it.
 NatsEvent read_message(std::string_view text, std::span<const std::uint8_t>& bytes,
                        std::size_t line_bytes) {
   NatsMessage message;
   message.subject = take_word(text);
   const auto subscription = take_word(text);
   auto size = take_word(text);
-  if (!text.empty()) size = take_word(text);  // the one before is who wants an answer
+  if (!text.empty()) size = take_word(text);  // the previous word was the reply-to subject
   std::size_t message_bytes = 0;
   if (message.subject.empty() || !text.empty() || !read_number(size, message_bytes) ||
       !read_number(subscription, message.subscription) || message_bytes > kMaxNatsMessageBytes) {
@@ -71,7 +71,7 @@ std::string_view without_quotes(std::string_view text) {
   return text.substr(1, text.size() - 2);
 }
 
-/// Of a line that stands for itself.
+/// Parses a line that is not followed by a message.
 NatsEvent read_line(std::string_view verb, std::string_view rest) {
   if (is_verb(verb, "PING")) return NatsPing{};
   if (is_verb(verb, "PONG")) return NatsPong{};

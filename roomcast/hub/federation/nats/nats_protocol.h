@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The NATS client protocol: what a server says, taken apart where it lies, and what a client says.
-// Threading: no state. Source: docs.nats.io, "Client Protocol".
+// The NATS client protocol: parses a server's messages in place and formats a client's. Threading:
+// no state. Source: docs.nats.io, "Client Protocol".
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace roomcast::hub::federation {
 
-/// INFO names all servers of a cluster; the other lines are short.
+/// INFO lists all servers of a cluster; the other lines are short.
 inline constexpr std::size_t kMaxNatsLineBytes = 64u << 10;
-/// More than that no server takes, whatever its configuration.
+/// No server accepts longer messages, whatever its configuration.
 inline constexpr std::size_t kMaxNatsMessageBytes = 64u << 20;
 
-// ---- what a server says; views lie in the bytes that it was read from
+// ---- server to client; views refer to the bytes passed in
 
 struct NatsNeedsMore {};
 struct NatsInfo {
@@ -32,37 +32,38 @@ struct NatsMessage {
 struct NatsPing {};
 struct NatsPong {};
 struct NatsOk {};
-/// Mostly it hangs up then.
+/// An error (-ERR). The server usually disconnects afterwards.
 struct NatsComplaint {
   std::string_view text;
 };
-/// It breaks the protocol; nothing can be read any more.
+/// A protocol violation; nothing more can be read.
 struct NatsViolation {};
 using NatsEvent = std::variant<NatsNeedsMore, NatsInfo, NatsMessage, NatsPing, NatsPong, NatsOk,
                                NatsComplaint, NatsViolation>;
 
-/// The next one, taken off the front of `bytes`. NatsNeedsMore and NatsViolation take nothing.
+/// The next event, removed from the front of `bytes`. NatsNeedsMore and NatsViolation remove
+/// nothing.
 [[nodiscard]] NatsEvent next_nats_event(std::span<const std::uint8_t>& bytes);
 
 struct NatsServerInfo {
   std::size_t max_message_bytes = 1u << 20;
   bool offers_tls = false, demands_tls = false;
-  std::string nonce;  // to be signed by who has credentials
+  std::string nonce;  // to be signed with the credentials
 };
 
-/// Nothing: this is no INFO.
+/// Nothing: this is not an INFO.
 [[nodiscard]] std::optional<NatsServerInfo> read_server_info(std::string_view json);
 
-// ---- what a client says
+// ---- client to server
 
-/// Who it is; what is empty is left out.
+/// Credentials of the client; empty fields are left out.
 struct NatsIdentity {
   std::string user = {}, password = {};
-  std::string token = {};                     // instead of these
-  std::string user_jwt = {}, signature = {};  // of credentials: the signature is of the nonce
+  std::string token = {};                     // instead of user and password
+  std::string user_jwt = {}, signature = {};  // of credentials; signs the nonce
 };
 
-/// Its own messages do not come back.
+/// The server must not echo the client's own messages.
 [[nodiscard]] std::string connect_line(const NatsIdentity& identity, bool uses_tls);
 /// The message follows, then kNatsLineEnd.
 [[nodiscard]] std::string publish_line(std::string_view subject, std::size_t message_bytes);

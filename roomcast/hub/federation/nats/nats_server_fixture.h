@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a real NATS server on loopback, on a free port, while it is held.
+// For tests: a real NATS server on loopback, on a free port, for the object's lifetime.
 #pragma once
 
 #include <csignal>
@@ -44,7 +44,7 @@ class NatsServer {
   NatsServer(const NatsServer&) = delete;
   NatsServer& operator=(const NatsServer&) = delete;
 
-  /// It takes and says nothing from now on.
+  /// Suspends the server: it neither receives nor sends from now on.
   void hang() const { ::kill(pid_, SIGSTOP); }
 
   [[nodiscard]] static bool is_installed() { return ::access("/usr/sbin/nats-server", X_OK) == 0; }

@@ -10,12 +10,12 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// Some frame sets of a room; grows where a message is longer.
+/// Space for some frame sets of a room; grows for longer messages.
 constexpr std::size_t kReadBytes = 256u << 10;
-/// With less room a read might take only the beginning of what is there.
+/// With less space a read might take only the beginning of the available bytes.
 constexpr std::size_t kReadAtLeastBytes = 64u << 10;
-/// Shorter messages are copied behind their line, and all that are encrypted: to TLS each piece is
-/// a record, and a write.
+/// Messages up to this size, and all encrypted ones, are copied behind their line: TLS would need
+/// one record and one write per piece.
 constexpr std::size_t kJoinedBytes = 4096;
 
 }  // namespace
@@ -42,7 +42,7 @@ void NatsSession::stop() {
   stream_.close();
 }
 
-/// Whoever reads learns of it.
+/// The pending read then fails and ends the session.
 void NatsSession::abort() {
   boost::system::error_code ignored;
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
@@ -83,7 +83,7 @@ void NatsSession::read() {
   }
 }
 
-/// A complaint is left to the server: where it matters it hangs up.
+/// Error messages are ignored: after serious ones the server disconnects.
 void NatsSession::take(const NatsEvent& event) {
   if (const auto* message = std::get_if<NatsMessage>(&event)) {
     if (subscriptions_.contains(message->subscription)) {
@@ -136,7 +136,7 @@ void NatsSession::write(std::string_view line) {
   write(std::array<asio::const_buffer, 1>{asio::buffer(line)});
 }
 
-/// What is not taken now waits.
+/// Queues the bytes that are not accepted now.
 void NatsSession::write(std::span<const asio::const_buffer> pieces) {
   if (is_over_) return;
   const bool waited = !waiting_.empty();

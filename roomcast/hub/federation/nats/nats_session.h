@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// NatsSession: one connection to one NATS server, from the moment it has let us in to its end.
-// Messages are handed on where they were read, and long ones written from where they lie, unless
-// they are encrypted; neither waits.
-// Threading: lives on one io_context.
+// NatsSession: one connection to one NATS server, from the login to its end. Received messages are
+// passed on from the read buffer, and long messages are written from the caller's memory unless
+// they are encrypted. It never blocks. Threading: runs on one io_context.
 #pragma once
 
 #include <array>
@@ -28,32 +27,32 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
  public:
   struct Handlers {
     std::function<void(std::string_view subject, std::span<const std::uint8_t> message)> on_message;
-    std::function<void()> on_gone;  // once, unless it was stopped
+    std::function<void()> on_gone;  // called once, unless stop() was called
   };
 
-  /// On the io_context of the connection's stream.
+  /// Runs on the io_context of the connection's stream.
   explicit NatsSession(NatsConnection connection);
 
-  /// From now on messages come.
+  /// Starts to receive messages.
   void start(Handlers handlers);
-  /// Nothing more comes, nothing more is written.
+  /// Ends receiving and sending.
   void stop();
 
   void subscribe(const std::string& subject);
   void unsubscribe(const std::string& subject);
-  /// False: it is not sent, because more than `max_waiting_bytes` wait for a slow server.
+  /// False: not sent, because more than `max_waiting_bytes` wait for a slow server.
   bool publish(std::string_view subject, std::span<const std::uint8_t> message,
                std::size_t max_waiting_bytes);
 
   [[nodiscard]] std::size_t max_message_bytes() const { return info_.max_message_bytes; }
-  /// As it was named, without user and password.
+  /// As configured, without user and password.
   [[nodiscard]] const std::string& server() const { return server_; }
 
-  /// When the server last said something.
+  /// Time of the server's last message.
   [[nodiscard]] HostTime last_heard() const { return last_heard_; }
-  /// It should say something.
+  /// Sends a ping, which the server must answer.
   void ask() { write(kNatsPing); }
-  /// It is gone soon: on_gone.
+  /// Breaks the connection; on_gone follows.
   void abort();
 
  private:
@@ -77,10 +76,10 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
   std::map<std::uint64_t, std::string> subscriptions_;  // subjects by number
   std::uint64_t newest_subscription_ = 0;
 
-  std::vector<std::uint8_t> in_;           // of these bytes...
-  std::size_t in_begin_ = 0, in_end_ = 0;  // ...those were read and not taken
-  std::vector<std::uint8_t> waiting_;      // to be written
-  bool is_over_ = false;                   // it was stopped, or this was told
+  std::vector<std::uint8_t> in_;           // read buffer...
+  std::size_t in_begin_ = 0, in_end_ = 0;  // ...with the bytes read but not yet processed
+  std::vector<std::uint8_t> waiting_;      // bytes to be written
+  bool is_over_ = false;                   // stopped, or on_gone was called
 };
 
 }  // namespace roomcast::hub::federation

@@ -53,7 +53,7 @@ TEST_F(NatsSessionTest, a_message_of_any_length_comes_whole) {
   const std::vector<std::uint8_t> message(1 << 20);
   ASSERT_EQ(listener->max_message_bytes(), message.size());
   listener->subscribe("a");
-  run_until([&] {  // a subscription takes a moment
+  run_until([&] {  // a subscription takes effect with a delay
     speaker->publish("a", {}, kPlenty);
     io.run_for(1ms);
     return !heard.empty();
@@ -77,7 +77,7 @@ TEST_F(NatsSessionTest, who_has_unsubscribed_hears_no_more) {
   };
   say_until_heard({"a", "b"});
   listener->unsubscribe("a");
-  say_until_heard({"b"});  // by now the server knows
+  say_until_heard({"b"});  // after this the server has processed it
   say_until_heard({"a", "b"});
   for (const auto& [subject, size] : heard) EXPECT_EQ(subject, "b");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: somebody between a client and a server on loopback who passes on what both say, until
-// it stalls in the middle of something that the server says, or takes nothing more from the client.
+// For tests: a relay between a client and a server on loopback. It forwards both directions until
+// it stalls in the middle of the server's data, or stops reading from the client.
 #pragma once
 
 #include <algorithm>
@@ -40,9 +40,9 @@ class StallingRelay {
   StallingRelay& operator=(const StallingRelay&) = delete;
 
   [[nodiscard]] std::string port() const { return std::to_string(port_); }
-  /// So many bytes still come from the server.
+  /// Forwards this many more bytes from the server.
   void stall_after(int bytes) { from_server_ = bytes; }
-  /// Nothing more is taken from the client.
+  /// Forwards nothing more from the client.
   void stall_client() { from_client_ = 0; }
 
  private:
@@ -72,7 +72,7 @@ class StallingRelay {
     return ::poll(&question, 1, 1) > 0;
   }
 
-  /// False: one end has hung up.
+  /// False: one end has disconnected.
   static bool pass(int from, int to, std::atomic<int>& allowed) {
     if (allowed == 0 || !is_readable(from)) return true;
     std::array<char, 16 << 10> buffer{};

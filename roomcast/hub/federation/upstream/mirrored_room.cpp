@@ -10,7 +10,7 @@ namespace pb = wire::pb;
 
 namespace {
 
-constexpr std::uint64_t kOtherHub = 1;  // there is only one
+constexpr std::uint64_t kOtherHub = 1;  // there is only one other hub
 
 }  // namespace
 

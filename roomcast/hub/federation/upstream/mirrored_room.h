@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// MirroredRoom: brings the sensors of another hub's room into a room of this hub, poses included:
-// what alignment found there comes as an aligner's word, so that people here read the same. It
-// brings the people, too, who see each other here and there. Pure but for whom it tells.
+// MirroredRoom: mirrors the sensors of another hub's room, with their poses, in a room of this hub.
+// Poses estimated there are passed on as placements of an aligner, so that viewers here see the
+// same status. People are mirrored in both directions. Pure except for its calls to `here`.
 // Threading: the rooms' thread.
 #pragma once
 
@@ -20,25 +20,25 @@ class MirroredRoom {
  public:
   using NewConnection = hub::federation::MirroredSensors::NewConnection;
 
-  /// `here` is told; `token` lets anybody into its room, and it outlives this.
+  /// `here` gets the events and must outlive this; `token` admits any client to its room.
   MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
                NewConnection new_connection);
 
   // From the other hub. Its messages have passed wire::decode_control.
-  /// We are this viewer there. What it should be told first.
+  /// The other hub has welcomed us as this viewer. Returns the messages to send to it at first.
   std::vector<wire::pb::Control> welcomed(std::uint32_t viewer_id);
   void poses(const wire::pb::ViewerPoses& poses);
   void roster(const wire::pb::Roster& roster);
   void clock_is(const client::ClockEstimate& estimate) { sensors_.clock_is(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
   void frames_done() { sensors_.pass_on(); }
-  /// Until it comes back all sensors are gone.
+  /// Removes all sensors until the hub returns.
   void other_hub_is_gone();
 
   // From the room here.
-  /// To one of our connections. The message that the other hub should get, if any.
+  /// A message to one of our connections. Returns the message to send to the other hub, if any.
   std::optional<wire::pb::Control> said(ConnectionId to, const wire::pb::Control& message);
-  /// It was sent away. Back with the next roster.
+  /// The connection was removed from the room. It rejoins with the next roster.
   void let_go(ConnectionId connection);
 
  private:
@@ -53,9 +53,9 @@ class MirroredRoom {
   hub::federation::MirroredSensors sensors_;
   std::optional<ConnectionId> aligner_;
   bool aligner_is_welcome_ = false;
-  std::uint32_t viewer_id_ = 0;  // ours there
+  std::uint32_t viewer_id_ = 0;  // our ID at the other hub
   wire::pb::PeopleHere people_there_;
-  hub::federation::ShownPresence shown_presence_;  // of these, here
+  hub::federation::ShownPresence shown_presence_;  // people_there_ as last shown here
   hub::federation::PresenceRelay people_here_;
 };
 

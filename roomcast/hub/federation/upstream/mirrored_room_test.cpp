@@ -25,7 +25,7 @@ pb::Roster roster_of(std::initializer_list<pb::SensorEntry> sensors) {
 
 class MirroredRoomTest : public testing::Test {
  protected:
-  /// The room here welcomes the `n`th who joined as sensor `id`.
+  /// The room here sends a welcome to the `n`th client that joined, as sensor `id`.
   void welcome(std::size_t n, std::uint32_t id = 0) {
     pb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
@@ -128,7 +128,7 @@ TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_
   EXPECT_FALSE(mirrored.said(aligner, control)) << "nothing new";
   EXPECT_TRUE(mirrored.said(aligner, pose_of(1)));
   EXPECT_FALSE(mirrored.said(aligner, pose_of(2)));
-  const auto first = mirrored.welcomed(4);  // the connection was new
+  const auto first = mirrored.welcomed(4);  // the connection is new
   EXPECT_EQ(first[0].people_here().people_size(), 2);
   EXPECT_EQ(first[1].viewer_poses().poses_size(), 1);
 }

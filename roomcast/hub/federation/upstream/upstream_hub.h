@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// UpstreamHub: the backplane of a hub that serves on what another hub has. A room is pulled while
-// somebody here watches it, and a little longer, so that who reloads the page finds it as it was.
-// Threading: the rooms' thread.
+// UpstreamHub: the backplane of a hub that relays the rooms of another hub. A room is pulled while
+// it has viewers here, and for a short time afterwards, so that a viewer who reloads the page finds
+// it unchanged. Threading: the rooms' thread.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,12 @@ class UpstreamHub final : public hub::Backplane {
   [[nodiscard]] hub::BackplaneStats stats() const override;
 
  private:
-  /// A pulled room's number is part of its connections' ids. Never used twice.
+  /// A pulled room's number is part of its connections' IDs. Never reused.
   using Number = std::uint32_t;
   struct Pulled {
     std::string name;
     UpstreamRoom room;
-    boost::asio::steady_timer end;  // of a room that nobody watches
+    boost::asio::steady_timer end;  // of a room without viewers
     bool is_watched = true;
   };
   using Rooms = std::map<Number, std::unique_ptr<Pulled>>;
@@ -42,7 +42,7 @@ class UpstreamHub final : public hub::Backplane {
   const UpstreamOptions options_;
   const hub::BackplaneContext seat_;
   Number newest_ = 0;
-  hub::BackplaneStats ended_;  // traffic of rooms that are pulled no more
+  hub::BackplaneStats ended_;  // traffic of rooms that are no longer pulled
   Rooms rooms_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two real hubs on loopback: a sensor at the one, a viewer at the other.
+// Two real hubs on loopback: a sensor at one, a viewer at the other.
 #include "roomcast/hub/federation/upstream/upstream_hub.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
 
 class UpstreamHubTest : public hub::federation::ClientsOfHubs {
  protected:
-  /// Who watches at the same hub.
+  /// The names of the viewers at the same hub.
   static std::vector<std::string> viewers_in(const hub::RawClient& client) {
     std::vector<std::string> names;
     for (const auto& message : client.heard) {

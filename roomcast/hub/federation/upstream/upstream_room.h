@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// UpstreamRoom: a room that is pulled from another hub, or from the next one where that is gone or
-// hung: a viewer there, its sensors here. Threading: lives on one io_context, the rooms'.
+// UpstreamRoom: a room pulled from another hub, or from the next one if that is gone or hangs. It
+// joins there as a viewer and mirrors the sensors here. Threading: runs on one io_context, the
+// rooms'.
 #pragma once
 
 #include <functional>
@@ -18,24 +19,24 @@
 namespace roomcast::hub::federation {
 
 struct UpstreamOptions {
-  std::vector<net::HubUrl> hubs;  // at least one; the next is tried where one is gone
-  client::Credential credential = {};     // a viewer's there
-  /// How long a room is still pulled that nobody watches any more.
+  std::vector<net::HubUrl> hubs;       // at least one; if one is gone the next is tried
+  client::Credential credential = {};  // of a viewer at that hub
+  /// How long a room is still pulled after its last viewer has left.
   std::chrono::milliseconds kept_unwatched{3000};
   LogSink log = {};
 };
 
 class UpstreamRoom final : private client::HubLinkEvents {
  public:
-  /// A hub that is there says something every few hundred milliseconds, if asked. Each look whether
-  /// it has to be asked wakes this one.
+  /// A live hub answers a ping within a few hundred milliseconds. Each check whether a ping is due
+  /// wakes this hub.
   static constexpr net::ConnectionTimings kTimings{.ping_after = std::chrono::milliseconds(300),
                                                    .give_up_after = std::chrono::milliseconds(600),
                                                    .close_within = std::chrono::milliseconds(500)};
-  /// After it was refused: perhaps the room is opened there, or the token is renewed.
+  /// After a refusal: the room may be opened there, or the token renewed.
   static constexpr std::chrono::seconds kAskAgainAfter{4};
 
-  /// Tokens for this room that hold no more, says the other hub.
+  /// Called with the tokens for this room that the other hub has revoked.
   using Revoke = std::function<void(std::vector<hub::Claims>)>;
 
   UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options, const std::string& room,
@@ -45,9 +46,9 @@ class UpstreamRoom final : private client::HubLinkEvents {
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
   void said(ConnectionId to, const wire::pb::Control& message);
 
-  /// In the room there.
+  /// Whether the other hub has admitted us to the room.
   [[nodiscard]] bool is_welcome() const { return is_welcome_; }
-  // But for what keeps the connection.
+  // Traffic without that for keeping the connection alive.
   [[nodiscard]] const hub::BackplaneTraffic& sent() const { return sent_; }
   [[nodiscard]] const hub::BackplaneTraffic& received() const { return received_; }
 
