@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a depth section and as a colour mask. Input: width - 16, height - 16, then the
-// section.
+// Decodes arbitrary bytes as a depth section and as a colour mask. Input: width - 16, height - 16,
+// then the section.
 #include "roomcast/codec/lossless/lossless_depth_decoder.h"
 #include "roomcast/codec/mask/color_mask.h"
 #include "roomcast/codec/payload/payload_sections.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any picture comes back bit for bit, and within the bound when there is one. Input: width - 16,
+// An arbitrary picture decodes bit for bit, or within the bound if there is one. Input: width - 16,
 // height - 16, then pixels, repeated to fill the picture.
 #include <cstdlib>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace roomcast;  // NOLINT: this file is nothing but glue
+using namespace roomcast;  // NOLINT: only glue in this file
 
 void expect_lossless(const DepthImage& depth) {
   std::vector<std::uint8_t> section;

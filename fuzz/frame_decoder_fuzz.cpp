@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a row of frames of one sensor. Input: for each frame u16 length, little-endian, and
-// its payload.
+// Decodes arbitrary bytes as a sequence of frames of one sensor. Input: for each frame u16 length,
+// little-endian, and its payload.
 #include <algorithm>
 
 #include "roomcast/codec/frame_codec.h"

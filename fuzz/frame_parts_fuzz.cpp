@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comes from a broker as parts of frames: any bytes are taken without harm, and frames that
-// were packed come out as they went in. Input: for any bytes, length and bytes of each message; the
-// same pieces are then the frames that are packed.
+// Parts of frames from a broker: arbitrary bytes are safe, and packed frames are unpacked
+// unchanged. Input: length and bytes of each message; for packing, the same pieces are the frames.
 #include <algorithm>
 #include <span>
 #include <vector>

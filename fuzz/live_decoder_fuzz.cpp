@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a row of live depth sections. Input: for each section u16 length, little-endian, and
-// its bytes. The hash of each is set right, or nothing would get beyond the first key frame.
+// Decodes arbitrary bytes as a sequence of live depth sections. Input: for each section u16 length,
+// little-endian, and its bytes. The hash of each is corrected, because otherwise nothing after the
+// first key frame would be decoded.
 #include <algorithm>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace {
 
-using namespace roomcast;  // NOLINT: this file is nothing but glue
+using namespace roomcast;  // NOLINT: only glue in this file
 
 constexpr int kWidth = 33, kHeight = 18;  // those of the golden frames live_random
 constexpr std::size_t kMaxSections = 24;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a sensor sees, the live decoder shows what the encoder says it shows, and both remember
-// the same. Input: width - 16, height - 16, layers; then for each frame a step: what kind of
-// change, and bytes for it.
+// For arbitrary depth the live decoder shows the picture announced by the encoder, and both have
+// the same state. Input: width - 16, height - 16, layers; then for each frame the kind of change,
+// and bytes for it.
 #include <algorithm>
 
 #include "roomcast/codec/live/live_depth_decoder.h"
@@ -10,11 +10,11 @@
 
 namespace {
 
-using namespace roomcast;  // NOLINT: this file is nothing but glue
+using namespace roomcast;  // NOLINT: only glue in this file
 
 constexpr int kMaxFrames = 40;
 
-/// Hands out the input, then zeros.
+/// Returns the input byte by byte, then zeros.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An MCAP file from a stranger: whatever the bytes are, it is refused or read, within memory
-// limits.
+// Reads an untrusted MCAP file: any bytes are refused or read, within memory limits.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t i = 0; i < chunks; ++i) {
     const auto chunk = reader->chunk(i);
     if (!chunk) continue;
-    std::size_t sum = 0;  // reads every byte: the sanitizer sees those that are not there
+    std::size_t sum = 0;  // reads every byte, so that the sanitizer detects bytes out of bounds
     for (const Message& message : chunk->messages)
       sum = std::accumulate(message.data.begin(), message.data.end(), sum);
     if (sum > 255 * kMaxChunkBytes) __builtin_trap();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a NATS server says, on any bytes. Wherever it is cut: the same events, none of them beyond
-// the bytes that have come, and nothing taken with what is incomplete.
+// Parses arbitrary bytes as the output of a NATS server. However the input is split, the events are
+// the same, none uses bytes that have not arrived, and incomplete events consume nothing.
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -31,7 +31,7 @@ std::string describe(const NatsEvent& event) {
   return kind;
 }
 
-/// As they come when only `step` more bytes are there each time.
+/// The events if the input arrives in pieces of `step` bytes.
 std::vector<std::string> events_of(Bytes all, std::size_t step) {
   std::vector<std::string> events;
   std::size_t taken = 0, there = 0;

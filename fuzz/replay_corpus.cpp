@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// main() of a fuzz target where there is no libFuzzer: runs the target on every file of the given
-// folders, and on copies that are cut short or damaged, the same ones each time. What a fuzzer once
-// found stays tested with any compiler.
+// main() of a fuzz target without libFuzzer: runs the target on every file of the given folders,
+// and on truncated or damaged copies, the same ones each time. Earlier findings of a fuzzer stay
+// tested with any compiler.
 //   depth_decoder_replay CORPUS...
 #include <algorithm>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kDamagedCopies = 24, kMaxDamage = 8;  // of each file; bytes of a copy
+constexpr int kDamagedCopies = 24, kMaxDamage = 8;  // per file; damaged bytes per copy
 
 Bytes read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

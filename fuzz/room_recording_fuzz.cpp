@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording of a room from a stranger: refused, or read to its end, up to the damage.
+// Reads an untrusted recording of a room: it is refused, or read up to its end or the damage.
 #include <cstddef>
 #include <cstdint>
 
@@ -8,7 +8,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomcast;
-  auto file = recording::mcap::Reader::read(recording::mcap::bytes_in_memory({data, data + size}), "fuzz");
+  auto file =
+      recording::mcap::Reader::read(recording::mcap::bytes_in_memory({data, data + size}), "fuzz");
   if (!file || file->summary().chunks.size() > 64) return 0;
   const auto recording = recording::RoomRecording::from(std::move(*file));
   if (!recording) return 0;

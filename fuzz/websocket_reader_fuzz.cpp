@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebSocketReader on any bytes. Byte 0 picks the role, byte 1 the message limit, byte 2 how the
-// rest is cut. Whatever the cut: the same events, no message above the limit, nothing after the
-// end, and no more memory for unfinished business than the limit.
+// WebSocketReader on arbitrary bytes. Byte 0 selects the role, byte 1 the message limit, byte 2 how
+// the rest is split. For any split: the same events, no message above the limit, nothing after the
+// end, and no more memory for incomplete messages than the limit.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

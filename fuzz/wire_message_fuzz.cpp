@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as one wire message, from both sides. What is accepted must keep the promises that hub
-// and clients build on: a frame's lengths add up, stamping it changes nothing else, a control
-// message survives being written and read again.
+// Parses arbitrary bytes as one wire message, from both sides. Accepted messages must satisfy the
+// invariants that hub and clients rely on: a frame's lengths add up, stamping it changes nothing
+// else, a control message is unchanged after writing and reading.
 #include <cstddef>
 #include <cstdint>
 #include <span>

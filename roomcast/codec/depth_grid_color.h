@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour with one pixel for each pixel of depth, for those to whom finer colour is of no use: point
-// clouds, files of others.
+// Reduces colour to one pixel for each depth pixel, for consumers without a use for finer colour:
+// point clouds, exports to other file formats.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,11 @@
 
 namespace roomcast::codec {
 
-/// Where colour is twice as fine as depth, the mean of each four pixels; else a copy.
+/// The mean of each 2x2 pixels where colour has twice the resolution of depth; else a copy.
 [[nodiscard]] ColorImage color_in_depth_grid(ColorView color, int width, int height);
 
-/// The same frame where its colour is in the depth grid or absent; else a copy of which it is.
+/// Returns `frame` itself if its colour is in the depth grid or absent; else a copy with reduced
+/// colour.
 [[nodiscard]] std::shared_ptr<const DecodedFrame> with_color_in_depth_grid(
     std::shared_ptr<const DecodedFrame> frame);
 

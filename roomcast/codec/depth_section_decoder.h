@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes the depth section of a frame, whichever codec it is of. docs/spec/codec.md.
+// Decodes the depth section of a frame, of any codec. docs/spec/codec.md §2.
 #pragma once
 
 #include "roomcast/codec/live/live_depth_decoder.h"
@@ -10,7 +10,8 @@ namespace roomcast::codec {
 
 class DepthSectionDecoder {
  public:
-  /// Fills `depth_mm`, whose size must be that of the sensor. Errors of the codecs' decoders.
+  /// Fills `depth_mm`, which must have the sensor's size. Returns the errors of the codecs'
+  /// decoders.
   [[nodiscard]] Status decode(const PayloadSections& sections, ImageView<std::uint16_t> depth_mm) {
     switch (sections.depth_codec) {
       case kLosslessDepth:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor frame (depth, registered colour, colour mask) <-> one payload of the wire.
-// docs/spec/codec.md. Depth and colour of one instant are one payload: they arrive together or not
-// at all. No I/O, no threads.
+// Encodes one sensor frame (depth, registered colour, colour mask) to one payload of the wire
+// format and decodes it. docs/spec/codec.md. Depth and colour of one instant are one payload, so
+// they arrive together or not at all. No I/O, no threads.
 #pragma once
 
 #include <cstdint>
@@ -25,32 +25,32 @@ class FrameEncoder {
   static Result<std::unique_ptr<FrameEncoder>> create(const FrameEncoderOptions& options);
   virtual ~FrameEncoder() = default;
 
-  /// Appends the payload to `out`. `color` is in the depth grid, color_scale times as fine;
-  /// `color_seen` has the size of depth; where it is not 0 without a reading, that colour is sent,
-  /// too, but not that it was seen. Both may be empty views (no colour in this frame). The first
-  /// frame, and any with `want_key`, is a key frame.
+  /// Appends the payload to `out`. `color` is in the depth grid, with color_scale times its
+  /// resolution; `color_seen` has the size of depth. Colour is also sent where `color_seen` is not
+  /// 0 and depth has no reading, but the mask there is 0. Both may be empty views (no colour in
+  /// this frame). The first frame, and any with `want_key`, is a key frame.
   virtual Result<EncodedFrameInfo> encode(DepthView depth_mm, ColorView color, MaskView color_seen,
                                           bool want_key, std::vector<std::uint8_t>& out) = 0;
 
-  /// The colour stream's rate from the next frame on, limited to what color_kbit_per_s may be: for
-  /// those who watch the network.
+  /// Sets the colour stream's rate from the next frame on, clamped to the legal range of
+  /// color_kbit_per_s. For rate adaptation to the network.
   virtual void set_color_rate(int kbit_per_s) = 0;
 
-  /// Depth of the newest frame as decoders will show it. Valid until the next call, and as long as
-  /// the picture that was encoded.
+  /// Depth of the newest frame as decoders will show it. Valid until the next call, and only as
+  /// long as the encoded picture exists.
   [[nodiscard]] virtual DepthView decoded_depth() const = 0;
 };
 
 struct DecodedFrame {
-  DepthImage depth_mm;  // what was encoded, as exactly as the depth mode says; readings that vanish
-                        // for a moment are kept in live mode
-  ColorImage color;     // of the size of depth or twice that; empty when the frame carries none
-  MaskImage color_seen;  // of the size of depth: 255 where `color` is to be believed
+  DepthImage depth_mm;   // as exact as the depth mode; in live mode, readings that vanish for a
+                         // moment are kept
+  ColorImage color;      // of the size of depth or twice that; empty if the frame has none
+  MaskImage color_seen;  // of the size of depth: 255 where `color` is valid
 };
 
 class FrameDecoder {
  public:
-  /// `width` x `height` as the roster says; a payload of another size is refused.
+  /// `width` x `height` as in the roster; a payload of another size is refused.
   static Result<std::unique_ptr<FrameDecoder>> create(int width, int height);
   virtual ~FrameDecoder() = default;
 

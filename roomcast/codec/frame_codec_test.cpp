@@ -12,8 +12,8 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 80;
-// Of 255, for smooth synthetic colour at the default rate: quantisation, and halved chroma at the
-// disc's rim. In the smallest pictures most pixels lie at the rim.
+// Grey levels of 255, for smooth synthetic colour at the default rate: quantisation, and halved
+// chroma at the disc's rim. In the smallest pictures most pixels are at the rim.
 double most_color_rms(int width) {
   return width < 64 ? 25 : 12;
 }
@@ -53,7 +53,7 @@ std::unique_ptr<FrameDecoder> decoder_for(int width, int height) {
   return std::move(FrameDecoder::create(width, height)).value();
 }
 
-/// Bytes of a stream whose colour rate is set before its first frame, or in its middle.
+/// Bytes of a stream; its colour rate is set before the first frame, or in the middle.
 std::size_t stream_bytes(int first_kbit_per_s, int then_kbit_per_s) {
   auto encoder = FrameEncoder::create({.width = 320, .height = 240}).value();
   std::size_t bytes = 0;
@@ -95,7 +95,7 @@ TEST(FrameCodec, gives_back_depth_and_mask_exactly_and_colour_nearly) {
   }
 }
 
-/// Every pixel four times.
+/// Repeats every pixel 2x2 times.
 ColorImage twice_as_fine(const ColorImage& color) {
   ColorImage fine(2 * color.width(), 2 * color.height());
   for (int y = 0; y < fine.height(); ++y) {

@@ -8,7 +8,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Keeps the memory of an image that already has the size.
+/// Does not reallocate an image that already has the size.
 template <class T>
 void make_size(Image<T>& image, int width, int height) {
   if (image.width() != width || image.height() != height) image.resize(width, height);
@@ -47,7 +47,7 @@ class SectionFrameDecoder final : public FrameDecoder {
   const int width_, height_;
   DepthSectionDecoder depth_;
   ColorMaskDecoder mask_;
-  std::unique_ptr<Vp9ColorDecoder> color_;  // made when the first colour comes
+  std::unique_ptr<Vp9ColorDecoder> color_;  // created with the first colour section
 };
 
 bool is_side(int side) {

@@ -17,7 +17,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kCarriedBound_mm = 5;  // of live depth while the sensor itself moves
+constexpr int kCarriedBound_mm = 5;  // near-lossless bound of live depth while the sensor moves
 
 Status invalid(const char* message) {
   return Error{ErrorCode::kInvalidArgument, message};
@@ -59,7 +59,7 @@ class SectionFrameEncoder final : public FrameEncoder {
 
   void set_color_rate(int kbit_per_s) override {
     options_.color_kbit_per_s = std::clamp(kbit_per_s, kMinKbit, kMaxKbit);
-    // Should libvpx refuse, the stream goes on at the rate it has.
+    // If libvpx refuses, the stream continues at its current rate.
     if (color_) (void)color_->set_rate(options_.color_kbit_per_s);
   }
 
@@ -94,8 +94,8 @@ class SectionFrameEncoder final : public FrameEncoder {
     return {};
   }
 
-  /// A carried sensor gives live depth nothing to hold on to: until it stands still again, its
-  /// readings are kept within a bound. True when live depth begins anew.
+  /// Live depth is inefficient while the sensor moves: until it is at rest again, readings are
+  /// coded near-losslessly. Returns true when live depth restarts.
   bool follow_sensor(DepthView depth_mm) {
     const bool stood = mode_ == DepthMode::kLive;
     mode_ = motion_.update(depth_mm) ? DepthMode::kNearLossless : DepthMode::kLive;
@@ -136,8 +136,9 @@ class SectionFrameEncoder final : public FrameEncoder {
     return kLosslessDepth;
   }
 
-  /// Depth without loss can be decoded alone and leaves no trace; but only ends the need for
-  /// earlier frames if colour starts anew after it.
+  /// Intra depth can be decoded alone and changes no state. The frame is a key frame only if the
+  /// stream has had no colour since the last key frame: later colour may still depend on earlier
+  /// frames.
   [[nodiscard]] EncodedFrameInfo without_color(FrameRole role) const {
     if (live_) return {role.key, role.layer};
     if (!color_started_) return {true, 0};
@@ -163,8 +164,8 @@ class SectionFrameEncoder final : public FrameEncoder {
     return {};
   }
 
-  // A frame that leaves no trace would pay for a change that the next one pays for again; the eye
-  // misses nothing in one frame.
+  // A frame of layer 1 or up would spend bits on a change that the next reference must code again;
+  // a delay of one frame is not visible.
   void append_mask(MaskView seen, FrameRole role, std::vector<std::uint8_t>& out) {
     const bool live = mode_ == DepthMode::kLive;
     if (live) seen = steady_.update(seen, color_validity_.depth_mm());
@@ -181,7 +182,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   LayerSchedule schedule_;
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
-  std::unique_ptr<Vp9ColorEncoder> color_;  // made when the first colour comes
+  std::unique_ptr<Vp9ColorEncoder> color_;  // created with the first colour picture
   ColorValidity color_validity_;
   SteadyMask steady_;  // in live mode
   ColorMaskEncoder mask_;

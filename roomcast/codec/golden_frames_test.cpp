@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoder against tests/golden: what was written once must decode the same for ever, here and
-// in wasm.
+// The decoder against tests/golden: payloads once written must always decode to the same result,
+// natively and in WebAssembly.
 #include <fstream>
 #include <vector>
 

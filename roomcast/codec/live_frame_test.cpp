@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole frames with live depth: depth and colour in one temporal layer, left out and lost together.
+// Whole frames with live depth: depth and colour share one temporal layer and are dropped or lost
+// together.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -144,7 +145,7 @@ TEST(LiveFrame, a_colour_mask_belongs_to_the_depth_that_is_shown) {
   }
 }
 
-/// A room that a sensor goes towards.
+/// A room seen by a sensor that moves towards it.
 DepthImage nearer_by(int frames) {
   return scene().reading_from_nearer(10 * frames);
 }

@@ -8,13 +8,13 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kSide = 8;          // of a block, pixels
-constexpr int kPixelStep = 2;     // of these every second is looked at, in both directions
+constexpr int kPixelStep = 2;     // every second pixel is read, in both directions
 constexpr int kMinReadings = 12;  // of 16
 constexpr int kRegions = 4;       // in a row, and in a column
 constexpr float kMinChange_mm = 6, kMinChangeShare = 0.004f;  // of the distance
-constexpr double kMovingBlocks = 0.25;                        // of a region's
-constexpr double kMinKnown = 0.125;           // blocks of a region; with fewer it says nothing
-constexpr double kBegins = 0.6, kEnds = 0.4;  // regions
+constexpr double kMovingBlocks = 0.25;                        // share of a region's known blocks
+constexpr double kMinKnown = 0.125;  // share of a region's blocks; a region with fewer is ignored
+constexpr double kBegins = 0.6, kEnds = 0.4;  // share of the known regions
 constexpr int kFramesToBegin = 3, kFramesToEnd = 12;
 
 float mean_of_block(DepthView depth_mm, int x0, int y0) {
@@ -29,7 +29,7 @@ float mean_of_block(DepthView depth_mm, int x0, int y0) {
   return count < kMinReadings ? 0.0f : static_cast<float>(sum) / static_cast<float>(count);
 }
 
-/// Blocks of a region with readings in both frames, and those that moved.
+/// Numbers of a region's blocks with readings in both frames, and of those that moved.
 struct Count {
   int known = 0, moved = 0;
   void add(float now_mm, float before_mm) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth, coded frame after frame, asks for no memory once every buffer has found its size.
+// Coding depth frame after frame allocates no memory once every buffer has reached its size.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -17,10 +17,10 @@
 #include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace {
-std::atomic<int> allocation_count{0};  // of this test program
+std::atomic<int> allocation_count{0};  // of the whole test program
 }
 
-// Not inlined, or GCC sees free() of what operator new gave and calls it a mistake.
+// Not inlined: GCC would see free() of memory from operator new and warn.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocation_count;
   if (void* memory = std::malloc(size)) return memory;

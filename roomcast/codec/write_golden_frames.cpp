@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the golden frames: payloads, and what they decode to, for every implementation of
-// docs/spec/codec.md. Run only when the format changes:  roomcast_write_golden_frames tests/golden
+// Writes the golden frames: payloads and their decoded results, for every implementation of
+// docs/spec/codec.md. Run only when the format changes: roomcast_write_golden_frames tests/golden
 // The depth and mask bytes are the same on every machine; the VP9 frames depend on libvpx's
 // version.
 #include <algorithm>
@@ -66,7 +66,8 @@ FrameEncoderOptions live(int layers) {
   return options;
 }
 
-/// A ball before a wall, for long enough that refinements, background and a second key frame occur.
+/// A ball in front of a wall, long enough for refinements, background and a second key frame to
+/// occur.
 std::vector<SyntheticFrame> moving_ball(int width, int height, int frames) {
   SyntheticMotion scene;
   scene.width = width;
@@ -76,7 +77,7 @@ std::vector<SyntheticFrame> moving_ball(int width, int height, int frames) {
   return stream;
 }
 
-/// Whether the decoder shows what the encoder says it shows.
+/// Whether the decoded depth equals the depth announced by the encoder.
 bool shows(DepthView expected, const DepthImage& decoded) {
   for (int y = 0; y < expected.height; ++y) {
     if (!std::equal(expected.row(y), expected.row(y) + expected.width, decoded.view().row(y))) {
@@ -114,7 +115,7 @@ class GoldenWriter {
     return true;
   }
 
-  /// Live depth as no encoder writes it, for what encoders seldom use.
+  /// Random live depth, unlike an encoder's, to cover rare parts of the format.
   bool write_sections(const std::string& name, int width, int height) {
     RandomLiveStream stream(width, height, 1);
     auto decoder = FrameDecoder::create(width, height);
@@ -161,7 +162,7 @@ bool write_all(GoldenWriter& writer) {
   }
   // Large enough for predictors with weights, and rows of more than one mask group.
   if (!writer.write("large_room", {{synthetic_room(160, 121, 9), {}, {}}})) return false;
-  // Every distance occurs: coded as it is, not by index.
+  // Every distance occurs: coded directly, not by index.
   DepthImage dense = depth_from(
       96, 64, [](int x, int y) { return 1000 + x + y / 2 + (x * 7919 + y * 104729) % 11; });
   if (!writer.write("dense", {{std::move(dense), {}, {}}})) return false;

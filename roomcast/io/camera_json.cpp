@@ -12,7 +12,7 @@
 namespace roomcast::io {
 namespace {
 
-constexpr double kLargestDepthScale = 1;  // a metre per unit
+constexpr double kLargestDepthScale = 1;  // one metre per unit
 constexpr double kLargestDepthBias_m = 0.5;
 constexpr double kQuaternionTolerance = 1e-3;
 constexpr std::uint64_t kLargestDepthValue = std::numeric_limits<std::uint16_t>::max();

@@ -28,7 +28,7 @@ std::string refusal_of(const std::string& text) {
   return camera.error().message;
 }
 
-/// A good file after a change.
+/// A valid file after a change.
 std::string changed(const std::function<void(json&)>& change) {
   json camera = json::parse(camera_json_text(recording::small_calibration()));
   change(camera);

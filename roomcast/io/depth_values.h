@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the values of a depth picture mean, as camera.json tells: millimetres = value * scale +
-// bias, and which values mean no reading. Thread-safe once made.
+// Converts the values of a depth picture as camera.json defines them: millimetres = value * scale +
+// bias, and a list of values without a reading. Thread-safe after construction.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class DepthValues {
  public:
   explicit DepthValues(const RecordedCamera& camera);
 
-  /// Values to millimetres; 0 for invalid ones, and for what is not within 1 to 65535 mm.
+  /// Converts values to millimetres; 0 for invalid values and for distances outside 1 to 65535 mm.
   void to_mm(DepthImage& depth) const;
 
  private:
-  std::vector<std::uint16_t> mm_from_value_;  // empty where values are millimetres already
+  std::vector<std::uint16_t> mm_from_value_;  // empty if values are millimetres already
 };
 
 }  // namespace roomcast::io

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole files: read with a limit, written so that they are there completely or not at all.
-// Every error is one sentence that names the file. Thread-safe (no state), except on one and the
-// same path.
+// Reads whole files up to a limit, and writes files completely or not at all. Every error is one
+// sentence that names the file. Thread-safe (no state), except for calls on the same path.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +14,18 @@
 
 namespace roomcast::io {
 
-/// Replaces the contents of `bytes` (its memory is used again). kNotFound when there is no such
-/// file, kTooLarge above `limit_bytes`, kMalformed when it cannot be read.
+/// Replaces the contents of `bytes` (its memory is reused). kNotFound if the file does not exist,
+/// kTooLarge above `limit_bytes`, kMalformed if it cannot be read.
 [[nodiscard]] Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
                                std::vector<std::uint8_t>& bytes);
 
-/// Writes beside `path` and renames. kUnavailable when the disk or the permissions do not allow it.
+/// Writes a file next to `path` and renames it. kUnavailable if the disk or the permissions prevent
+/// it.
 [[nodiscard]] Status write_file(const std::filesystem::path& path,
                                 std::span<const std::uint8_t> bytes);
 [[nodiscard]] Status write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Adds a line (given without its end) in one write. kUnavailable as above.
+/// Appends a line (given without its line end) in one write. kUnavailable as above.
 [[nodiscard]] Status append_line(const std::filesystem::path& path, std::string_view line);
 
 }  // namespace roomcast::io

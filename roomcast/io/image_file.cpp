@@ -12,7 +12,7 @@
 namespace roomcast::io {
 namespace {
 
-/// A problem of a codec as a sentence about the file.
+/// Turns a codec's problem into a sentence about the file.
 Status refused(const std::filesystem::path& path, const std::string& problem) {
   if (problem.empty()) return {};
   return Error{ErrorCode::kMalformed, path.string() + " is refused: " + problem};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures as files: depth as 16-bit grey PNG, colour as JPEG or PNG (docs/adr/0002).
-// Files come from outside: damaged, truncated, oversized and wrongly sized ones are refused with a
-// sentence that names the file. Depth values are those of the file, whatever their unit.
+// Picture files: depth as 16-bit grey PNG, colour as JPEG or PNG (docs/adr/0002). Files are
+// untrusted: damaged, truncated, oversized and wrongly sized ones are refused with a sentence that
+// names the file. Depth values are those of the file, in any unit.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,18 @@ struct ImageSize {
   friend bool operator==(const ImageSize&, const ImageSize&) = default;
 };
 
-/// No picture file is larger than this.
+/// Larger picture files are refused.
 inline constexpr std::size_t kMaxImageFileBytes = 64U << 20U;
 
-/// Reads pictures of a known size. Keeps its buffers, so that a recording plays without an
-/// allocation per frame of ours. Single-threaded.
+/// Reads pictures of a known size. Reuses its buffers, so that playing a recording does not
+/// allocate per frame in this code. Single-threaded.
 class ImageFileReader {
  public:
   /// Errors: kNotFound, kTooLarge, kMalformed (not a 16-bit grey PNG, damaged, truncated, of
   /// another size).
   [[nodiscard]] Status read_depth(const std::filesystem::path& path, ImageSize size,
                                   DepthImage& depth);
-  /// JPEG or PNG, told apart by content. Errors as above.
+  /// JPEG or PNG, distinguished by content. Errors as above.
   [[nodiscard]] Status read_color(const std::filesystem::path& path, ImageSize size,
                                   ColorImage& color);
   /// 8-bit grey PNG. Errors as above.
@@ -42,7 +42,7 @@ class ImageFileReader {
   JpegCodec jpeg_;
 };
 
-/// Written whole or not at all. kUnavailable when the file cannot be written.
+/// Files are written completely or not at all. kUnavailable if the file cannot be written.
 [[nodiscard]] Status write_depth_png(const std::filesystem::path& path, DepthView depth);
 [[nodiscard]] Status write_color_png(const std::filesystem::path& path, ColorView color);
 [[nodiscard]] Status write_mask_png(const std::filesystem::path& path, MaskView mask);

@@ -29,7 +29,7 @@ constexpr ImageSize kColorSize{64, 48};
 
 class ImageFile : public testing::Test {
  protected:
-  /// Expects that both readers refuse the file for `code`, in a sentence that names it.
+  /// Expects that both readers refuse the file with `code`, in a sentence that names it.
   void expect_refused(const std::string& name, ErrorCode code) {
     for (const Status& status : {reader_.read_depth(folder_ / name, kDepthSize, depth_),
                                  reader_.read_color(folder_ / name, kColorSize, color_)}) {
@@ -110,7 +110,8 @@ TEST_F(ImageFile, truncated_files_are_refused_wherever_they_end) {
     ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
     ASSERT_TRUE(write_color_jpeg(folder_ / "c.jpg", some_color(), 95).ok());
     ASSERT_TRUE(write_color_png(folder_ / "c.png", some_color()).ok());
-    for (const char* name : {"d.png", "c.jpg", "c.png"}) recording::truncate_file(folder_ / name, share);
+    for (const char* name : {"d.png", "c.jpg", "c.png"})
+      recording::truncate_file(folder_ / name, share);
     EXPECT_FALSE(reader_.read_depth(folder_ / "d.png", kDepthSize, depth_).ok()) << share;
     EXPECT_FALSE(reader_.read_color(folder_ / "c.jpg", kColorSize, color_).ok()) << share;
     EXPECT_FALSE(reader_.read_color(folder_ / "c.png", kColorSize, color_).ok()) << share;
@@ -138,7 +139,9 @@ TEST_F(ImageFile, pictures_of_another_size_are_refused) {
 }
 
 TEST_F(ImageFile, colour_is_no_depth) {
-  ASSERT_TRUE(write_color_png(folder_ / "c.png", ColorImage(recording::kSmallWidth, recording::kSmallHeight)).ok());
+  ASSERT_TRUE(write_color_png(folder_ / "c.png",
+                              ColorImage(recording::kSmallWidth, recording::kSmallHeight))
+                  .ok());
   const Status status = reader_.read_depth(folder_ / "c.png", kDepthSize, depth_);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("16-bit grey"), std::string::npos);
@@ -148,8 +151,10 @@ TEST_F(ImageFile, a_header_that_promises_a_huge_picture_costs_nothing) {
   ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
   std::vector<std::uint8_t> bytes;
   ASSERT_TRUE(encode_depth_png(some_depth(), bytes).empty());
-  bytes[16] = 0x7F;  // the width's highest byte; its checksum no longer fits, either is refused
-  EXPECT_FALSE(decode_depth_png(bytes, DepthImage(recording::kSmallWidth, recording::kSmallHeight).view()).empty());
+  bytes[16] = 0x7F;  // the width's highest byte; its checksum is wrong now, too
+  EXPECT_FALSE(
+      decode_depth_png(bytes, DepthImage(recording::kSmallWidth, recording::kSmallHeight).view())
+          .empty());
 }
 
 TEST_F(ImageFile, files_larger_than_any_picture_are_not_read) {
@@ -178,7 +183,7 @@ TEST(JpegCodec, survives_random_damage) {
     }
     (void)codec.decode(damaged, color.view());  // may fail, must not crash
   }
-  EXPECT_EQ(codec.decode(bytes, color.view()), "");  // and works again afterwards
+  EXPECT_EQ(codec.decode(bytes, color.view()), "");  // the codec works again afterwards
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::string decompress(tjhandle handle, std::span<const std::uint8_t> bytes,
   if (width != color.width || height != color.height) {
     return "its size is not the one in the calibration";
   }
-  // Warnings are damage too: libjpeg goes on with grey where the file ends.
+  // Warnings are damage too: after the end of a truncated file libjpeg continues with grey.
   if (tjDecompress2(handle, bytes.data(), bytes.size(), &color.data->r, width,
                     pitch_bytes(color.stride), height, TJPF_RGB,
                     TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
@@ -54,7 +54,7 @@ std::string JpegCodec::decode(std::span<const std::uint8_t> bytes, ImageView<Rgb
   if (decompressor_ == nullptr) decompressor_ = tjInitDecompress();
   if (decompressor_ == nullptr) return kNoMemory;
   std::string problem = decompress(decompressor_, bytes, color);
-  if (!problem.empty()) {  // tables of a damaged picture would spoil the next one
+  if (!problem.empty()) {  // tables of a damaged picture would damage the next one
     tjDestroy(decompressor_);
     decompressor_ = nullptr;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the files in which a viewer keeps what it shows: roomcast-ROOM-0001.png, counted up so
-// that nothing is written over.
+// Names for files saved by a viewer: roomcast-ROOM-0001.png, numbered so that no file is
+// overwritten.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,15 @@
 
 namespace roomcast::io {
 
-/// How a picture is written: whole or not at all.
+/// Writes a picture completely or not at all.
 using PictureWriter = std::function<Status(const std::filesystem::path&, ColorView)>;
 
-/// A room's name may hold anything; a file's only letters, digits and -.
+/// File stem for a room. A room's name may contain any character; the stem contains only letters,
+/// digits and -.
 [[nodiscard]] std::string file_stem(const std::string& room);
 
-/// The first of FOLDER/STEM-0001SUFFIX, ... that does not exist. Makes the folder. kUnavailable
-/// when it cannot, or when all numbers are taken.
+/// The first of FOLDER/STEM-0001SUFFIX, ... that does not exist. Creates the folder. kUnavailable
+/// if that fails, or if all numbers are taken.
 [[nodiscard]] Result<std::filesystem::path> next_free_path(const std::filesystem::path& folder,
                                                            const std::string& stem,
                                                            const std::string& suffix);

@@ -16,7 +16,7 @@ constexpr int kCompressionLevel = 3;  // of zlib: a third of the time of 6, a fe
 constexpr png_alloc_size_t kMaxChunkBytes = 1U << 20U;  // of chunks that are not pixels
 constexpr png_uint_32 kMaxExtraChunks = 64;
 
-/// What libpng says goes here, not to stderr.
+/// Receives libpng's messages, which would otherwise go to stderr.
 struct Complaint {
   char text[160] = {};
 };
@@ -28,7 +28,7 @@ struct Complaint {
 }
 void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// Rows of a picture, whatever its pixels. Trivial, so that longjmp may pass over it.
+/// Rows of a picture, for any pixel type. Trivial, so that longjmp may skip it.
 struct Rows {
   std::uint8_t* first;
   std::ptrdiff_t stride_bytes;
@@ -84,7 +84,7 @@ void ask_for(png_structp png, Pixels pixels) {
   png_set_gray_to_rgb(png);
 }
 
-/// Only trivial objects live here: errors jump out of it.
+/// Contains only trivial objects, because errors leave it by longjmp.
 bool read_picture(png_structp png, png_infop info, Unread* unread, Pixels pixels,
                   const Rows& rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;

@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-// Frames of layer 0: about a second.
+// In frames of layer 0: about a second.
 constexpr std::uint8_t kImprovements = 16;
 
 bool any_changed(MaskView changed, int block_x, int block_y) {

@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-// As far apart as noise puts readings of one surface.
+// Largest distance of readings of one surface: 10 mm plus a share.
 constexpr int kReach_mm = 10;
 constexpr int kReachShare = 32;  // 1/32 of the distance
 

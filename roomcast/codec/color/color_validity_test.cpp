@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Whether colour that is seen at one pixel counts.
+/// Whether seen colour at one pixel is valid.
 bool counts(std::uint16_t measured_mm, std::uint16_t shown_mm) {
   ColorValidity surface;
   surface.update(DepthImage(1, 1, measured_mm), DepthImage(1, 1, shown_mm), MaskImage(1, 1, 255));

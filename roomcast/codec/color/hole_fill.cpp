@@ -6,7 +6,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Means over the known of 2x2 pixels. True if nothing unknown is left.
+/// Means over the known of each 2x2 pixels. Returns true if every coarse pixel is known.
 bool push(ImageView<const std::uint8_t> value, MaskView known, ImageView<std::uint8_t> coarse_value,
           ImageView<std::uint8_t> coarse_known) {
   bool complete = true;

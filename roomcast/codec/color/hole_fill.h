@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills what a mask leaves out with smooth colour from around, so that a video coder spends nothing
-// on it. Method: push-pull (Gortler, Grzeszczuk, Szeliski, Cohen, The Lumigraph, 1996,
-// section 3.4), with means of what is known.
+// Fills the pixels outside a mask with smooth colour from their surroundings, so that a video coder
+// spends no bits on them. Method: push-pull (Gortler, Grzeszczuk, Szeliski, Cohen, The Lumigraph,
+// 1996, section 3.4), with means of the known pixels.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace roomcast::codec {
 /// Keeps its memory from call to call.
 class HoleFill {
  public:
-  /// Overwrites `plane` where `known` is 0. Without any known pixel it is left as it is. Sizes must
-  /// be equal.
+  /// Overwrites `plane` where `known` is 0. Without any known pixel `plane` stays unchanged. Sizes
+  /// must be equal.
   void fill(ImageView<std::uint8_t> plane, MaskView known);
 
  private:

@@ -58,7 +58,7 @@ void convert_chroma_row(ColorView color, MaskView seen, int chroma_y, I420Image&
   std::uint8_t* cr = image.cr.view().row(chroma_y);
   for (int x = 0; x < image.cb.width(); ++x) {
     const int x0 = 2 * x, x1 = std::min(x0 + 1, color.width - 1);
-    Block block;  // at an odd edge the last pixels count twice, which leaves the mean as it is
+    Block block;  // at an odd edge the last pixels count twice, which does not change the mean
     block.add(color.at(x0, y0), seen.at(x0, y0));
     block.add(color.at(x1, y0), seen.at(x1, y0));
     block.add(color.at(x0, y1), seen.at(x0, y1));

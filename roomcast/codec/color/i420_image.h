@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Y'CbCr 4:2:0 pictures, BT.709, limited range: what VP9 carries. docs/spec/codec.md §3.1. 8-bit
-// sRGB on the other side. Source of the matrix: Recommendation ITU-R BT.709-6, items 3.2 to 3.5.
+// Y'CbCr 4:2:0 pictures, BT.709, limited range, as VP9 codes them (docs/spec/codec.md §3.1), and
+// their conversion from and to 8-bit sRGB. Source of the matrix: Recommendation ITU-R BT.709-6,
+// items 3.2 to 3.5.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +22,16 @@ struct I420Image {
   }
 };
 
-/// Read-only planes of anybody's.
+/// Read-only planes, not owned.
 struct I420View {
   ImageView<const std::uint8_t> y, cb, cr;
 };
 
-/// Overwrites `image` where `seen` is not 0; elsewhere it keeps what it had. A chroma sample is the
-/// mean over those of its pixels that are seen. Sizes must be equal.
+/// Overwrites `image` where `seen` is not 0; the rest is unchanged. A chroma sample is the mean of
+/// its seen pixels. Sizes must be equal.
 void convert_seen(ColorView color, MaskView seen, I420Image& image);
 
-/// To sRGB, chroma repeated. Sizes must be equal.
+/// Converts to sRGB; chroma samples are repeated. Sizes must be equal.
 void convert_to_rgb(const I420View& image, ImageView<Rgb8> color);
 
 }  // namespace roomcast::codec

@@ -19,7 +19,7 @@ I420Image of_one_color(Rgb8 color) {
   return converted(ColorImage(2, 2, color), MaskImage(2, 2, 255));
 }
 
-// Colour bars of 100 %, ITU-R BT.709, 8 bit: as in every table of test signals.
+// Colour bars of 100 %, ITU-R BT.709, 8 bit: the values in tables of test signals.
 TEST(I420Image, gives_the_values_of_bt_709) {
   struct Bar {
     Rgb8 rgb;
@@ -36,7 +36,7 @@ TEST(I420Image, gives_the_values_of_bt_709) {
 }
 
 TEST(I420Image, gives_back_colours_to_a_rounding_of_each_plane) {
-  constexpr int kMaxError = 3;  // 1/2 in Y is 0.6, 1/2 in Cb is 1.1 of blue; both, and rounding
+  constexpr int kMaxError = 3;  // rounding by 1/2: Y gives 0.6, Cb 1.1 in blue; both, and rounding
   for (int i = 0; i < 4096; ++i) {
     const Rgb8 color{static_cast<std::uint8_t>((i & 15) * 17),
                      static_cast<std::uint8_t>((i >> 4 & 15) * 17),

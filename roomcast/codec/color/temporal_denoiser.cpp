@@ -10,15 +10,15 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kSide = 8;    // of a block, luma pixels
-constexpr int kScale = 64;  // of means
+constexpr int kScale = 64;  // units of a mean per grey level
 constexpr int kRefineShift = 3;
 constexpr int kHalfStep = 1 << (kRefineShift - 1);
-constexpr std::uint8_t kSettledFrames = 8;  // held for so long the mean is known well
-// Square grey levels per pixel between the mean and what is shown that are let be, and that for
-// each of the noise's.
+constexpr std::uint8_t kSettledFrames = 8;  // after so many held frames the mean is accurate
+// Tolerated squared difference of the shown block from the mean, square grey levels per pixel: a
+// constant, and a factor of the noise variance.
 constexpr double kMinGain = 1, kNoiseGain = 0.25;
 
-// A block is still when neither its sum nor any small part of it says otherwise.
+// A block is still if its sum and nearly all its pixels differ from the mean by no more than noise.
 constexpr double kPixelSigmas = 4, kSumSigmas = 4;
 constexpr int kMaxStrayPixels = 2;
 constexpr int kNoiseUnits = 4;  // of Block::noise, for each 1/kScale grey level
@@ -78,7 +78,7 @@ void show(const Image<std::int16_t>& mean, const Part& part, Image<std::uint8_t>
   }
 }
 
-/// Sum of the squared differences of what is shown from the mean, square grey levels.
+/// Sum of the squared differences of the shown block from the mean, square grey levels.
 double shown_error(const Image<std::int16_t>& mean, const Part& part,
                    const Image<std::uint8_t>& shown) {
   int squares = 0;
@@ -93,7 +93,7 @@ double shown_error(const Image<std::int16_t>& mean, const Part& part,
   return static_cast<double>(squares) / kScale;
 }
 
-/// How much a block differs from its mean, 1/kScale grey levels.
+/// Difference of a block from its mean, 1/kScale grey levels.
 struct Difference {
   int sum = 0, size_sum = 0, stray_pixels = 0;
 };
@@ -148,7 +148,7 @@ void TemporalDenoiser::begin(const I420Image& input) {
 bool TemporalDenoiser::is_still(const Image<std::uint8_t>& luma, int block_x, int block_y) {
   Block& block = blocks_.at(block_x, block_y);
   const Part part = part_of(luma, block_x, block_y, kSide);
-  // The mean size of Gaussian noise is 4/5 of its standard deviation.
+  // The mean absolute value of Gaussian noise is 4/5 of its standard deviation.
   const double sigma = std::max(sigma_, 1.25 / kScale / kNoiseUnits * block.noise);
   const int stray = static_cast<int>(std::lround(kPixelSigmas * sigma * kScale));
   const Difference found = difference(luma, mean_.y, part, stray);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes a camera's noise out of still parts of a picture before it is encoded: noise would cost
-// more bits than all that moves. Blocks of 8x8 pixels that differ from their running mean by no
-// more than noise does are held: the mean is refined, and what is shown changes only, as a whole
-// block, when the mean is known well and lies further from it than noise and a coarse quantiser
-// put it. Any other block passes as it is. The noise is measured on
-// the picture itself: the median difference, of which at least half the picture is thought to be
-// still. Single-threaded.
+// Removes a camera's noise from still parts of a picture before it is encoded: noise would cost
+// more bits than all motion. A block of 8x8 pixels that differs from its running mean by no more
+// than noise is held: its mean is refined, and the shown block is replaced as a whole only when the
+// mean is accurate and differs from it by more than noise and a coarse quantiser explain. Any other
+// block passes unchanged. The noise is measured on the picture itself, from the median difference,
+// which assumes that at least half the picture is still. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +15,26 @@ namespace roomcast::codec {
 
 class TemporalDenoiser {
  public:
-  /// The picture to encode instead of `input`; valid until the next call. Always the same size.
-  /// Still blocks improve in frames that later ones build on, the others would pay for it twice.
+  /// Returns the picture to encode instead of `input`; valid until the next call. Always the same
+  /// size. Still blocks improve only in `reference` frames, or the next reference would code the
+  /// change again.
   I420Image& apply(const I420Image& input, bool reference);
 
-  /// For each 8x8 pixels, 1 where the picture is not that of the newest reference; valid until the
-  /// next call.
+  /// One entry for each 8x8 pixels, 1 where the picture differs from the newest reference; valid
+  /// until the next call.
   [[nodiscard]] MaskView changed() const { return changed_; }
 
-  /// Of luma, grey levels.
+  /// Standard deviation of luma, grey levels.
   [[nodiscard]] double noise_sigma() const { return sigma_; }
 
  private:
   struct Block {
-    std::uint8_t held = 0;  // frames in a row without a change, up to what makes a mean known well
-    std::uint16_t noise = 0;  // mean size of the differences while it was still
+    std::uint8_t held = 0;    // consecutive frames without a change, up to kSettledFrames
+    std::uint16_t noise = 0;  // mean absolute difference while the block was still
   };
 
   void begin(const I420Image& input);
-  /// Learns its noise when it is.
+  /// Also updates the noise of a still block.
   bool is_still(const Image<std::uint8_t>& luma, int block_x, int block_y);
   static void learn_noise(Block& block, int mean_size);
   void measure_noise(const Image<std::uint8_t>& luma);

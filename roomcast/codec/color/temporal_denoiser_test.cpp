@@ -18,7 +18,7 @@ I420Image grey(int level) {
   return image;
 }
 
-/// A grey picture through a camera with noise.
+/// A grey picture seen by a camera with noise.
 class NoisyCamera {
  public:
   explicit NoisyCamera(double sigma) : noise_(0, sigma) {}

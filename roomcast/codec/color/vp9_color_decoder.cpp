@@ -17,8 +17,8 @@ namespace {
 constexpr std::uint8_t kIndexMarker = 0xC0 | (4 - 1) << 3 | (1 - 1);
 constexpr std::size_t kIndexLength = 1 + 4 + 1;
 
-/// libvpx goes on decoding frames as long as there are bytes. An index that names one frame stops
-/// it after the first.
+/// libvpx decodes further frames as long as bytes remain. An index of one frame stops it after the
+/// first.
 void frame_alone(std::span<const std::uint8_t> frame, std::vector<std::uint8_t>& out) {
   out.assign(frame.begin(), frame.end());
   out.resize(frame.size() + kIndexLength);
@@ -52,7 +52,7 @@ Result<std::unique_ptr<Vp9ColorDecoder>> Vp9ColorDecoder::create(int width, int 
 
 Status Vp9ColorDecoder::decode(std::span<const std::uint8_t> frame, ColorImage& color) {
   if (Status status = check_header(frame); !status.ok()) return status;
-  needs_key_ = true;  // until all went well
+  needs_key_ = true;  // until the frame is decoded
   frame_alone(frame, framed_);
   if (vpx_codec_decode(&codec_->context, framed_.data(), static_cast<unsigned>(framed_.size()),
                        nullptr, 0) != VPX_CODEC_OK) {
@@ -76,7 +76,7 @@ Status Vp9ColorDecoder::check_header(std::span<const std::uint8_t> frame) {
   return {};
 }
 
-/// Only a key frame may change it.
+/// Takes a legal size; only a key frame may change it.
 bool Vp9ColorDecoder::take_size(const Vp9Header& header) {
   const auto is = [&](int width, int height) {
     return header.width == width && header.height == height;

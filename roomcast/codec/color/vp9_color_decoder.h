@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VP9 colour sections to pictures, through libvpx. docs/spec/codec.md §3.1.
-// Hostile bytes: a frame is looked at before libvpx sees it, so that it can neither change the
-// picture's size beyond the two that are allowed nor carry a second frame along; memory stays that
-// of the larger one.
+// Decodes VP9 colour sections through libvpx. docs/spec/codec.md §3.1. Hostile bytes: the frame's
+// header is checked before libvpx reads the frame, so that it can neither choose a size other than
+// the two allowed ones nor contain a second frame. Memory is bounded by the larger size.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +17,13 @@ namespace roomcast::codec {
 
 class Vp9ColorDecoder {
  public:
-  /// For a depth grid of this size: pictures are of the same size or, as each key frame says, twice
+  /// For a depth grid of this size: pictures have the same size or, if the key frame says so, twice
   /// that. kUnavailable if libvpx does not start.
   static Result<std::unique_ptr<Vp9ColorDecoder>> create(int width, int height);
   ~Vp9ColorDecoder();
 
-  /// kMalformed, also for another size or a frame whose references are missing; kUnsupported for
-  /// what parse_vp9_header calls so. After an error, frames are refused until the next key frame.
+  /// Returns kMalformed, also for another size or missing references; kUnsupported for frames that
+  /// parse_vp9_header reports as such. After an error, frames are refused until the next key frame.
   [[nodiscard]] Status decode(std::span<const std::uint8_t> frame, ColorImage& color);
 
  private:

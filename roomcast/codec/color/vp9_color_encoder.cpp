@@ -14,17 +14,17 @@ namespace {
 
 constexpr int kSpeed = 5;
 constexpr unsigned kMaxQuantizer = 56;
-// Of key frames. Fine ones pay: the camera does not move, so that what is shown well once stays so
-// for a small part of what motion takes. In a room where next to nothing moves they are most of the
-// stream; there they are coarser, and no frame between them is finer.
+// Quantisers of key frames. Fine key frames pay: the camera does not move, so that a well coded
+// still part stays good at a small part of the cost of motion. In a calm room key frames are most
+// of the stream; there they are coarser, and no frame between them is finer.
 constexpr unsigned kFineQuantizer = 10, kCalmQuantizer = 20;
-constexpr double kCalmShare = 0.5;       // of the rate that a calm room uses between key frames
+constexpr double kCalmShare = 0.5;       // of the rate; a calm room uses less between key frames
 constexpr int kCyclicRefresh = 3;        // spreads the quality of still parts over frames
-constexpr int kMaxKeyFrameShare = 4000;  // percent of the bits of a mean frame
+constexpr int kMaxKeyFrameShare = 4000;  // percent of the bits of an average frame
 constexpr unsigned kBaseLayerPercent = 70;
 
-// A frame builds on the layer-0 frame before it and on the key frame, which knows what is behind
-// that which moves.
+// A frame depends on the layer-0 frame before it and on the key frame, which shows the surfaces
+// behind moving objects.
 constexpr vpx_enc_frame_flags_t kFromLastAndKey =
     VP8_EFLAG_NO_REF_ARF | VP8_EFLAG_NO_UPD_GF | VP8_EFLAG_NO_UPD_ARF;
 constexpr vpx_enc_frame_flags_t kLeavesNoTrace = VP8_EFLAG_NO_UPD_LAST | VP8_EFLAG_NO_UPD_ENTROPY;
@@ -42,11 +42,11 @@ void set_layers(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config)
   config.ss_number_layers = 1;
   config.ts_number_layers = options.temporal_layers > 1 ? 2 : 1;
   if (options.temporal_layers == 1) return;
-  // Without it a frame uses motion and probabilities of the one before, which may have been left
-  // out.
+  // Without it a frame depends on motion and probabilities of the previous one, which may have been
+  // dropped.
   config.g_error_resilient = VPX_ERROR_RESILIENT_DEFAULT;
   config.temporal_layering_mode = VP9E_TEMPORAL_LAYERING_MODE_BYPASS;
-  config.ts_periodicity = 2;  // to libvpx all layers above 0 are one
+  config.ts_periodicity = 2;  // libvpx sees all layers above 0 as one
   config.ts_layer_id[1] = 1;
   config.ts_rate_decimator[0] = 1u << (options.temporal_layers - 1);
   config.ts_rate_decimator[1] = 1;
@@ -60,11 +60,11 @@ bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config
   config.g_threads = 1;
   config.g_pass = VPX_RC_ONE_PASS;
   config.g_lag_in_frames = 0;
-  config.kf_mode = VPX_KF_DISABLED;  // key frames come when asked for
+  config.kf_mode = VPX_KF_DISABLED;  // key frames only on request
   config.rc_end_usage = VPX_CBR;
   config.rc_min_quantizer = kCalmQuantizer;
   config.rc_max_quantizer = kMaxQuantizer;
-  config.rc_dropframe_thresh = 0;  // depth goes out anyway
+  config.rc_dropframe_thresh = 0;  // the frame is sent anyway, for its depth
   config.rc_resize_allowed = 0;
   set_layers(options, config);
   set_rates(options, config);
@@ -73,8 +73,8 @@ bool make_config(const FrameEncoderOptions& options, vpx_codec_enc_cfg_t& config
 
 bool apply_controls(vpx_codec_ctx_t& context, bool layered) {
   bool ok = vpx_codec_control(&context, VP8E_SET_CPUUSED, kSpeed) == VPX_CODEC_OK;
-  // As for screens: registered colour has their hard edges, and what libvpx leaves out to be quick
-  // with camera pictures costs 0.4 to 0.8 dB here.
+  // Tuned for screen content: registered colour has similarly hard edges, and libvpx's shortcuts
+  // for camera pictures cost 0.4 to 0.8 dB here.
   ok &= vpx_codec_control(&context, VP9E_SET_TUNE_CONTENT, VP9E_CONTENT_SCREEN) == VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_AQ_MODE, kCyclicRefresh) == VPX_CODEC_OK;
   ok &= vpx_codec_control(&context, VP9E_SET_TILE_COLUMNS, 0) == VPX_CODEC_OK;
@@ -100,7 +100,7 @@ vpx_image_t wrap(I420Image& image) {
   return wrapped;
 }
 
-/// `to` is `scale` times as wide and high.
+/// Repeats each pixel; `to` is `scale` times as wide and high.
 void repeat_pixels(MaskView from, int scale, MaskImage& to) {
   for (int y = 0; y < to.height(); ++y) {
     const std::uint8_t* const source = from.row(y / scale);
@@ -196,7 +196,7 @@ Status Vp9ColorEncoder::set_rate(int kbit_per_s) {
 void Vp9ColorEncoder::choose_quality() {
   const auto frames = static_cast<double>(frame_count_ - key_at_ - 1);
   key_at_ = frame_count_;
-  if (frames >= options_.fps) {  // less says little
+  if (frames >= options_.fps) {  // fewer frames are not representative
     const double kbit_per_s =
         static_cast<double>(bytes_since_key_) * 8 / 1000 * options_.fps / frames;
     const bool calm = kbit_per_s < kCalmShare * options_.color_kbit_per_s;
@@ -216,8 +216,8 @@ bool Vp9ColorEncoder::limit_quantizer(FrameRole role) {
 }
 
 void Vp9ColorEncoder::set_active(MaskView active) {
-  // libvpx copies the map, though it asks for a pointer that it could write to. Should it refuse,
-  // the frame is only longer.
+  // libvpx copies the map, though it takes a non-const pointer. If it refuses, the frame is only
+  // longer.
   vpx_active_map_t map{const_cast<std::uint8_t*>(active.data), static_cast<unsigned>(active.height),
                        static_cast<unsigned>(active.width)};
   vpx_codec_control(&codec_->context, VP8E_SET_ACTIVEMAP, &map);

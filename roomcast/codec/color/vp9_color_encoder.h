@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registered colour to VP9 for real time, through libvpx. docs/spec/codec.md §3.1.
-// Pixels that the colour camera does not see keep the colour they last had, or are filled from
-// around if they never had any: still pixels cost nothing, black ones would cost two thirds of the
-// stream.
+// Encodes registered colour as VP9 in real time, through libvpx. docs/spec/codec.md §3.1. Pixels
+// that the colour camera does not see keep their last colour, or are filled from their surroundings
+// if they never had any: still pixels cost nothing, black ones would cost two thirds of the stream.
 #pragma once
 
 #include <cstdint>
@@ -25,12 +24,13 @@ class Vp9ColorEncoder {
   ~Vp9ColorEncoder();
 
   /// Appends one VP9 frame to `out`. Sizes must be those of the options; `seen` is in the depth
-  /// grid. The first frame's role is a key frame's; frames of layer 1 and up leave no trace.
+  /// grid. The first frame's role is a key frame's; frames of layer 1 and up change no decoder
+  /// state.
   [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
                               std::vector<std::uint8_t>& out);
 
-  /// From the next frame on; as FrameEncoderOptions.color_kbit_per_s. kUnavailable if libvpx
-  /// refuses.
+  /// Sets the rate from the next frame on, as FrameEncoderOptions.color_kbit_per_s. kUnavailable if
+  /// libvpx refuses.
   [[nodiscard]] Status set_rate(int kbit_per_s);
 
  private:
@@ -49,13 +49,13 @@ class Vp9ColorEncoder {
   I420Image input_;
   TemporalDenoiser hold_;
   ColorActivity activity_;
-  MaskImage seen_;  // of the newest frame, of colour's size
+  MaskImage seen_;  // mask of the newest frame, in colour's size
   MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;
-  std::int64_t key_at_ = 0;          // the frame_count_ of the newest key frame
-  std::size_t bytes_since_key_ = 0;  // without its own
-  unsigned key_quantizer_;           // of the next key frame
+  std::int64_t key_at_ = 0;          // frame_count_ of the newest key frame
+  std::size_t bytes_since_key_ = 0;  // without the key frame's own
+  unsigned key_quantizer_;           // for the next key frame
 };
 
 }  // namespace roomcast::codec

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 128;
 
-/// Patches of random grey.
+/// A picture of patches of random grey.
 ColorImage patches(unsigned seed = 0) {
   constexpr int kPatch = 3;
   std::mt19937 random(seed);
@@ -45,7 +45,7 @@ class Stream {
         encoder_(Vp9ColorEncoder::create(options()).value()),
         decoder_(Vp9ColorDecoder::create(kWidth, kHeight).value()) {}
 
-  /// Bytes of the next frame.
+  /// Encodes a frame and returns its number of bytes.
   std::size_t next(const ColorImage& color, bool key = false) {
     std::vector<std::uint8_t> bytes;
     EXPECT_TRUE(encoder_->encode(color, seen_, {key, 0}, bytes).ok());
@@ -81,7 +81,7 @@ TEST(Vp9ColorEncoder, what_comes_into_view_again_looks_at_once_as_it_did) {
   EXPECT_LT(stream.rms(room), 1.5 * rms);
 }
 
-/// Bytes of the second key frame over those of the first, of the same picture.
+/// Ratio of the bytes of the second key frame to those of the first, of the same picture.
 double later_key_share(bool moving) {
   Stream stream;
   const std::size_t first = stream.next(patches(), true);

@@ -9,7 +9,7 @@ constexpr std::uint32_t kSyncCode = 0x498342;
 constexpr std::uint32_t kColorSpaceRgb = 7;
 constexpr int kReferencesPerFrame = 3;
 
-/// Highest bit first; zeros past the end, which `overran` tells.
+/// Reads bits, highest first. Past the end it reads zeros, and `overran` is true.
 class BitReader {
  public:
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -35,7 +35,7 @@ void take_size(BitReader& bits, Vp9Header& header) {
   header.height = static_cast<int>(bits.take(16)) + 1;
 }
 
-/// False if it is not that of a key frame of profile 0.
+/// Returns false if it is not the start of a key frame of profile 0.
 bool take_key_start(BitReader& bits, Vp9Header& header) {
   if (bits.take(24) != kSyncCode) return false;
   if (bits.take(3) == kColorSpaceRgb) return false;

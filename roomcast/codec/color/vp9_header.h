@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the first bits of a VP9 frame: enough to refuse what a colour section must not carry before
-// a decoder allocates for it. Source: VP9 Bitstream & Decoding Process Specification v0.6,
-// sections 6.2 and 7.2.
+// Parses the start of a VP9 frame, enough to refuse illegal frames of a colour section before a
+// decoder allocates for them. Source: VP9 Bitstream & Decoding Process Specification v0.6, sections
+// 6.2 and 7.2.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,12 @@ namespace roomcast::codec {
 
 struct Vp9Header {
   bool key = false;
-  int width = 0, height = 0;  // 0 when the frame takes the size of a reference
+  int width = 0, height = 0;  // 0 if the frame takes the size of a reference
 };
 
-/// kMalformed for bytes that are no VP9 frame; kUnsupported for one that docs/spec/codec.md §3.1
-/// excludes: another profile, not shown, or only a pointer to an earlier one.
+/// Returns kMalformed for bytes that are no VP9 frame; kUnsupported for a frame that
+/// docs/spec/codec.md §3.1 excludes: another profile, not shown, or only a pointer to an earlier
+/// frame.
 [[nodiscard]] Result<Vp9Header> parse_vp9_header(std::span<const std::uint8_t> frame);
 
 }  // namespace roomcast::codec

@@ -8,7 +8,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Bits, highest first.
+/// Writes bits, highest first.
 class BitRow {
  public:
   BitRow& put(std::uint32_t value, int count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// VpxContext: a libvpx encoder or decoder that is let go of when it was opened. Single-threaded.
+// VpxContext: a libvpx encoder or decoder, destroyed if it was opened. Single-threaded.
 #pragma once
 
 #include <vpx/vpx_codec.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive binary arithmetic coding: side information, masks. docs/spec/codec.md §4.
+// Adaptive binary arithmetic coding for side information and masks. docs/spec/codec.md §4.
 // Carry-propagating range coder (Martin 1979; byte-wise renormalisation as in the LZMA
-// specification), with the mean of a fast and a slow estimate as probability. Integer only. A
+// specification); the probability is the mean of a fast and a slow estimate. Integer only. A
 // decoder reads zeros past its bytes: no input is an error.
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace roomcast::codec {
 
-/// How likely the next bit is 0, learnt from the bits before it.
+/// Probability that the next bit is 0, estimated from the bits before it.
 class AdaptiveBit {
  public:
-  /// Of 65536.
+  /// In 1/65536.
   [[nodiscard]] std::uint32_t probability_of_zero() const {
     const std::uint32_t mean = (static_cast<std::uint32_t>(fast_) + slow_) >> 1;
     return mean < kMin ? kMin : mean > kMax ? kMax : mean;
@@ -42,7 +42,7 @@ struct BitTree {
   std::array<AdaptiveBit, 1u << Bits> nodes;
 };
 
-/// Appends to a vector that it does not own.
+/// Appends to a vector owned by the caller.
 class ArithmeticEncoder {
  public:
   explicit ArithmeticEncoder(std::vector<std::uint8_t>& out) : out_(out), begin_(out.size()) {}
@@ -84,10 +84,10 @@ class ArithmeticEncoder {
   std::size_t begin_;
   std::uint64_t low_ = 0;
   std::uint32_t range_ = 0xFFFFFFFFu;
-  std::uint64_t pending_ = 0;  // bytes of 0xFF that a carry may still change
+  std::uint64_t pending_ = 0;  // number of 0xFF bytes that a carry may still change
   std::uint8_t held_ = 0;      // the byte before them
   bool holds_ =
-      false;  // false until there is one: the first byte shifted out is always 0 and is not kept
+      false;  // false until there is one: the first byte shifted out is always 0 and is dropped
 };
 
 class ArithmeticDecoder {

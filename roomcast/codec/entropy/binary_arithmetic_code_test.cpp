@@ -24,7 +24,7 @@ TEST(BinaryArithmeticCode, gives_back_bits_of_any_probability) {
   }
 }
 
-// Ones of low probability push the low end up, so that carries run through bytes of 0xFF.
+// Improbable ones raise the low end of the range, so that carries propagate through bytes of 0xFF.
 TEST(BinaryArithmeticCode, carries_through_any_number_of_bytes) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);

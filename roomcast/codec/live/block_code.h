@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One 8x8 block of a live depth picture, as coded: what the encoder decides and
-// the decoder reads. docs/spec/codec.md, "Blocks".
+// One coded 8x8 block of a live depth picture: the encoder's decisions, as read by the decoder.
+// docs/spec/codec.md §2.4.2.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@
 namespace roomcast::codec {
 
 enum class BlockMode : std::uint8_t {
-  kSkip,    // stays as it is in the reference
-  kRefine,  // readings move by a smooth amount
-  kLabels,  // each pixel says where its value comes from
-  kRaw      // each pixel's own value: when nothing else keeps the bound
+  kSkip,    // unchanged from the reference
+  kRefine,  // smooth correction added to the readings
+  kLabels,  // one label per pixel gives the source of its value
+  kRaw      // a value per pixel: used when no other mode stays within the bound
 };
 
-/// Where a pixel's value comes from.
+/// Source of a pixel's value.
 enum class PixelLabel : std::uint8_t {
   kUnchanged,   // the reference
-  kBackground,  // the background memory
-  kVanished,    // no reading any more
+  kBackground,  // the stored background
+  kVanished,    // the reading disappears
   kFirst,       // the block's first surface
   kSecond       // the block's second surface
 };
@@ -29,13 +29,14 @@ enum class PixelLabel : std::uint8_t {
   return label >= PixelLabel::kFirst;
 }
 
-/// Divides the quantiser step of surfaces with fine relief: 1, 2 or 4.
+/// Most halvings of the quantiser step, for surfaces with fine relief: the step is divided by 1, 2
+/// or 4.
 inline constexpr int kMaxFiner = 2;
 
 struct SurfaceCode {
-  std::uint8_t candidate = 0;  // which neighbour predicts it
+  std::uint8_t candidate = 0;  // index of the predicting surface
   std::uint8_t finer = 0;      // halvings of the step
-  BlockCoefficients steps{};   // quantised, prediction taken off
+  BlockCoefficients steps{};   // quantised, after subtracting the prediction
 };
 
 struct BlockCode {
@@ -43,7 +44,7 @@ struct BlockCode {
   std::uint8_t surface_count = 0;
   std::array<SurfaceCode, 2> surfaces;
   BlockCoefficients refinement{};                      // quantised
-  std::array<PixelLabel, kBlockPixels> labels{};       // those outside of the picture do not matter
+  std::array<PixelLabel, kBlockPixels> labels{};       // those outside the picture are ignored
   std::array<std::uint16_t, kBlockPixels> readings{};  // levels
 };
 

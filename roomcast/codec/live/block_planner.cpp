@@ -12,21 +12,21 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kPersistentUrgency = 3;
-constexpr int kMinMoved = 24;  // pixels; fewer that are coded are not taken for another surface
+constexpr int kMinMoved = 24;  // pixels on coded surfaces, in a block that counts as moved
 constexpr int kMinUrgency = 10, kMinPassingUrgency = 9;  // of 64
-constexpr int kMinUrgencyInMotion = 3;                   // when the sensor itself moves
-constexpr int kSameSurface = 2;  // standard deviations between a reading and what is there already
+constexpr int kMinUrgencyInMotion = 3;                   // while the sensor itself moves
+constexpr int kSameSurface = 2;  // standard deviations of noise between readings of one surface
 constexpr int kReach = 6 * kLevelsPerSigma;
-constexpr int kMaxPatience = 9;  // frames; with the base a change waits half a second at most
+constexpr int kMaxPatience = 9;  // frames; a change is delayed by half a second at most
 
 constexpr int kRefinementsPerFrame = 200;
-constexpr unsigned kRefinementTurns = 4;  // each block is looked at in one frame of so many
+constexpr unsigned kRefinementTurns = 4;  // each block is examined in one of so many frames
 constexpr int kFirstRefinement = 10,
-              kNextRefinement = 48;  // samples of each pixel
+              kNextRefinement = 48;  // samples per pixel before a refinement
 constexpr float kRefinementGain = 0.68f * kLevelsPerSigma;
 constexpr float kRefinementRounding = 0.25f;
 
-/// Sums over the 3x3 neighbourhoods of an 8x8 block; outside is 0.
+/// Sums over the 3x3 neighbourhoods of an 8x8 block, without the centre; pixels outside count as 0.
 struct Neighbourhoods {
   float count[kBlockPixels] = {}, value[kBlockPixels] = {};
 };
@@ -59,14 +59,14 @@ Neighbourhoods surfaces_around(const BlockCode& code, const BlockTarget& target)
   return sums;
 }
 
-/// Eight flags at once: most blocks have none.
+/// Tests eight flags at once, because most rows have none.
 bool all_zero(const std::uint16_t* flags) {
   std::uint64_t words[2];
   std::memcpy(words, flags, sizeof words);
   return (words[0] | words[1]) == 0;
 }
 
-/// Neighbours of a pixel within its block.
+/// Number of a pixel's neighbours within its block.
 int neighbours_in_block(int x, int y) {
   return (x == 0 || x == 7 ? 2 : 3) * (y == 0 || y == 7 ? 2 : 3) - 1;
 }
@@ -190,8 +190,8 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
   return like_back >= enough ? PixelLabel::kBackground : PixelLabel::kVanished;
 }
 
-// Pixels that stay among new ones of their distance join them, so that contours
-// are short; a lone new pixel stays after all.
+// An unchanged pixel among new ones at its distance joins their surface, which shortens contours.
+// An isolated new pixel becomes unchanged again.
 bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
                                  const BlockTarget& target) const {
   if (std::all_of(code.labels.begin(), code.labels.end(), on_surface)) return false;
@@ -221,8 +221,8 @@ bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
   return any;
 }
 
-// Worth its bits once the averaged difference from the reference is more than
-// what is left of the noise in it.
+// Refines once the averaged difference from the reference exceeds the noise that remains in the
+// average.
 bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCode& code) {
   const bool again = refined_[block] != 0;
   const int least = again ? kNextRefinement : kFirstRefinement;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides for each block of a frame what is worth coding: nothing, a correction
-// of noise that has averaged out, or labels and the values that its surfaces
-// should have. The live encoder's own affair.
+// Decides for each block of a frame what to code: nothing, a correction of noise that has averaged
+// out, or labels and the target values of its surfaces. Used by the live encoder only.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace roomcast::codec {
 
-/// Levels that a block should get; 0 = none known.
+/// Target levels of a block; 0 = unknown.
 using BlockTarget = std::array<float, kBlockPixels>;
 
 class BlockPlanner {
@@ -24,14 +23,13 @@ class BlockPlanner {
       : state_(state), history_(history), change_(change) {}
 
   void resize();
-  /// Before the blocks of a frame. Frames that are no reference show motion and
-  /// leave the rest.
+  /// Call before the blocks of a frame. In frames that are no reference only motion is coded.
   void begin_frame(bool reference);
   /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and
   /// `target`; with kRefine code.refinement.
   void plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target);
-  /// A block of a reference frame was coded: `before` is what its pixels were. Whether most of it
-  /// moved.
+  /// Call after coding a block of a reference frame; `before` contains its previous levels. Returns
+  /// whether a large part of the block moved.
   bool coded(int bx, int by, const BlockCode& code,
              const std::array<std::uint16_t, kBlockPixels>& before);
 
@@ -50,19 +48,19 @@ class BlockPlanner {
                                  BlockTarget& target);
   [[nodiscard]] PixelLabel label_of(std::size_t at, int x, int y, bool biased) const;
   [[nodiscard]] PixelLabel label_of_missing(std::size_t at, int x, int y) const;
-  /// Whether it changed any.
+  /// Returns whether any label changed.
   bool smooth_labels(const Area& area, BlockCode& code, const BlockTarget& target) const;
   [[nodiscard]] bool plan_refinement(const Area& area, std::size_t block, BlockCode& code);
 
   const LiveState& state_;
   PixelHistory& history_;
   const FrameChange& change_;
-  std::vector<std::uint8_t> refined_;  // per block: since its surfaces were coded
+  std::vector<std::uint8_t> refined_;  // per block: was refined since its surfaces were coded
   unsigned frame_ = 0;
   int refinements_left_ = 0;
   bool reference_ = false;
-  std::size_t labelled_blocks_ = 0;  // of this frame
-  bool sensor_moves_ = false;        // most blocks of the frame before had labels
+  std::size_t labelled_blocks_ = 0;  // in this frame
+  bool sensor_moves_ = false;        // most blocks of the previous frame had labels
 };
 
 }  // namespace roomcast::codec

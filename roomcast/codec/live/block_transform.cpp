@@ -12,8 +12,8 @@ constexpr std::int32_t kMatrix[kBlockSide][kBlockSide] = {
     {64, -64, -64, 64, 64, -64, -64, 64}, {50, -89, 18, 75, -75, -18, 89, -50},
     {36, -83, 83, -36, -36, 83, -83, 36}, {18, -50, 75, -89, 89, -75, 50, -18}};
 
-// Eight lanes that wrap: one row of a block. GCC and Clang split it for
-// narrower machines.
+// One row of a block: eight lanes with wrapping arithmetic. GCC and Clang split it for narrower
+// machines.
 typedef std::uint32_t RowU __attribute__((vector_size(32)));
 typedef std::int32_t RowI __attribute__((vector_size(32)));
 

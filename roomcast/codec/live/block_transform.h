@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cosine transform of 8x8 blocks, of H.265 (ITU-T H.265 §8.6.4.2): its inverse
-// in integers, the same on every machine. A coefficient is eight times the
-// amplitude's mean square root; that of a flat block is eight times its value.
-// docs/spec/codec.md, "Transform".
+// Cosine transform of 8x8 blocks, of H.265 (ITU-T H.265 §8.6.4.2). The inverse is in integers and
+// the same on every machine. Coefficients have the scale of an orthonormal transform: that of a
+// flat block is eight times its value. docs/spec/codec.md §2.4.3.
 #pragma once
 
 #include <array>
@@ -19,15 +18,14 @@ using BlockValues = std::array<std::int32_t, kBlockPixels>;        // row by row
 /// Positions from low to high frequency.
 extern const std::array<std::uint8_t, kBlockPixels> kZigzag;
 
-/// Arithmetic modulo 2^32: any coefficients are legal. `rows` is how many rows
-/// of coefficients may be other than 0, counted from the top; the result does
-/// not depend on it being tight.
+/// Arithmetic modulo 2^32: any coefficients are legal. Only the first `rows` rows of coefficients
+/// may be other than 0; the result does not depend on `rows` being tight.
 void inverse_transform(const BlockCoefficients& coefficients, int rows, BlockValues& values);
 
-/// The same one number at a time, as the specification writes it. For tests.
+/// The same, one number at a time as in the specification. For tests.
 void inverse_transform_reference(const BlockCoefficients& coefficients, BlockValues& values);
 
-/// For encoders; needs not be exact.
+/// For encoders; need not be exact.
 void forward_transform(const std::array<float, kBlockPixels>& values,
                        std::array<float, kBlockPixels>& coefficients);
 

@@ -44,7 +44,7 @@ TEST(BlockTransform, there_and_back_is_exact_to_one) {
   }
   BlockValues back;
   inverse_transform(rounded, kBlockSide, back);
-  // The matrix is orthogonal to one part in a few hundred only.
+  // The matrix is orthogonal only to one part in a few hundred.
   constexpr float kMatrixError = 20000 / 200.0f;
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
     EXPECT_NEAR(static_cast<float>(back[k]), values[k], kMatrixError);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block's quantised coefficients, written or read. docs/spec/codec.md, "Coefficients and
-// transform".
+// Writes or reads a block's quantised coefficients. docs/spec/codec.md §2.4.3.
 #pragma once
 
 #include <cstdlib>
@@ -9,7 +8,8 @@
 
 namespace roomcast::codec {
 
-/// In zigzag order from `first` on. Reading leaves those that are 0 alone: clear them before.
+/// In zigzag order from `first` on. Reading leaves zero coefficients unchanged: clear `steps`
+/// before.
 template <class Coder>
 void code_coefficients(Coder& coder, CoefficientModel& model, int first, BlockCoefficients& steps) {
   std::uint32_t count = 0;

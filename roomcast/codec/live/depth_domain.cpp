@@ -12,7 +12,7 @@ constexpr int kValueCount = 65536;
 constexpr std::uint64_t kOneLevel = 1u << 16;
 constexpr std::uint64_t kSteepness = std::uint64_t{kLevelsPerSigma * 256} * kOneLevel;
 
-/// In 1/256 mm; linear between knots.
+/// Standard deviation in 1/256 mm; linear between knots.
 std::uint32_t sigma_at(const SigmaCodes& codes, int depth_mm, int& knot) {
   if (depth_mm < sigma_knot_mm(0)) return sigma_of_code(codes[0]);
   while (knot + 2 < kSigmaKnotCount && depth_mm >= sigma_knot_mm(knot + 1)) ++knot;
@@ -48,9 +48,8 @@ void DepthDomain::set(const SigmaCodes& codes) {
   build();
 }
 
-// Position P(z) = sum over millimetres below z of 8 / sigma, in 1/65536 levels.
-// Level v stands for the z whose position is nearest to v - 1, and the other
-// way round.
+// Position P(z) = sum over millimetres below z of 8 / sigma, in 1/65536 levels. Level v represents
+// the z whose position is nearest to v - 1, and vice versa.
 void DepthDomain::build() {
   level_of_mm_[0] = mm_of_level_[0] = 0;
   std::uint64_t position = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scale on which live depth is coded: eight levels per standard deviation
-// of the sensor's noise, which grows with distance. On it the same error means
-// the same everywhere (a variance-stabilising transform, Anscombe 1948).
-// Integers only, so that every machine builds the same tables.
-// docs/spec/codec.md, "Domain".
+// The scale of live depth: eight levels per standard deviation of the sensor's noise, which grows
+// with distance. A quantisation step is then the same multiple of the noise at every distance (a
+// variance-stabilising transform, Anscombe 1948). Integers only, so that every machine builds the
+// same tables. docs/spec/codec.md §2.4.1.
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@ inline constexpr int kLevelsPerSigma = 8;
 inline constexpr int kSigmaKnotCount = 33;
 inline constexpr int kMaxLevel = 65535;
 
-/// Noise at distances kSigmaKnots_mm, as coded: see sigma_of_code.
+/// Noise at the distances sigma_knot_mm(0..32), as coded: see sigma_of_code.
 using SigmaCodes = std::array<std::uint8_t, kSigmaKnotCount>;
 
 /// Distance of a knot: four per octave from 256 mm to 65536 mm.
@@ -24,18 +23,18 @@ using SigmaCodes = std::array<std::uint8_t, kSigmaKnotCount>;
   return (4 + knot % 4) << (6 + knot / 4);
 }
 
-/// In 1/256 mm, from 1/16 mm to 3968 mm.
+/// Standard deviation in 1/256 mm, from 1/16 mm to 3968 mm.
 [[nodiscard]] constexpr std::uint32_t sigma_of_code(std::uint8_t code) {
   return (16u + code % 16) << (code / 16);
 }
 /// The code whose sigma is nearest.
 [[nodiscard]] std::uint8_t code_of_sigma(double sigma_mm);
 
-/// Tables between millimetres and levels. 0 is no reading in both.
+/// Tables from millimetres to levels and back. 0 is no reading in both.
 class DepthDomain {
  public:
   DepthDomain();
-  /// Does nothing when the codes are those it already has.
+  /// Does nothing if the codes are unchanged.
   void set(const SigmaCodes& codes);
 
   [[nodiscard]] const SigmaCodes& codes() const { return codes_; }

@@ -14,7 +14,7 @@ SigmaCodes constant(double sigma_mm) {
   return codes;
 }
 
-/// Grows with the square of the distance, as a structured-light sensor's does.
+/// Noise that grows with the square of the distance, as a structured-light sensor's does.
 SigmaCodes quadratic() {
   SigmaCodes codes;
   for (int knot = 0; knot < kSigmaKnotCount; ++knot) {

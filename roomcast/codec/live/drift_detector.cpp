@@ -12,9 +12,9 @@ namespace {
 constexpr int kPatchSide = 4;
 constexpr int kMinSamples = 10;         // of 16 pixels
 constexpr float kNewest = 0.3f;         // weight of the newest frame
-constexpr float kNewestLately = 0.45f;  // of a block that moved lately: what moves goes on moving
+constexpr float kNewestLately = 0.45f;  // the same for a block that moved lately
 constexpr std::uint8_t kLately_frames = 4;
-constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;  // of the noise of one pixel
+constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;  // in sigmas of a pixel's noise
 
 struct Columns {
   std::int16_t* off;
@@ -86,7 +86,7 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
       static_cast<std::size_t>(patch_y / 2) * static_cast<std::size_t>(blocks_wide_) +
       static_cast<std::size_t>(patch_x / 2);
   float& offset = offset_[4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2))];
-  // The mean size of Gaussian noise is 4/5 of its standard deviation.
+  // The mean absolute value of Gaussian noise is 4/5 of its standard deviation.
   const float sigma = std::max(static_cast<float>(kLevelsPerSigma),
                                static_cast<float>(deviation) * (1.25f / (1 << kNoiseShift) / 16));
   offset += (static_cast<float>(off) / static_cast<float>(close) / sigma - offset) *

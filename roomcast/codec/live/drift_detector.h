@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds surfaces that move slowly: by less than the noise of a pixel, but all
-// pixels of a patch together. Keeps an average of each 4x4 patch's offset from
-// the reference over the last frames.
+// Detects surfaces that move slowly: each pixel by less than its noise, but all pixels of a patch
+// together. Keeps a running average of each 4x4 patch's offset from the reference. Used by the live
+// encoder only.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace roomcast::codec {
 class DriftDetector {
  public:
   void resize(int width, int height, int blocks_wide, int blocks_high);
-  /// Takes the newest frame in.
+  /// Adds the newest frame to the averages.
   void update(const FrameChange& change, const PixelHistory& history);
   /// Whether the block, or a patch of it, has drifted away from the reference.
   [[nodiscard]] bool drifts(std::size_t block) const;
-  /// The block was coded: its offsets start anew.
+  /// Restarts the offsets of a block that was coded.
   void reset(std::size_t block);
-  /// The block moves: more of the same is believed sooner.
+  /// The block moved: for a few frames new offsets get more weight.
   void expect_motion(std::size_t block);
 
  private:
@@ -31,7 +31,7 @@ class DriftDetector {
   std::vector<std::int16_t> column_off_;
   std::vector<std::uint16_t> column_close_, column_deviation_;
   std::vector<std::uint8_t> frames_since_motion_;
-  std::vector<float> offset_;  // standard deviations of a pixel; four patches for each block
+  std::vector<float> offset_;  // sigmas of a pixel; four patches for each block
 };
 
 }  // namespace roomcast::codec

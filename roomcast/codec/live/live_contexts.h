@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adaptive probabilities of the live depth stream, and numbers made of
-// them. docs/spec/codec.md.
+// Adaptive probabilities of the live depth stream, and the coding of numbers with them.
+// docs/spec/codec.md §2.4.2 to §2.4.6.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace roomcast::codec {
 
-/// A number from 0 up: one adaptive bit for each step up to `Steps`, then its
-/// length, then its bits.
+/// Model of a number >= 0: one adaptive bit for each step up to `Steps`, then its length, then its
+/// bits.
 template <int Steps>
 struct NumberModel {
   static constexpr int kMaxLength = 19;
@@ -22,9 +22,9 @@ struct NumberModel {
   std::array<AdaptiveBit, kMaxLength + 1> second;
 };
 
-/// Of a block's coefficients.
+/// Model of a block's coefficients.
 struct CoefficientModel {
-  BitTree<6> count;  // how many follow up to the last that is not 0
+  BitTree<6> count;  // coefficients up to the last that is not 0
   std::array<AdaptiveBit, kBlockPixels> present;
   std::array<NumberModel<4>, 3> magnitude;  // low, middle and high frequencies
 };
@@ -49,8 +49,7 @@ struct LiveContexts {
   NumberModel<14> raw_difference;
 };
 
-/// Writes the values it is given; stands in for LiveReader in code that does
-/// both.
+/// Writes the given values. Has the interface of LiveReader, so that one template does both.
 class LiveWriter {
  public:
   static constexpr bool kWrites = true;
@@ -69,7 +68,7 @@ class LiveWriter {
   ArithmeticEncoder code_;
 };
 
-/// Reads; the values it is given do not matter.
+/// Reads; ignores the given values.
 class LiveReader {
  public:
   static constexpr bool kWrites = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes live depth: sections of codec 2. docs/spec/codec.md. Any bytes are
-// safe; work is bounded by the picture's size.
+// Decodes live depth: sections of codec 2. docs/spec/codec.md §2.4. Accepts any bytes safely; work
+// is bounded by the picture's size.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,12 @@ namespace roomcast::codec {
 /// Keeps its memory from frame to frame.
 class LiveDepthDecoder {
  public:
-  /// Every pixel of `depth_mm` is written. kMalformed: damaged, or a frame that
-  /// builds on one that was not decoded; the picture is then not to be shown,
-  /// and if the frame was a reference only a key frame helps. kUnsupported: of
-  /// a later version.
+  /// Writes every pixel of `depth_mm`. kMalformed: damaged, or depends on a frame that was not
+  /// decoded; the picture must then not be shown, and after a failed reference only a key frame
+  /// recovers. kUnsupported: of a later version.
   Status decode(std::span<const std::uint8_t> section, ImageView<std::uint16_t> depth_mm);
 
-  /// What the last frame left; for tests that compare it with the encoder's.
+  /// The state after the last frame; tests compare it with the encoder's.
   [[nodiscard]] const LiveState& state() const { return state_; }
 
  private:
@@ -36,8 +35,8 @@ class LiveDepthDecoder {
 
   LiveState state_;
   PassScratch scratch_;
-  LiveContexts passing_contexts_;  // of a frame that is no reference
-  bool in_step_ = false;           // the state is that of the encoder
+  LiveContexts passing_contexts_;  // for frames that are no reference
+  bool in_step_ = false;           // the state equals the encoder's
 };
 
 }  // namespace roomcast::codec

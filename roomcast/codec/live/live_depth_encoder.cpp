@@ -11,7 +11,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Levels of a pixel as the block's labels and target say.
+/// Target level of a pixel, from its label.
 std::uint16_t wanted_level(PixelLabel label, float target, std::uint16_t old, std::uint16_t back) {
   switch (label) {
     case PixelLabel::kUnchanged:
@@ -70,8 +70,8 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
   started_ = true;
 }
 
-// The state is cleared as decoders clear theirs. What was known moves to the
-// new scale of levels.
+// Clears the state as decoders do, and converts the encoder's own memory to the new scale of
+// levels.
 void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   old_picture_ = state_.picture;
   choose_memory();
@@ -82,8 +82,8 @@ void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   }
 }
 
-// The background where it is known to lie behind what is seen now, else what is
-// seen, as exactly as it is known.
+// The target is the stored background where it differs from the picture; else the picture,
+// corrected by the average of later readings.
 void LiveDepthEncoder::choose_memory() {
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const std::uint16_t old = state_.picture[i], back = state_.background[i];
@@ -152,7 +152,7 @@ void LiveDepthEncoder::prepare_surfaces(Pass& pass, int bx, int by, int step, Bl
   }
 }
 
-// The reference was coded anew: averages follow it.
+// Adapts the averages to the newly coded reference.
 void LiveDepthEncoder::follow_new_reference() {
   for (std::size_t i = 0; i < old_picture_.size(); ++i) {
     const int moved = state_.picture[i] - old_picture_[i];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes depth as it looks, not as it flickers: sections of codec 2. What a
-// fixed sensor sees again and again is sent once and made more exact as noise
-// averages out; what moves is sent as smooth surfaces with outlines.
-// docs/spec/codec.md. Any decision here may change without a new format.
+// Encodes depth without temporal noise: sections of codec 2. Static surfaces are sent once and
+// refined as noise averages out; moving ones are sent as smooth surfaces with outlines.
+// docs/spec/codec.md §2.4. Any decision here may change without a new format.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +22,8 @@ namespace roomcast::codec {
 struct LiveDepthOptions {
   int width = 0, height = 0;
   int step = 5 * kLevelsPerSigma / 2;  // quantiser of moving surfaces, levels
-  // Of the background in key frames: finer, for a coarse one is corrected for seconds, block by
-  // block, which costs more.
+  // Quantiser of the background in key frames, levels. Finer: a coarse background would be
+  // corrected for seconds, block by block, which costs more.
   int key_step = 3 * kLevelsPerSigma / 2;
 };
 
@@ -32,12 +31,11 @@ class LiveDepthEncoder {
  public:
   explicit LiveDepthEncoder(const LiveDepthOptions& options);
 
-  /// Appends a section's bytes. `depth_mm` has the size of the options. The
-  /// first frame's role is a key frame's; frames of layer 1 and up are no
-  /// references.
+  /// Appends a section's bytes. `depth_mm` has the size of the options. The first frame's role is a
+  /// key frame's; frames of layer 1 and up are not references.
   void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
 
-  /// What decoders show for the last frame.
+  /// The last frame as decoders show it.
   [[nodiscard]] DepthView shown_mm() const;
   [[nodiscard]] const LiveState& state() const { return state_; }
 
@@ -64,10 +62,10 @@ class LiveDepthEncoder {
   BlockPlanner planner_;
   BlockCode code_;
   BlockTarget target_{};
-  std::vector<std::uint16_t> memory_;       // what the first pass of a key frame is to show
-  DepthDomain old_domain_;                  // of the levels before a key frame
+  std::vector<std::uint16_t> memory_;       // target of the first pass of a key frame
+  DepthDomain old_domain_;                  // the scale of levels before a key frame
   std::vector<std::uint16_t> old_picture_;  // the reference before a key frame
-  bool started_ = false;                    // there was a key frame
+  bool started_ = false;                    // a key frame has been encoded
   bool shown_is_reference_ = true;
 };
 

@@ -17,7 +17,7 @@ namespace {
 struct CodedFrame {
   FrameRole role;
   std::vector<std::uint8_t> bytes;
-  DepthImage shown;  // as the encoder says
+  DepthImage shown;  // as the encoder expects decoders to show it
 };
 
 DepthImage copy_of(DepthView view) {

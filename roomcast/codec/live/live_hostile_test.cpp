@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live depth decoder and bytes that no encoder of ours writes.
+// The live depth decoder on bytes that no encoder of ours writes.
 #include <random>
 #include <vector>
 
@@ -17,7 +17,7 @@ std::vector<std::uint16_t> pixels_of(const DepthImage& image) {
   return {image.data(), image.data() + image.view().pixel_count()};
 }
 
-/// Gives the section the hash that decoding it leads to, so that the decoder goes on from it.
+/// Sets the section's hash to the result of decoding it, so that the decoder continues from it.
 void make_acceptable(const LiveDepthDecoder& decoder, std::vector<std::uint8_t>& section,
                      ImageView<std::uint16_t> out) {
   LiveDepthDecoder trial = decoder;
@@ -38,7 +38,7 @@ TEST(LiveHostile, every_corner_of_the_format_decodes_to_what_was_written) {
   }
 }
 
-// Under the sanitizers this finds what a fuzzer would find first.
+// Under the sanitizers this test detects the errors that a fuzzer would find early.
 TEST(LiveHostile, any_damage_is_survived_even_when_the_hash_fits) {
   std::mt19937 random(5);
   DepthImage out(kWidth, kHeight);

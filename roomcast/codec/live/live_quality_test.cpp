@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What live depth promises of its pictures: no worse than the sensor on what stands still, moves or
-// creeps, no change shown late, no reading off by more than the bound.
+// Quality of live depth: no worse than the sensor on static, moving and slowly moving surfaces, no
+// change shown late, no reading off by more than the bound. Simulated scenes.
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -17,7 +17,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Root mean squares over pixels that are off by 20 mm at most, as everywhere in the project.
+/// Root mean square errors over pixels that are off by 20 mm at most, as everywhere in the project.
 struct ErrorRatio {
   double shown = 0, raw = 0;
   [[nodiscard]] double value() const { return std::sqrt(shown / raw); }
@@ -25,7 +25,8 @@ struct ErrorRatio {
 
 using Counts = std::function<bool(const DepthImage& truth, const DepthImage& before, int x, int y)>;
 
-/// Error of the picture against the truth, relative to the sensor's own, over pixels that count.
+/// Error of the shown picture against the truth, relative to the sensor's own, over the pixels
+/// selected by `counts`.
 double error_ratio(const SyntheticMotion& scene, int frames, const Counts& counts) {
   constexpr int kOutlier_mm = 20, kSettled = 20;
   LiveDepthEncoder encoder({scene.width, scene.height});
@@ -67,9 +68,9 @@ TEST(LiveQuality, what_moves_is_shown_no_worse_than_the_sensor_sees_it) {
 TEST(LiveQuality, what_creeps_towards_the_sensor_is_followed) {
   SyntheticMotion scene;
   scene.ball_speed = 0;
-  scene.ball_approach_mm = 0.4;  // a frame: far less than the noise
+  scene.ball_approach_mm = 0.4;  // per frame: far less than the noise
   const auto ball = [](const DepthImage& truth, const DepthImage&, int x, int y) {
-    // Not the rim, where a pixel's depth is not one number.
+    // Not the rim, where a pixel's depth is ambiguous.
     return truth.at(x, y) < 1700 && std::abs(truth.at(x + 1, y) - truth.at(x, y)) < 8;
   };
   EXPECT_LT(error_ratio(scene, 80, ball), 1.0);
@@ -86,7 +87,7 @@ TEST(LiveQuality, a_change_of_any_size_is_shown_within_half_a_second) {
     for (int y = 70; y < 70 + side; ++y) {
       for (int x = 60; x < 60 + side; ++x) room.at(x, y) = 2000;
     }
-    // A lone pixel would be a flying one: give it a neighbourhood.
+    // An isolated pixel would be dropped as a flying one: give it a neighbourhood.
     if (side == 1) {
       room.at(61, 70) = room.at(60, 71) = 2000;
     }
@@ -127,8 +128,8 @@ TEST(LiveQuality, a_reading_that_is_lost_for_a_moment_is_kept) {
   EXPECT_NE(encoder.shown_mm().at(70, 70), 0);
 }
 
-// Whatever the room looks like, once a picture has stood for half a second every reading that is no
-// flying pixel is within the bound.
+// In any scene: after half a second without change, every reading that is no flying pixel is within
+// the bound.
 TEST(LiveQuality, no_reading_is_off_by_more_than_the_bound) {
   std::mt19937 random(9);
   for (int trial = 0; trial < 4; ++trial) {

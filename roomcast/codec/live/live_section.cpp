@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kKeyFlag = 1, kReferenceFlag = 2;
 constexpr std::size_t kHeadLength = 6;
 constexpr std::size_t kKeyHeadLength = kHeadLength + 1 + kSigmaKnotCount;
-constexpr std::uint8_t kMinStep = 4;  // divided by 4 it must still be 1
+constexpr std::uint8_t kMinStep = 4;  // so that a quarter of it is at least 1
 
 Error cut_short() {
   return {ErrorCode::kMalformed, "The live depth section is cut short."};

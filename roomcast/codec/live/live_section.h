@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The head of a live depth section. docs/spec/codec.md.
+// The head of a live depth section. docs/spec/codec.md §2.4.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,19 @@ namespace roomcast::codec {
 
 struct LiveSectionHead {
   bool key = false;
-  bool reference = false;     // changes the state that later frames build on
+  bool reference = false;     // changes the state that later frames depend on
   std::uint8_t step = 0;      // quantiser of surfaces, levels
   std::uint8_t key_step = 0;  // the same for the first pass of a key frame
   SigmaCodes sigma{};         // of key frames
 };
 
-/// The hash of the state is written when it is known, at this offset from the
-/// section's begin.
+/// Offset of the state's hash in the section. The encoder writes the hash after the blocks.
 inline constexpr std::size_t kLiveHashOffset = 2;
 
-/// kMalformed, or kUnsupported for flags of a later version. `bytes` is left at
-/// the coded blocks.
+/// Returns kMalformed, or kUnsupported for flags of a later version. Advances `bytes` to the coded
+/// blocks.
 Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std::uint32_t& hash);
-/// Appends; the hash is left 0.
+/// Appends the head with 0 as the hash.
 void write_live_head(const LiveSectionHead& head, std::vector<std::uint8_t>& out);
 
 }  // namespace roomcast::codec

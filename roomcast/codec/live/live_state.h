@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a live depth encoder and its decoders both remember from one reference
-// frame to the next, and must agree on to the last bit. docs/spec/codec.md.
+// State that a live depth encoder and its decoders keep from one reference frame to the next. It
+// must be the same to the last bit on both sides. docs/spec/codec.md §2.4.
 #pragma once
 
 #include <array>
@@ -12,8 +12,7 @@
 
 namespace roomcast::codec {
 
-/// Lowest coefficients of a coded surface: they predict those of its
-/// neighbours.
+/// Lowest coefficients of a coded surface; they predict those of neighbouring blocks.
 struct SurfaceParameters {
   std::int32_t mean = 0, slope_x = 0, slope_y = 0;
   bool known = false;
@@ -21,7 +20,7 @@ struct SurfaceParameters {
 
 enum class BlockActivity : std::uint8_t { kSkipped = 0, kMixed = 1, kUniform = 2 };
 
-/// What later blocks ask about one that was coded.
+/// Properties of a coded block that later blocks use.
 struct BlockTrace {
   BlockActivity activity = BlockActivity::kSkipped;
   std::array<SurfaceParameters, 2> surfaces;
@@ -33,16 +32,15 @@ struct LiveState {
   DepthDomain domain;
   std::vector<std::uint16_t> picture;     // levels, 0 = no reading
   std::vector<std::uint16_t> picture_mm;  // the same in millimetres
-  std::vector<std::uint16_t> background;  // levels, what was there before
-  std::vector<std::uint8_t> static_age;   // per block: reference frames in a row without a change
-  std::vector<BlockTrace> trace;          // per block: of the newest reference frame
+  std::vector<std::uint16_t> background;  // levels, the last static picture of each block
+  std::vector<std::uint8_t> static_age;  // per block: consecutive reference frames without a change
+  std::vector<BlockTrace> trace;         // per block: of the newest reference frame
   LiveContexts contexts;
   std::uint32_t hash = 0;
 
   void resize(int new_width, int new_height);
-  /// As a key frame finds it, with its levels. Keeps memory.
+  /// Clears the state for a key frame with these levels. Keeps memory.
   void begin_anew(const SigmaCodes& sigma);
-  /// Everything that is seen is background.
   void remember_picture_as_background() { background = picture; }
 
   [[nodiscard]] std::size_t block_count() const {

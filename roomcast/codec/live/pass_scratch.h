@@ -12,7 +12,7 @@ namespace roomcast::codec {
 struct PassScratch {
   std::vector<BlockTrace> trace;        // of the blocks of this frame
   std::vector<PixelLabel> labels;       // of this frame's pixels, with a margin of one
-  std::vector<std::uint16_t> shown_mm;  // the frame, when it is not to be a reference
+  std::vector<std::uint16_t> shown_mm;  // the decoded frame if it is no reference
 
   void resize(const LiveState& state) {
     trace.resize(state.block_count());

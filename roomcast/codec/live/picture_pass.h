@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pass over the blocks of a live depth picture: codes each block and
-// applies it. The one template is both the encoder's writing and the decoder's
-// reading, so that the two cannot disagree. docs/spec/codec.md, "A pass".
+// One pass over the blocks of a live depth picture: codes each block and applies it. One template
+// is both writer and reader, so that encoder and decoder cannot disagree. docs/spec/codec.md
+// §2.4.2.
 //
-// Background memory after long-term reference pictures (H.264 Annex; Wiegand
-// 1999), here per block; labels coded by context like the masks of JBIG2 (ITU-T
-// T.88).
+// Background after long-term reference pictures (H.264 Annex; Wiegand 1999), here per block; labels
+// are coded by context like the masks of JBIG2 (ITU-T T.88).
 #pragma once
 
 #include <cstdlib>
@@ -19,7 +18,7 @@
 
 namespace roomcast::codec {
 
-inline constexpr int kCalmFrames = 20;     // then a block becomes background
+inline constexpr int kCalmFrames = 20;  // after so many unchanged frames a block becomes background
 inline constexpr int kRefinementStep = 6;  // levels
 inline constexpr int kReadingStep = 2;     // levels
 inline constexpr int kNear = 3 * kLevelsPerSigma;
@@ -27,9 +26,8 @@ inline constexpr int kNear = 3 * kLevelsPerSigma;
 template <class Coder>
 class PicturePass {
  public:
-  /// `step` is the quantiser's, in levels. A pass over a `reference` frame
-  /// changes the state; one over another only `shown_mm`, which must hold the
-  /// reference picture.
+  /// `step` is the quantiser's, in levels. A pass over a `reference` frame changes the state; any
+  /// other pass changes only `shown_mm`, which must contain the reference picture.
   PicturePass(LiveState& state, PassScratch& scratch, LiveContexts& contexts, Coder& coder,
               int step, bool reference, std::uint16_t* shown_mm)
       : state_(state),
@@ -43,7 +41,7 @@ class PicturePass {
     std::fill(scratch.labels.begin(), scratch.labels.end(), PixelLabel::kUnchanged);
   }
 
-  /// Blocks in raster order, each once. Reading fills `code` in.
+  /// Codes one block; call in raster order, once for each. A reader fills in `code`.
   void block(int bx, int by, BlockCode& code) {
     place(bx, by);
     if (!code_activity(code)) return skip();
@@ -66,7 +64,7 @@ class PicturePass {
     store();
   }
 
-  /// After the last block.
+  /// Call after the last block.
   void finish() {
     if (reference_) {
       std::swap(state_.trace, scratch_.trace);
@@ -94,8 +92,8 @@ class PicturePass {
     return first_pixel_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
            static_cast<std::size_t>(x);
   }
-  /// For each pixel of the block that lies in the picture: its number in the
-  /// block and in the picture.
+  /// Calls `what` for each pixel of the block inside the picture, with its index in the block and
+  /// in the picture.
   template <class Do>
   void for_each_pixel(Do&& what) {
     for (int y = 0; y < rows_; ++y) {
@@ -193,7 +191,7 @@ class PicturePass {
     }
   }
 
-  // One bit for each candidate that is known, but the last of them.
+  // One bit for each known candidate but the last.
   void code_candidate(const SurfaceCandidates& candidates, std::size_t which,
                       SurfaceCode& surface) {
     auto& models = contexts_.candidate[which * 2 + candidates[2].known];
@@ -226,7 +224,7 @@ class PicturePass {
     code_coefficients(coder_, contexts_.coefficients[surface.finer > 0], 3, steps);
   }
 
-  /// Whether the whole block is its first surface.
+  /// Returns whether the whole block is on its first surface.
   bool code_uniform(BlockCode& code) {
     if (code.surface_count != 1) return false;
     bool uniform = true;
@@ -302,9 +300,9 @@ class PicturePass {
                : PixelLabel::kUnchanged;
   }
 
-  /// How the reference lies to the surfaces at this pixel and its right and
-  /// lower neighbours, which are not coded yet; and whether something stands
-  /// before the background there. 0..63.
+  /// Context 0..63: relation of the reference to the surfaces at this pixel and at its right and
+  /// lower neighbours, which are not coded yet; and whether the reference covers the background
+  /// here.
   [[nodiscard]] std::size_t relation(const BlockCode& code, std::size_t k, int x, int y) const {
     const std::size_t at = pixel(x, y);
     const int old = state_.picture[at], background = state_.background[at];
@@ -324,7 +322,7 @@ class PicturePass {
     const std::int64_t first = surfaces_[0][k], second = surfaces_[1][k];
     return static_cast<int>(std::abs(first - value) <= std::abs(second - value) ? first : second);
   }
-  /// 0 no reading, 1 near, 2 behind the surface, 3 before it.
+  /// 0 no reading, 1 near, 2 behind the surface, 3 in front of it.
   [[nodiscard]] static int relation_to(std::int64_t surface, int old) {
     if (old == 0) return 0;
     if (std::abs(surface - old) < kNear) return 1;
@@ -380,7 +378,7 @@ class PicturePass {
   StateHash hash_;
   std::array<SurfaceParameters, 2> last_;
 
-  // Of the block at hand.
+  // The current block.
   int bx_ = 0, by_ = 0, columns_ = 0, rows_ = 0;
   std::size_t block_ = 0, first_pixel_ = 0;
   std::array<BlockValues, 2> surfaces_;

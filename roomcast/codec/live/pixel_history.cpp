@@ -13,21 +13,21 @@ namespace {
 using u16 = std::uint16_t;
 using s16 = std::int16_t;
 
-constexpr int kSupportReach = 6 * kLevelsPerSigma + 4;  // neighbours this near are the same surface
-constexpr int kMinSupport = 2;                          // of eight
-constexpr u16 kHeld = 64;  // first_flags_: kept without a reading, support not looked at yet
+constexpr int kSupportReach = 6 * kLevelsPerSigma + 4;  // of neighbours on the same surface
+constexpr int kMinSupport = 2;                          // of eight neighbours
+constexpr u16 kHeld = 64;  // in first_flags_: kept without a reading, support not checked yet
 constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
-constexpr u16 kCalming = 6;  // frames of a difference that one without it makes up for
+constexpr u16 kCalming = 6;  // persistence that a frame without the difference takes back
 constexpr int kMaxPersistence = 200;
 constexpr int kOverdueFrames = 14;
-constexpr int kHoldReach = 2;         // pixels around one without a reading that may support it
+constexpr int kHoldReach = 2;         // pixels; radius in which readings may support a missing one
 constexpr int kMinCluster = 4;        // changed pixels of 3x3
-constexpr u16 kMoreIfRestless = 2;    // where a pixel is known to flicker
-constexpr int kMovingNeighbours = 6;  // of 5x5: an outline passes here
+constexpr u16 kMoreIfRestless = 2;    // added to kMinCluster where a pixel is known to flicker
+constexpr int kMovingNeighbours = 6;  // jumped pixels of 5x5: a moving outline
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
 
-// -1 where true, for masks.
+// All bits set where true, else 0.
 constexpr u16 mask(bool condition) {
   return static_cast<u16>(-static_cast<int>(condition));
 }
@@ -64,7 +64,7 @@ struct ComparedRow {
   u16* close;
 };
 
-// Without branches, 16-bit lanes: the compiler makes vector code of it.
+// Branch-free and in 16-bit lanes, so that the compiler vectorises it.
 ROOMCAST_VECTOR_CLONES
 void compare_pixels(const ComparedRow& row, int n) {
   const u16* reading = row.reading;
@@ -205,7 +205,7 @@ void ChangeAnalysis::take_reading(DepthView depth_mm, const DepthDomain& domain,
   drop_flying_pixels(change.reading.data());
 }
 
-// A reading that fewer than two neighbours share lies between two surfaces.
+// A reading with fewer than two similar neighbours is a flying pixel between two surfaces.
 void ChangeAnalysis::drop_flying_pixels(u16* out) const {
   const std::size_t stride = static_cast<std::size_t>(width_);
   std::memcpy(out, levels_.data(), levels_.size() * sizeof(u16));
@@ -227,8 +227,8 @@ void ChangeAnalysis::compare(const LiveState& reference, PixelHistory& history,
   settle(history, change);
 }
 
-// A reading is held only as long as something near it still looks like it, and nothing passes
-// there: the outline of something that moves is where sensors see nothing.
+// A missing reading is kept only while a neighbour resembles it and no outline moves past: at
+// moving outlines sensors give no readings.
 void ChangeAnalysis::drop_unsupported_holds(const LiveState& reference, const FrameChange& change) {
   constexpr int kAtOnce = 4;
   constexpr std::uint64_t kAnyHeld = kHeld * 0x0001000100010001u;

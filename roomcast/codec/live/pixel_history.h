@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the live depth encoder remembers of each pixel, and how the newest frame
-// differs from the reference. All in levels. The encoder's own affair: decoders
-// know nothing of it.
+// The live depth encoder's memory of each pixel, and the difference of the newest frame from the
+// reference. All in levels. Used by the live encoder only.
 #pragma once
 
 #include <cstdint>
@@ -13,56 +12,56 @@
 
 namespace roomcast::codec {
 
-/// Why a pixel may have to be coded.
+/// Reasons to code a pixel.
 enum ChangeFlag : std::uint16_t {
-  kJumped = 1,       // the reading left the noise around the reference
+  kJumped = 1,       // the reading differs from the reference by more than noise
   kVanished = 2,     // no reading for kHoldFrames
-  kUnsupported = 4,  // no reading, and no neighbour still agrees with the reference
-  kBiased = 8,       // a little off, but so are its neighbours
-  kPersistent = 16,  // and has been for a while: code it even if few others changed
-  kOverdue = 32      // and has been for too long: code it even if it is alone
+  kUnsupported = 4,  // no reading, and the neighbours no longer support the reference
+  kBiased = 8,       // a small offset, shared by its neighbours
+  kPersistent = 16,  // changed for a while: code it even if few others changed
+  kOverdue = 32      // changed for too long: code it even if it is alone
 };
 
-inline constexpr int kHoldFrames = 6;   // that a reading is kept when it vanishes
-inline constexpr int kNoiseShift = 4;   // of PixelHistory::deviation
-inline constexpr int kMaxSamples = 64;  // then sum and count are halved
+inline constexpr int kHoldFrames = 6;   // for which a vanished reading is kept
+inline constexpr int kNoiseShift = 4;   // fraction bits of PixelHistory::deviation
+inline constexpr int kMaxSamples = 64;  // at this count, sum and count are halved
 inline constexpr int kSampleReach =
-    8 * kLevelsPerSigma;  // further off is no sample of the reference
+    8 * kLevelsPerSigma;  // readings further off are not samples of the reference
 
 struct PixelHistory {
-  std::vector<std::int16_t> sum;         // of (reading - reference) since the pixel was coded
-  std::vector<std::uint16_t> count;      // of them
+  std::vector<std::int16_t> sum;         // of reading - reference since the pixel was coded
+  std::vector<std::uint16_t> count;      // number of samples in `sum`
   std::vector<std::uint16_t> deviation;  // mean |reading - reference|, 1/16 levels
-  std::vector<std::uint16_t> missing;    // frames in a row without a reading
+  std::vector<std::uint16_t> missing;    // consecutive frames without a reading
   std::vector<std::uint16_t>
-      persistence;  // frames that a difference has lasted, less those it has not
-  std::vector<std::uint16_t> patience;  // more of it that a pixel that flickers needs
+      persistence;                      // frames with a difference, reduced in frames without one
+  std::vector<std::uint16_t> patience;  // additional persistence that a flickering pixel needs
 
   void resize(std::size_t pixels);
-  /// Standard deviation of the pixel's noise in levels, at least the table's.
+  /// Standard deviation of the pixel's noise in levels, at least kLevelsPerSigma.
   [[nodiscard]] int sigma(std::size_t pixel) const {
     const int measured = deviation[pixel] * 5 >> (kNoiseShift + 2);
     return measured < kLevelsPerSigma ? kLevelsPerSigma : measured;
   }
 };
 
-/// One frame against the reference.
+/// One frame compared with the reference.
 struct FrameChange {
   std::vector<std::uint16_t> reading;  // levels without flying pixels, 0 = none
   std::vector<std::uint16_t> flags;    // ChangeFlags
-  std::vector<std::int16_t> off;  // reading - reference where both are and differ by noise, else 0
-  std::vector<std::uint16_t> close;  // 1 there
+  std::vector<std::int16_t> off;     // reading - reference where they differ by noise only, else 0
+  std::vector<std::uint16_t> close;  // 1 where `off` is valid
 
   void resize(std::size_t pixels);
 };
 
-/// Memory of the analysis, kept from frame to frame.
+/// Compares frames with the reference; keeps its memory from frame to frame.
 class ChangeAnalysis {
  public:
   void resize(int width, int height);
-  /// Fills in `change.reading`.
+  /// Fills in `change.reading`, without flying pixels.
   void take_reading(DepthView depth_mm, const DepthDomain& domain, FrameChange& change);
-  /// Fills in the rest, and the history.
+  /// Fills in the rest of `change`, and updates `history`.
   void compare(const LiveState& reference, PixelHistory& history, FrameChange& change);
 
  private:

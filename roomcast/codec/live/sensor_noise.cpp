@@ -9,21 +9,20 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr std::uint32_t kMinSamples = 100;  // fewer say nothing about a distance
-constexpr int kHalfLife_frames = 45;        // a sensor warms up, or is set anew
+constexpr std::uint32_t kMinSamples = 100;  // at a distance; with fewer it counts as unknown
+constexpr int kHalfLife_frames = 45;        // short, because a sensor warms up or is reconfigured
 constexpr double kTrim = 3.5;               // standard deviations
 constexpr double kMinSigma_mm = 0.25;
-constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane comes as stairs
+constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane is read as stairs
 
-/// The knot nearest below; readings nearer than the first knot count to it.
+/// The largest knot not above `depth_mm`; readings nearer than the first knot count as the first.
 int knot_of(int depth_mm) {
   if (depth_mm < sigma_knot_mm(0)) return 0;
   const int octave = static_cast<int>(std::bit_width(static_cast<unsigned>(depth_mm))) - 9;
   return 4 * octave + ((depth_mm >> (octave + 6)) & 3);
 }
 
-/// Standard deviation of the differences whose sizes are counted, those of
-/// outliers left out.
+/// Standard deviation of the differences in a histogram of their sizes, without outliers.
 template <class Histogram>
 double trimmed_deviation(const Histogram& sizes) {
   double limit = static_cast<double>(sizes.size()), deviation = 0;
@@ -51,16 +50,15 @@ double levels_needed(const Sigmas& sigma) {
   return kLevelsPerSigma * levels;
 }
 
-/// Where a sensor has hardly any noise it would need more levels than there are: then each covers
-/// more.
+/// Raises the smallest sigmas until the levels suffice: with hardly any noise, 16 bits would not.
 void fit_into_levels(Sigmas& sigma) {
-  constexpr double kMaxLevels = 50000;  // leaves some for the rounding of codes
+  constexpr double kMaxLevels = 50000;  // leaves a margin for the rounding of codes
   for (double least = kMinSigma_mm; levels_needed(sigma) > kMaxLevels; least *= 1.1) {
     for (double& value : sigma) value = std::max(value, least);
   }
 }
 
-/// Of a time-of-flight camera; for distances that were never seen.
+/// Noise of a time-of-flight camera, mm; for distances that were never seen.
 double usual_sigma_mm(double depth_mm) {
   const double z = depth_mm / 1000;
   return 1.5 + 0.25 * z * z;
@@ -78,12 +76,12 @@ void SensorNoise::observe(DepthView depth_mm) {
     seen_mm_.assign(65536, 0);
     before_.assign(width * static_cast<std::size_t>(height_), 0);
   }
-  const int apart = first ? 1 : kRowsApart;  // the first frame has to do for the first table
+  const int apart = first ? 1 : kRowsApart;  // the first table needs all rows of the first frame
   for (int y = first ? 0 : phase_; y < height_; y += apart) {
     observe_row(depth_mm.row(y), &before_[static_cast<std::size_t>(y) * width], width_);
   }
   if (++frames_ % kHalfLife_frames == 0) forget_half();
-  // The next frame looks at other rows, and must know them as they are now.
+  // The next frame reads other rows; keep their current values.
   phase_ = (phase_ + 3) % kRowsApart;
   for (int y = phase_; y < height_; y += kRowsApart) {
     std::copy_n(depth_mm.row(y), width, &before_[static_cast<std::size_t>(y) * width]);
@@ -124,7 +122,7 @@ void SensorNoise::forget_half() {
   }
 }
 
-// The lower quartile of the gaps between distances that occur: larger ones are those of the scene.
+// The lower quartile of the gaps between the distances that occur, mm: larger gaps are the scene's.
 double SensorNoise::step_at(int knot) const {
   const int begin = knot == 0 ? 1 : sigma_knot_mm(knot);
   const int end = std::min(65536, sigma_knot_mm(knot + 1));
@@ -140,7 +138,7 @@ double SensorNoise::step_at(int knot) const {
   return *quartile;
 }
 
-/// 0 when too little was seen there.
+/// 0 with too few samples at this distance.
 double SensorNoise::sigma_at(int knot) const {
   const auto k = static_cast<std::size_t>(knot);
   double noise = 0;
@@ -158,8 +156,7 @@ double SensorNoise::sigma_at(int knot) const {
 
 SigmaCodes SensorNoise::table() const {
   Sigmas sigma{};
-  // A histogram covers the distances from its knot to the next: its value
-  // belongs half way.
+  // A histogram covers the distances from its knot to the next; its value is valid halfway between.
   double known = 0, known_at = 0;
   for (int knot = 0; knot < kSigmaKnotCount; ++knot) {
     const double here = knot + 1 < kSigmaKnotCount ? sigma_at(knot) : 0;
@@ -172,7 +169,7 @@ SigmaCodes SensorNoise::table() const {
       sigma[static_cast<std::size_t>(knot)] = known * (z / known_at) * (z / known_at);
     }
   }
-  for (int knot = kSigmaKnotCount; knot-- > 0;) {  // nearer than anything that was seen
+  for (int knot = kSigmaKnotCount; knot-- > 0;) {  // distances nearer than all readings
     double& here = sigma[static_cast<std::size_t>(knot)];
     if (here > 0) continue;
     here = known > 0 ? sigma[static_cast<std::size_t>(knot) + 1] * sigma_knot_mm(knot) /
@@ -182,7 +179,7 @@ SigmaCodes SensorNoise::table() const {
   fit_into_levels(sigma);
   SigmaCodes codes{};
   for (std::size_t knot = 0; knot < kSigmaKnotCount; ++knot) {
-    // Mean of the intervals on both sides: the table is linear between knots.
+    // Geometric mean of the intervals on both sides: the table is linear between knots.
     const double before = sigma[knot == 0 ? 0 : knot - 1];
     codes[knot] = code_of_sigma(std::sqrt(before * sigma[knot]));
   }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a depth sensor's noise grows with distance, measured from its own frames:
-// the trimmed mean of what readings change from one frame to the next, so that
-// moving things do not count, together with the steps that the sensor quantises
-// distances to. Before there are two frames, how neighbours scatter around the
-// line between them. What was seen seconds ago counts less and less. Millimetres.
-// docs/spec/codec.md, "Domain".
+// Estimates how a depth sensor's noise depends on distance, from its own frames: the deviation of
+// the changes from frame to frame, trimmed to exclude moving objects, combined with the sensor's
+// quantisation step. Where too few changes are known, e.g. in the first frame, the deviation of
+// readings from the line between their neighbours is used. Older frames count less and less.
+// Millimetres. docs/spec/codec.md §2.4.1.
 #pragma once
 
 #include <array>
@@ -18,15 +17,15 @@ namespace roomcast::codec {
 
 class SensorNoise {
  public:
-  /// Every frame once, in order.
+  /// Adds a frame; call for every frame, in order.
   void observe(DepthView depth_mm);
 
-  /// What is known now, for any distance; sane from the first frame on.
+  /// The current estimate for all distances; usable from the first frame on.
   [[nodiscard]] SigmaCodes table() const;
 
  private:
   static constexpr int kMaxChange_mm = 512;
-  static constexpr int kRowsApart = 8;  // that each frame looks at
+  static constexpr int kRowsApart = 8;  // distance of the rows that are read in each frame
   using Histogram = std::array<std::uint32_t, kMaxChange_mm>;
 
   void observe_row(const std::uint16_t* row, const std::uint16_t* before, int width);
@@ -36,8 +35,8 @@ class SensorNoise {
 
   std::array<Histogram, kSigmaKnotCount> in_time_{}, in_space_{};
   std::array<std::uint32_t, kSigmaKnotCount> time_samples_{}, space_samples_{};
-  std::vector<std::uint8_t> seen_mm_;  // which distances occur at all
-  std::vector<std::uint16_t> before_;  // the frame before, rows that are looked at
+  std::vector<std::uint8_t> seen_mm_;  // 1 for each distance that occurred
+  std::vector<std::uint16_t> before_;  // the previous frame, only the rows that are read
   int width_ = 0, height_ = 0, phase_ = 0, frames_ = 0;
 };
 

@@ -20,7 +20,7 @@ double sigma_in(const SigmaCodes& codes, int depth_mm) {
   return at(knot) * (1 - part) + at(knot + 1) * part;
 }
 
-/// A floor from 1 m to 5 m; `sigma` of the distance in metres.
+/// A floor from 1 m to 5 m; `sigma` is a function of the distance in metres.
 template <class Sigma>
 DepthImage floor_with_noise(Sigma sigma, std::mt19937& random) {
   std::normal_distribution<double> gauss;
@@ -84,7 +84,7 @@ TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const double z = 1000 + 4000.0 * (y + x / double{kWidth}) / kHeight;
-      const double disparity = std::floor(350000 / z);  // 1/z in whole steps, nothing else
+      const double disparity = std::floor(350000 / z);  // quantised in 1/z, no other noise
       depth.at(x, y) = static_cast<std::uint16_t>(350000 / disparity);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that says whether two live depth states are the same: each frame's levels are mixed into
-// that of the frame it builds on. Finds lost frames, damage and disagreement, not forgery.
-// docs/spec/codec.md, "Hash".
+// Hash that shows whether two live depth states are equal: each frame's levels are mixed into the
+// hash of the frame that it depends on. Detects lost frames, damage and disagreement, not forgery.
+// docs/spec/codec.md §2.4.7.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class StateHash {
     hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15u;
     hash_ ^= hash_ >> 32;
   }
-  /// Of a whole block.
+  /// Adds a whole block.
   void add(const std::array<std::uint16_t, kBlockPixels>& levels) {
     for (std::size_t i = 0; i < kBlockPixels; i += 4) {
       add(std::uint64_t{levels[i]} | std::uint64_t{levels[i + 1]} << 16 |

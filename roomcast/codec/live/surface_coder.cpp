@@ -11,9 +11,9 @@ namespace {
 
 constexpr float kMinGap = 10 * kLevelsPerSigma;
 constexpr float kLowRounding = 0.45f, kHighRounding = 0.10f;
-constexpr float kWorthCoding = 3.5f;  // standard deviations of noise in a coefficient
+constexpr float kWorthCoding = 3.5f;  // in standard deviations of the noise of a coefficient
 
-/// The plane that fits best, at pixel (x, y): mean + slope_x x + slope_y y.
+/// Least-squares plane; its value at pixel (x, y) is mean + slope_x x + slope_y y.
 struct Plane {
   float mean = 0, slope_x = 0, slope_y = 0;
 };
@@ -24,19 +24,19 @@ using Membership = std::array<float, kBlockPixels>;
 Membership members(const BlockCode& code, const BlockTarget& target, PixelLabel label) {
   Membership on_it;
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
-    // Without a branch, so that the compiler makes vector code of it.
+    // Branch-free, so that the compiler vectorises it.
     const int on = int{code.labels[k] == label} & int{target[k] > 0};
     on_it[k] = static_cast<float>(on);
   }
   return on_it;
 }
 
-/// Sums over the pixels of a surface, of z from `origin` on.
+/// Sums over the pixels of a surface, with z relative to `origin`.
 struct Moments {
   float n = 0, x = 0, y = 0, z = 0, xx = 0, yy = 0, xy = 0, xz = 0, yz = 0;
 };
 
-// Column by column, so that the compiler makes vector code of it.
+// Column by column, so that the compiler vectorises it.
 Moments moments_of(const Membership& on_it, const BlockTarget& target, float origin) {
   float n[8] = {}, z[8] = {}, y[8] = {}, yy[8] = {}, yz[8] = {};
   for (int row = 0; row < 8; ++row) {
@@ -75,7 +75,7 @@ Plane fitted_plane(const Membership& on_it, const BlockTarget& target) {
   const float mx = s.x / s.n, my = s.y / s.n, mz = s.z / s.n;
   Plane plane{mz + origin, 0, 0};
   if (s.n < 8) return plane;
-  constexpr float kRidge = 4;  // keeps a thin strip from tipping over
+  constexpr float kRidge = 4;  // limits the slope across a thin strip
   const float xx = s.xx - s.x * mx + kRidge, yy = s.yy - s.y * my + kRidge, xy = s.xy - s.x * my;
   const float xz = s.xz - s.x * mz, yz = s.yz - s.y * mz, det = xx * yy - xy * xy;
   if (det <= 16) return plane;
@@ -85,7 +85,7 @@ Plane fitted_plane(const Membership& on_it, const BlockTarget& target) {
   return plane;
 }
 
-/// The surface where it is seen, else the plane that goes through it.
+/// The target on the surface's pixels, the plane elsewhere.
 void fill(const Membership& on_it, const BlockTarget& target, const Plane& plane,
           std::array<float, kBlockPixels>& filled) {
   for (std::size_t row = 0; row < kBlockSide; ++row) {
@@ -103,7 +103,8 @@ std::int32_t rounded(float value, float step, float rounding) {
   return value < 0 ? -size : size;
 }
 
-/// Grows with the bits that the three lowest coefficients would take: two to their power.
+/// Increases with the bits of the three lowest coefficients: roughly 2 to the power of their
+/// number.
 float prediction_cost(const std::array<float, kBlockPixels>& wanted, const SurfaceParameters& by,
                       float step) {
   const auto steps = [step](float off) { return 1 + std::abs(off) / step; };
@@ -127,15 +128,14 @@ std::uint8_t cheapest(const SurfaceCandidates& candidates,
   return best;
 }
 
-/// Standard deviation of the noise in the block's coefficients, from the size
-/// of the high ones.
+/// Standard deviation of the noise in the block's coefficients, estimated from the high ones.
 float noise_of(const std::array<float, kBlockPixels>& wanted, float share_seen) {
   constexpr std::size_t kFirstHigh = 28, kCount = kBlockPixels - kFirstHigh;
   std::array<float, kCount> sizes;
   for (std::size_t i = 0; i < kCount; ++i) sizes[i] = std::abs(wanted[kZigzag[kFirstHigh + i]]);
   float sum = 0, limited_sum = 0;
   for (const float size : sizes) sum += size;
-  // A coefficient that is no noise counts as twice the mean.
+  // Coefficients above noise count as twice the mean.
   for (const float size : sizes) limited_sum += std::min(size, 2 * sum / kCount);
   constexpr float kLimitedMeanOfGaussian = 0.75f;
   return limited_sum / (kCount * kLimitedMeanOfGaussian * std::sqrt(share_seen));
@@ -165,12 +165,12 @@ float largest_error(const Membership& on_it, const BlockTarget& target, const Bl
   return *std::max_element(largest.begin(), largest.end());
 }
 
-/// Between two values next to each other in size.
+/// Gap between two values adjacent in size.
 struct Gap {
   float size = 0, middle = 0;
 };
 
-/// Of the values on a surface. Column by column, so that the compiler makes vector code of it.
+/// Range of the values on a surface. Column by column, so that the compiler vectorises it.
 struct Range {
   float least = 1e9f, most = -1e9f;
 };
@@ -190,7 +190,7 @@ Range range_of(const Membership& on_it, const BlockTarget& target) {
 }
 
 /// In linear time (Gonzalez 1975): the largest gap of n values does not fit into one of n equal
-/// parts of their range, so that only the least and the most of each part matter.
+/// parts of their range, so only the least and the largest value of each part matter.
 Gap largest_gap(const Membership& on_it, const BlockTarget& target, const Range& range) {
   std::array<Range, kBlockPixels> parts{};
   const float scale = (kBlockPixels - 0.01f) / (range.most - range.least);
@@ -201,7 +201,7 @@ Gap largest_gap(const Membership& on_it, const BlockTarget& target, const Range&
     part.most = std::max(part.most, target[k]);
   }
   Gap largest;
-  float before = range.least;  // the most of the parts so far
+  float before = range.least;  // largest value of the parts so far
   for (const Range& part : parts) {
     if (part.most < part.least) continue;
     if (part.least - before > largest.size) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns a block's labelled target into at most two surfaces: splits it at the
-// largest gap in depth, goes on with a plane where a surface has no pixels, and
-// quantises what a neighbour does not predict. The live encoder's own affair.
+// Turns a block's labelled target into at most two surfaces: splits it at the largest gap in depth,
+// extends a surface by a plane where it has no pixels, and quantises the difference from a
+// prediction. Used by the live encoder only.
 #pragma once
 
 #include "roomcast/codec/live/block_code.h"
@@ -10,14 +10,13 @@
 
 namespace roomcast::codec {
 
-/// No coded reading is further from its target than this.
+/// Maximum error of a coded reading, levels.
 inline constexpr int kErrorBound = 12 * kLevelsPerSigma;
 
-/// Sets surface_count, and kSecond in the labels of farther pixels.
+/// Sets surface_count, and label kSecond for the pixels behind the gap.
 void split_surfaces(BlockCode& code, BlockTarget& target);
 
-/// Chooses a candidate and quantises. False: even the finest step breaks the
-/// bound.
+/// Chooses a candidate and quantises. Returns false if even the finest step exceeds kErrorBound.
 bool encode_surface(const SurfaceCandidates& candidates, PixelLabel label, int step,
                     const BlockCode& code, const BlockTarget& target, SurfaceCode& surface);
 

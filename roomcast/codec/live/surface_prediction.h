@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which surfaces near a block may predict its own. Shared by encoder and
-// decoder. docs/spec/codec.md.
+// Candidate surfaces that predict those of a block. Shared by encoder and decoder.
+// docs/spec/codec.md §2.4.4.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,10 @@ inline constexpr std::int32_t kMaxCoefficient = 1 << 20;
       std::clamp<std::int64_t>(coefficient, -kMaxCoefficient, kMaxCoefficient));
 }
 
-/// The surface as it would go on one block to the right or further down.
+/// The surface, extended by one block to the right or downwards.
 [[nodiscard]] inline SurfaceParameters continued(SurfaceParameters surface, bool right, bool down) {
-  // A slope coefficient of c changes the mean coefficient of the next block by
-  // -3.512 c.
-  constexpr std::int64_t kStep = 899;  // of 256
+  // A slope coefficient of c changes the mean coefficient of the next block by -3.512 c.
+  constexpr std::int64_t kStep = 899;  // in 1/256
   const std::int64_t along =
       (right ? surface.slope_x : 0) + std::int64_t{down ? surface.slope_y : 0};
   surface.mean = limited(surface.mean - (along * kStep >> 8));
@@ -29,9 +28,9 @@ inline constexpr std::int32_t kMaxCoefficient = 1 << 20;
 
 using SurfaceCandidates = std::array<SurfaceParameters, kSurfaceCandidates>;
 
-/// Of surface `which` (0, 1) of block (bx, by): left and upper block (same
-/// surface), the block itself in the reference frame, left and upper block (the
-/// other surface), the surface coded last.
+/// Candidates for surface `which` (0, 1) of block (bx, by): left and upper block (same surface),
+/// the block itself in the reference frame, left and upper block (the other surface), the surface
+/// coded last.
 [[nodiscard]] inline SurfaceCandidates surface_candidates(const LiveState& state,
                                                           const std::vector<BlockTrace>& now,
                                                           int bx, int by, std::size_t which,
@@ -54,8 +53,8 @@ using SurfaceCandidates = std::array<SurfaceParameters, kSurfaceCandidates>;
   return candidates;
 }
 
-/// Coefficients of a surface from its steps; only the first `rows` rows are not
-/// 0.
+/// Fills in the coefficients of a surface from its steps. Returns how many rows from the top may be
+/// other than 0.
 [[nodiscard]] inline int surface_coefficients(const BlockCoefficients& steps, int step,
                                               const SurfaceParameters& prediction,
                                               BlockCoefficients& coefficients) {

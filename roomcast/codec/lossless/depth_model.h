@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the lossless depth encoder and decoder both know about the next pixel: prediction and
-// context from its neighbours. docs/spec/codec.md §2.2. One place, so that the two cannot disagree.
+// Prediction and context of a pixel from its neighbours. Lossless depth encoder and decoder share
+// this code, so that they cannot disagree. docs/spec/codec.md §2.2.
 //
 // Sources: median predictor and coding by context of local gradients, LOCO-I (Weinberger, Seroussi,
 // Sapiro 2000); linear prediction with coefficients fitted to the picture, as in lossless audio and
@@ -25,7 +25,7 @@ inline constexpr int kContextCount = 35;
 inline constexpr int kActivityLimit = 1023;
 inline constexpr int kLargestMagnitude = 255;
 
-/// v below 4 as it is, then two steps per octave.
+/// Identity for v below 4, then two steps per octave.
 [[nodiscard]] constexpr int quantise(std::uint32_t v) {
   if (v < 4) return static_cast<int>(v);
   const int n = static_cast<int>(std::bit_width(v)) - 1;
@@ -47,13 +47,13 @@ struct Predictor {
   std::array<std::int8_t, kWeightCount> weights{};
   friend bool operator==(const Predictor&, const Predictor&) = default;
 };
-/// Of the classes; that of the last must stay a median.
+/// One for each class; the last must stay a median.
 using Predictors = std::array<Predictor, kClassCount>;
 
-/// A decoded pixel as later ones see it.
+/// Properties of a decoded pixel that predict later ones.
 struct Cell {
-  std::uint16_t value = 0;     // of a hole: that of the pixel above
-  std::uint8_t magnitude = 0;  // of the prediction's error; of a hole: that of the pixel above
+  std::uint16_t value = 0;     // for a hole: that of the pixel above
+  std::uint8_t magnitude = 0;  // of the prediction's error; for a hole: that of the pixel above
   std::uint8_t reading = 0;    // 1, or 0 for a hole
 };
 
@@ -80,7 +80,7 @@ struct Neighbours {
   return at.n + ((sum + (1 << (kWeightShift - 1))) >> kWeightShift);
 }
 
-/// The three newest rows of a slice, with room for the pixels that are thought to lie beside them.
+/// The three newest rows of a slice, with margins for the virtual pixels to the left and right.
 class CellRows {
  public:
   /// Keeps its memory when the width is the same.
@@ -97,15 +97,15 @@ class CellRows {
   }
 
  private:
-  // A RowWalk looks one cell beyond the right neighbour of the last pixel, and forgets it.
+  // A RowWalk reads one cell beyond the right neighbour of the last pixel, without using it.
   static constexpr int kLeftMargin = 2, kRightMargin = 2;
   std::vector<Cell> cells_;
   std::size_t stride_ = 0;
   int newest_ = 0;
 };
 
-/// Walks along the newest row: for each pixel ask `prediction` and `context`, then `take` it; `end`
-/// after the last.
+/// Iterates over the newest row: for each pixel call `prediction` and `context`, then `take`; after
+/// the last pixel `end`.
 class RowWalk {
  public:
   explicit RowWalk(CellRows& rows) : cell_(rows.row(0)), above_(rows.row(1)), above2_(rows.row(2)) {
@@ -133,7 +133,7 @@ class RowWalk {
     return readings_ == kMixedContextCount ? calm : readings_;
   }
 
-  /// What a hole leaves to its neighbours.
+  /// The cell to take for a hole.
   [[nodiscard]] Cell hole() const {
     return {static_cast<std::uint16_t>(at_.n), static_cast<std::uint8_t>(n_magnitude_), 0};
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prediction errors as tokens: small ones have one each, larger ones share one and bring plain bits
-// along. docs/spec/codec.md §2.2.
+// Prediction errors as tokens: each small error has its own token; larger errors share tokens and
+// add plain bits. docs/spec/codec.md §2.2.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ inline constexpr std::uint32_t kTabledErrors = 1024;
 }
 inline constexpr auto kTokens = token_table();
 
-/// token_of without a branch that noise decides.
+/// token_of without an unpredictable branch.
 [[nodiscard]] inline int quick_token_of(std::uint32_t folded) {
   return folded < kTabledErrors ? kTokens[folded] : token_of(folded);
 }

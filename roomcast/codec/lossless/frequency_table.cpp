@@ -89,8 +89,8 @@ FrequencyTable normalised(const Weights& weights) {
     sum += table.frequency[t];
     if (table.frequency[t] > table.frequency[most]) most = t;
   }
-  // Raising tokens to 1 adds less than the largest share holds, whatever the weights (77 tokens,
-  // 4096 shares).
+  // Raising tokens to 1 adds less than the largest share, whatever the weights (77 tokens, 4096
+  // shares).
   table.frequency[most] = static_cast<std::uint16_t>(table.frequency[most] + kFrequencySum - sum);
   std::uint32_t start = 0;
   for (int t = 0; t < kTokenCount; ++t) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often each token comes, to 12 bits, and how that is sent. docs/spec/codec.md §2.1.
-// Frequencies are sent as small floating-point weights (two bits of mantissa), which costs under
-// 0.5 % of coding efficiency and a third of the bits of exact ones.
+// Frequencies of tokens, to 12 bits, and their coding. docs/spec/codec.md §2.1. Frequencies are
+// sent as small floating-point weights (two bits of mantissa), which costs under 0.5 % of coding
+// efficiency and takes a third of the bits of exact ones.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr int kTokenCount = 77;
 
 using Weights = std::array<std::uint32_t, kTokenCount>;
 
-/// `frequency` sums to kFrequencySum; `start[t]` is the sum of those before t.
+/// `frequency` sums to kFrequencySum; `start[t]` is the sum of the frequencies before t.
 struct FrequencyTable {
   std::array<std::uint16_t, kTokenCount> frequency{};
   std::array<std::uint16_t, kTokenCount> start{};
@@ -29,13 +29,13 @@ struct WeightModel {
   std::array<BitTree<4>, 16> exponent;
 };
 
-/// Nearest weights that can be sent. Those of tokens that occur are at least 1.
+/// Returns the nearest weights that can be sent, at least 1 for tokens that occur.
 [[nodiscard]] Weights sendable_weights(std::span<const std::uint32_t, kTokenCount> counts);
 
 /// `weights` must come from sendable_weights and not be all zero.
 void put_weights(ArithmeticEncoder& encoder, WeightModel& model, const Weights& weights);
 
-/// False if the bytes give no table: too many tokens or none with a weight.
+/// Returns false if the bytes give no table: too many tokens, or none with a weight.
 [[nodiscard]] bool get_weights(ArithmeticDecoder& decoder, WeightModel& model, Weights& weights);
 
 /// Scales weights (not all zero, below 2^16 each) to frequencies.

@@ -20,14 +20,14 @@ Error malformed(const char* message) {
   return Error{ErrorCode::kMalformed, message};
 }
 
-/// One slot of a table: token, frequency - 1 and slot - start in one word, because one load costs
-/// less than three.
+/// One slot of a table: token, frequency - 1 and slot - start packed in one word: one load instead
+/// of three.
 constexpr std::uint32_t pack_slot(std::uint32_t token, std::uint32_t frequency,
                                   std::uint32_t offset) {
   return token | (frequency - 1) << 8 | offset << 20;
 }
 
-/// Range asymmetric numeral system, decoding side. The bytes are followed by enough zeros for a
+/// Range asymmetric numeral system, decoding side. The bytes must be followed by enough zeros for a
 /// whole row.
 class WordReader {
  public:
@@ -51,7 +51,7 @@ class WordReader {
   [[nodiscard]] bool ended_well() const { return next_ == end_ && state_ == kStateLow; }
 
  private:
-  // Without a branch: whether a word is due is as good as random.
+  // Branch-free, because it is unpredictable whether a word is due.
   void refill() {
     const std::uint32_t grown = state_ << 16 | read_u16(next_);
     const bool due = state_ < kStateLow;
@@ -63,7 +63,7 @@ class WordReader {
   const std::uint8_t* end_;
 };
 
-/// A copy with room for one row of reading past the end.
+/// Copies the bytes with zeros for one row of reading past the end.
 std::size_t padded_copy(std::span<const std::uint8_t> bytes, int width,
                         std::vector<std::uint8_t>& out) {
   const std::size_t length = std::max<std::size_t>(4, bytes.size());
@@ -79,7 +79,7 @@ struct LosslessDepthDecoder::Slice {
   CellRows& rows;
   std::uint16_t* out = nullptr;
 
-  // Inlined twice into one loop, so that the processor works on both slices at once.
+  // Inlined twice into one loop, so that the processor decodes both slices in parallel.
   template <class Residual>
   [[gnu::always_inline]] void decode_pixel(RowWalk& walk, const SideInformation& side,
                                            const Residual& residual,

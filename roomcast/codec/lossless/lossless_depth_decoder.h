@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes depth sections of codec 1, lossless, and of codec 3, near-lossless; each frame by itself.
-// docs/spec/codec.md §2.
-// Takes hostile bytes: memory and work depend on the picture's size only. Integer only, the same
-// bits everywhere.
+// Decodes depth sections of codec 1 (lossless) and codec 3 (near-lossless), each frame by itself.
+// docs/spec/codec.md §2.1 to §2.3. Accepts hostile bytes: memory and work depend on the picture's
+// size only. Integer only, the same bits everywhere.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +39,7 @@ class LosslessDepthDecoder {
   [[nodiscard]] Status values_from_indices(ImageView<std::uint16_t> depth) const;
 
   SideInformation side_;
-  std::vector<std::uint32_t> lookup_;  // per table kFrequencySum entries
+  std::vector<std::uint32_t> lookup_;  // kFrequencySum entries for each table
   std::vector<std::uint8_t> padded_top_, padded_bottom_;
   CellRows top_rows_, bottom_rows_;
 };

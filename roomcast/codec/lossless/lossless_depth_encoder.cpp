@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t kHeaderLength = 8;
 constexpr std::uint32_t kStateLow = 1u << 16;
-// At most two words: one before its token, one before its plain bits.
+// At most two words per symbol: one before its token, one before its plain bits.
 constexpr std::size_t kMaxBytesPerSymbol = 4;
 
-// A symbol: token, context, number of plain bits, the bits.
+// Bits of a symbol, from the lowest: token, context, number of plain bits, plain bits.
 constexpr int kContextShift = 7, kExtraCountShift = 13, kExtraShift = 17;
 constexpr std::uint32_t pack_symbol(int token, int context, int extra_bits, std::uint32_t extra) {
   return static_cast<std::uint32_t>(token | context << kContextShift |
@@ -24,19 +24,19 @@ constexpr std::uint32_t pack_symbol(int token, int context, int extra_bits, std:
 static_assert(kTokenCount <= 1 << kContextShift);
 static_assert(kContextCount <= 1 << (kExtraCountShift - kContextShift));
 
-/// Keeps the memory of an image that already has the size.
+/// Does not reallocate an image that already has the size.
 void make_size(DepthImage& image, int width, int height) {
   if (image.width() != width || image.height() != height) image.resize(width, height);
 }
 
-/// Without the gaps between rows.
+/// Copies without the gaps between rows.
 void copy_rows(DepthView from, DepthImage& to) {
   for (int y = 0; y < from.height; ++y) std::copy_n(from.row(y), from.width, to.view().row(y));
 }
 
 constexpr int kReciprocalBits = 44;
 
-/// state / frequency without dividing. Exact, and without overflow, for state < frequency * 2^20
+/// state / frequency without a division. Exact, and without overflow, for state < frequency * 2^20
 /// and frequency <= 2^12: the reciprocal is too large by less than 1, hence the quotient by less
 /// than frequency / 2^24, which is at most 1 / frequency.
 std::uint32_t divided(std::uint32_t state, const TokenCode& code) {
@@ -184,7 +184,7 @@ std::size_t LosslessDepthEncoder::append_slices(std::size_t top_pixels,
     if (extra_bits) writer.put_bits(symbol >> kExtraShift, extra_bits);
     writer.put_token(codes[context][token]);
   };
-  // Both at once keeps the processor busy while one waits for its state.
+  // Alternating between the slices hides the latency of each state update.
   WordWriter top(top_words_), bottom(bottom_words_);
   const Symbol *next_top = symbols_.data() + top_pixels,
                *next_bottom = symbols_.data() + symbols_.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encoder and decoder of lossless depth together: what goes in comes out, and what is not a section
-// is refused.
+// Encoder and decoder of lossless depth together: round trips are exact, and anything that is not a
+// section is refused.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -117,8 +117,8 @@ TEST(LosslessDepth, decode_refuses_lengths_that_do_not_add_up) {
   }
 }
 
-// Mostly the check at the slices' ends sees them; what matters is that nothing crashes and memory
-// stays bounded.
+// Usually the check at the slices' ends detects them; required is only that nothing crashes and
+// memory stays bounded.
 TEST(LosslessDepth, decode_survives_flipped_bits) {
   const auto good = encoded(synthetic_disparity_room(48, 32));
   LosslessDepthDecoder decoder;
@@ -139,7 +139,7 @@ TEST(LosslessDepth, decode_survives_garbage) {
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<std::uint8_t> section(random() % 600);
     for (auto& byte : section) byte = static_cast<std::uint8_t>(random());
-    if (section.size() > 300) {  // lengths that pass, so that the garbage behind them is looked at
+    if (section.size() > 300) {  // legal lengths, so that the garbage after them is parsed
       write_u32(&section[0], 100);
       write_u32(&section[4], 100);
     }

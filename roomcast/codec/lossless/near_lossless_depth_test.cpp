@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Near-lossless depth: no reading is off by more than the bound, none is lost or made up, and what
-// is not a section is refused.
+// Near-lossless depth: no reading is off by more than the bound, none is lost or added, and
+// anything that is not a section is refused.
 #include <random>
 
 #include <gtest/gtest.h>

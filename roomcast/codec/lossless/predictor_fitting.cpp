@@ -8,9 +8,9 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kRowStep = 8;
-constexpr int kMinSamples = 64;  // of a class; below, the median is good enough
+constexpr int kMinSamples = 64;  // of a class; with fewer, the median suffices
 constexpr int kLargestError =
-    60;  // of the median; beyond it is an edge, which says nothing of surfaces
+    60;  // of the median; a larger one is at an edge, which says nothing about surfaces
 constexpr double kRidge = 0.05;  // per sample; keeps weights small where neighbours hardly differ
 constexpr double kLargestWeight = 1.9;
 
@@ -22,7 +22,7 @@ struct Fit {
 };
 using Fits = std::array<Fit, kLinearClassCount>;
 
-/// Calls `visit(neighbours, value)` for readings that have readings all round.
+/// Calls `visit(neighbours, value)` for readings with readings all around.
 template <class Visit>
 void for_each_sample(ImageView<const std::uint16_t> plane, Visit visit) {
   for (int y = 2; y < plane.height; y += kRowStep) {
@@ -85,12 +85,12 @@ Predictor rounded(const std::array<double, kWeightCount>& weights) {
   return predictor;
 }
 
-/// About the bits that an error costs, doubled.
+/// Approximate bits of an error, doubled.
 int cost(int error) {
   return quantise(static_cast<std::uint32_t>(std::abs(error)));
 }
 
-/// Takes back the weights of classes where the median does as well.
+/// Removes the weights of classes where the median does as well.
 void keep_the_better(ImageView<const std::uint16_t> plane, Predictors& predictors) {
   std::array<std::int64_t, kClassCount> gain{};
   for_each_sample(plane, [&](const Neighbours& at, int value) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses the predictors of a lossless depth frame: for each class of neighbourhoods least-squares
-// weights, where they do better on this picture than the median. Looks at every eighth row. The
-// encoder's choice alone: any weights decode.
+// Chooses the predictors of a lossless depth frame: for each class of neighbourhoods, least-squares
+// weights if they predict this picture better than the median. Reads every eighth row. Only the
+// encoder chooses: any weights decode.
 #pragma once
 
 #include "roomcast/codec/lossless/depth_model.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a prediction to the value of a pixel and back: exactly, or within a bound. The bounded way
-// is the uniform quantiser of near-lossless JPEG-LS (Weinberger, Seroussi, Sapiro 2000, section V):
-// the error of the prediction is rounded to steps of 2 * bound + 1, and later pixels are predicted
-// from what the decoder will have, so errors never add up. docs/spec/codec.md §2.3.
+// Residual of a pixel from its prediction, and back: exact, or within a bound. The bounded form is
+// the uniform quantiser of near-lossless JPEG-LS (Weinberger, Seroussi, Sapiro 2000, section V):
+// the prediction's error is rounded to steps of 2 * bound + 1, and later pixels are predicted from
+// decoded values, so errors do not accumulate. docs/spec/codec.md §2.3.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct ExactResidual {
   }
 };
 
-/// Of readings only: a value never becomes 0.
+/// For readings only: a decoded value never becomes 0.
 class BoundedResidual {
  public:
   /// `bound` 1..kMaxBound_mm.
@@ -45,7 +45,7 @@ class BoundedResidual {
   static constexpr std::uint64_t kOne = 1 << 24;
 
   static int limited(int value) { return std::clamp(value, 1, 65535); }
-  /// By the step; exact for n < 2^17, because the step is below 2^7.
+  /// Divides by the step; exact for n < 2^17, because the step is below 2^7.
   [[nodiscard]] int divided(std::uint32_t n) const {
     return static_cast<int>(n * reciprocal_ / kOne);
   }

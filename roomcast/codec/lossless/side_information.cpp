@@ -24,7 +24,7 @@ void put_gap(ArithmeticEncoder& encoder, GapModel& model, std::uint32_t gap) {
   model.previous_length = length;
 }
 
-/// Longer than kLongestGap means malformed.
+/// A gap of more than kLongestGap bits means malformed.
 std::uint32_t get_gap(ArithmeticDecoder& decoder, GapModel& model) {
   const auto length = static_cast<int>(decoder.get(model.tree()));
   model.previous_length = length;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a lossless depth frame says before its pixels: value table, predictors, frequency tables.
-// docs/spec/codec.md §2.1.
+// The side information of a lossless depth frame, coded before its pixels: value table, predictors,
+// frequency tables. docs/spec/codec.md §2.1.
 #pragma once
 
 #include <array>
@@ -25,11 +25,12 @@ struct SideInformation {
   std::array<std::uint8_t, kContextCount> table_of_context{};
 };
 
-/// Appends to `out`. `tables` are used in order: context 0 has table 0, each later one the same or
-/// the next.
+/// Appends to `out`. `tables` are used in order: context 0 uses table 0, each later context the
+/// same table or the next.
 void put_side_information(const SideInformation& side, std::vector<std::uint8_t>& out);
 
-/// kMalformed for values above 65535 or impossible tables. Never more than kContextCount tables.
+/// Returns kMalformed for values above 65535 or impossible tables. Never more than kContextCount
+/// tables.
 [[nodiscard]] Status get_side_information(std::span<const std::uint8_t> bytes,
                                           SideInformation& side);
 

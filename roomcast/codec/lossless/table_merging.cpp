@@ -7,13 +7,13 @@
 namespace roomcast::codec {
 namespace {
 
-// What sending a table takes, about.
+// Approximate cost of sending a table.
 constexpr double kBitsPerTable = 9, kBitsPerToken = 3.5;
 
 struct Group {
   int first_context = 0;
   TokenCounts counts{};
-  double bits = 0;  // to send its tokens and its table
+  double bits = 0;  // cost of its tokens and its table
   double gain_of_joining_next = 0;
 };
 
@@ -38,7 +38,7 @@ TokenCounts sum_of(const TokenCounts& a, const TokenCounts& b) {
   return sum;
 }
 
-/// Groups of neighbouring contexts, in order. At most one per context, so nothing is allocated.
+/// Groups of adjacent contexts, in order. At most one per context, so nothing is allocated.
 class Groups {
  public:
   explicit Groups(const std::array<TokenCounts, kContextCount>& counts) {
@@ -62,7 +62,7 @@ class Groups {
         groups_[i].bits + next.bits - bits_for(sum_of(groups_[i].counts, next.counts));
   }
 
-  /// -1 if none gains.
+  /// The joint with the largest gain; -1 if none gains.
   [[nodiscard]] int best_joint() const {
     int best = -1;
     for (int i = 0; i + 1 < count_; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides which neighbouring contexts share a frequency table: those whose own table costs more
-// than it saves.
+// Merges the frequency tables of adjacent contexts if separate tables cost more bits than they
+// save.
 #pragma once
 
 #include <array>

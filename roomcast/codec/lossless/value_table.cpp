@@ -8,7 +8,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// Whether few enough distances occur that naming them by index pays.
+/// Whether the distances are few enough for coding by index to save bits.
 bool pays(const std::vector<std::uint16_t>& values) {
   const std::size_t count = values.size() - 1;
   return count > 0 && 2 * count < values.back() - values[1] + 1u;
@@ -38,7 +38,7 @@ void ValueTable::mark_values(DepthView depth_mm) {
 
 void ValueTable::group(int bound_mm, std::vector<std::uint16_t>& values) {
   values.assign(1, 0);
-  std::size_t first = 0, last = 0;  // of the group that is open; 0: none is
+  std::size_t first = 0, last = 0;  // of the open group; 0: none is open
   const auto close = [&] {
     if (first != 0) values.push_back(static_cast<std::uint16_t>((first + last) / 2));
   };

@@ -10,12 +10,12 @@
 namespace roomcast::codec {
 namespace {
 
-/// Keeps the memory of an image that already has the size.
+/// Does not reallocate an image that already has the size.
 void make_size(MaskImage& image, DepthView like) {
   if (!same_size(image.view(), like)) image.resize(like.width, like.height);
 }
 
-/// The mask that people see: only where there is a reading.
+/// The mask to show: 255 only where there is a reading.
 void show(const MaskImage& known, DepthView depth_mm, ImageView<std::uint8_t> mask) {
   for (int y = 0; y < mask.height; ++y) {
     const std::uint8_t* from = known.view().row(y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour mask section of a stream of frames: key frames carry the mask by itself (codec 1), the
-// others what changed since the reference mask, that of the newest layer-0 frame (codec 2).
-// docs/spec/codec.md §3.2. Both sides keep the reference. Single-threaded.
+// Codes the colour mask of a stream of frames: key frames contain the whole mask (codec 1), other
+// frames the changes from the reference mask, that of the newest layer-0 frame (codec 2).
+// docs/spec/codec.md §3.2 and §3.3. Both sides keep the reference. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace roomcast::codec {
 
 class ColorMaskEncoder {
  public:
-  /// Appends the bytes of a section of codec 1, for key frames, or 2. Always the same size; the
-  /// first role is a key frame's. `depth_mm` is what decoders will have.
+  /// Appends the bytes of a section: codec 1 for key frames, else codec 2. Always the same size;
+  /// the first role is a key frame's. `depth_mm` is the depth that decoders will have.
   void encode(MaskView mask, DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
 
-  /// Appends a section of codec 2 after which decoders show the reference mask once more; it leaves
-  /// no trace. Not for key frames.
+  /// Appends a section of codec 2 that makes decoders show the reference mask again and changes no
+  /// state. Not for key frames.
   static void repeat(std::vector<std::uint8_t>& out) { out.push_back(0); }
 
  private:
@@ -31,7 +31,7 @@ class ColorMaskEncoder {
 class ColorMaskDecoder {
  public:
   /// Fills `mask` with 0 and 255; 0 where `depth_mm` is 0. Always the same size. kMalformed for
-  /// changes without a mask before them.
+  /// changes without an earlier mask.
   [[nodiscard]] Status decode(std::uint8_t codec, std::span<const std::uint8_t> section,
                               DepthView depth_mm, ImageView<std::uint8_t> mask);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Masks of a stream, through encoder and decoder.
+// Masks of a stream: encoder and decoder together.
 #include "roomcast/codec/mask/color_mask.h"
 
 #include <random>

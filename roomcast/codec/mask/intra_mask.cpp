@@ -13,11 +13,11 @@ namespace roomcast::codec {
 namespace {
 
 constexpr int kGroupWidth = 16;
-constexpr int kEdgeShare = 32;  // depths that differ by more than 1/32 lie on different surfaces
+constexpr int kEdgeShare = 32;  // depths that differ by more than 1/32 are on different surfaces
 
-/// Walks the mask in coding order. `Coder` says what a bit is: the encoder from the picture, the
-/// decoder from the bytes. The mask is written on the way as the contexts see it: where there is no
-/// reading it goes on from the row above.
+/// Visits the mask in coding order. `Coder` provides each bit: the encoder from the picture, the
+/// decoder from the bytes. The mask is filled in as the contexts use it: a pixel without a reading
+/// copies the row above.
 template <class Coder>
 class MaskWalk {
  public:

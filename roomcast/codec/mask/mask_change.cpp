@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kGroupSide = 8;
 
-/// Walks over groups of 8x8 pixels in raster order. `Coder` says what a bit is: the encoder from
-/// the picture, the decoder from the bytes.
+/// Visits groups of 8x8 pixels in raster order. `Coder` provides each bit: the encoder from the
+/// picture, the decoder from the bytes.
 template <class Coder>
 class ChangeWalk {
  public:
@@ -64,8 +64,8 @@ class ChangeWalk {
     }
   }
 
-  /// What the pixel was, what its neighbours to the left and above are, to the right and below
-  /// were.
+  /// Context of a pixel: its old value, the new values of its neighbours to the left and above, the
+  /// old ones of those to the right and below.
   [[nodiscard]] std::size_t context(int x, int y) const {
     const std::uint8_t was = known_.at(x, y);
     const auto at = [&](int nx, int ny) {

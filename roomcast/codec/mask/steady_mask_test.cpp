@@ -8,7 +8,8 @@
 namespace roomcast::codec {
 namespace {
 
-/// One pixel: '1' seen, '0' not seen, '.' without a reading; what the steady mask shows of it.
+/// The steady mask of one pixel, frame by frame. Input: '1' seen, '0' not seen, '.' without a
+/// reading.
 std::string shown(const std::string& frames) {
   SteadyMask steady;
   std::string out;

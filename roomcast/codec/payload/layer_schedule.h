@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames are key frames, and the temporal layer of each. Depth and colour follow the same
-// schedule, so that a frame is left out as a whole. Pure.
+// Decides which frames are key frames, and the temporal layer of each. Depth and colour follow the
+// same schedule, so that a frame is dropped as a whole. Pure.
 //
-// With two layers every second frame is in layer 1; with three, every fourth is in layer 0, those
-// half way between in layer 1, the rest in layer 2. A frame of layer 1 or 2 builds on the layer-0
-// frame before it alone.
+// With two layers every second frame is in layer 1. With three, every fourth is in layer 0, those
+// halfway between in layer 1, the rest in layer 2. A frame of layer 1 or 2 depends only on the
+// layer-0 frame before it.
 #pragma once
 
 #include <cstdint>

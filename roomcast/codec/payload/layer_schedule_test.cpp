@@ -8,7 +8,7 @@
 namespace roomcast::codec {
 namespace {
 
-/// A letter for each frame: K, or its layer.
+/// One character for each frame: K, or its layer.
 std::string roles(int layers, int key_interval, int frames, int wanted = -1) {
   LayerSchedule schedule(layers, key_interval);
   std::string text;

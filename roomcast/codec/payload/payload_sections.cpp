@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLengthOffset = 4;
 
-/// Where the section belongs; nothing if this version knows no such kind and codec.
+/// The field for the section; null if this version does not know its kind and codec.
 std::span<const std::uint8_t>* place_of(std::uint8_t kind, std::uint8_t codec,
                                         PayloadSections& sections) {
   if (kind == static_cast<std::uint8_t>(SectionKind::kDepth) &&
@@ -35,7 +35,7 @@ Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload, in
     return Error{ErrorCode::kTooLarge, "The frame is longer than any picture of its size can be."};
   }
   PayloadSections sections;
-  std::uint32_t kinds = 0;  // bit k: kind k was there
+  std::uint32_t kinds = 0;  // bit k: kind k was present
   while (!payload.empty()) {
     if (payload.size() < kSectionHeaderLength) {
       return Error{ErrorCode::kMalformed, "The frame ends within a section's header."};

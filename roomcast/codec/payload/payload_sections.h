@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A payload's sections: found, checked, written. docs/spec/codec.md §1.
+// Finds, checks and writes the sections of a payload. docs/spec/codec.md §1.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,19 @@ inline constexpr std::uint8_t kIntraMask = 1, kMaskChange = 2;
 
 inline constexpr std::size_t kSectionHeaderLength = 8;
 inline constexpr int kMinGridSide = 16, kMaxGridSide = 4096;
-/// Colour has so many pixels for each pixel of depth and direction, at most; and its picture is no
-/// larger than a depth grid may be, which bounds a decoder's memory.
+/// Maximum number of colour pixels for each depth pixel, per direction. The colour picture is also
+/// limited to the largest depth grid, which bounds a decoder's memory.
 inline constexpr int kMaxColorScale = 2;
 [[nodiscard]] constexpr bool is_color_size(int width, int height) {
   return width <= kMaxGridSide && height <= kMaxGridSide;
 }
 
-/// Longer payloads are refused. Depth noise of 16 bits takes 2.5 bytes a pixel.
+/// Longer payloads are refused. Depth of 16-bit noise takes 2.5 bytes a pixel.
 [[nodiscard]] constexpr std::size_t max_payload_length(int width, int height) {
   return 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 65536;
 }
 
-/// Bytes of each section within a payload; colour and its mask are both there or not.
+/// Bytes of each section within a payload; colour and its mask are both present or both absent.
 struct PayloadSections {
   std::span<const std::uint8_t> depth;
   std::uint8_t depth_codec = kLosslessDepth;
@@ -40,12 +40,11 @@ struct PayloadSections {
   bool has_color = false;
 };
 
-/// kTooLarge, kMalformed, or kUnsupported for a kind or codec that this version does not know.
+/// Returns kTooLarge, kMalformed, or kUnsupported for a kind or codec unknown to this version.
 [[nodiscard]] Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload,
                                                      int width, int height);
 
-/// Appends a section's header. The section's bytes are appended by the caller, who then calls
-/// `end_section`.
+/// Appends a section's header. The caller then appends the section's bytes and calls `end_section`.
 [[nodiscard]] std::size_t begin_section(SectionKind kind, std::uint8_t codec,
                                         std::vector<std::uint8_t>& out);
 /// `begin` as returned by begin_section.

@@ -45,7 +45,7 @@ TEST(PayloadSections, are_found) {
 TEST(PayloadSections, parse_refuses_a_payload_cut_anywhere) {
   const Bytes payload = payload_of({1, 2, 3});
   for (std::size_t length = 0; length < payload.size(); ++length) {
-    if (length == 10) continue;  // depth alone is a frame
+    if (length == 10) continue;  // depth alone is a valid frame
     EXPECT_EQ(
         refusal(Bytes(payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(length))),
         ErrorCode::kMalformed)

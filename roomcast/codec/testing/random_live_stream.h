@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Live depth sections that use every corner of the format, which an encoder that wants to save bits
-// does not: all block modes, labels, candidates, steps from small to absurd. The same bytes on
-// every machine. Used by tests, golden files and fuzz seeds only.
+// Random live depth sections that cover the whole format, unlike an encoder's: all block modes,
+// labels, candidates, steps from small to extreme. The same bytes on every machine. Used by tests,
+// golden files and fuzz seeds only.
 #pragma once
 
 #include <random>
@@ -20,7 +20,7 @@ class RandomLiveStream {
     scratch_.resize(state_);
   }
 
-  /// A section's bytes. The first one must be a key frame.
+  /// Returns a section's bytes. The first one must be a key frame.
   std::vector<std::uint8_t> next(bool key, bool reference) {
     LiveSectionHead head{key, key || reference, any_step(), any_step(), {}};
     for (std::uint8_t& code : head.sigma) code = static_cast<std::uint8_t>(40 + random_() % 60);
@@ -41,7 +41,7 @@ class RandomLiveStream {
     shown_mm_ = head.reference ? state_.picture_mm : scratch_.shown_mm;
     return section;
   }
-  /// What a decoder shows of the newest one.
+  /// The depth that a decoder shows for the newest section.
   [[nodiscard]] const std::vector<std::uint16_t>& shown_mm() const { return shown_mm_; }
 
  private:
@@ -93,7 +93,7 @@ class RandomLiveStream {
     }
   }
 
-  // Mostly a few small ones, now and then all of them, now and then the largest.
+  // Mostly a few small coefficients, sometimes nearly all, sometimes the largest values.
   void fill_steps(BlockCoefficients& steps) {
     const auto count = random_() % 16 ? random_() % 10 : 63u;
     for (std::uint32_t i = 0; i < count; ++i) {

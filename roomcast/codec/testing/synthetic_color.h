@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour pictures and masks for tests and golden files, to go with synthetic_depth.h. Used by tests
+// Synthetic colour pictures and masks that match synthetic_depth.h, for tests and golden files
 // only.
 #pragma once
 
@@ -17,7 +17,7 @@ struct SyntheticFrame {
   MaskImage seen;
 };
 
-/// A soft pattern with a disc that moves with `frame`; the mask leaves out holes, two bands and a
+/// A smooth pattern with a disc that moves with `frame`; the mask excludes holes, two bands and a
 /// shadow.
 inline SyntheticFrame synthetic_frame(int width, int height, int frame) {
   SyntheticFrame out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth pictures for tests and golden files: the corners of the format, and scenes like a sensor's.
-// The same bits on every machine (integers, fixed seeds). Used by tests only.
+// Synthetic depth pictures for tests and golden files only: edge cases of the format, and scenes
+// like a sensor's. The same bits on every machine (integers, fixed seeds).
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@ struct NamedDepth {
   DepthImage depth_mm;
 };
 
-/// A slanted wall and a box before it, in 1 mm steps with noise, holes along the box's edges.
+/// A slanted wall and a box in front of it, in 1 mm steps with noise, and holes along the box's
+/// edges.
 inline DepthImage synthetic_room(int width, int height, std::uint32_t seed) {
   std::mt19937 random(seed);
   DepthImage depth(width, height);
@@ -34,7 +35,8 @@ inline DepthImage synthetic_room(int width, int height, std::uint32_t seed) {
   return depth;
 }
 
-/// A sensor of structured light: distances come in steps that grow with the square of the distance.
+/// A structured-light sensor: distances are quantised in steps that grow with the square of the
+/// distance.
 inline DepthImage synthetic_disparity_room(int width, int height) {
   DepthImage depth = synthetic_room(width, height, 3);
   for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {
@@ -53,7 +55,7 @@ DepthImage depth_from(int width, int height, ValueAt value_at) {
   return depth;
 }
 
-/// The corners, at one size.
+/// The edge cases, at one size.
 inline std::vector<NamedDepth> synthetic_depths(int width, int height) {
   std::mt19937 random(7);
   std::vector<NamedDepth> all;

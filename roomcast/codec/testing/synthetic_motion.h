@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fixed sensor's view for tests: a slanted wall, a post that stands still, a ball that moves,
-// noise that grows with distance, flicker at edges. The same bits on every machine. Used by tests
-// only.
+// The simulated view of a fixed sensor, for tests only: a slanted wall, a static post, a moving
+// ball, noise that grows with distance, flicker at edges. The same bits on every machine.
 #pragma once
 
 #include <cmath>
@@ -44,7 +43,7 @@ struct SyntheticMotion {
       for (int x = 0; x < width; ++x) {
         const int z = exact.at(x, y);
         const double sigma = 1.5 + 0.3 * (z / 1000.0) * (z / 1000.0);
-        double sum = 0;  // of four even numbers: nearly Gaussian, variance 1/3
+        double sum = 0;  // of four uniform numbers: nearly Gaussian, variance 1/3
         for (int i = 0; i < 4; ++i) sum += static_cast<double>(random() % 1000) / 1000 - 0.5;
         const bool edge = x > 0 && std::abs(z - exact.at(x - 1, y)) > 100;
         const bool lost = random() % 500 == 0 || (edge && random() % 3 == 0);
@@ -54,7 +53,7 @@ struct SyntheticMotion {
     return depth;
   }
 
-  /// The first reading, of a sensor that has come nearer.
+  /// The first reading after the sensor has moved nearer.
   [[nodiscard]] DepthImage reading_from_nearer(int by_mm) const {
     DepthImage depth = reading(0);
     for (std::size_t i = 0; i < depth.view().pixel_count(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a kind of camera whose pictures, losses and refusals a test dictates. Thread-safe.
+// For tests: a kind of camera whose pictures, losses and errors are set by the test. Thread-safe.
 #pragma once
 
 #include <condition_variable>
@@ -29,9 +29,10 @@ class ScriptedBackend : public CameraBackend {
   [[nodiscard]] Result<std::unique_ptr<Camera>> open(const CameraInfo& camera,
                                                      const CameraSettings& settings) override;
 
-  /// The open camera sees a wall at `depth_mm`, in colour unless told otherwise.
+  /// Makes the open camera deliver a wall at `depth_mm`, with colour if `in_color`.
   void show(std::uint16_t depth_mm, bool in_color = true) { say({depth_mm, in_color, {}}); }
-  /// What the open camera answers next: kUnavailable, it was unplugged; kClosed, a file ended.
+  /// Sets the next result of the open camera: kUnavailable, it was disconnected; kClosed, a file
+  /// ended.
   void fail(ErrorCode code) { say({0, false, code}); }
   void unplug(bool unplugged) {
     std::lock_guard lock(mutex_);

@@ -11,10 +11,10 @@
 namespace roomcast::source {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{100};  // how soon a stop is noticed
+constexpr std::chrono::milliseconds kPatience{100};  // within this time a stop takes effect
 constexpr std::size_t kLongestName = 40;
 
-/// "freenect-A00367813501053A": the same whenever this camera is plugged in, wherever.
+/// "freenect-A00367813501053A": independent of the port of the camera.
 std::string sensor_name(const std::string& kind, const CameraDescription& camera) {
   std::string name = kind;
   if (!camera.serial.empty()) name += "-" + camera.serial;
@@ -23,7 +23,8 @@ std::string sensor_name(const std::string& kind, const CameraDescription& camera
   return name.substr(0, kLongestName);
 }
 
-/// A serial number finds the same camera in another port; without one, what the user said has to.
+/// The place for reopening: a serial number finds the camera in any port; without one, the user's
+/// place.
 std::string place_again(const std::string& place, const CameraDescription& camera) {
   return camera.serial.empty() ? place : camera.serial;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// CameraSource: a camera as a FrameSource. A thread of its own takes pictures from the camera, so
-// that a busy sensor program loses whole frames, counted, and always gets the newest. A camera that
-// is lost (unplugged, or silent) is waited for with growing pauses and opened again by its serial
-// number; the sensor's name and calibration stay. Threading: next() from one thread, health() from
-// any.
+// CameraSource: a camera as a FrameSource. A dedicated thread reads the camera, so that a busy
+// sensor program loses whole frames, which are counted, and always gets the newest. A lost camera
+// (disconnected or silent) is reopened by its serial number, with growing pauses between attempts;
+// the sensor's name and calibration stay. Threading: next() from one thread, health() from any.
 #pragma once
 
 #include <atomic>
@@ -22,16 +21,16 @@ namespace roomcast::source {
 
 struct CameraSourceOptions {
   CameraSettings settings = {};
-  /// A camera that gives nothing for so long counts as lost: not every library notices.
+  /// A camera without pictures for so long counts as lost: not every library reports a loss.
   std::chrono::milliseconds silence{3000};
-  /// Exposure and white balance are locked after so many frames: until then they settle.
+  /// Exposure and white balance are locked after so many frames, when they have converged.
   std::uint64_t frames_until_lock = 60;
-  LogSink log = {};  // called from the camera's thread
+  LogSink log = {};  // called on the camera's thread
 };
 
 class CameraSource final : public FrameSource {
  public:
-  /// Errors of open_camera.
+  /// Returns the errors of open_camera.
   static Result<std::unique_ptr<FrameSource>> open(std::shared_ptr<CameraBackend> backend,
                                                    const std::string& place,
                                                    CameraSourceOptions options);
@@ -39,11 +38,11 @@ class CameraSource final : public FrameSource {
 
   [[nodiscard]] const SensorDescription& description() const override { return description_; }
   [[nodiscard]] SourceHealth health() const override;
-  /// Waits while the camera is away, too. False at the end of a file.
+  /// Also waits while the camera is lost. Returns false at the end of a file.
   [[nodiscard]] Result<bool> next(CapturedFrame& frame, std::stop_token stop) override;
 
  private:
-  /// What the camera's thread hands over; the last one may come without a frame.
+  /// Passed from the camera's thread to next(); the last one may be without a frame.
   struct Taken {
     CapturedFrame frame;
     bool is_last = false;
@@ -65,9 +64,9 @@ class CameraSource final : public FrameSource {
   const CameraSourceOptions options_;
   SensorDescription description_;
 
-  // Of the camera's thread.
+  // Used by the camera's thread only.
   std::unique_ptr<Camera> camera_;
-  const std::string place_;  // of this very camera
+  const std::string place_;  // finds the same camera again
   FramePairing pairing_;
   DeviceClock clock_;
   Backoff pace_;
@@ -77,11 +76,11 @@ class CameraSource final : public FrameSource {
   bool has_ended_ = false;
 
   LatestMailbox<Taken> newest_;
-  LatestMailbox<CapturedFrame> spare_;  // memory to fill again
+  LatestMailbox<CapturedFrame> spare_;  // memory for reuse
   std::atomic<std::uint64_t> unpaired_{0}, losses_{0};
   std::atomic<bool> is_there_{true};
-  bool reached_end_ = false;  // of the thread that calls next()
-  std::jthread thread_;       // the last member: it uses all others
+  bool reached_end_ = false;  // used by the thread that calls next()
+  std::jthread thread_;       // the last member, because the thread uses all others
 };
 
 }  // namespace roomcast::source

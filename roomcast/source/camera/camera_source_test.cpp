@@ -23,14 +23,14 @@ class CameraAtWork : public testing::Test {
     return std::move(*source);
   }
 
-  /// Depth of the next frame; -1 at the end.
+  /// Returns the depth of the next frame; -1 at the end.
   int next(FrameSource& source) {
     const auto more = source.next(frame_, {});
     EXPECT_TRUE(more.ok());
     return *more ? frame_.depth_mm.at(0, 0) : -1;
   }
 
-  /// Without sleeping for longer than it takes.
+  /// Waits for `condition`, no longer than needed.
   template <class Condition>
   static bool soon(Condition condition) {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(10);

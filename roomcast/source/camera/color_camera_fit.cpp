@@ -41,7 +41,7 @@ Eigen::Vector2d residual(const SensorCalibration& cameras, const MappedPoint& ma
          mapped.seen_px;
 }
 
-/// One step of Gauss-Newton, derivatives by differences.
+/// One Gauss-Newton step with numerical derivatives.
 Unknowns improved(const SensorCalibration& start, const Unknowns& x,
                   const std::vector<MappedPoint>& points) {
   Unknowns step;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some cameras do not tell where their colour camera stands, but where in the colour picture a
-// depth reading lies, by tables or polynomials of their own. Roomcast thinks in cameras; here the
-// colour camera is found that puts every reading where the device puts it, by Gauss-Newton. Metres,
-// pixels with centres at whole numbers. Thread-safe (no state).
+// Fits a colour camera to a device's own mapping from depth readings to colour pixels. Some devices
+// give no colour camera, but tables or polynomials for that mapping; roomcast needs a camera model.
+// Method: Gauss-Newton on the reprojection error. Metres, pixels with centres at integers.
+// Thread-safe (no state).
 #pragma once
 
 #include <vector>
@@ -13,20 +13,20 @@
 namespace roomcast::source {
 
 struct MappedPoint {
-  Eigen::Vector3d point_m;  // depth camera's frame
-  Eigen::Vector2d seen_px;  // in the colour picture, by the device
+  Eigen::Vector3d point_m;  // in the depth camera's frame
+  Eigen::Vector2d seen_px;  // in the colour picture, from the device
 };
 
-/// Looks for lens, turn about the axis, and shift along x, beginning at `start`. (Turns about x or
-/// y are as good as shifting the picture, and cameras beside each other have no other shift.)
-/// kMalformed when no camera puts the points within kWorstFit_px of where they should be.
+/// Estimates the lens, the roll about the optical axis and the shift along x, beginning at `start`.
+/// (Rotations about x and y are equivalent to shifting the picture, and cameras side by side have
+/// no other shift.) kMalformed if no camera maps the points with an error of at most kWorstFit_px.
 [[nodiscard]] Result<SensorCalibration> fit_color_camera(const SensorCalibration& start,
                                                          const std::vector<MappedPoint>& points);
 
 inline constexpr double kWorstFit_px = 2;  // root mean square
 inline constexpr std::size_t kFewestMappedPoints = 500;
 
-/// The same cameras for pictures flipped left to right.
+/// The calibration for pictures mirrored left to right.
 [[nodiscard]] SensorCalibration mirrored(const SensorCalibration& cameras);
 
 }  // namespace roomcast::source

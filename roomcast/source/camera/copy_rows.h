@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels out of a library's buffer, whose rows may have gaps between them. Thread-safe (no state).
+// Copies pixels from a library's buffer, whose rows may have gaps between them. Thread-safe (no
+// state).
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,8 @@
 
 namespace roomcast::source {
 
-/// `picture` keeps its memory where it has this size already. `data` holds `height` rows of
-/// `stride_bytes`, the last one of `width` pixels at least.
+/// `picture` is not reallocated if it has this size already. `data` contains `height` rows of
+/// `stride_bytes`; the last row may end after `width` pixels.
 template <class Pixel>
 void copy_rows(const void* data, std::ptrdiff_t stride_bytes, int width, int height,
                Image<Pixel>& picture) {

@@ -37,8 +37,8 @@ TickCounter::TickCounter(int bits, double ticks_per_second)
 
 nanoseconds TickCounter::time(std::uint64_t ticks) {
   if (last_) {
-    // Two streams share a counter and may be handed over slightly out of order: a step back is
-    // a step back, not almost a whole round.
+    // Two streams share a counter and may arrive slightly out of order: a small step back must not
+    // count as almost a whole wrap.
     const std::uint64_t forward = (ticks - *last_) & mask_;
     const std::uint64_t back = (*last_ - ticks) & mask_;
     total_ = forward <= back ? total_ + forward : total_ - std::min(back, total_);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// DeviceClock: when a picture was taken, on this host's clock. Pictures arrive late by a delay that
-// jitters (USB, decoding); a camera's own clock does not jitter but runs from another start at
-// another rate. The smallest arrival - device time of the last seconds is what the fastest picture
-// took, and tells the offset (minimum filtering: Moon, Skelly & Towsley 1999). What even the
-// fastest takes remains unknown: some milliseconds. Single-threaded.
+// DeviceClock: converts a picture's device time to this host's clock. Pictures arrive with a
+// jittering delay (USB, decoding); a camera's own clock does not jitter but has another origin and
+// another rate. The smallest difference of arrival and device time in the last seconds belongs to
+// the fastest picture and gives the offset (minimum filtering: Moon, Skelly & Towsley 1999). The
+// delay of the fastest picture stays unknown: some milliseconds. Single-threaded.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class DeviceClock {
  public:
   /// Clocks drift by less than a millisecond in this time.
   static constexpr std::chrono::seconds kWindow{5};
-  /// A device time that is off by more means that the clock was set anew.
+  /// A device time that is off by more means that the clock was reset.
   static constexpr std::chrono::seconds kLeap{1};
 
   /// Never later than `arrived`.
@@ -26,11 +26,11 @@ class DeviceClock {
   void begin_window(HostTime arrived, nanoseconds delay);
 
   HostTime window_began_{};
-  std::optional<nanoseconds> smallest_;  // in this window
-  std::optional<nanoseconds> before_;    // in the one before
+  std::optional<nanoseconds> smallest_;  // in the current window
+  std::optional<nanoseconds> before_;    // in the previous window
 };
 
-/// A counter of `bits` bits that wraps around, made to grow for ever.
+/// Extends a wrapping counter of `bits` bits to a growing time.
 class TickCounter {
  public:
   TickCounter(int bits, double ticks_per_second);

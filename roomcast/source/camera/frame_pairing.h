@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FramePairing: a camera's depth and colour pictures come one by one; those of about the same
-// instant become a frame. Pictures are swapped in, not copied: the caller gets memory back to fill
-// again. Single-threaded.
+// FramePairing: pairs a camera's depth and colour pictures of about the same instant to frames.
+// Pictures are swapped in, not copied: the caller gets memory back to reuse. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +14,23 @@ namespace roomcast::source {
 
 class FramePairing {
  public:
-  /// Called with each frame; it may swap pixels out of it. `index` and `device_time` are set, the
-  /// depth picture's time counts.
+  /// Called with each frame; it may swap out the pixels. `index` and `device_time` are set; the
+  /// time is the depth picture's.
   using Deliver = std::function<void(CapturedFrame&)>;
 
   /// `has_color` false: every depth picture is a frame.
   FramePairing(double fps, bool has_color, Deliver deliver);
 
-  /// Times of one clock, growing; both are exchanged for older memory.
+  /// Times are of one clock and increase; each picture is exchanged for older memory.
   void depth(nanoseconds device_time, DepthImage& picture_mm);
   void color(nanoseconds device_time, ColorImage& picture);
 
-  /// Depth pictures that found no colour within half a frame period, before a newer one came.
+  /// Number of depth pictures without a colour picture within half a frame period before a newer
+  /// depth picture came.
   [[nodiscard]] std::uint64_t unpaired_count() const { return unpaired_count_; }
   [[nodiscard]] std::uint64_t frame_count() const { return frame_count_; }
 
-  /// After a camera has come back: pictures from before are not paired with those of now.
+  /// Call after reopening a camera: earlier pictures are not paired with new ones.
   void forget();
 
  private:
@@ -41,7 +41,7 @@ class FramePairing {
   const nanoseconds tolerance_;
   const Deliver deliver_;
   CapturedFrame waiting_;
-  std::optional<nanoseconds> depth_time_, color_time_;  // of what waits
+  std::optional<nanoseconds> depth_time_, color_time_;  // of the waiting pictures
   std::uint64_t unpaired_count_ = 0;
   std::uint64_t frame_count_ = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Pictures are told apart by their first pixel.
+/// Pictures are distinguished by their first pixel.
 class Pairing : public testing::Test {
  protected:
   struct Pair {

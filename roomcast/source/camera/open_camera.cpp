@@ -9,7 +9,7 @@
 namespace roomcast::source {
 namespace {
 
-/// "", "0" to "99"; anything longer is a serial number.
+/// Accepts "" and "0" to "99"; a longer text is a serial number.
 std::optional<std::size_t> position(const std::string& place) {
   if (place.empty()) return 0;
   constexpr std::size_t kMaxDigits = 2;

@@ -28,7 +28,7 @@ TEST(ChooseCamera, one_that_is_not_there_is_answered_with_what_is) {
   EXPECT_THAT(choose_camera({}, "x", "").error().message, testing::HasSubstr("plugged in"));
 }
 
-/// A camera whose library says no.
+/// A camera whose library refuses to open it.
 class Stubborn final : public ScriptedBackend {
  public:
   [[nodiscard]] Result<std::vector<CameraInfo>> list() override {

@@ -23,8 +23,8 @@ struct Known {
   bool needs_usb3;
 };
 
-/// The part of each camera that gives depth. Sources: linux-usb.org's usb.ids and the udev rules of
-/// the cameras' own libraries.
+/// The USB device of each camera that gives depth. Sources: linux-usb.org's usb.ids and the udev
+/// rules of the cameras' own libraries.
 constexpr std::array kKnown = {
     Known{0x045e, 0x02ae, "freenect", "Kinect for Xbox 360", false},
     Known{0x045e, 0x02bf, "freenect", "Kinect for Windows v1", false},
@@ -46,7 +46,7 @@ constexpr std::array kKnown = {
     Known{0x2bc5, 0x0669, "k4a", "Orbbec Femto Bolt", true},
 };
 
-/// The first line of a file of sysfs; empty where there is none.
+/// The first line of a sysfs file; empty if there is none.
 std::string attribute(const fs::path& device, const char* name) {
   std::ifstream file(device / name);
   std::string line;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth cameras on the USB, as the kernel lists them (sysfs, ABI/stable/sysfs-bus-usb of Linux),
-// and why one of them cannot be opened: what the cameras' libraries only call "error -3".
-// Thread-safe (no state).
+// Lists the depth cameras on USB from the kernel (sysfs, ABI/stable/sysfs-bus-usb of Linux), and
+// finds the reason why one cannot be opened, which the cameras' libraries report only as "error
+// -3". Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,23 @@
 
 namespace roomcast::source {
 
-/// A depth camera that is plugged in, whether roomcast was built for its kind or not.
+/// A connected depth camera, whether or not roomcast was built for its kind.
 struct UsbCamera {
-  std::string kind;  // of the SPEC that opens it: "freenect"
+  std::string kind;  // first part of the SPEC that opens it: "freenect"
   std::string model;
-  std::string serial;          // as the USB tells it; empty where it does not
-  std::filesystem::path node;  // what a program opens: /dev/bus/usb/001/005
+  std::string serial;          // as USB reports it; empty if it does not
+  std::filesystem::path node;  // device file: /dev/bus/usb/001/005
   bool needs_usb3 = false;
-  double mbit_per_s = 0;  // that it was plugged in with
+  double mbit_per_s = 0;  // speed of the connection
 };
 
-/// `usb_devices` and `nodes` are looked for elsewhere in tests. A kernel without USB has none.
+/// Tests pass other folders as `usb_devices` and `nodes`. Empty for a kernel without USB.
 [[nodiscard]] std::vector<UsbCamera> usb_cameras(
     const std::filesystem::path& usb_devices = "/sys/bus/usb/devices",
     const std::filesystem::path& nodes = "/dev/bus/usb");
 
-/// kUnavailable: this user may not open it (what to install), or its port is too slow; nothing when
-/// it should open.
+/// Returns kUnavailable, with the remedy, if this user may not open it or its port is too slow;
+/// nothing if it should open.
 [[nodiscard]] std::optional<Error> obstacle(const UsbCamera& camera);
 
 /// The first obstacle of any camera of this kind.

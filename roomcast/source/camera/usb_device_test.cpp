@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A synthetic /sys/bus/usb/devices and /dev/bus/usb.
+/// A fixture of /sys/bus/usb/devices and /dev/bus/usb.
 class Usb : public testing::Test {
  protected:
   Usb() { fs::create_directories(root_ / "dev/001"); }
@@ -53,7 +53,7 @@ TEST_F(Usb, depth_cameras_are_told_from_everything_else) {
 
 TEST_F(Usb, a_camera_that_this_user_may_not_open_says_what_to_install) {
   plug_in("1-1", "045e", "02ae", "480", 3);
-  fs::remove(root_ / "dev/001/003");  // root may open what is there
+  fs::remove(root_ / "dev/001/003");  // deleted, because root may open any existing file
   const auto found = obstacle_of_kind(cameras(), "freenect");
   ASSERT_TRUE(found);
   EXPECT_THAT(found->message, testing::HasSubstr("udev"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of cameras that roomcast knows, and which of them this program was built with. The only
-// place that asks. Thread-safe (no state).
+// The kinds of cameras known to roomcast, and the subset that this program was built with. Only
+// this unit depends on those build options. Thread-safe (no state).
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@
 namespace roomcast::source {
 
 struct CameraKind {
-  std::string_view name;     // as a SPEC begins
+  std::string_view name;     // first part of a SPEC
   std::string_view cameras;  // "Kinect v1"
   std::string_view library;
-  std::unique_ptr<CameraBackend> (*make)();  // null where this program was built without it
+  std::unique_ptr<CameraBackend> (*make)();  // null if this program was built without it
 };
 
 [[nodiscard]] const std::vector<CameraKind>& camera_kinds();
-/// Null for a name that is none.
+/// Null for an unknown name.
 [[nodiscard]] const CameraKind* camera_kind(std::string_view name);
 
 }  // namespace roomcast::source

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a recording of a Kinect v1 in the form that fakenect replays: INDEX.txt names the
-// pictures in order, their names hold the time in seconds and the camera's ticks; depth is 16-bit
-// PGM with little-endian values (unlike PGM), colour is PPM. Pictures repeat, as links.
+// For tests: a recording of a Kinect v1 in the format of fakenect: INDEX.txt lists the pictures in
+// order; a picture's name contains the time in seconds and the camera's ticks. Depth is 16-bit PGM
+// with little-endian values (unlike PGM), colour is PPM. Repeated pictures are links.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace roomcast::source {
 inline constexpr int kRecordedWidth = 640, kRecordedHeight = 480;
 inline constexpr double kRecordedFps = 30;
 
-/// What the pixel shows: nothing in the left tenth, else a wall that leans back.
+/// Raw value of a pixel: no reading in the left tenth, else a slanted wall.
 inline std::uint16_t recorded_raw(int x, int y) {
   if (x < kRecordedWidth / 10) return 2047;
   return static_cast<std::uint16_t>(600 + x / 8 + y / 4);
@@ -51,7 +51,7 @@ inline void write_recorded_color(const std::filesystem::path& file) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// `frames` pairs of depth and colour, 2 ms apart, at 30 frames/s.
+/// Writes `frames` pairs of depth and colour, 2 ms apart, at 30 frames/s.
 inline void write_fakenect_recording(const std::filesystem::path& folder, int frames) {
   std::filesystem::create_directories(folder);
   write_recorded_depth(folder / "depth.pgm");

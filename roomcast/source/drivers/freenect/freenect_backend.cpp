@@ -12,7 +12,7 @@
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 #include "roomcast/source/drivers/freenect/kinect_memory.h"
 
-// The library that replays recordings in place of libfreenect has no such things.
+// The library that replays recordings in place of libfreenect lacks these functions.
 #pragma weak freenect_list_device_attributes
 #pragma weak freenect_free_device_attributes
 #pragma weak freenect_set_flag
@@ -42,7 +42,7 @@ Result<Context> start_library() {
   return Context(context);
 }
 
-/// One for each Kinect, empty where it does not tell.
+/// One for each Kinect, empty if it has none.
 std::vector<std::string> serial_numbers(freenect_context* context) {
   std::vector<std::string> serials;
   if (freenect_list_device_attributes != nullptr) {
@@ -127,8 +127,8 @@ class Kinect final : public Camera {
   CameraDescription description_;
   std::vector<std::uint16_t> mm_from_raw_;
   TickCounter counter_{32, kTicksPerSecond};
-  FramePairing* pictures_ = nullptr;  // while the library may call back
-  DepthImage depth_mm_;               // used again and again
+  FramePairing* pictures_ = nullptr;  // set while the library may call back
+  DepthImage depth_mm_;               // reused
   ColorImage color_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinect v1 (Kinect for Xbox 360, Kinect for Windows) through libfreenect 0.5 or newer: raw depth
-// of 11 bits and full colour, 640 x 480 at 30 frames/s, and the calibration in the camera's memory.
-// Places: "0", "1"... in the order of the USB, or a serial number.
+// Kinect v1 (Kinect for Xbox 360, Kinect for Windows) through libfreenect 0.5 or newer: raw 11-bit
+// depth and full colour, 640 x 480 at 30 frames/s, and the calibration in the camera's memory.
+// Places: "0", "1"... in USB order, or a serial number.
 #pragma once
 
 #include <memory>

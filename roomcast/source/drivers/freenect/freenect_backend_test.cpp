@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Through the API of libfreenect, answered by the library that replays recordings
+// Runs against the API of libfreenect, implemented by the library that replays recordings
 // (tests/virtual_freenect.cpp).
 #include "roomcast/source/drivers/freenect/freenect_backend.h"
 
@@ -94,7 +94,7 @@ TEST_F(ReplayedKinect, that_is_unplugged_and_plugged_in_again_goes_on) {
   plug_in();
   const auto before = frame.capture_time;
   ASSERT_TRUE(*source->next(frame, {}));
-  ASSERT_TRUE(*source->next(frame, {}));  // one may have been left from before
+  ASSERT_TRUE(*source->next(frame, {}));  // the first one may be from before
   EXPECT_GT(frame.capture_time, before);
   EXPECT_EQ(source->health().times_unplugged, 1U);
 }

@@ -24,7 +24,8 @@ std::vector<MappedPoint> points_of(const CameraIntrinsics& depth, const KinectCo
         if (from_corner < 0 || from_corner >= kKinectWidth) continue;
         if (pixel[1] < 0 || pixel[1] >= kKinectHeight) continue;
         const auto point = unproject(depth, Eigen::Vector2d(x, y), 0.001 * mm);
-        // y was cut to whole pixels: on average half a pixel, as much as centre and corner differ.
+        // y was truncated to whole pixels: by half a pixel on average, which is also the distance
+        // from corner to centre.
         if (point) points.push_back({*point, {from_corner - 0.5, static_cast<double>(pixel[1])}});
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Kinect v1 tells, pixel by pixel, where in the colour picture its depth lies (a polynomial in
-// its memory, which libfreenect unfolds into tables); from them its cameras are found. Pixels with
-// centres at whole numbers, metres. Thread-safe (no state).
+// Camera models of a Kinect v1. The device gives, for each pixel, the position of its depth in the
+// colour picture (a polynomial in its memory, which libfreenect expands to tables); the cameras are
+// fitted to those tables. Pixels with centres at integers, metres. Thread-safe (no state).
 #pragma once
 
 #include <array>
@@ -14,18 +14,18 @@
 
 namespace roomcast::source {
 
-/// As libfreenect unfolds it. A depth pixel lies at
-/// x = (pixels[i][0] + shift_of_mm[depth]) / 256, y = pixels[i][1], counted from the corner.
+/// The tables of libfreenect. A depth pixel is at x = (pixels[i][0] + shift_of_mm[depth]) / 256, y
+/// = pixels[i][1] in the colour picture, counted from the corner.
 struct KinectColorMap {
   std::span<const std::array<std::int32_t, 2>> pixels;  // 640 * 480, row by row
   std::span<const std::int32_t> shift_of_mm;            // for 0 to 9999 mm
 };
 
-/// Cameras of a typical Kinect, for one that does not tell: the nominal lenses, and the colour
+/// Cameras of a typical Kinect, for one without calibration: the nominal lenses, and the colour
 /// camera `color_from_ir_camera_mm` to the side.
 [[nodiscard]] SensorCalibration typical_kinect(const KinectZeroPlane& plane);
 
-/// kMalformed when no cameras fit: the memory was not read properly.
+/// Returns kMalformed if no cameras fit: the memory was not read properly.
 [[nodiscard]] Result<SensorCalibration> kinect_calibration(const KinectZeroPlane& plane,
                                                            const KinectColorMap& map);
 

@@ -9,7 +9,7 @@
 namespace roomcast::source {
 namespace {
 
-/// The tables that a Kinect with known cameras would unfold into.
+/// The tables of a Kinect with known cameras, as libfreenect expands them.
 struct Unfolded {
   std::vector<std::array<std::int32_t, 2>> pixels;
   std::vector<std::int32_t> shifts = std::vector<std::int32_t>(10'000, 0);
@@ -50,7 +50,7 @@ TEST(KinectCalibration, cameras_are_found_that_do_what_the_tables_say) {
   const SensorCalibration truth = some_kinect();
   const auto found = kinect_calibration({}, Unfolded(truth).map());
   ASSERT_TRUE(found.ok()) << found.error().message;
-  // The tables hold y in whole pixels.
+  // The tables contain y in whole pixels.
   EXPECT_NEAR(found->color.fx, truth.color.fx, 0.3);
   EXPECT_NEAR(found->color.fy, truth.color.fy, 0.6);
   EXPECT_NEAR(found->color_from_depth.translation_m.x(), -0.0241, 0.0002);

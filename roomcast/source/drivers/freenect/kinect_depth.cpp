@@ -9,7 +9,7 @@ namespace roomcast::source {
 namespace {
 
 constexpr double kRawStepsPerPixel = 4;
-constexpr double kSubpixelOffset = 0.375;  // between the recorded and the seen pattern
+constexpr double kSubpixelOffset = 0.375;  // between the recorded and the observed pattern
 constexpr double kSensorPixelsPerDepthPixel = 2;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::vector<std::uint16_t> kinect_mm_from_raw(const KinectZeroPlane& plane) {
   for (std::size_t raw = 0; raw < kKinectNoReading; ++raw) {
     const double shift_px =
         static_cast<double>(raw) / kRawStepsPerPixel - plane.shift_px - kSubpixelOffset;
-    // Similar triangles over the base from camera to emitter: what the spot moved on the plane.
+    // Similar triangles over the base from camera to emitter, with the spot's shift on the plane.
     const double moved_mm = shift_px * plane.pixel_on_plane_mm;
     const double base_mm = plane.emitter_from_ir_camera_mm;
     const double depth_mm = plane.distance_mm * base_mm / (base_mm - moved_mm);

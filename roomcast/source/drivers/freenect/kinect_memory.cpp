@@ -6,7 +6,7 @@
 
 #include <libfreenect_registration.h>
 
-// The library that replays recordings in place of libfreenect has no such thing.
+// The library that replays recordings in place of libfreenect lacks this function.
 #pragma weak freenect_copy_registration
 #pragma weak freenect_destroy_registration
 

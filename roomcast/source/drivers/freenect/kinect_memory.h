@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Kinect v1 remembers of its own making, read through libfreenect. Single-threaded.
+// Reads the factory calibration of a Kinect v1 through libfreenect. Single-threaded.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct KinectMemory {
   SensorCalibration cameras;
 };
 
-/// Nothing where the library does not tell, or what it tells is no calibration.
+/// Nothing if the library does not provide it, or it is no valid calibration.
 [[nodiscard]] std::optional<KinectMemory> read_kinect_memory(freenect_device* device);
 
 }  // namespace roomcast::source

@@ -28,8 +28,8 @@ CameraIntrinsics depth_camera(const libfreenect2::Freenect2Device::IrCameraParam
           double(from.k3), double(from.p1), double(from.p2)};
 }
 
-/// Where the library puts depth readings in the colour picture; it counts pixels of a depth picture
-/// without distortion.
+/// The library's mapping from depth readings to colour pixels, for pixels of an undistorted depth
+/// picture.
 std::vector<MappedPoint> mapped_points(libfreenect2::Freenect2Device& device) {
   constexpr int kStep = 16;
   constexpr std::array<float, 4> kDepths_mm = {700, 1500, 3000, 4500};
@@ -52,7 +52,7 @@ std::vector<MappedPoint> mapped_points(libfreenect2::Freenect2Device& device) {
   return points;
 }
 
-/// The library's mapping as a colour camera; nominal where none fits it.
+/// The colour camera fitted to the library's mapping; nominal if none fits.
 SensorCalibration cameras_of(libfreenect2::Freenect2Device& device) {
   const auto color = device.getColorCameraParams();
   SensorCalibration start;
@@ -84,7 +84,7 @@ class KinectV2 final : public Camera {
       return Error{ErrorCode::kUnavailable,
                    "the Kinect v2 does not start: it needs USB 3 and its own power supply"};
     }
-    description_.calibration = cameras_of(*device_);  // known only once it runs
+    description_.calibration = cameras_of(*device_);  // known only while it runs
     return {};
   }
 
@@ -131,11 +131,11 @@ class KinectV2 final : public Camera {
   }
 
   std::unique_ptr<libfreenect2::Freenect2> library_;
-  libfreenect2::Freenect2Device* const device_;  // the library's
+  libfreenect2::Freenect2Device* const device_;  // owned by the library
   libfreenect2::SyncMultiFrameListener listener_{Frame::Color | Frame::Depth};
   CameraDescription description_;
   TickCounter counter_{32, kTicksPerSecond};
-  DepthImage depth_mm_;  // used again and again
+  DepthImage depth_mm_;  // reused
   ColorImage color_;
 };
 

@@ -110,7 +110,7 @@ class AzureKinect final : public Camera {
     return {};
   }
 
-  /// What is set by hand is kept; so what was found automatically is set by hand.
+  /// Manual values stay fixed, so the automatic values are set as manual ones.
   [[nodiscard]] Status lock_color(bool exposure, bool white_balance) override {
     const auto keep = [&](k4a_color_control_command_t what) {
       k4a_color_control_mode_t mode = K4A_COLOR_CONTROL_MODE_AUTO;
@@ -151,7 +151,7 @@ class AzureKinect final : public Camera {
 
   const Device device_;
   CameraDescription description_;
-  DepthImage depth_mm_;  // used again and again
+  DepthImage depth_mm_;  // reused
   ColorImage color_;
 };
 
@@ -163,7 +163,7 @@ class K4aBackend final : public CameraBackend {
     return {.lock_exposure = true, .lock_white_balance = true, .sync = true, .trigger_delay = true};
   }
 
-  /// Only an open device tells its serial number.
+  /// Opens each device: only an open device gives its serial number.
   [[nodiscard]] Result<std::vector<CameraInfo>> list() override {
     std::vector<CameraInfo> cameras;
     for (std::uint32_t i = 0; i < k4a_device_get_installed_count(); ++i) {

@@ -4,8 +4,9 @@
 namespace roomcast::source {
 namespace {
 
-/// The rational lens model has k4 to k6 as well. (1 + a) / (1 + b) is 1 + (a - b) - b (a - b) +
-/// ...: over the narrow field of view the first three powers stay well below a pixel.
+/// Approximates the rational lens model, which also has k4 to k6, by a polynomial. (1 + a) / (1 +
+/// b) is 1 + (a - b) - b (a - b) + ...: over the narrow field of view the first three powers are
+/// accurate to well below a pixel.
 CameraIntrinsics camera_of(const k4a_calibration_camera_t& from) {
   const auto& p = from.intrinsics.parameters.param;
   const double k1 = double(p.k1) - double(p.k4), k2 = double(p.k2) - double(p.k5);

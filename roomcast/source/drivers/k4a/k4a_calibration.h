@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From libk4a's calibration to ours. Metres, pixels. Thread-safe (no state).
+// Converts libk4a's calibration. Metres, pixels. Thread-safe (no state).
 #pragma once
 
 #include <k4a/k4atypes.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameReadySignal: rings when one of two streams has a new picture. OpenNI rings on threads of its
-// own, which must not call it back (openni2_session.h), so this stays with its C functions.
+// FrameReadySignal: signals that one of two streams has a new picture. OpenNI calls back on its own
+// threads, which must not call OpenNI in turn (openni2_session.h); hence OpenNI's C functions.
 // Thread-safe.
 #pragma once
 
@@ -19,12 +19,12 @@ class FrameReadySignal {
   FrameReadySignal(const FrameReadySignal&) = delete;
   FrameReadySignal& operator=(const FrameReadySignal&) = delete;
 
-  /// On OpenNI's thread. `color` may be null.
+  /// Call on OpenNI's thread. `color` may be null.
   void listen(const openni::VideoStream& depth, const openni::VideoStream* color);
-  /// On OpenNI's thread, before the streams are destroyed.
+  /// Call on OpenNI's thread, before the streams are destroyed.
   void silence();
 
-  /// Whether the picture that came is depth; nothing when none comes within `patience`.
+  /// Returns whether the new picture is depth; nothing if none comes within `patience`.
   [[nodiscard]] std::optional<bool> wait(std::chrono::milliseconds patience);
 
  private:

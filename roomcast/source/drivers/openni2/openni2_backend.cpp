@@ -49,7 +49,7 @@ class OpenNi2Camera final : public Camera {
   }
 
  private:
-  /// OpenNI does not say that a file has ended.
+  /// Detects the end of a file from the lack of pictures: OpenNI does not report it.
   [[nodiscard]] Status after_silence(std::chrono::milliseconds patience) {
     silence_ += patience;
     if (device_->plays_once() && silence_ >= kFileIsOver)
@@ -61,7 +61,7 @@ class OpenNi2Camera final : public Camera {
   std::chrono::milliseconds silence_{0};
 };
 
-/// Opens each for a moment: only an open device tells its serial number.
+/// Opens each briefly: only an open device gives its serial number.
 Result<std::vector<CameraInfo>> list_cameras() {
   const OpenNi2Session session;
   if (Status status = session.status(); !status) return status.error();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras through OpenNI 2.2 (Asus Xtion, PrimeSense Carmine, Orbbec Astra, whatever has a driver
-// for it), and .oni files. Depth in millimetres; where the device can lay depth over colour by
-// itself, by what it was calibrated to at the factory, it is asked to. Places: a position, a serial
-// number, a URI of OpenNI, or the path of a .oni file.
+// Cameras through OpenNI 2.2 (Asus Xtion, PrimeSense Carmine, Orbbec Astra, any other with a driver
+// for it), and .oni files. Depth in millimetres. Depth is registered to colour by the device where
+// it can, with its factory calibration. Places: a position, a serial number, a URI of OpenNI, or
+// the path of a .oni file.
 #pragma once
 
 #include <memory>

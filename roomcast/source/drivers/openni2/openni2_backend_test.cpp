@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Through the API of OpenNI 2: a camera made by a driver of the tests (tests/virtual_openni2.cpp),
-// and files.
+// Runs against the API of OpenNI 2: a simulated camera from a test driver
+// (tests/virtual_openni2.cpp), and files.
 #include "roomcast/source/drivers/openni2/openni2_backend.h"
 
 #include <cmath>
@@ -37,7 +37,7 @@ class OpenNi2 : public testing::Test {
     return source.ok() ? std::move(*source) : nullptr;
   }
 
-  /// What the virtual camera shows, recorded by OpenNI itself.
+  /// Records the virtual camera's pictures with OpenNI itself.
   fs::path record(int frames) {
     fs::path file = folder_ / "recorded.oni";
     on_openni2_thread([&] {
@@ -115,7 +115,7 @@ TEST_F(OpenNi2, a_camera_that_is_unplugged_and_plugged_in_again_goes_on) {
   while (source->health().is_there) std::this_thread::yield();
   plug_in();
   ASSERT_TRUE(*source->next(frame, {}));
-  ASSERT_TRUE(*source->next(frame, {}));  // one may have been left from before
+  ASSERT_TRUE(*source->next(frame, {}));  // the first one may be from before
   expect_virtual_camera(frame);
   EXPECT_EQ(source->health().times_unplugged, 1U);
 }
@@ -131,7 +131,7 @@ TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {
     expect_virtual_camera(frame);
     ++frames;
   }
-  EXPECT_GE(frames, 3);  // and more than were read, where the camera was quicker
+  EXPECT_GE(frames, 3);  // more than were read, if the camera was faster
 }
 
 TEST_F(OpenNi2, a_file_that_is_not_there_or_is_none_says_so) {

@@ -10,7 +10,7 @@ namespace roomcast::source {
 namespace {
 
 constexpr double kColorFromDepth_m = -0.025;                        // PrimeSense's reference design
-constexpr auto kPlayerFallsAsleep = std::chrono::milliseconds(50);  // of 10 ms a time
+constexpr auto kPlayerFallsAsleep = std::chrono::milliseconds(50);  // it sleeps for 10 ms at a time
 
 }  // namespace
 
@@ -18,9 +18,9 @@ OpenNi2Device::OpenNi2Device(const CameraInfo& info) : departure_(info.place) {
   description_.serial = info.serial;
 }
 
-/// OpenNI's thread that plays a file goes through the streams without a lock, without a pause at
-/// the file's end, for as long as one of them is started; it crashes when one is destroyed
-/// meanwhile (seen with Debian's 2.2.0.33). Once all are stopped it sleeps.
+/// OpenNI's playback thread iterates over the streams without a lock, and without a pause at the
+/// file's end, while any of them is started; it crashes if one is destroyed meanwhile (seen with
+/// Debian's 2.2.0.33). Once all are stopped it sleeps.
 OpenNi2Device::~OpenNi2Device() {
   bell_.silence();
   const std::array streams{&depth_, &color_};
@@ -57,7 +57,7 @@ Status OpenNi2Device::start(const std::string& uri, bool loop) {
                std::string("the device does not start: ") + openni::OpenNI::getExtendedError()};
 }
 
-/// Depth laid over colour by the device is worth more than nominal lenses.
+/// Prefers depth registered to colour by the device to nominal lenses.
 void OpenNi2Device::calibrate() {
   constexpr auto kOver = openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR;
   if (!device_.isFile() && device_.isImageRegistrationModeSupported(kOver))
@@ -81,7 +81,7 @@ void OpenNi2Device::calibrate() {
   }
 }
 
-/// Most files do not; they were mostly recorded with depth laid over colour.
+/// Most files do not state it; most were recorded with depth registered to colour.
 bool OpenNi2Device::tells_registration() const {
   return !device_.isFile() || device_.isPropertySupported(ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION);
 }
@@ -91,7 +91,7 @@ void OpenNi2Device::take(bool is_depth, FramePairing& pictures) {
   openni::VideoStream* streams[] = {&stream};
   openni::VideoFrameRef frame;
   int ready = -1;
-  constexpr int kNow = 0;  // reading would wait for ever for a device that is gone
+  constexpr int kNow = 0;  // reading would block forever for a disconnected device
   if (openni::OpenNI::waitForAnyStream(streams, 1, &ready, kNow) != openni::STATUS_OK ||
       stream.readFrame(&frame) != openni::STATUS_OK)
     return;

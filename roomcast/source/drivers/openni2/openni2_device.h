@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenNi2Device: an open device of OpenNI 2, or a file, and its two streams. Threading: everything
-// on OpenNI's thread (on_openni2_thread), construction and destruction too, but for those methods
-// that say otherwise.
+// OpenNi2Device: an open device of OpenNI 2, or a file, and its two streams. Threading: everything,
+// including construction and destruction, on OpenNI's thread (on_openni2_thread), except the
+// methods marked otherwise.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@ class OpenNi2Device {
   explicit OpenNi2Device(const CameraInfo& info);
   ~OpenNi2Device();
 
-  /// kUnavailable, kUnsupported: why it does not start.
+  /// Returns kUnavailable or kUnsupported with the reason if it does not start.
   [[nodiscard]] Status start(const std::string& uri, bool loop);
-  /// Puts the newest picture of a stream, if there is one, into `pictures`.
+  /// Adds the newest picture of a stream, if there is one, to `pictures`.
   void take(bool is_depth, FramePairing& pictures);
   [[nodiscard]] Status lock_color(bool exposure, bool white_balance);
 
-  // From any thread, once it has started.
+  // From any thread, after start().
   [[nodiscard]] const CameraDescription& description() const { return description_; }
   [[nodiscard]] bool plays_once() const { return plays_once_; }
   [[nodiscard]] bool is_gone() const { return departure_.happened(); }
@@ -43,7 +43,7 @@ class OpenNi2Device {
   FrameReadySignal bell_;
   CameraDescription description_;
   bool plays_once_ = false;
-  DepthImage depth_mm_;  // used again and again
+  DepthImage depth_mm_;  // reused
   ColorImage color_picture_;
 };
 

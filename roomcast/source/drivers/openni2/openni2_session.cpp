@@ -11,7 +11,7 @@
 namespace roomcast::source {
 namespace {
 
-/// Does what others ask, one thing after the other.
+/// A thread that runs tasks one after the other.
 class LastingThread {
  public:
   void run(const std::function<void()>& work) {

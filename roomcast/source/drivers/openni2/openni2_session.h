@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenNI 2 as a library: started while somebody uses it, and what it says of devices that come and
-// go. Threading: everything on OpenNI's thread (on_openni2_thread), which it asks for itself;
-// OpenNI tells of departures on a thread of its own.
+// Lifetime of the OpenNI 2 library, which is started while it has users, and its notification of
+// disconnected devices. Threading: callers run everything on OpenNI's thread (on_openni2_thread);
+// OpenNI notifies of disconnections on a thread of its own.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 
 namespace roomcast::source {
 
-/// OpenNI counts who uses it.
+/// A user of OpenNI, which counts its users.
 class OpenNi2Session {
  public:
   OpenNi2Session() : started_(openni::OpenNI::initialize() == openni::STATUS_OK) {}
@@ -24,14 +24,14 @@ class OpenNi2Session {
   OpenNi2Session(const OpenNi2Session&) = delete;
   OpenNi2Session& operator=(const OpenNi2Session&) = delete;
 
-  /// kUnavailable when it did not start.
+  /// Returns kUnavailable if it did not start.
   [[nodiscard]] Status status() const;
 
  private:
   const bool started_;
 };
 
-/// Notices that the device of this URI is gone. Lives within a session.
+/// Detects that the device of this URI was disconnected. Must not outlive its session.
 class OpenNi2Departure final : public openni::OpenNI::DeviceDisconnectedListener {
  public:
   explicit OpenNi2Departure(std::string uri);
@@ -44,12 +44,12 @@ class OpenNi2Departure final : public openni::OpenNI::DeviceDisconnectedListener
   std::atomic<bool> happened_{false};
 };
 
-/// Does `work` on the one thread that calls OpenNI, and waits for it. OpenNI remembers every thread
-/// that ever called it, and later asks the system whether it still runs; for one that has ended
-/// this crashes (seen with Debian's 2.2.0.33). So that thread lives as long as the process does.
+/// Runs `work` on the one thread that calls OpenNI, and waits for it. OpenNI stores every thread
+/// that ever called it, and later asks the system whether that thread still runs; for a terminated
+/// thread this crashes (seen with Debian's 2.2.0.33). So this thread lives as long as the process.
 void on_openni2_thread(const std::function<void()>& work);
 
-/// Of an open device; empty where it does not tell.
+/// Serial number of an open device; empty if it has none.
 [[nodiscard]] std::string openni2_serial(const openni::Device& device);
 
 }  // namespace roomcast::source

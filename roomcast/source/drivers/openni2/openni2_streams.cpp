@@ -25,7 +25,7 @@ bool is_better(const openni::VideoMode& a, const openni::VideoMode& b) {
   return std::abs(a.getFps() - kWantedFps) < std::abs(b.getFps() - kWantedFps);
 }
 
-/// The best of the right format; false when there is none.
+/// Finds the best mode of the required format; false if there is none.
 bool best_mode(const openni::SensorInfo& sensor, openni::VideoMode& best) {
   const auto& modes = sensor.getSupportedVideoModes();
   bool found = false;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480, kFps = 30;
 
-/// librealsense throws; nothing of it leaves this file.
+/// librealsense throws exceptions; none leaves this file.
 Error error_of(const rs2::error& error) {
   return {ErrorCode::kUnavailable, std::string("librealsense: ") + error.what()};
 }
@@ -59,7 +59,7 @@ class RealSense final : public Camera {
     try {
       context_.set_devices_changed_callback([](rs2::event_information&) {});
       pipeline_.stop();
-    } catch (const rs2::error&) {  // it is gone already
+    } catch (const rs2::error&) {  // already disconnected
     }
   }
 
@@ -94,7 +94,7 @@ class RealSense final : public Camera {
   }
 
  private:
-  /// Before it streams. 0: alone, 1: gives the beat, 2: follows it.
+  /// Call before streaming. 0: alone, 1: triggers others, 2: is triggered.
   static void synchronise(const CameraSettings& settings, rs2::config& config) {
     if (settings.sync == SyncRole::kAlone) return;
     const rs2::device device = config.resolve(rs2::pipeline()).get_device();
@@ -134,7 +134,7 @@ class RealSense final : public Camera {
   CameraDescription description_;
   double mm_per_unit_ = 1;
   std::atomic<bool> is_lost_{false};
-  DepthImage depth_mm_;  // used again and again
+  DepthImage depth_mm_;  // reused
   ColorImage color_;
 };
 

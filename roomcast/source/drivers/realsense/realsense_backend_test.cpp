@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be said without a camera: the library starts, and one that is not there is not found.
+// Tests without a camera: the library starts, and a missing camera is not found.
 #include "roomcast/source/drivers/realsense/realsense_backend.h"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 namespace roomcast::source {
 namespace {
 
-/// The calibration of D400 cameras leaves next to no distortion in depth, and says of colour how it
-/// is to be undone ("inverse"); its terms are zero there.
+/// D400 cameras have next to no distortion in depth; their colour calibration is given as the
+/// undistortion ("inverse"), whose terms are zero there.
 CameraIntrinsics camera_of(const rs2_intrinsics& from) {
   CameraIntrinsics camera{from.width,      from.height,      double(from.fx),
                           double(from.fy), double(from.ppx), double(from.ppy)};
@@ -21,7 +21,7 @@ CameraIntrinsics camera_of(const rs2_intrinsics& from) {
 RigidTransform transform_of(const rs2_extrinsics& from) {
   RigidTransform transform;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column)  // column by column
+    for (int column = 0; column < 3; ++column)  // column-major
       transform.rotation(row, column) = double(from.rotation[3 * column + row]);
     transform.translation_m[row] = double(from.translation[row]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From librealsense's calibration to ours. Metres, pixels. Thread-safe (no state).
+// Converts librealsense's calibration. Metres, pixels. Thread-safe (no state).
 #pragma once
 
 #include <librealsense2/h/rs_sensor.h>
