@@ -54,8 +54,8 @@ AlignCase case_of(const Entry& a, const Entry& b) {
   AlignCase pair;
   pair.a_from_b = a.seen->world_from_depth.inverse() * b.seen->world_from_depth;
   pair.overlap = alignment::check_free_space(a.seen->view->surface, b.seen->view->surface,
-                                         pair.a_from_b, kOverlapPoints)
-                     .consistent_least;
+                                             pair.a_from_b, kOverlapPoints)
+                     .min_consistent;
   return pair;
 }
 
@@ -136,7 +136,8 @@ class FreshRigs {
  public:
   explicit FreshRigs(const FreshSuiteOptions& options) : options_(options) {
     scenes_ = options.scenes;
-    if (scenes_.empty()) scenes_.assign(simulator::kSceneNames.begin(), simulator::kSceneNames.end());
+    if (scenes_.empty())
+      scenes_.assign(simulator::kSceneNames.begin(), simulator::kSceneNames.end());
   }
 
   [[nodiscard]] std::string next_name() const {

@@ -73,11 +73,12 @@ class Scene {
     return FilmedSensor::open(room_, sensing);
   }
 
-  void watch_unmoved(FilmedSensor& sensor, const alignment::CalibrationBundle& bundle, MovedRow& row) {
+  void watch_unmoved(FilmedSensor& sensor, const alignment::CalibrationBundle& bundle,
+                     MovedRow& row) {
     alignment::PoseChangeDetector watch(bundle);
     double cpu = 0;
     const nanoseconds end(std::llround(60e9 * options_.minutes));
-    for (nanoseconds time{}; time < end; time += alignment::kLookInterval) {
+    for (nanoseconds time{}; time < end; time += alignment::kCheckInterval) {
       const DepthImage& depth_mm = sensor.depth_mm(kWatchFrom + time);
       const CpuStopwatch stopwatch;
       const bool alarm = watch.moved(depth_mm.view(), HostTime(time));
@@ -101,9 +102,9 @@ class Scene {
     (void)watch.moved(still.depth_mm(begin).view(), HostTime(begin));
     ++tally.pushes;
     constexpr nanoseconds kFirstFrame = std::chrono::milliseconds(33);
-    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kLookInterval) {
+    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kCheckInterval) {
       // Right after a look: the next one is as far away as it can be.
-      const nanoseconds time = begin + since + alignment::kLookInterval - kFirstFrame;
+      const nanoseconds time = begin + since + alignment::kCheckInterval - kFirstFrame;
       if (!watch.moved(pushed->depth_mm(time).view(), HostTime(time))) continue;
       ++tally.noticed;
       tally.longest_s =

@@ -49,9 +49,9 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
   for (std::size_t a = 0; a < input.views.size(); ++a) {
     for (std::size_t b = a + 1; b < input.views.size(); ++b) {
       const RigidTransform a_from_b = world_from_depth[a].inverse() * world_from_depth[b];
-      const auto check = alignment::check_free_space(input.views[a]->surface, input.views[b]->surface,
-                                                 a_from_b, kOverlapPoints);
-      input.cases.push_back({a, b, a_from_b, check.consistent_least});
+      const auto check = alignment::check_free_space(
+          input.views[a]->surface, input.views[b]->surface, a_from_b, kOverlapPoints);
+      input.cases.push_back({a, b, a_from_b, check.min_consistent});
     }
   }
   return input;

@@ -74,7 +74,7 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
     sensor::SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
     feed_options.codec = options.codec;
-    feed_options.tell_pose = options.true_poses || !spec.starts_with("sim");
+    feed_options.send_pose = options.true_poses || !spec.starts_with("sim");
     feed_options.log = stderr_log("demo", options.verbose);
     auto feed = sensor::SensorFeed::start(std::move(*source), std::move(feed_options));
     if (!feed) return feed.error();

@@ -87,7 +87,7 @@ void add_from_usb(const std::vector<source::UsbCamera>& usb, Kind& kind) {
   }
 }
 
-std::vector<Kind> look_around() {
+std::vector<Kind> run_periodic_tasks() {
   const std::vector<source::UsbCamera> usb = source::usb_cameras();
   std::vector<Kind> kinds;
   for (const source::CameraKind& kind : source::camera_kinds()) {
@@ -156,7 +156,7 @@ nlohmann::json json_of(const std::vector<Kind>& kinds) {
 }
 
 Status run_devices(bool as_json) {
-  const std::vector<Kind> kinds = look_around();
+  const std::vector<Kind> kinds = run_periodic_tasks();
   if (as_json) {
     fmt::print("{}\n", json_of(kinds).dump(1));
   } else {

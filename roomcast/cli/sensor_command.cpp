@@ -31,17 +31,18 @@ struct SensorCommandOptions {
 
 std::string status_text(const std::string& name, const sensor::SensorFeedStats& now,
                         const sensor::SensorFeedStats& before) {
-  if (!now.source.is_there) return name + ": waiting for the camera";
+  if (!now.source.is_connected) return name + ": waiting for the camera";
   std::string text = fmt::format(
       "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
       static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent);
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
-  if (now.source.times_unplugged > 0)
-    text += fmt::format(", unplugged {} times", now.source.times_unplugged);
+  if (now.source.disconnect_count > 0)
+    text += fmt::format(", unplugged {} times", now.source.disconnect_count);
   return text;
 }
 
-Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, const std::stop_token& stop) {
+Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name,
+                    const std::stop_token& stop) {
   constexpr int kLooksPerSecond = 10;
   StatusLine line;
   sensor::SensorFeedStats before;

@@ -31,9 +31,9 @@ void ClockSync::add(HostTime sent, RoomTime hub, HostTime received) {
   const nanoseconds round_trip = received - sent;
   const HostTime middle = sent + round_trip / 2;
   const Exchange exchange{received, round_trip, hub.time_since_epoch() - middle.time_since_epoch()};
-  if (window_.empty() || !contradicts_what_is_believed(exchange)) return take(exchange);
+  if (window_.empty() || !contradicts_estimate(exchange)) return take(exchange);
   witnesses_.push_back(exchange);
-  if (witnesses_.size() < kWitnesses) return;
+  if (witnesses_.size() < kOutliersToReset) return;
   const auto witnesses = std::exchange(*this, {}).witnesses_;
   for (const Exchange& witness : witnesses) take(witness);
 }
@@ -110,14 +110,14 @@ ClockEstimate ClockSync::estimate_at(HostTime now) const {
 nanoseconds ClockSync::least_round_trip(const Exchange& newest) const {
   std::vector<nanoseconds> all = round_trips();
   all.push_back(newest.round_trip);
-  if (all.size() < kWitnesses) return nanoseconds(0);
-  std::ranges::partial_sort(all, all.begin() + kWitnesses);
-  return all[kWitnesses - 1] <= all.front() + kAgreement ? all.front() : nanoseconds(0);
+  if (all.size() < kOutliersToReset) return nanoseconds(0);
+  std::ranges::partial_sort(all, all.begin() + kOutliersToReset);
+  return all[kOutliersToReset - 1] <= all.front() + kAgreement ? all.front() : nanoseconds(0);
 }
 
 // The waiting of either exchange may have been in either direction; the network cannot explain a
 // larger difference.
-bool ClockSync::contradicts_what_is_believed(const Exchange& exchange) const {
+bool ClockSync::contradicts_estimate(const Exchange& exchange) const {
   const ClockEstimate expected = estimate_at(exchange.received);
   const nanoseconds difference =
       std::chrono::abs(exchange.room_minus_host - expected.room_minus_host);

@@ -10,8 +10,8 @@
 //   3. The shortest of every kWindow exchanges is kept for a minute or so; the slope through those
 //      that hardly waited is the drift.
 //   4. Exchanges that contradict the estimate by more than their waiting can explain mean that a
-//      clock was set or was stopped (a suspended computer). After kWitnesses of them the estimate
-//      is reset.
+//      clock was set or was stopped (a suspended computer). After kOutliersToReset of them the
+//      estimate is reset.
 //
 // Sources: Cristian 1989 (1); the minimum filter of NTP, RFC 5905 section 10 (2); the slope is the
 // median of all slopes between two points, Theil 1950 and Sen 1968, which is robust against a few
@@ -35,7 +35,7 @@ class ClockSync {
   static constexpr std::size_t kWindow = 32;   // exchanges
   static constexpr std::size_t kHistory = 20;  // windows
   static constexpr std::size_t kFewestForDrift = 5;
-  static constexpr std::size_t kWitnesses = 3;
+  static constexpr std::size_t kOutliersToReset = 3;
   static constexpr double kLargestDrift = 100e-6;     // between two quartz clocks
   static constexpr double kDriftUncertainty = 10e-6;  // once the drift has been measured
   /// Two exchanges without waiting agree within this time: the time programs need to wake up.
@@ -66,7 +66,7 @@ class ClockSync {
   [[nodiscard]] ClockEstimate estimate_at(HostTime now) const;
   [[nodiscard]] std::vector<nanoseconds> round_trips() const;
   [[nodiscard]] nanoseconds least_round_trip(const Exchange& newest) const;
-  [[nodiscard]] bool contradicts_what_is_believed(const Exchange& exchange) const;
+  [[nodiscard]] bool contradicts_estimate(const Exchange& exchange) const;
 
   std::deque<Exchange> window_;   // newest last, at most kWindow
   std::deque<Exchange> history_;  // the shortest round trip of each full window, at most kHistory

@@ -27,14 +27,14 @@ pb::Join join_message(const NudgeOptions& options) {
 }
 
 /// Sends one prior and waits for the answer: a change of the sensor's entry in the roster.
-class Asking final : public HubLinkEvents {
+class NudgeRequest final : public HubLinkEvents {
  public:
-  Asking(std::vector<net::HubUrl> hubs, const NudgeOptions& options)
+  NudgeRequest(std::vector<net::HubUrl> hubs, const NudgeOptions& options)
       : options_(options), link_(network_.io(), std::move(hubs), join_message(options), *this) {
     link_.start();
     network_.start();
   }
-  ~Asking() override {
+  ~NudgeRequest() override {
     network_.finish([this] { link_.stop(); });
   }
 
@@ -102,7 +102,7 @@ RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions
 Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {
   auto hubs = net::parse_hub_urls(options.hub_url);
   if (!hubs) return hubs.error();
-  return Asking(*std::move(hubs), options).wait();
+  return NudgeRequest(*std::move(hubs), options).wait();
 }
 
 }  // namespace roomcast::client

@@ -72,7 +72,7 @@ class Publisher::Link final : public HubLinkEvents {
     std::lock_guard lock(mutex_);
     const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxUnsentFrames;
     if (!may_send) {
-      leave_one_out();
+      skip_frame();
       if (shared_.connected && shared_.clock) send_rate_.piled_up(SteadyClock().now());
       return std::nullopt;
     }
@@ -90,7 +90,7 @@ class Publisher::Link final : public HubLinkEvents {
       link_.send(*bundle_);
     });
   }
-  void say_moved() {
+  void report_moved() {
     boost::asio::post(network_.io(), [this] {
       bundle_.reset();
       moved_ = true;
@@ -154,7 +154,7 @@ class Publisher::Link final : public HubLinkEvents {
   std::optional<wire::FrameHeader> make_header(const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
                                                HostTime capture_time);
-  void leave_one_out();
+  void skip_frame();
   void enqueue(std::uint64_t session, net::FramedMessagePtr message);
 
   PublisherOptions options_;
@@ -255,7 +255,7 @@ std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
 }
 
 /// A skipped frame still gets a number, so that receivers can count it. Under the lock.
-void Publisher::Link::leave_one_out() {
+void Publisher::Link::skip_frame() {
   ++shared_.stats.frames_skipped;
   const bool has_sent = sequence_.session == shared_.session && sequence_.base_seq;
   if (has_sent && shared_.connected) ++sequence_.next_seq;
@@ -271,7 +271,7 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
   if (!header) {
     std::lock_guard lock(mutex_);
     shared_.want_key = true;  // this frame is lost, and later ones may build on it
-    leave_one_out();
+    skip_frame();
     return std::nullopt;
   }
   header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
@@ -324,8 +324,8 @@ void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
   link_->send_bundle(std::move(bundle));
 }
 
-void Publisher::say_moved() {
-  link_->say_moved();
+void Publisher::report_moved() {
+  link_->report_moved();
 }
 
 wire::pb::SightingRequest Publisher::wanted_sightings() const {

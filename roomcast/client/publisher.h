@@ -75,7 +75,7 @@ class Publisher {
   void send_bundle(wire::pb::CalibrationBundle bundle);
 
   /// Reports that the sensor was moved: its known pose is invalid. A new bundle should follow.
-  void say_moved();
+  void report_moved();
 
   /// The sightings that the room's aligner requests; nothing if it requests none, or without a
   /// connection.

@@ -17,7 +17,8 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kCarriedBound_mm = 5;  // near-lossless bound of live depth while the sensor moves
+constexpr int kMovingSensorBound_mm =
+    5;  // near-lossless bound of live depth while the sensor moves
 
 Status invalid(const char* message) {
   return Error{ErrorCode::kInvalidArgument, message};
@@ -122,7 +123,8 @@ class SectionFrameEncoder final : public FrameEncoder {
     end_section(section, out);
   }
   [[nodiscard]] int bound_mm() const {
-    return options_.depth_mode == DepthMode::kLive ? kCarriedBound_mm : options_.depth_bound_mm;
+    return options_.depth_mode == DepthMode::kLive ? kMovingSensorBound_mm
+                                                   : options_.depth_bound_mm;
   }
   [[nodiscard]] std::uint8_t depth_codec() const {
     switch (mode_) {

@@ -12,14 +12,14 @@ namespace roomcast {
 namespace {
 
 /// State shared by the threads: the next task, the finished tasks, and whether to continue.
-class Ledger {
+class TaskState {
  public:
-  Ledger(int tasks, int most_ahead) : tasks_(tasks), most_ahead_(most_ahead) {}
+  TaskState(int tasks, int most_ahead) : tasks_(tasks), max_ahead_(most_ahead) {}
 
   /// The next task, or -1 when there is none left.
   int take() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stopped_ || next_ < handed_on_ + most_ahead_; });
+    changed_.wait(lock, [this] { return stopped_ || next_ < handed_on_ + max_ahead_; });
     return stopped_ || next_ >= tasks_ ? -1 : next_++;
   }
 
@@ -37,7 +37,7 @@ class Ledger {
     return failure_;
   }
 
-  void hand_on(int task) {
+  void mark_done(int task) {
     const std::scoped_lock lock(mutex_);
     ended_.erase(task);
     handed_on_ = task + 1;
@@ -53,7 +53,7 @@ class Ledger {
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
-  const int tasks_, most_ahead_;
+  const int tasks_, max_ahead_;
   int next_ = 0, handed_on_ = 0;
   bool stopped_ = false;
   Status failure_;
@@ -65,7 +65,7 @@ class Ledger {
 Status run_in_order(int tasks, int threads, const std::function<Status(int, int)>& work,
                     const std::function<Status(int)>& done) {
   constexpr int kAheadPerThread = 3;
-  Ledger ledger(tasks, kAheadPerThread * threads);
+  TaskState ledger(tasks, kAheadPerThread * threads);
   std::vector<std::jthread> workers;
   for (int thread = 0; thread < threads; ++thread) {
     workers.emplace_back([&ledger, &work, thread] {
@@ -77,7 +77,7 @@ Status run_in_order(int tasks, int threads, const std::function<Status(int, int)
   for (int task = 0; task < tasks && status.ok(); ++task) {
     status = ledger.wait_for(task);
     if (status.ok()) status = done(task);
-    if (status.ok()) ledger.hand_on(task);
+    if (status.ok()) ledger.mark_done(task);
   }
   ledger.stop();
   return status;

@@ -22,7 +22,7 @@ FramedMessagePtr frame_message(MessageBuffer&& message, Opcode opcode,
   return std::make_shared<const FramedMessage>(FramedMessage::Private{}, std::move(storage), start);
 }
 
-FramedMessagePtr seal_masked_copy(const FramedMessage& message, MaskKey mask) {
+FramedMessagePtr frame_masked_copy(const FramedMessage& message, MaskKey mask) {
   return frame_message(MessageBuffer(message.payload()), Opcode::kBinary, mask);
 }
 

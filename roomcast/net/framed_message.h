@@ -55,6 +55,6 @@ class FramedMessage {
                                              std::optional<MaskKey> mask = std::nullopt);
 
 /// A masked copy of an unmasked binary message, as sent by a client.
-[[nodiscard]] FramedMessagePtr seal_masked_copy(const FramedMessage& message, MaskKey mask);
+[[nodiscard]] FramedMessagePtr frame_masked_copy(const FramedMessage& message, MaskKey mask);
 
 }  // namespace roomcast::net

@@ -39,7 +39,7 @@ TEST(FramedMessage, seals_the_masked_hello_of_rfc_6455) {
 TEST(FramedMessage, a_masked_copy_leaves_the_original_as_it_was) {
   const std::array<std::uint8_t, 3> bytes = {1, 2, 3};
   const auto plain = frame_message(MessageBuffer(bytes));
-  const auto masked = seal_masked_copy(*plain, {0xFF, 0xFF, 0xFF, 0xFF});
+  const auto masked = frame_masked_copy(*plain, {0xFF, 0xFF, 0xFF, 0xFF});
   EXPECT_THAT(plain->payload(), ElementsAreArray(bytes));
   EXPECT_THAT(masked->wire_bytes(),
               ElementsAre(0x82, 0x83, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE, 0xFD, 0xFC));

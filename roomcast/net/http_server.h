@@ -61,7 +61,7 @@ struct HttpServerOptions {
   AllowedNames names = {};
   /// Whether pages of this site ("https://b.example.org:7600") may connect as well. Called on the
   /// door's thread.
-  std::function<bool(std::string_view origin)> knows_site = {};
+  std::function<bool(std::string_view origin)> allows_origin = {};
 
   /// Called on the door's thread with peer_name(), for each connection and each request. False
   /// drops the connection without an answer.
@@ -75,8 +75,8 @@ struct HttpServerOptions {
   std::size_t max_header_bytes = 8 * 1024;    // of a request
   std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
   std::chrono::milliseconds response_within{60'000};  // a whole answer
-  std::chrono::milliseconds nonsense_waits{3'000};    // before a malformed request is answered
-  std::chrono::milliseconds goodbye_within{1'000};    // from our last byte to the closed socket
+  std::chrono::milliseconds malformed_reply_delay{3'000};  // before a malformed request is answered
+  std::chrono::milliseconds linger_timeout{1'000};  // from our last byte to the closed socket
   ConnectionTimings websocket_timings = {};
 };
 

@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 
 TEST_F(HttpServerTest, refuses_garbage_in_one_sentence_after_a_while) {
   auto patient = options();
-  patient.nonsense_waits = 50ms;
+  patient.malformed_reply_delay = 50ms;
   listen(std::move(patient));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_THAT(exchange("\x16\x03\x01garbage\r\n\r\n"),
@@ -30,7 +30,7 @@ TEST_F(HttpServerTest, refuses_garbage_in_one_sentence_after_a_while) {
 
 TEST_F(HttpServerTest, whoever_waits_for_the_answer_to_garbage_does_not_outlive_the_server) {
   auto patient = options();
-  patient.nonsense_waits = 1h;
+  patient.malformed_reply_delay = 1h;
   listen(std::move(patient));
   auto socket = raw_connection(server_->port());
   send(socket, "garbage\r\n\r\n");
@@ -98,7 +98,7 @@ TEST_F(HttpServerTest, a_header_that_drips_gains_no_time) {
 
 TEST_F(HttpServerTest, a_flood_after_the_answer_gains_no_time) {
   auto quick = options();
-  quick.goodbye_within = 50ms;
+  quick.linger_timeout = 50ms;
   listen(std::move(quick));
   auto socket = raw_connection(server_->port());
   EXPECT_LT(time_until_closed(io_, socket, std::string(10'000, 'x'), 0ms), 5s);
@@ -177,7 +177,7 @@ TEST_F(HttpServerTest, whoever_may_not_connect_is_dropped_without_a_word) {
 TEST_F(HttpServerTest, pages_of_sites_that_it_knows_by_now_may_connect_and_no_others) {
   auto beside_others = options();
   std::string known;
-  beside_others.knows_site = [&known](std::string_view origin) { return origin == known; };
+  beside_others.allows_origin = [&known](std::string_view origin) { return origin == known; };
   listen(std::move(beside_others));
   const std::string knock = upgrade_request("Origin: https://b.example:7600\r\n");
   EXPECT_THAT(exchange(knock), StartsWith("HTTP/1.1 403 "));

@@ -162,14 +162,15 @@ void HttpSession::answer_fault(ErrorCode error) {
   const bool is_http_fault =
       error.category() == http::make_error_code(http::error::bad_method).category();
   const bool is_cut = error == http::error::end_of_stream || error == http::error::partial_message;
-  if (!stream_.tls_fault().empty() || (is_http_fault && !is_cut)) return answer_nonsense(error);
+  if (!stream_.tls_fault().empty() || (is_http_fault && !is_cut))
+    return answer_malformed_later(error);
   abort();
 }
 
 /// Delays the answer: a client that opens and closes connections as fast as it can costs the
 /// machine more than one that is kept waiting.
-void HttpSession::answer_nonsense(ErrorCode error) {
-  deadline_.expires_after(options_->nonsense_waits);
+void HttpSession::answer_malformed_later(ErrorCode error) {
+  deadline_.expires_after(options_->malformed_reply_delay);
   deadline_.async_wait([self = shared_from_this(), error](ErrorCode cancelled) {
     if (cancelled || !self->stream_.is_open()) return;
     if (!self->stream_.tls_fault().empty()) return self->abort();
@@ -186,7 +187,7 @@ void HttpSession::answer_request() {
         text_response(421, "This server has another name than the one that was asked for.\n"),
         false);
   }
-  if (is_for_program(path_of(request.target()))) return read_body();
+  if (is_api_path(path_of(request.target()))) return read_body();
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     HttpResponse response = text_response(405, "Only GET and HEAD are answered here.\n");
     response.headers = {{"Allow", "GET, HEAD"}};
@@ -200,7 +201,7 @@ void HttpSession::answer_request() {
   send(response_for(path), wants_more());
 }
 
-bool HttpSession::is_for_program(std::string_view path) const {
+bool HttpSession::is_api_path(std::string_view path) const {
   return options_->on_request && std::ranges::any_of(options_->request_paths, [&](const auto& own) {
            return path.starts_with(own);
          });
@@ -215,7 +216,7 @@ void HttpSession::read_body() {
   http::async_read(stream_, buffer_, *body_parser_,
                    [self = shared_from_this()](ErrorCode error, std::size_t) {
                      if (!self->stream_.is_open()) return;
-                     if (!error) return self->ask_program();
+                     if (!error) return self->call_api();
                      if (error != http::error::body_limit) return self->abort();
                      self->refuse_body();
                    });
@@ -228,7 +229,7 @@ void HttpSession::refuse_body() {
 }
 
 /// The answer may come from another thread.
-void HttpSession::ask_program() {
+void HttpSession::call_api() {
   abort_after(options_->response_within);
   auto& message = body_parser_->get();
   const auto authorization = message[http::field::authorization];
@@ -292,7 +293,7 @@ void HttpSession::on_written(ErrorCode error, bool keep_alive) {
   if (error || !stream_.is_open()) return abort();
   if (keep_alive) return read_request();
   stream_.shutdown_send();
-  abort_after(options_->goodbye_within);
+  abort_after(options_->linger_timeout);
   say_goodbye();
 }
 
@@ -310,7 +311,7 @@ void HttpSession::upgrade() {
   const auto& request = parser_->get();
   AllowedNames names = options_->names;
   const auto origin = request[http::field::origin];
-  if (options_->knows_site && options_->knows_site({origin.data(), origin.size()})) {
+  if (options_->allows_origin && options_->allows_origin({origin.data(), origin.size()})) {
     names.origins.emplace_back(origin);
   }
   if (auto refusal = refuse_upgrade(request, options_->subprotocol, names)) {

@@ -48,12 +48,12 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void read_request();
   void on_header(ErrorCode error);
   void answer_fault(ErrorCode error);
-  void answer_nonsense(ErrorCode error);
+  void answer_malformed_later(ErrorCode error);
   void answer_request();
-  [[nodiscard]] bool is_for_program(std::string_view path) const;
+  [[nodiscard]] bool is_api_path(std::string_view path) const;
   void read_body();
   void refuse_body();
-  void ask_program();
+  void call_api();
   [[nodiscard]] HttpResponse response_for(std::string_view path) const;
 
   void send(HttpResponse response, bool keep_alive);

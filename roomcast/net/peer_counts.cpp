@@ -17,7 +17,7 @@ PeerCounts::Place::~Place() {
 
 std::shared_ptr<PeerCounts::Place> PeerCounts::enter(const std::string& address,
                                                      std::size_t limit) {
-  if (counts_.size() >= forget_at_) forget_the_gone();
+  if (counts_.size() >= forget_at_) remove_unused();
   auto& count = counts_[address];
   if (count == nullptr) count = std::make_shared<std::atomic<std::size_t>>(0);
   if (*count >= limit) return nullptr;
@@ -26,7 +26,7 @@ std::shared_ptr<PeerCounts::Place> PeerCounts::enter(const std::string& address,
 
 /// The remaining entries are no more than the open connections, so the map's size is bounded by
 /// twice that number (at least 1024).
-void PeerCounts::forget_the_gone() {
+void PeerCounts::remove_unused() {
   std::erase_if(counts_, [](const auto& entry) { return *entry.second == 0; });
   forget_at_ = std::max<std::size_t>(1024, 2 * counts_.size());
 }

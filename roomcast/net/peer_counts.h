@@ -29,7 +29,7 @@ class PeerCounts {
   [[nodiscard]] std::shared_ptr<Place> enter(const std::string& address, std::size_t limit);
 
  private:
-  void forget_the_gone();
+  void remove_unused();
 
   std::unordered_map<std::string, std::shared_ptr<std::atomic<std::size_t>>> counts_;
   std::size_t forget_at_ = 1024;  // addresses

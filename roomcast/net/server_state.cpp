@@ -61,7 +61,7 @@ ServerState::ServerState(asio::io_context& door, std::span<asio::io_context* con
       options_(std::make_shared<const HttpServerOptions>(std::move(options))),
       tls_(options_->tls),
       log_(std::move(log)),
-      strangers_(std::make_shared<OpenConnections>()),
+      http_connections_(std::make_shared<OpenConnections>()),
       workers_(std::make_shared<WebSocketWorkers>(workers, options_)) {}
 
 Status ServerState::listen() {
@@ -104,7 +104,7 @@ void ServerState::accept() {
 }
 
 std::size_t ServerState::connection_count() const {
-  return strangers_->count() + workers_->connection_count();
+  return http_connections_->count() + workers_->connection_count();
 }
 
 void ServerState::on_accept(ErrorCode error, Tcp::socket socket) {
@@ -120,7 +120,7 @@ void ServerState::take_in(Tcp::socket socket) {
   origins.place = unsettled_.enter(origins.peer, places_for(origins.peer));
   if (origins.place == nullptr) return;
   if (connection_count() >= options_->max_connections) return turn_away(std::move(socket));
-  origins.lease = strangers_->open();
+  origins.lease = http_connections_->open();
   serve(options_, log_, tls_, std::move(socket), std::move(origins));
 }
 
@@ -151,7 +151,7 @@ void ServerState::stop() {
   ErrorCode ignored;
   acceptor_.close(ignored);
   retry_.cancel();
-  asio::dispatch(door_, [strangers = strangers_] { strangers->end_all(); });
+  asio::dispatch(door_, [strangers = http_connections_] { strangers->end_all(); });
   workers_->end_all();
 }
 

@@ -54,7 +54,7 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   std::shared_ptr<const TlsServerContext> tls_;
   PeerCounts unsettled_;
   LogSink log_;
-  const std::shared_ptr<OpenConnections> strangers_;  // not, or not yet, WebSockets
+  const std::shared_ptr<OpenConnections> http_connections_;  // not, or not yet, WebSockets
   const std::shared_ptr<WebSocketWorkers> workers_;
   std::uint16_t port_ = 0;
 };

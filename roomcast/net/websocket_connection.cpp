@@ -77,7 +77,7 @@ void WebSocketConnection::start(std::shared_ptr<ConnectionHandler> handler) {
 }
 
 void WebSocketConnection::wake() {
-  handler_is_dry_ = false;
+  handler_has_no_message_ = false;
   if (pulling_) return;
   if (handler_ == nullptr || write_scheduled_) return schedule_write();
   write();
@@ -198,19 +198,19 @@ bool WebSocketConnection::refill() {
 }
 
 void WebSocketConnection::pull() {
-  while (stage_ == Stage::kOpen && handler_ != nullptr && !handler_is_dry_ &&
+  while (stage_ == Stage::kOpen && handler_ != nullptr && !handler_has_no_message_ &&
          outgoing_.count() < OutgoingFrames::kMaxGather &&
          outgoing_.unwritten_bytes() < pull_limit_bytes_) {
-    handler_is_dry_ = true;  // before the call, which may call wake()
+    handler_has_no_message_ = true;  // before the call, which may call wake()
     pulling_ = true;
     FramedMessagePtr message = handler_->next_message();
     pulling_ = false;
     if (message == nullptr) {
       pull_limit_bytes_ = kMaxPull;
-      if (!handler_is_dry_) schedule_write();
+      if (!handler_has_no_message_) schedule_write();
       return;
     }
-    handler_is_dry_ = false;
+    handler_has_no_message_ = false;
     if (stage_ == Stage::kOpen) push_message(std::move(message));
   }
 }
@@ -222,7 +222,7 @@ void WebSocketConnection::on_wrote(std::size_t size, std::size_t offered) {
     pull_limit_bytes_ = kCongestedPull;
     return wait_until_writable();
   }
-  const bool more = !outgoing_.empty() || unanswered_ping_ || !handler_is_dry_;
+  const bool more = !outgoing_.empty() || unanswered_ping_ || !handler_has_no_message_;
   if (more || stage_ != Stage::kOpen) schedule_write();
 }
 
@@ -247,7 +247,7 @@ void WebSocketConnection::push_message(FramedMessagePtr message) {
   if (options_.role == WebSocketRole::kServer) return outgoing_.push(std::move(message));
   MaskKey mask{};
   fill_with_random_bytes(mask);
-  outgoing_.push(seal_masked_copy(*message, mask));
+  outgoing_.push(frame_masked_copy(*message, mask));
 }
 
 void WebSocketConnection::push_close(std::uint16_t code, std::string_view reason) {

@@ -192,7 +192,8 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   bool pulling_ = false;  // next_message() is being called: its wake() has no effect
   bool write_failed_ = false;
   bool waiting_until_writable_ = false;
-  bool handler_is_dry_ = false;  // next_message() gave null, and wake() was not called since
+  bool handler_has_no_message_ =
+      false;  // next_message() gave null, and wake() was not called since
   std::size_t pull_limit_bytes_;
 };
 

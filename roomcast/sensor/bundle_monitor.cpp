@@ -13,7 +13,7 @@ namespace {
 /// still moving.
 constexpr double kMaxUnsteady = 0.3;
 
-bool stands_still(const alignment::CalibrationBundle& bundle) {
+bool is_stationary(const alignment::CalibrationBundle& bundle) {
   const auto depth = bundle.depth_mm.view();
   const auto moving = std::as_const(bundle.moving).view();
   const std::size_t pixels = depth.pixel_count();
@@ -53,7 +53,7 @@ Result<BundleUpdate> BundleMonitor::capture(const source::CapturedFrame& frame) 
 Result<BundleUpdate> BundleMonitor::finish() {
   auto bundle = capture_.finish();
   if (!bundle) return bundle.error();
-  if (was_moved_ && !stands_still(*bundle)) return BundleUpdate{};
+  if (was_moved_ && !is_stationary(*bundle)) return BundleUpdate{};
   auto message = message_from_bundle(*bundle);
   if (!message) return message.error();
   watch_.emplace(*bundle);

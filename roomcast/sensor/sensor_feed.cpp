@@ -23,7 +23,7 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   options.credential = feed.credential;
   options.name = feed.name.empty() ? sensor.name : feed.name;
   options.calibration = sensor.calibration;
-  if (feed.tell_pose) options.world_from_depth = sensor.world_from_depth;
+  if (feed.send_pose) options.world_from_depth = sensor.world_from_depth;
   options.fps = sensor.fps;
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
@@ -99,7 +99,7 @@ class SensorFeed::Worker {
     auto news = bundle_.add(captured_);
     if (!news) return complain(news.error().message);
     if (news->moved) {
-      publisher_->say_moved();
+      publisher_->report_moved();
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
     if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));

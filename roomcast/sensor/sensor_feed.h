@@ -26,7 +26,7 @@ struct SensorFeedOptions {
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;
-  bool tell_pose = true;  // send the source's pose; else the hub's aligner estimates it
+  bool send_pose = true;  // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   std::filesystem::path preview;  // path of a picture, written once a second; empty: none
   LogSink log;

@@ -32,14 +32,14 @@ std::optional<wire::pb::Sightings> SightingDetector::add(const source::CapturedF
                                                          RoomTime taken) {
   if (!bundle_ || !(wanted_.heads() || wanted_.tags())) return std::nullopt;
   if (!same_size(frame.depth_mm.view(), bundle_->calibration.depth)) return std::nullopt;
-  if (wanted_.heads() && is_due(last_heads_, taken, kHeadInterval)) look_for_heads(frame, taken);
-  if (wanted_.tags() && is_due(last_tags_, taken, kTagInterval)) look_for_tags(frame, taken);
+  if (wanted_.heads() && is_due(last_heads_, taken, kHeadInterval)) detect_heads(frame, taken);
+  if (wanted_.tags() && is_due(last_tags_, taken, kTagInterval)) detect_tags(frame, taken);
   const bool seen = !seen_.heads().empty() || !seen_.tags().empty();
   if (!seen || !is_due(last_message_, taken, kSightingsMessageInterval)) return std::nullopt;
   return std::exchange(seen_, {});
 }
 
-void SightingDetector::look_for_heads(const source::CapturedFrame& frame, RoomTime taken) {
+void SightingDetector::detect_heads(const source::CapturedFrame& frame, RoomTime taken) {
   if (!heads_ && sees_floor_) {
     const auto floor = alignment::floor_of(*bundle_);
     sees_floor_ = floor.has_value();
@@ -56,7 +56,7 @@ void SightingDetector::look_for_heads(const source::CapturedFrame& frame, RoomTi
   }
 }
 
-void SightingDetector::look_for_tags(const source::CapturedFrame& frame, RoomTime taken) {
+void SightingDetector::detect_tags(const source::CapturedFrame& frame, RoomTime taken) {
   if (!same_size(frame.color.view(), bundle_->calibration.color)) return;
   if (!tags_) tags_.emplace(bundle_->calibration);
   for (const alignment::SeenTag& tag : tags_->find(frame.depth_mm.view(), frame.color.view())) {

@@ -34,8 +34,8 @@ class SightingDetector {
                                                        RoomTime taken);
 
  private:
-  void look_for_heads(const source::CapturedFrame& frame, RoomTime taken);
-  void look_for_tags(const source::CapturedFrame& frame, RoomTime taken);
+  void detect_heads(const source::CapturedFrame& frame, RoomTime taken);
+  void detect_tags(const source::CapturedFrame& frame, RoomTime taken);
 
   wire::pb::SightingRequest wanted_;
   std::optional<alignment::CalibrationBundle> bundle_;

@@ -18,7 +18,7 @@ source::CapturedFrame frame_with_person() {
   room.boxes.push_back({Eigen::Vector3d(-1.02, 0, 0.75), Eigen::Vector3d(-0.58, 1.55, 1.05)});
   room.boxes.push_back({Eigen::Vector3d(-0.88, 1.55, 0.82), Eigen::Vector3d(-0.72, 1.8, 0.98)});
   source::CapturedFrame frame;
-  frame.depth_mm = alignment::invented_depth(room, alignment::calibration_fixture().depth, kStand);
+  frame.depth_mm = alignment::depth_fixture(room, alignment::calibration_fixture().depth, kStand);
   return frame;
 }
 

@@ -48,8 +48,8 @@ struct PlaybackOptions {
 /// Counters and state of a source.
 struct SourceHealth {
   std::uint64_t frames_lost = 0;  // by the camera, in transfer, or not read in time
-  std::uint64_t times_unplugged = 0;
-  bool is_there = true;  // false while waiting for a lost camera
+  std::uint64_t disconnect_count = 0;
+  bool is_connected = true;  // false while waiting for a lost camera
 };
 
 class FrameSource {

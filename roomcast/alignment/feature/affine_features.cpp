@@ -20,7 +20,7 @@ FeatureSet affine_features(const ColorPicture& picture, const DepthSurface& surf
     set.features.push_back({*point_m, found.pixel});
     set.descriptors.push_back(found.descriptor);
   }
-  find_look_alikes(set);
+  compute_ambiguity(set);
   return set;
 }
 

@@ -10,7 +10,8 @@
 
 namespace roomcast::alignment {
 
-/// Features with `look_alike` set (repeats.h). One place usually has several features.
+/// Features with `nearest_similar_distance` set (repeats.h). One place usually has several
+/// features.
 [[nodiscard]] FeatureSet affine_features(const ColorPicture& picture, const DepthSurface& surface);
 
 }  // namespace roomcast::alignment

@@ -14,7 +14,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPartner = std::numeric_limits<std::uint32_t>::max();
 
 /// The kPartners best partners of one feature, best first.
 struct Partners {
@@ -24,7 +24,7 @@ struct Partners {
   /// A feature whose product is `too_small_dot` or less is no partner.
   explicit Partners(std::int32_t too_small_dot) {
     dot.fill(too_small_dot);
-    index.fill(kNobody);
+    index.fill(kNoPartner);
   }
   /// Inserts a candidate; its product must exceed the last partner's.
   void take(std::int32_t candidate_dot, std::uint32_t candidate) {
@@ -50,17 +50,18 @@ std::vector<std::int32_t> repeat_mask(const FeatureSet& set) {
 
 /// Summary of one row of products.
 struct Row {
-  std::int32_t holds_partners = 0, nearest_repeat = 0;
+  std::int32_t has_partners = 0, nearest_repeat = 0;
 };
 
 /// Summarises a row. `last_a`, `last_b`: the product of the last partner of the row's feature and
 /// of each feature of the tile.
-ROOMCAST_VECTOR_CLONES Row look_over(std::span<const std::int32_t> products, std::int32_t last_a,
-                                     const std::int32_t* last_b, const std::int32_t* repeats_b,
-                                     std::int32_t repeats_a, std::int32_t* repeat_of_b) {
+ROOMCAST_VECTOR_CLONES Row summarise_row(std::span<const std::int32_t> products,
+                                         std::int32_t last_a, const std::int32_t* last_b,
+                                         const std::int32_t* repeats_b, std::int32_t repeats_a,
+                                         std::int32_t* repeat_of_b) {
   Row row;
   for (std::size_t k = 0; k < products.size(); ++k) {
-    row.holds_partners |= products[k] > std::min(last_a, last_b[k]) ? 1 : 0;
+    row.has_partners |= products[k] > std::min(last_a, last_b[k]) ? 1 : 0;
     row.nearest_repeat = std::max(row.nearest_repeat, products[k] & repeats_b[k]);
     repeat_of_b[k] = std::max(repeat_of_b[k], products[k] & repeats_a);
   }
@@ -97,10 +98,10 @@ class Comparison {
     descriptor_products(a_.descriptors[i], std::span(b_.descriptors).subspan(first, count),
                         products);
     const Row row =
-        look_over(products, of_a_[i].dot.back(), last_b_.data() + first, repeats_b_.data() + first,
-                  repeats_a_[i], repeat_of_b_.data() + first);
+        summarise_row(products, of_a_[i].dot.back(), last_b_.data() + first,
+                      repeats_b_.data() + first, repeats_a_[i], repeat_of_b_.data() + first);
     repeat_of_a_[i] = std::max(repeat_of_a_[i], row.nearest_repeat);
-    if (row.holds_partners != 0) take_partners(i, first, products);
+    if (row.has_partners != 0) take_partners(i, first, products);
   }
 
   void take_partners(std::size_t i, std::size_t first, std::span<const std::int32_t> products) {
@@ -119,7 +120,7 @@ class Comparison {
     std::vector<DescriptorMatch> matches;
     for (std::uint32_t i = 0; i < of_a_.size(); ++i) {
       const Partners& mine = of_a_[i];
-      for (std::size_t p = 0; p < kPartners && mine.index[p] != kNobody; ++p) {
+      for (std::size_t p = 0; p < kPartners && mine.index[p] != kNoPartner; ++p) {
         const float distance = descriptor_distance(mine.dot[p]);
         if (distance < largest_distance && of_b_[mine.index[p]].holds(i))
           matches.push_back({i, mine.index[p], distance});
@@ -139,7 +140,7 @@ class Comparison {
   static std::vector<float> distances(const std::vector<std::int32_t>& dots) {
     std::vector<float> distances;
     for (const std::int32_t dot : dots)
-      distances.push_back(dot > 0 ? descriptor_distance(dot) : kNoLookAlike);
+      distances.push_back(dot > 0 ? descriptor_distance(dot) : kNoSimilarFeature);
     return distances;
   }
 

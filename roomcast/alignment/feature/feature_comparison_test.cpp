@@ -93,11 +93,11 @@ TEST(Repeats, the_same_look_elsewhere_is_a_repeat_and_at_the_same_place_is_not) 
   auto descriptors = random_descriptors(3, 6);
   descriptors[2] = descriptors[0];
   FeatureSet far = set_of(descriptors, 1), near = set_of(descriptors, 0.01F);
-  find_look_alikes(far);
-  find_look_alikes(near);
-  EXPECT_LT(far.features[0].look_alike, 0.1F);
-  EXPECT_GT(far.features[1].look_alike, 0.5F);
-  EXPECT_GT(near.features[0].look_alike, 0.5F);
+  compute_ambiguity(far);
+  compute_ambiguity(near);
+  EXPECT_LT(far.features[0].nearest_similar_distance, 0.1F);
+  EXPECT_GT(far.features[1].nearest_similar_distance, 0.5F);
+  EXPECT_GT(near.features[0].nearest_similar_distance, 0.5F);
   EXPECT_TRUE(repeats(far.features[0]));
   EXPECT_TRUE(repeats(far.features[2]));
   EXPECT_FALSE(repeats(near.features[0]));
@@ -107,15 +107,15 @@ TEST(Repeats, what_repeats_for_one_sensor_is_known_to_the_other) {
   const auto descriptors = random_descriptors(2, 7);
   FeatureSet twice = set_of({descriptors[0], descriptors[0], descriptors[1]}, 1);
   FeatureSet once = set_of(descriptors, 1);
-  find_look_alikes(twice);
-  find_look_alikes(once);
+  compute_ambiguity(twice);
+  compute_ambiguity(once);
   const FeatureComparison one_way = compare_features(once, twice, 0.1F);
   const FeatureComparison other_way = compare_features(twice, once, 0.1F);
   for (const auto& alike : {one_way.a_to_repeat, other_way.b_to_repeat}) {
     EXPECT_LT(alike[0], 0.1F);
     EXPECT_GT(alike[1], 0.5F);
   }
-  EXPECT_GT(once.features[0].look_alike, 0.5F) << "its own view does not tell";
+  EXPECT_GT(once.features[0].nearest_similar_distance, 0.5F) << "its own view does not tell";
 }
 
 TEST(Repeats, a_match_is_worth_less_the_nearer_the_look_alike) {

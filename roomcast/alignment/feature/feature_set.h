@@ -20,14 +20,14 @@ inline constexpr int kDescriptorLength = 512;
 using Descriptor = std::array<std::int16_t, kDescriptorSize>;
 
 /// Largest descriptor distance; it means that there is no look-alike.
-inline constexpr float kNoLookAlike = 2;
+inline constexpr float kNoSimilarFeature = 2;
 
 struct Feature {
   Eigen::Vector3f point_m;
   Eigen::Vector2f pixel;
   float size_m = 0;  // metric size, known for plane-rectified features; else 0
-  float look_alike =
-      kNoLookAlike;  // descriptor distance to the most similar feature elsewhere; small = repeats
+  float nearest_similar_distance = kNoSimilarFeature;  // descriptor distance to the most similar
+                                                       // feature elsewhere; small = repeats
 };
 
 struct FeatureSet {

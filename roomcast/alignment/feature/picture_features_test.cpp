@@ -56,7 +56,7 @@ double right_share(const Seen& one, const FeatureSet& of_one, const Seen& other,
 
 const RigidTransform kHere = corner_pose(2, 1.5);
 const RigidTransform kBeside = world_from_optical_looking_at({1.7, 1.8, 1.6}, {0.3, 0.4, -0.3});
-const RigidTransform kAside = world_from_optical_looking_at({0.3, 1.9, 1.7}, {0.2, 0.4, -0.3});
+const RigidTransform kNearShift = world_from_optical_looking_at({0.3, 1.9, 1.7}, {0.2, 0.4, -0.3});
 
 TEST(SiftDetector, gives_the_same_every_time) {
   const Seen seen(kHere);
@@ -121,7 +121,7 @@ TEST(PictureFeatures, match_between_neighbouring_views) {
 }
 
 TEST(AffineFeatures, match_between_views_aside_where_those_of_the_picture_hardly_do) {
-  const Seen one(kHere), other(kAside);
+  const Seen one(kHere), other(kNearShift);
   const Matched as_seen = matched(one, picture_features(one.picture, one.surface), other,
                                   picture_features(other.picture, other.surface));
   const Matched from_aside = matched(one, affine_features(one.picture, one.surface), other,
@@ -140,7 +140,7 @@ TEST(AffineFeatures, are_none_in_even_pictures_and_the_same_every_time) {
 }
 
 TEST(RectifiedFeatures, match_between_views_far_aside) {
-  const Seen one(kHere), other(kAside);
+  const Seen one(kHere), other(kNearShift);
   const auto of_one =
       rectified_features(one.picture, one.surface, find_planes(one.surface.samples));
   const auto of_other =

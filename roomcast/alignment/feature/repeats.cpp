@@ -21,7 +21,7 @@ bool lie_apart(const Feature& one, const Feature& other) {
 
 }  // namespace
 
-void find_look_alikes(FeatureSet& set) {
+void compute_ambiguity(FeatureSet& set) {
   const std::span<const Descriptor> all = set.descriptors;
   std::vector<std::int32_t> best(set.size()), products(kDescriptorTile);
   for (std::size_t first = 0; first < set.size(); first += kDescriptorTile) {
@@ -35,18 +35,18 @@ void find_look_alikes(FeatureSet& set) {
     }
   }
   for (std::size_t i = 0; i < set.size(); ++i) {
-    set.features[i].look_alike = descriptor_distance(best[i]);
+    set.features[i].nearest_similar_distance = descriptor_distance(best[i]);
   }
 }
 
 bool repeats(const Feature& feature) {
-  return feature.look_alike < kRepeats;
+  return feature.nearest_similar_distance < kRepeats;
 }
 
 float uniqueness(float distance, float look_alike_a, float look_alike_b) {
-  const float look_alike = std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
-  const float by_ratio = (kWorthless - distance / look_alike) / kWorthRange;
-  const float by_itself = (look_alike - kSurelyRepeats) / kRepeatRange;
+  const float nearest_similar_distance = std::max(std::min(look_alike_a, look_alike_b), 1e-3F);
+  const float by_ratio = (kWorthless - distance / nearest_similar_distance) / kWorthRange;
+  const float by_itself = (nearest_similar_distance - kSurelyRepeats) / kRepeatRange;
   return std::clamp(std::min(by_ratio, by_itself), kMinWeight, 1.F);
 }
 

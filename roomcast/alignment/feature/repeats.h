@@ -10,12 +10,12 @@
 
 namespace roomcast::alignment {
 
-/// Sets `look_alike` of every feature: the descriptor distance to its most similar feature more
-/// than 12 cm away in space.
-void find_look_alikes(FeatureSet& set);
+/// Sets `nearest_similar_distance` of every feature: the descriptor distance to its most similar
+/// feature more than 12 cm away in space.
+void compute_ambiguity(FeatureSet& set);
 
 /// Whether the feature has a close look-alike elsewhere in its own view. Requires
-/// `find_look_alikes`.
+/// `compute_ambiguity`.
 [[nodiscard]] bool repeats(const Feature& feature);
 
 /// Weight of a match, 0.05 (repeats) to 1 (unique), from its descriptor distance and both features'

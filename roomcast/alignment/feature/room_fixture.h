@@ -89,8 +89,8 @@ inline double cast_ray(const RoomFixture& room, const Eigen::Vector3d& eye,
   return nearest;
 }
 
-inline DepthImage invented_depth(const RoomFixture& room, const CameraIntrinsics& camera,
-                                 const RigidTransform& world_from_depth) {
+inline DepthImage depth_fixture(const RoomFixture& room, const CameraIntrinsics& camera,
+                                const RigidTransform& world_from_depth) {
   const auto rays = ray_table(camera);
   DepthImage depth_mm(camera.width, camera.height);
   for (int y = 0; y < camera.height; ++y) {
@@ -126,7 +126,7 @@ inline CalibrationBundle bundle_fixture(const RoomFixture& room, const std::stri
   CalibrationBundle bundle;
   bundle.name = name;
   bundle.calibration = calibration_fixture();
-  bundle.depth_mm = invented_depth(room, bundle.calibration.depth, world_from_depth);
+  bundle.depth_mm = depth_fixture(room, bundle.calibration.depth, world_from_depth);
   bundle.color = color_fixture(room, bundle.calibration.color,
                                world_from_depth * bundle.calibration.color_from_depth.inverse());
   return bundle;

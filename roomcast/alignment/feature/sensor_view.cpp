@@ -44,8 +44,8 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
   auto floor = find_floor(planes, surface.samples, bundle.up);
   FeatureSet in_picture = picture_features(picture, surface);
   FeatureSet on_planes = rectified_features(picture, surface, planes);
-  find_look_alikes(in_picture);
-  find_look_alikes(on_planes);
+  compute_ambiguity(in_picture);
+  compute_ambiguity(on_planes);
   return SensorView{bundle.name,           std::move(surface),  std::move(picture),
                     std::move(texture),    std::move(planes),   std::move(floor),
                     std::move(in_picture), std::move(on_planes)};

@@ -65,7 +65,7 @@ std::vector<SiftFeature> detect(cv::Feature2D& detector, ImageView<const std::ui
 }
 
 cv::Ptr<cv::SIFT> sift_of(const SiftOptions& options) {
-  return cv::SIFT::create(options.most_features, kOctaveLayers, options.least_contrast,
+  return cv::SIFT::create(options.max_features, kOctaveLayers, options.min_contrast,
                           options.largest_edge_ratio);
 }
 

@@ -15,8 +15,8 @@
 namespace roomcast::alignment {
 
 struct SiftOptions {
-  int most_features = 6000;
-  double least_contrast = 0.01;
+  int max_features = 6000;
+  double min_contrast = 0.01;
   double largest_edge_ratio = 20;
 };
 

@@ -21,7 +21,7 @@ constexpr float kHidden_m = 0.05F;        // nearer by more than a fit: occluded
 constexpr float kGone_m = 0.10F;          // farther by more than a fit: the surface is gone
 constexpr double kMaxIndependent = 1500;  // errors of neighbouring readings are correlated
 constexpr double kLever_m = 2.5;          // at which rotation and shift have equal weight
-constexpr double kTellable_m = 0.007;     // a direction known less exactly counts as no motion
+constexpr double kObservable_m = 0.007;   // a direction known less exactly counts as no motion
 /// The kernel's width in each step, in sigmas of a reading.
 constexpr std::array<float, 7> kWidening = {8, 6, 4, 2, 1, 1, 1};
 
@@ -35,7 +35,7 @@ Vector6 known_motion(const Matrix6& information, const Vector6& gradient) {
   Vector6 step = Vector6::Zero();
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double known = directions.eigenvalues()(i);
-    if (known * kTellable_m * kTellable_m < 1) continue;
+    if (known * kObservable_m * kObservable_m < 1) continue;
     step -= along(i) / known * directions.eigenvectors().col(i);
   }
   return scale.cwiseProduct(step);

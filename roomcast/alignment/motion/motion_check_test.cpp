@@ -29,7 +29,7 @@ const MotionCheck& check_at_stand() {
 /// A noisy picture from `world_from_depth`.
 DepthImage picture(const RoomFixture& room, const RigidTransform& world_from_depth,
                    unsigned seed = 1) {
-  DepthImage depth_mm = invented_depth(room, calibration_fixture().depth, world_from_depth);
+  DepthImage depth_mm = depth_fixture(room, calibration_fixture().depth, world_from_depth);
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
   for (std::size_t i = 0; i < depth_mm.view().pixel_count(); ++i) {

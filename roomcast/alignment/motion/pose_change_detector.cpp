@@ -22,20 +22,20 @@ bool moved_far(const MotionEvidence& evidence) {
 
 }  // namespace
 
-std::optional<bool> says_moved(const MotionEvidence& evidence) {
+std::optional<bool> indicates_motion(const MotionEvidence& evidence) {
   if (moved_far(evidence)) return true;
   if (evidence.comparable < kMinComparable) return std::nullopt;
   return moved_a_little(evidence);
 }
 
 bool PoseChangeDetector::moved(DepthView depth_mm, HostTime time) {
-  if (!last_look_ || time - *last_look_ >= kLookInterval) {
+  if (!last_look_ || time - *last_look_ >= kCheckInterval) {
     last_look_ = time;
-    const auto says = says_moved(check_.compare(depth_mm));
+    const auto says = indicates_motion(check_.compare(depth_mm));
     blind_in_a_row_ = says ? 0 : blind_in_a_row_ + 1;
     if (says) in_a_row_ = *says ? in_a_row_ + 1 : 0;
   }
-  return in_a_row_ >= kLooksInARow || blind_in_a_row_ >= kBlindLooksInARow;
+  return in_a_row_ >= kAgreeingChecks || blind_in_a_row_ >= kBlindChecks;
 }
 
 }  // namespace roomcast::alignment

@@ -13,17 +13,17 @@
 namespace roomcast::alignment {
 
 /// Time between two checks.
-inline constexpr std::chrono::milliseconds kLookInterval{400};
+inline constexpr std::chrono::milliseconds kCheckInterval{400};
 /// Consecutive checks that must agree.
-inline constexpr int kLooksInARow = 3;
+inline constexpr int kAgreeingChecks = 3;
 
 /// After this many consecutive checks in which the background is hidden, the cause is not a person
 /// in front of the sensor: the sensor was turned towards a near object.
-inline constexpr int kBlindLooksInARow = 25;
+inline constexpr int kBlindChecks = 25;
 
 /// Whether this picture alone indicates that the sensor has moved; nothing if it is inconclusive,
 /// as when a person is close in front of the sensor.
-[[nodiscard]] std::optional<bool> says_moved(const MotionEvidence& evidence);
+[[nodiscard]] std::optional<bool> indicates_motion(const MotionEvidence& evidence);
 
 class PoseChangeDetector {
  public:

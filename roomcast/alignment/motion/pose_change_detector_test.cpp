@@ -20,7 +20,7 @@ RigidTransform stand() {
 }
 
 DepthImage seen_from(const RigidTransform& world_from_depth, const RoomFixture& room = {}) {
-  return invented_depth(room, calibration_fixture().depth, world_from_depth);
+  return depth_fixture(room, calibration_fixture().depth, world_from_depth);
 }
 
 RigidTransform pushed(double shift_m, double turn_rad) {
@@ -79,9 +79,9 @@ TEST(PoseChangeDetector, a_knock_that_swings_back_is_none) {
   const DepthImage still = seen_from(stand()), knocked = seen_from(pushed(0.05, 0.02));
   HostTime time(1h);
   for (int knock = 0; knock < 4; ++knock) {
-    EXPECT_FALSE(watch.moved(knocked.view(), time += kLookInterval));
-    EXPECT_FALSE(watch.moved(knocked.view(), time += kLookInterval));
-    EXPECT_FALSE(watch.moved(still.view(), time += kLookInterval));
+    EXPECT_FALSE(watch.moved(knocked.view(), time += kCheckInterval));
+    EXPECT_FALSE(watch.moved(knocked.view(), time += kCheckInterval));
+    EXPECT_FALSE(watch.moved(still.view(), time += kCheckInterval));
   }
 }
 
@@ -94,7 +94,7 @@ TEST(PoseChangeDetector, a_walker_is_no_motion_of_the_sensor) {
     const Eigen::Vector3d at = stand() * Eigen::Vector3d(0.15 * z_m, 0.1, z_m);
     room.boxes.push_back({Eigen::Vector3d(at.x() - 0.25, 0, at.z() - 0.2),
                           Eigen::Vector3d(at.x() + 0.25, 1.75, at.z() + 0.2)});
-    EXPECT_FALSE(watch.moved(seen_from(stand(), room).view(), time += kLookInterval)) << z_m;
+    EXPECT_FALSE(watch.moved(seen_from(stand(), room).view(), time += kCheckInterval)) << z_m;
   }
 }
 

@@ -15,7 +15,7 @@ constexpr float kLargestSizeOctaves = 0.6F;  // between metric sizes of the same
 
 std::vector<float> look_alikes(const FeatureSet& set) {
   std::vector<float> distances;
-  for (const Feature& feature : set.features) distances.push_back(feature.look_alike);
+  for (const Feature& feature : set.features) distances.push_back(feature.nearest_similar_distance);
   return distances;
 }
 
@@ -48,7 +48,7 @@ ViewComparison compare_views(const SensorView& a, const SensorView& b) {
           compare_features(a.rectified_features, b.rectified_features, kLargestDescriptorDistance)};
 }
 
-DescriptorAmbiguity own_look_alikes(const SensorView& view) {
+DescriptorAmbiguity own_ambiguity(const SensorView& view) {
   return {look_alikes(view.picture_features), look_alikes(view.rectified_features)};
 }
 
@@ -62,9 +62,9 @@ void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_
   lower(of_b.of_rectified_features, comparison.on_planes.b_to_repeat);
 }
 
-std::vector<PointMatch> weighed_matches(const SensorView& a, const DescriptorAmbiguity& of_a,
-                                        const SensorView& b, const DescriptorAmbiguity& of_b,
-                                        const ViewComparison& comparison) {
+std::vector<PointMatch> weighted_matches(const SensorView& a, const DescriptorAmbiguity& of_a,
+                                         const SensorView& b, const DescriptorAmbiguity& of_b,
+                                         const ViewComparison& comparison) {
   std::vector<PointMatch> matches;
   add_matches(a.picture_features, of_a.of_picture_features, b.picture_features,
               of_b.of_picture_features, comparison.in_pictures, matches);

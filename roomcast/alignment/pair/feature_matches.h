@@ -17,7 +17,7 @@ struct ViewComparison {
 
   /// Frees the matches after weighting: only the distances to repeats are needed then, to weight
   /// the matches of other pairs.
-  void forget_matches() { in_pictures.matches = on_planes.matches = {}; }
+  void free_matches() { in_pictures.matches = on_planes.matches = {}; }
 };
 
 [[nodiscard]] ViewComparison compare_views(const SensorView& a, const SensorView& b);
@@ -29,20 +29,20 @@ struct DescriptorAmbiguity {
 };
 
 /// Look-alikes within the view itself.
-[[nodiscard]] DescriptorAmbiguity own_look_alikes(const SensorView& view);
+[[nodiscard]] DescriptorAmbiguity own_ambiguity(const SensorView& view);
 
 /// Lowers the distances of features that resemble a repeating feature of the other view.
 void add_repeats_of_b(const ViewComparison& comparison, DescriptorAmbiguity& of_a);
 void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_b);
 
-[[nodiscard]] std::vector<PointMatch> weighed_matches(const SensorView& a,
-                                                      const DescriptorAmbiguity& of_a,
-                                                      const SensorView& b,
-                                                      const DescriptorAmbiguity& of_b,
-                                                      const ViewComparison& comparison);
+[[nodiscard]] std::vector<PointMatch> weighted_matches(const SensorView& a,
+                                                       const DescriptorAmbiguity& of_a,
+                                                       const SensorView& b,
+                                                       const DescriptorAmbiguity& of_b,
+                                                       const ViewComparison& comparison);
 
-/// Matches of affine features, whose `look_alike` must be set. Repeats in third views are ignored
-/// because affine features are so many.
+/// Matches of affine features, whose `nearest_similar_distance` must be set. Repeats in third views
+/// are ignored because affine features are so many.
 [[nodiscard]] std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b);
 
 }  // namespace roomcast::alignment

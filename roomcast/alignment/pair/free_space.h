@@ -14,7 +14,7 @@ namespace roomcast::alignment {
 /// Shares of the tested points.
 struct FreeSpaceCheck {
   double consistent = 0, violating = 0, occluded = 0;
-  double consistent_least = 0;  // the smaller of both directions: the overlap
+  double min_consistent = 0;  // the smaller of both directions: the overlap
 
   /// Share of violating points among consistent and violating ones.
   [[nodiscard]] double conflict() const { return violating / (consistent + violating + 1e-3); }

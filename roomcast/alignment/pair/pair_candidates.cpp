@@ -38,7 +38,7 @@ constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
 constexpr VoteOptions kCoarseVote{4000, 400, 24, 0.1F, 0.04F};
 
 constexpr double kMinSupportKept = 0.5;  // share of the match weight that refinement must keep
-constexpr double kFurthestSettled_m = 0.3;
+constexpr double kMaxRefinedShift_m = 0.3;
 
 bool violates_space(const FreeSpaceCheck& space) {
   return space.conflict() > kMaxConflict && space.violating > kNegligibleViolation;
@@ -190,7 +190,7 @@ PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis,
   const RigidTransform& start = hypothesis.a_from_b;
   const PairState moved = refined_pose(*a_, *b_, matches_, start, color);
   const PoseEvidence before = examine(start);
-  if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m > kFurthestSettled_m)
+  if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m > kMaxRefinedShift_m)
     return before;
   const PoseEvidence after = examine(moved);
   if (after.matches.weight < kMinSupportKept * before.matches.weight) return before;

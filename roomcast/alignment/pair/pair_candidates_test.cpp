@@ -17,8 +17,8 @@ const RigidTransform& truth() {
 PairCandidates candidates_of(const ViewFixture& a, const ViewFixture& b) {
   const ViewComparison comparison = compare_views(*a.view, *b.view);
   return {*a.view, *b.view,
-          weighed_matches(*a.view, own_look_alikes(*a.view), *b.view, own_look_alikes(*b.view),
-                          comparison)};
+          weighted_matches(*a.view, own_ambiguity(*a.view), *b.view, own_ambiguity(*b.view),
+                           comparison)};
 }
 
 const PairCandidates& corners() {
@@ -132,7 +132,7 @@ TEST(FreeSpace, truth_has_no_conflict) {
       check_free_space(first_corner().view->surface, second_corner().view->surface, truth(), 4000);
   EXPECT_GT(check.consistent, 0.15);
   EXPECT_LT(check.conflict(), 0.01);
-  EXPECT_LE(check.consistent_least, check.consistent + 1e-9);
+  EXPECT_LE(check.min_consistent, check.consistent + 1e-9);
 }
 
 TEST(FreeSpace, a_sensor_inside_a_wall_violates) {

@@ -14,9 +14,8 @@ constexpr double kMinTrace = 1e-6;
 constexpr double kDamping = 1e-9;  // share of the trace: unconstrained unknowns do not move
 constexpr double kHeld = 1e12;     // information on fixed unknowns
 
-void add_expectation(const SensorCorrection& correction, Eigen::Index first,
-                     PairEquations& equations) {
-  const double weight = shift_expectation(correction.color_shift_px);
+void add_prior(const SensorCorrection& correction, Eigen::Index first, PairEquations& equations) {
+  const double weight = shift_prior_weight(correction.color_shift_px);
   equations.information.diagonal().segment<2>(first + kShift).array() += weight;
   equations.gradient.segment<2>(first + kShift) += weight * correction.color_shift_px;
 }
@@ -56,8 +55,8 @@ Vector6 solve_motion(const PairEquations& equations) {
 PairVector solve_state(PairEquations equations, const PairState& at) {
   const double trace = equations.information.topLeftCorner<6, 6>().trace();
   if (!(trace > kMinTrace)) return PairVector::Zero();
-  add_expectation(at.a, kOfA, equations);
-  add_expectation(at.b, kOfB, equations);
+  add_prior(at.a, kOfA, equations);
+  add_prior(at.b, kOfB, equations);
   equations.information.diagonal().head<6>().array() += kDamping * trace;
   for (const Eigen::Index of : {kOfA, kOfB})
     equations.information.diagonal().segment<2>(of + kDepth).array() += kHeld;

@@ -27,7 +27,7 @@ Agreement agreement(const ReprojectionSums& sums) {
   return {weight, weight * contrast.correlation()};
 }
 
-Agreement agreement_seen_from(const SeenPicture& from, const SeenPicture& other,
+Agreement agreement_seen_from(const CorrectedView& from, const CorrectedView& other,
                               const RigidTransform& other_from_view) {
   const ReprojectedViews common = reprojected_views(from, other, other_from_view);
   if (common.count < kMinPoints) return {};
@@ -47,7 +47,7 @@ Agreement agreement_seen_from(const SeenPicture& from, const SeenPicture& other,
 
 PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
                                          const PairState& state) {
-  const SeenPicture seen_a(a, state.a), seen_b(b, state.b);
+  const CorrectedView seen_a(a, state.a), seen_b(b, state.b);
   const Agreement from_a = agreement_seen_from(seen_a, seen_b, state.a_from_b.inverse());
   const Agreement from_b = agreement_seen_from(seen_b, seen_a, state.a_from_b);
   const double weight = from_a.weight + from_b.weight;

@@ -21,8 +21,8 @@ constexpr float kBefore_m = 0.05F;         // surfaces further in front of a pla
 constexpr double kAlikeCorrelation = 0.5;  // lowest correlation of windows alike in grey
 constexpr double kOtherSlope = 0.3;     // slopes that differ by more are other hues, if besides...
 constexpr double kOtherRatio = 0.5;     // ...one is less than this share of the other: cameras vary
-constexpr int kAside = 1;               // grid points: refined poses are off by no more...
-constexpr int kFarAside = 4;            // ...but colours may be, near a camera and in corners
+constexpr int kNearShift = 1;           // grid points: refined poses are off by no more...
+constexpr int kFarShift = 4;            // ...but colours may be, near a camera and in corners
 constexpr double kFoundFarAside = 0.6;  // lowest correlation of agreement far aside
 constexpr double kMinFilledAside = 0.5;
 
@@ -101,10 +101,10 @@ bool can_be_judged(const ReprojectionSums& sums) {
 }
 
 /// Whether both pictures agree at a shift after all: at a small one, or clearly at a larger one.
-bool agrees_aside(const ReprojectedViews& common, const TexturedPoint& centre) {
-  for (int dy = -kFarAside; dy <= kFarAside; ++dy) {
-    for (int dx = -kFarAside; dx <= kFarAside; ++dx) {
-      const bool is_far = std::max(std::abs(dx), std::abs(dy)) > kAside;
+bool agrees_when_shifted(const ReprojectedViews& common, const TexturedPoint& centre) {
+  for (int dy = -kFarShift; dy <= kFarShift; ++dy) {
+    for (int dx = -kFarShift; dx <= kFarShift; ++dx) {
+      const bool is_far = std::max(std::abs(dx), std::abs(dy)) > kNearShift;
       const ReprojectionSums sums = sums_aside(common, centre, dx, dy);
       if (sums[0] < (is_far ? kMinFilledAside : kMinFilled) * kWindow) continue;
       const double correlation = WindowContrast(sums).correlation();
@@ -155,7 +155,7 @@ bool are_other_hues(double slope, double other) {
          (slope * other < 0 || smaller < kOtherRatio * larger);
 }
 
-PlanarTexture prints_seen_from(const SeenPicture& from, const SeenPicture& other,
+PlanarTexture prints_seen_from(const CorrectedView& from, const CorrectedView& other,
                                const RigidTransform& other_from_view) {
   ReprojectedViews common = reprojected_views(from, other, other_from_view);
   if (common.count == 0) return {};
@@ -180,10 +180,10 @@ PlanarTexture prints_seen_from(const SeenPicture& from, const SeenPicture& other
     const double correlation = contrast.correlation();
     ++prints.judged;
     prints.agreement += correlation;
-    prints.contradicting += correlation < kContradiction && !agrees_aside(common, point);
+    prints.contradicting += correlation < kContradiction && !agrees_when_shifted(common, point);
     if (correlation < kAlikeCorrelation || !mine) continue;
     ++prints.alike;
-    prints.other_hue += are_other_hues(mine->slope(point), theirs->slope(point));
+    prints.different_hue += are_other_hues(mine->slope(point), theirs->slope(point));
   }
   return prints.over(static_cast<double>(points.size()));
 }
@@ -192,7 +192,7 @@ PlanarTexture prints_seen_from(const SeenPicture& from, const SeenPicture& other
 
 PlanarTexture compare_planar_texture(const SensorView& a, const SensorView& b,
                                      const PairState& state) {
-  const SeenPicture seen_a(a, state.a), seen_b(b, state.b);
+  const CorrectedView seen_a(a, state.a), seen_b(b, state.b);
   PlanarTexture prints = prints_seen_from(seen_a, seen_b, state.a_from_b.inverse());
   prints.add(prints_seen_from(seen_b, seen_a, state.a_from_b));
   return prints;

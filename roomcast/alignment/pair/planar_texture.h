@@ -18,24 +18,24 @@ namespace roomcast::alignment {
 struct PlanarTexture {
   double judged = 0;
   double contradicting = 0;
-  double agreement = 0;  // sum of the judged places' correlations
-  double alike = 0;      // places alike in grey
-  double other_hue = 0;  // places alike in grey but of another hue
+  double agreement = 0;      // sum of the judged places' correlations
+  double alike = 0;          // places alike in grey
+  double different_hue = 0;  // places alike in grey but of another hue
 
   void add(const PlanarTexture& other) {
     judged += other.judged;
     contradicting += other.contradicting;
     agreement += other.agreement;
     alike += other.alike;
-    other_hue += other.other_hue;
+    different_hue += other.different_hue;
   }
   [[nodiscard]] PlanarTexture over(double points) const {
     return {judged / points, contradicting / points, agreement / points, alike / points,
-            other_hue / points};
+            different_hue / points};
   }
   [[nodiscard]] double correlation() const { return judged > 0 ? agreement / judged : 0; }
   [[nodiscard]] double conflict() const { return judged > 0 ? contradicting / judged : 0; }
-  [[nodiscard]] double hue_conflict() const { return alike > 0 ? other_hue / alike : 0; }
+  [[nodiscard]] double hue_conflict() const { return alike > 0 ? different_hue / alike : 0; }
 };
 
 /// Colour is corrected by the state's shifts.

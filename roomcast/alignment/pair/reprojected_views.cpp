@@ -14,27 +14,27 @@ constexpr double kNoiseContrast = 6;  // in the denominator: faint texture corre
 
 }  // namespace
 
-std::optional<Eigen::Vector2f> SeenPicture::pixel_of(const Eigen::Vector3f& point_m) const {
+std::optional<Eigen::Vector2f> CorrectedView::pixel_of(const Eigen::Vector3f& point_m) const {
   const Eigen::Vector3f in_color = view_.picture.in_color_frame(point_m);
   if (!(in_color.z() > kNearestSurface_m)) return std::nullopt;
   return view_.picture.pixel_of(in_color) - shift_px_;
 }
 
-std::optional<float> SeenPicture::grey_of(const Eigen::Vector3f& point_m) const {
+std::optional<float> CorrectedView::grey_of(const Eigen::Vector3f& point_m) const {
   const auto pixel = pixel_of(point_m);
   return pixel ? texture_grey(view_.texture, *pixel) : std::nullopt;
 }
 
-std::optional<float> SeenPicture::tint_of(const Eigen::Vector3f& point_m) const {
+std::optional<float> CorrectedView::tint_of(const Eigen::Vector3f& point_m) const {
   const auto pixel = pixel_of(point_m);
   return pixel ? texture_tint(view_.texture, *pixel) : std::nullopt;
 }
 
-std::optional<float> SeenPicture::grey_of(const TexturedPoint& point) const {
+std::optional<float> CorrectedView::grey_of(const TexturedPoint& point) const {
   return shift_px_.isZero() ? point.grey : grey_of(point.point_m);
 }
 
-ReprojectedViews reprojected_views(const SeenPicture& from, const SeenPicture& other,
+ReprojectedViews reprojected_views(const CorrectedView& from, const CorrectedView& other,
                                    const RigidTransform& other_from_view) {
   const Eigen::Matrix3f rotation = other_from_view.rotation.cast<float>();
   const Eigen::Vector3f shift = other_from_view.translation_m.cast<float>();

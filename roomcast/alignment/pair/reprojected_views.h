@@ -34,9 +34,9 @@ struct ReprojectedViews {
 };
 
 /// A view with its sensor's colour correction applied.
-class SeenPicture {
+class CorrectedView {
  public:
-  SeenPicture(const SensorView& view, const SensorCorrection& correction)
+  CorrectedView(const SensorView& view, const SensorCorrection& correction)
       : view_(view), shift_px_(correction.color_shift_px.cast<float>()) {}
 
   [[nodiscard]] const SensorView& view() const { return view_; }
@@ -54,7 +54,8 @@ class SeenPicture {
 };
 
 /// On the grid of `from`; known where `other` sees the same surface unoccluded.
-[[nodiscard]] ReprojectedViews reprojected_views(const SeenPicture& from, const SeenPicture& other,
+[[nodiscard]] ReprojectedViews reprojected_views(const CorrectedView& from,
+                                                 const CorrectedView& other,
                                                  const RigidTransform& other_from_view);
 
 /// Count and sums of x, y, xx, yy, xy.

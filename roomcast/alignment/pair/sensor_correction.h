@@ -31,13 +31,13 @@ inline constexpr double kColorShiftSigma_px = 0.7;
 
 /// Weight of the prior for zero shift, at the current shift. Most colour cameras are accurate to a
 /// pixel, but the others may be off by any amount (Cauchy distribution, reweighted at each step).
-[[nodiscard]] inline double shift_expectation(const Eigen::Vector2d& shift_px) {
+[[nodiscard]] inline double shift_prior_weight(const Eigen::Vector2d& shift_px) {
   return 1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
 }
 
 /// Standard deviations of depth errors that no view reveals: of each sensor by itself, and common
 /// to all (multipath makes every reading of a room too long).
-struct DepthDoubt {
+struct DepthUncertainty {
   double offset_m = 0.001, scale = 0.0005, common_scale = 0.0025;
 };
 

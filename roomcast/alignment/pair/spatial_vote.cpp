@@ -152,7 +152,7 @@ std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found, st
 
 std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
                                            const VoteOptions& options) {
-  const std::vector<PointMatch> matches = heaviest(all, options.most_matches);
+  const std::vector<PointMatch> matches = heaviest(all, options.max_matches);
   const Neighbours neighbours = compatible_neighbours(matches, options.tolerance_m);
   const SecondOrderVotes votes(matches, neighbours);
   std::vector<float> totals(matches.size());
@@ -161,7 +161,7 @@ std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
   std::vector<PoseHypothesis> found;
   for (const std::uint32_t seed :
        descending(matches.size(), [&](std::uint32_t i) { return totals[i]; })) {
-    if (found.size() == options.most_seeds || !(totals[seed] > 0)) break;
+    if (found.size() == options.max_seeds || !(totals[seed] > 0)) break;
     if (explained[seed]) continue;
     explained[seed] = true;
     const auto start = pose_of_seed(matches, votes.of(seed), seed, neighbours[seed]);
@@ -176,7 +176,7 @@ std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
     const auto agreeing = agreeing_matches(matches, *pose, options.inlier_m);
     found.push_back({*pose, match_support(agreeing).weight});
   }
-  return most_supported(std::move(found), options.most_hypotheses);
+  return most_supported(std::move(found), options.max_hypotheses);
 }
 
 }  // namespace roomcast::alignment

@@ -13,9 +13,9 @@
 namespace roomcast::alignment {
 
 struct VoteOptions {
-  std::size_t most_matches = 1200;  // the heaviest are used
-  std::size_t most_seeds = 150;
-  std::size_t most_hypotheses = 16;
+  std::size_t max_matches = 1200;  // the heaviest are used
+  std::size_t max_seeds = 150;
+  std::size_t max_hypotheses = 16;
   float inlier_m = 0.06F;
   float tolerance_m = 0.02F;  // between distances in both views, plus 1.2 % of them
 };

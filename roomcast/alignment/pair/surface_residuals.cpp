@@ -63,9 +63,9 @@ float variance_m2(const SurfacePoint& one, const SurfacePoint& other) {
 /// surfaces.
 constexpr std::array<Eigen::Index, 10> kKnown = {
     0, 1, 2, 3, 4, 5, kOfA + kDepth, kOfA + kDepth + 1, kOfB + kDepth, kOfB + kDepth + 1};
-using KnownVector = Eigen::Matrix<double, 10, 1>;
+using SurfaceUnknowns = Eigen::Matrix<double, 10, 1>;
 
-PairVector spread(const KnownVector& known) {
+PairVector spread(const SurfaceUnknowns& known) {
   PairVector all = PairVector::Zero();
   for (std::size_t i = 0; i < kKnown.size(); ++i)
     all(kKnown[i]) = known(static_cast<Eigen::Index>(i));
@@ -74,9 +74,9 @@ PairVector spread(const KnownVector& known) {
 
 struct KnownEquations {
   Eigen::Matrix<double, 10, 10> information = Eigen::Matrix<double, 10, 10>::Zero();
-  KnownVector gradient = KnownVector::Zero();
+  SurfaceUnknowns gradient = SurfaceUnknowns::Zero();
 
-  [[nodiscard]] PairEquations among_all(double factor, int terms) const {
+  [[nodiscard]] PairEquations expanded(double factor, int terms) const {
     PairEquations all;
     all.gradient = factor * spread(gradient);
     for (std::size_t i = 0; i < kKnown.size(); ++i) {
@@ -90,12 +90,12 @@ struct KnownEquations {
   }
 };
 
-KnownVector jacobian_of(const SurfacePartner& partner, const RigidTransform& a_from_b) {
+SurfaceUnknowns jacobian_of(const SurfacePartner& partner, const RigidTransform& a_from_b) {
   const Eigen::Vector3d n = partner.normal.cast<double>();
   const Eigen::Vector3d a = partner.a_m.cast<double>(), b = partner.b_m.cast<double>();
   const Eigen::Vector3d turned = a_from_b.rotation * b;
   const double by_a = -n.dot(a), by_b = n.dot(turned);
-  KnownVector jacobian;
+  SurfaceUnknowns jacobian;
   jacobian << (turned + a_from_b.translation_m).cross(n), n, by_a / a.z(), by_a, by_b / b.z(), by_b;
   return jacobian;
 }
@@ -135,11 +135,11 @@ PairEquations surface_equations(std::span<const SurfacePartner> partners,
   KnownEquations sum;
   for (const SurfacePartner& partner : partners) {
     const double weight = weight_of(partner, noise);
-    const KnownVector jacobian = jacobian_of(partner, a_from_b);
+    const SurfaceUnknowns jacobian = jacobian_of(partner, a_from_b);
     sum.information.noalias() += weight * jacobian * jacobian.transpose();
     sum.gradient += weight * double(partner.residual_m) * jacobian;
   }
-  return sum.among_all(share_that_counts(partners.size()), static_cast<int>(partners.size()));
+  return sum.expanded(share_that_counts(partners.size()), static_cast<int>(partners.size()));
 }
 
 void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,

@@ -24,7 +24,7 @@ class HeadDetectorTest : public testing::Test {
 
   /// Heads in the world.
   std::vector<Eigen::Vector3d> heads_in(const RoomFixture& room) {
-    const auto depth_mm = invented_depth(room, bundle_.calibration.depth, stand_);
+    const auto depth_mm = depth_fixture(room, bundle_.calibration.depth, stand_);
     std::vector<Eigen::Vector3d> heads;
     for (const auto& head : finder_->find(depth_mm.view()))
       heads.push_back(stand_ * head.cast<double>());

@@ -42,8 +42,8 @@ bool is_near(const RigidTransform& pose, const RigidTransform& guess) {
 
 /// The refined poses of all starts, and alignment's own candidates near the prior (the first
 /// start). Sorted by score, without duplicates.
-std::vector<PoseEvidence> settled_from(const PairCandidates& pair,
-                                       std::span<const RigidTransform> starts_a_from_b) {
+std::vector<PoseEvidence> refined_candidates(const PairCandidates& pair,
+                                             std::span<const RigidTransform> starts_a_from_b) {
   std::vector<PoseEvidence> ends;
   for (const PoseEvidence& proposed : pair.ranked()) {
     if (is_near(proposed.a_from_b, starts_a_from_b.front())) ends.push_back(proposed);
@@ -77,7 +77,7 @@ Result<NudgedPose> refined_prior(const PairCandidates& pair, const RigidTransfor
   std::vector<RigidTransform> starts;
   for (const RigidTransform& start : starts_about(guess))
     starts.push_back(world_from_a.inverse() * start);
-  const auto ends = settled_from(pair, starts);
+  const auto ends = refined_candidates(pair, starts);
   const PoseEvidence& best = ends.front();
   const Contradiction contradicts = contradiction(best);
   if (contradicts == Contradiction::kShapes) {

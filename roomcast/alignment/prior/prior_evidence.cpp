@@ -28,11 +28,11 @@ std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransf
 
 PairCandidates candidates_of(const SensorView& a, const SensorView& b) {
   return PairCandidates(
-      a, b, weighed_matches(a, own_look_alikes(a), b, own_look_alikes(b), compare_views(a, b)));
+      a, b, weighted_matches(a, own_ambiguity(a), b, own_ambiguity(b), compare_views(a, b)));
 }
 
 Contradiction contradiction(const PoseEvidence& evidence) {
-  if (is_too_much(evidence.space) || evidence.space.consistent_least < kMinOverlap) {
+  if (has_free_space_conflict(evidence.space) || evidence.space.min_consistent < kMinOverlap) {
     return Contradiction::kShapes;
   }
   if (evidence.photo.textured > kTextured && evidence.photo.correlation < kMinCorrelation)
@@ -40,7 +40,7 @@ Contradiction contradiction(const PoseEvidence& evidence) {
   return Contradiction::kNone;
 }
 
-bool is_too_much(const FreeSpaceCheck& space) {
+bool has_free_space_conflict(const FreeSpaceCheck& space) {
   return space.conflict() > kMaxConflict;
 }
 

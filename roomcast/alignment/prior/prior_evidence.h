@@ -34,6 +34,6 @@ enum class Contradiction { kNone, kShapes, kColors };
 
 /// Whether one sensor sees through surfaces that the other sees, by more than slightly misaligned
 /// edges explain.
-[[nodiscard]] bool is_too_much(const FreeSpaceCheck& space);
+[[nodiscard]] bool has_free_space_conflict(const FreeSpaceCheck& space);
 
 }  // namespace roomcast::alignment

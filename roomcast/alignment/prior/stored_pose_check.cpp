@@ -17,7 +17,7 @@ StoredPoseCheck stored_pose_check(const PairCandidates& pair, const RigidTransfo
   const PoseEvidence evidence = pair.examine(world_from_a.inverse() * world_from_b);
   if (evidence.space.consistent + evidence.space.violating < kMinSeen) return {};
   const Contradiction against = contradiction(evidence);
-  if (against == Contradiction::kColors || is_too_much(evidence.space))
+  if (against == Contradiction::kColors || has_free_space_conflict(evidence.space))
     return {StoredPoseVerdict::kContradicted, against, 0};
   if (against != Contradiction::kNone) return {};  // too little evidence
   const auto found = refined_prior(pair, world_from_a, world_from_b);

@@ -11,10 +11,10 @@
 
 namespace roomcast::alignment {
 
-enum class StoredPoseVerdict { kUntold, kConfirmed, kContradicted };
+enum class StoredPoseVerdict { kInconclusive, kConfirmed, kContradicted };
 
 struct StoredPoseCheck {
-  StoredPoseVerdict verdict = StoredPoseVerdict::kUntold;
+  StoredPoseVerdict verdict = StoredPoseVerdict::kInconclusive;
   Contradiction contradiction = Contradiction::kNone;  // if kContradicted
   double expected_error_mm = 0;  // if kConfirmed: standard deviation 2.5 m ahead of b
 };

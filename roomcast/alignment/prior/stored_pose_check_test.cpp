@@ -41,7 +41,8 @@ TEST(StoredPoseCheck, a_few_centimetres_are_no_confirmation) {
 
 TEST(StoredPoseCheck, where_nothing_is_shared_nothing_is_told) {
   const auto far = beside(second_corner().world_from_depth, {40, 0, 0}, 0);
-  EXPECT_EQ(recalled(first_corner(), second_corner(), far).verdict, StoredPoseVerdict::kUntold);
+  EXPECT_EQ(recalled(first_corner(), second_corner(), far).verdict,
+            StoredPoseVerdict::kInconclusive);
 }
 
 /// A long grey corridor, lit from one side.
@@ -57,9 +58,9 @@ ViewFixture in_corridor(const std::string& name, double x_m) {
 
 TEST(StoredPoseCheck, along_a_bare_wall_nothing_tells_whether_it_was_moved) {
   const ViewFixture a = in_corridor("a", -1), b = in_corridor("b", 1);
-  EXPECT_EQ(recalled(a, b, b.world_from_depth).verdict, StoredPoseVerdict::kUntold);
+  EXPECT_EQ(recalled(a, b, b.world_from_depth).verdict, StoredPoseVerdict::kInconclusive);
   EXPECT_EQ(recalled(a, b, beside(b.world_from_depth, {0.5, 0, 0}, 0)).verdict,
-            StoredPoseVerdict::kUntold);
+            StoredPoseVerdict::kInconclusive);
 }
 
 }  // namespace

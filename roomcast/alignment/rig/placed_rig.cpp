@@ -46,8 +46,8 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
   return placed;
 }
 
-std::vector<RigPair> holding_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
-                                   const std::vector<RigidTransform>& origin_from_sensor) {
+std::vector<RigPair> usable_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
+                                  const std::vector<RigidTransform>& origin_from_sensor) {
   std::vector<RigPair> holding;
   for (const RigPair& pair : pairs) {
     if (!placed[pair.first] || !placed[pair.second]) continue;
@@ -80,7 +80,7 @@ PairReport empty_report(const PairCandidates& candidates) {
 }
 
 void describe(const PoseEvidence& evidence, PairReport& report) {
-  report.overlap = evidence.space.consistent_least;
+  report.overlap = evidence.space.min_consistent;
   report.inliers = evidence.matches.cells;
   report.conflict = evidence.space.conflict();
   report.correlation = evidence.photo.correlation;
@@ -104,7 +104,7 @@ PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
 }
 
 /// Whether the pair's relative pose is known, but not its pose in the world.
-bool stand_apart_together(const RigPair& pair, const PoseSelection& selection) {
+bool is_separate_group(const RigPair& pair, const PoseSelection& selection) {
   return selection.best.together(pair.first, pair.second) &&
          !selection.best.together(pair.first, selection.origin);
 }
@@ -115,7 +115,7 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
   if (!candidates.ranked().empty()) describe(candidates.ranked()[0], report);
   report.reason = why_pair_is_refused(candidates);
   if (!report.reason.empty()) return report;
-  report.reason = stand_apart_together(pair, answer.selection)
+  report.reason = is_separate_group(pair, answer.selection)
                       ? fmt::format(
                             "{} and {} fit together, but neither fits the sensors that are placed; "
                             "turn one of them so that it shares more with those",
@@ -161,11 +161,11 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
 void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
             RigAnswer& answer) {
   answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
-                              holding_pairs(pairs, answer.placed, origin_from_sensor));
+                              usable_pairs(pairs, answer.placed, origin_from_sensor));
 }
 
 /// Refines again from the refined poses, where other matches agree than at the start.
-void refine_on(std::span<const RigPair> pairs, RigAnswer& answer) {
+void refine_again(std::span<const RigPair> pairs, RigAnswer& answer) {
   std::vector<RigidTransform> now;
   for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
   refine(pairs, now, answer);
@@ -191,7 +191,7 @@ RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigP
     RigAnswer answer = answer_of(sensors, left);
     auto fooled = check.contradicted_sensor(left, answer);
     if (fooled) {
-      refine_on(left, answer);  // the poses may not be exact yet
+      refine_again(left, answer);  // the poses may not be exact yet
       fooled = check.contradicted_sensor(left, answer);
     }
     if (!fooled) return answer;

@@ -16,7 +16,7 @@ constexpr std::size_t kBeam = 24;
 constexpr double kSameAngle_rad = 0.7 * std::numbers::pi / 180, kSameDistance_m = 0.03;
 constexpr double kNoRival = 99;
 
-bool says_the_same(const PlacedGroups& one, const PlacedGroups& other) {
+bool is_same_answer(const PlacedGroups& one, const PlacedGroups& other) {
   if (one.group != other.group) return false;
   for (std::size_t i = 0; i < one.group.size(); ++i) {
     if (are_rivals(one.group_from_sensor[i], other.group_from_sensor[i])) return false;
@@ -67,7 +67,7 @@ std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
   return edges;
 }
 
-PlacedGroups nobody_placed(std::size_t sensors) {
+PlacedGroups unplaced_groups(std::size_t sensors) {
   PlacedGroups placement;
   for (std::size_t i = 0; i < sensors; ++i) placement.group.push_back(i);
   placement.group_from_sensor.resize(sensors);
@@ -114,7 +114,7 @@ void keep_best(std::vector<PlacedGroups>& placements, std::size_t most) {
   for (PlacedGroups& placement : placements) {
     if (kept.size() == most) break;
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const PlacedGroups& better) {
-      return says_the_same(placement, better);
+      return is_same_answer(placement, better);
     });
     if (is_new) kept.push_back(std::move(placement));
   }
@@ -170,7 +170,7 @@ void measure_margins(std::span<const PlacedGroups> answers, PoseSelection& selec
 PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) {
   const std::vector<Edge> edges = edges_of(pairs);
   LoopEvidence evidence(pairs);
-  std::vector<PlacedGroups> beam = {nobody_placed(sensors)};
+  std::vector<PlacedGroups> beam = {unplaced_groups(sensors)};
   std::vector<PlacedGroups> answers = beam;
   while (!beam.empty()) {
     beam = extended(beam, edges, pairs, evidence);

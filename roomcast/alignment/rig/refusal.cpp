@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kLittleOverlap = 0.08;
 constexpr std::size_t kFewFeatures = 50;
-constexpr auto kWithoutSharing =
+constexpr auto kAlternativeHint =
     "in the running room walk through both views or hold a printed board into them";
 
 std::string names(const PairCandidates& pair) {
   return fmt::format("{} and {}", pair.a().name, pair.b().name);
 }
 
-const SensorView* poor_in_features(const PairCandidates& pair) {
+const SensorView* view_with_few_features(const PairCandidates& pair) {
   for (const SensorView* view : {&pair.a(), &pair.b()}) {
     if (view->picture_features.size() + view->rectified_features.size() < kFewFeatures) return view;
   }
@@ -29,7 +29,7 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
     return fmt::format("{} gave the very same pictures; one of them is a copy of the other",
                        names(pair));
   }
-  if (const SensorView* view = poor_in_features(pair)) {
+  if (const SensorView* view = view_with_few_features(pair)) {
     return fmt::format("{} sees hardly any texture; put something with a pattern into its view",
                        view->name);
   }
@@ -37,7 +37,7 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
     return fmt::format(
         "nothing that {} both see could be found; turn them towards each other's view until at "
         "least a tenth is common, or {}",
-        names(pair), kWithoutSharing);
+        names(pair), kAlternativeHint);
   }
   const PoseEvidence& best = pair.ranked()[0];
   if (pair.margin() < kMinMargin) {
@@ -50,7 +50,7 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
   if (best.space.consistent < kLittleOverlap) {
     return fmt::format(
         "{} share only about {:.0f} % of their views; turn them towards each other, or {}",
-        names(pair), 100 * best.space.consistent, kWithoutSharing);
+        names(pair), 100 * best.space.consistent, kAlternativeHint);
   }
   return fmt::format(
       "too few places agree between {} ({} found); turn them towards each other, or put something "
@@ -58,10 +58,10 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
       names(pair), best.matches.cells);
 }
 
-std::string why_pair_says_little(const PairCandidates& pair, const PoseEvidence& at_its_place) {
-  if (at_its_place.space.consistent < kLittleOverlap) {
+std::string why_pair_says_little(const PairCandidates& pair, const PoseEvidence& at_placed_pose) {
+  if (at_placed_pose.space.consistent < kLittleOverlap) {
     return fmt::format("{} share only about {:.0f} % of their views; placed through other sensors",
-                       names(pair), 100 * at_its_place.space.consistent);
+                       names(pair), 100 * at_placed_pose.space.consistent);
   }
   return fmt::format(
       "{} have too few places in common to align on their own; placed through other "

@@ -14,6 +14,6 @@ namespace roomcast::alignment {
 
 /// The same for a pair whose sensors are placed through other pairs.
 [[nodiscard]] std::string why_pair_says_little(const PairCandidates& pair,
-                                               const PoseEvidence& at_its_place);
+                                               const PoseEvidence& at_placed_pose);
 
 }  // namespace roomcast::alignment

@@ -44,7 +44,7 @@ AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   find_new_candidates(progress);
   if (progress) progress("placing all sensors", kPlacing);
   AlignmentReport report = placed();
-  if (look_closer_at_refused(report, progress)) report = placed();
+  if (add_affine_matches_to_refused(report, progress)) report = placed();
   return report;
 }
 
@@ -62,20 +62,20 @@ const PairCandidates* RigAligner::pair(const std::string& one, const std::string
 
 /// Adds affine matches to pairs that have no plausible candidate and a sensor that would be
 /// refused. Returns whether there were any.
-bool RigAligner::look_closer_at_refused(const AlignmentReport& report,
-                                        const AlignProgress& progress) {
+bool RigAligner::add_affine_matches_to_refused(const AlignmentReport& report,
+                                               const AlignProgress& progress) {
   bool any = false;
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
     const SensorView &a = *views_[i], &b = *views_[j];
     Pair& pair = pairs_.at({a.name, b.name});
     const bool is_settled = report.sensors[i].placed && report.sensors[j].placed;
-    if (is_settled || pair.is_looked_at_closer || pair.candidates->same_pictures() ||
+    if (is_settled || pair.has_affine_matches || pair.candidates->same_pictures() ||
         pair.candidates->has_plausible())
       return;
     if (progress) progress(fmt::format("looking closer at {} and {}", a.name, b.name), kPlacing);
     pair.candidates->add_affine_matches(
         affine_matches(affine_features_of(a), affine_features_of(b)));
-    any = pair.is_looked_at_closer = true;
+    any = pair.has_affine_matches = true;
   });
   return any;
 }
@@ -106,14 +106,14 @@ void RigAligner::find_new_candidates(const AlignProgress& progress) {
     Pair& pair = pairs_.at({a.name, b.name});
     if (pair.candidates) return;
     pair.candidates = std::make_unique<PairCandidates>(
-        a, b, weighed_matches(a, look_alikes[i], b, look_alikes[j], pair.comparison));
-    pair.comparison.forget_matches();
+        a, b, weighted_matches(a, look_alikes[i], b, look_alikes[j], pair.comparison));
+    pair.comparison.free_matches();
   });
 }
 
 std::vector<DescriptorAmbiguity> RigAligner::look_alikes_in_rig() const {
   std::vector<DescriptorAmbiguity> look_alikes;
-  for (const auto& view : views_) look_alikes.push_back(own_look_alikes(*view));
+  for (const auto& view : views_) look_alikes.push_back(own_ambiguity(*view));
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double) {
     const ViewComparison& comparison = pairs_.at({views_[i]->name, views_[j]->name}).comparison;
     add_repeats_of_b(comparison, look_alikes[i]);

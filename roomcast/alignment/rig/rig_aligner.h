@@ -41,13 +41,13 @@ class RigAligner {
   struct Pair {
     ViewComparison comparison;
     std::unique_ptr<PairCandidates> candidates;  // set once all pairs are compared
-    bool is_looked_at_closer = false;
+    bool has_affine_matches = false;
   };
 
   void compare_new_pairs(const AlignProgress& progress);
   void find_new_candidates(const AlignProgress& progress);
-  [[nodiscard]] bool look_closer_at_refused(const AlignmentReport& report,
-                                            const AlignProgress& progress);
+  [[nodiscard]] bool add_affine_matches_to_refused(const AlignmentReport& report,
+                                                   const AlignProgress& progress);
   [[nodiscard]] const FeatureSet& affine_features_of(const SensorView& view);
   [[nodiscard]] AlignmentReport placed() const;
   [[nodiscard]] std::vector<DescriptorAmbiguity> look_alikes_in_rig() const;

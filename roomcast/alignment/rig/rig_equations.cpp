@@ -64,10 +64,10 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
   gradient_.segment<kN>(place(b)) += gradient.tail<kN>();
 }
 
-void RigEquations::add_expectation(std::size_t sensor, const SensorCorrection& correction) {
+void RigEquations::add_prior(std::size_t sensor, const SensorCorrection& correction) {
   const Eigen::Index first = place(sensor) + kCorrection;
   const Eigen::Vector2d& shift_px = correction.color_shift_px;
-  const double shift_weight = shift_expectation(shift_px);
+  const double shift_weight = shift_prior_weight(shift_px);
   information_.diagonal().segment<2>(first + kShift).array() += shift_weight;
   gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }
@@ -90,7 +90,7 @@ std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> RigEquations::solve() con
   return of_sensors;
 }
 
-Eigen::MatrixXd RigEquations::variance_by_depth(const DepthDoubt& doubt) const {
+Eigen::MatrixXd RigEquations::variance_by_depth(const DepthUncertainty& doubt) const {
   Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(place(sensors_), place(sensors_));
   Eigen::VectorXd by_common_scale = Eigen::VectorXd::Zero(place(sensors_));
   for (std::size_t i = 0; i < sensors_; ++i) {
@@ -105,7 +105,7 @@ Eigen::MatrixXd RigEquations::variance_by_depth(const DepthDoubt& doubt) const {
 }
 
 std::vector<Matrix6> RigEquations::motion_covariance(const RigScatter& scatter,
-                                                     const DepthDoubt& doubt) const {
+                                                     const DepthUncertainty& doubt) const {
   const auto factors = anchored().ldlt();
   const Eigen::MatrixXd random =
       factors.solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));

@@ -31,7 +31,7 @@ class RigEquations {
            const PairEquations& equations);
 
   /// Adds the prior of a sensor's calibration, at its current correction.
-  void add_expectation(std::size_t sensor, const SensorCorrection& correction);
+  void add_prior(std::size_t sensor, const SensorCorrection& correction);
 
   /// One vector of kSensorUnknowns for each sensor. Unconstrained sensors do not move; depth is
   /// fixed.
@@ -40,12 +40,12 @@ class RigEquations {
   /// Covariance of each sensor's motion, from random noise, smooth errors and depth errors that no
   /// view reveals; 0 for the origin and for unconstrained sensors.
   [[nodiscard]] std::vector<Matrix6> motion_covariance(const RigScatter& scatter,
-                                                       const DepthDoubt& doubt) const;
+                                                       const DepthUncertainty& doubt) const;
 
  private:
   [[nodiscard]] Eigen::MatrixXd anchored() const;
   /// Variance of the sum of all scores, caused by the depth errors of `doubt`.
-  [[nodiscard]] Eigen::MatrixXd variance_by_depth(const DepthDoubt& doubt) const;
+  [[nodiscard]] Eigen::MatrixXd variance_by_depth(const DepthUncertainty& doubt) const;
 
   std::size_t sensors_, origin_;
   Eigen::MatrixXd information_;

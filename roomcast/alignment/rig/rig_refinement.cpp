@@ -24,7 +24,7 @@ constexpr double kStill = 3e-5;  // metres and radians
 constexpr double kMinEvidenceKept = 0.5, kMinMatchesKept = 0.5, kMinCommonKept = 0.95;
 
 /// A pair and the matches that agreed with it when refinement began.
-struct HeldPair {
+struct ActivePair {
   const RigPair* pair;
   std::vector<PointMatch> agreeing;
 };
@@ -36,7 +36,7 @@ PairState state_of(const RigPair& pair, std::span<const RefinedSensor> sensors) 
 }
 
 /// Initial colour corrections: the mean of the pairs' own estimates, weighted by match support.
-void correct_as_pairs_say(std::span<const RigPair> pairs, std::vector<RefinedSensor>& sensors) {
+void initialise_corrections(std::span<const RigPair> pairs, std::vector<RefinedSensor>& sensors) {
   std::vector<double> weights(sensors.size());
   for (const RigPair& pair : pairs) {
     const PoseEvidence* said = pair.candidates->nearest(state_of(pair, sensors).a_from_b);
@@ -67,7 +67,7 @@ struct Shared {
   double noise;
   FeatureTrust trust;
 
-  Shared(const HeldPair& held, std::span<const RefinedSensor> sensors, float reach_m)
+  Shared(const ActivePair& held, std::span<const RefinedSensor> sensors, float reach_m)
       : state(state_of(*held.pair, sensors)) {
     const SensorView& a = held.pair->candidates->a();
     const SensorView& b = held.pair->candidates->b();
@@ -80,7 +80,7 @@ struct Shared {
   }
 };
 
-PairEquations equations_of(const HeldPair& held, const Shared& shared) {
+PairEquations equations_of(const ActivePair& held, const Shared& shared) {
   const PairCandidates& pair = *held.pair->candidates;
   PairEquations equations = surface_equations(shared.partners, shared.state.a_from_b, shared.noise);
   equations.add(feature_equations(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
@@ -88,7 +88,7 @@ PairEquations equations_of(const HeldPair& held, const Shared& shared) {
   return equations;
 }
 
-PairScores scores_of(const HeldPair& held, const Shared& shared) {
+PairScores scores_of(const ActivePair& held, const Shared& shared) {
   const PairCandidates& pair = *held.pair->candidates;
   PairScores scores;
   add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores);
@@ -97,22 +97,23 @@ PairScores scores_of(const HeldPair& held, const Shared& shared) {
   return scores;
 }
 
-RigEquations rig_equations(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
-                           std::size_t origin, float reach_m) {
+RigEquations rig_equations(std::span<const ActivePair> pairs,
+                           std::span<const RefinedSensor> sensors, std::size_t origin,
+                           float reach_m) {
   RigEquations rig(sensors.size(), origin);
-  for (const HeldPair& held : pairs) {
+  for (const ActivePair& held : pairs) {
     const RigPair& pair = *held.pair;
     rig.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
             equations_of(held, Shared(held, sensors, reach_m)));
   }
-  for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_expectation(i, sensors[i].correction);
+  for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_prior(i, sensors[i].correction);
   return rig;
 }
 
-RigScatter rig_scatter(std::span<const HeldPair> pairs, std::span<const RefinedSensor> sensors,
+RigScatter rig_scatter(std::span<const ActivePair> pairs, std::span<const RefinedSensor> sensors,
                        float reach_m) {
   RigScatter scatter(sensors.size());
-  for (const HeldPair& held : pairs) {
+  for (const ActivePair& held : pairs) {
     const RigPair& pair = *held.pair;
     scatter.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
                 scores_of(held, Shared(held, sensors, reach_m)));
@@ -122,8 +123,8 @@ RigScatter rig_scatter(std::span<const HeldPair> pairs, std::span<const RefinedS
 
 /// Depth uncertainty given the observed smooth disagreement: an error common to the sensors may be
 /// as large.
-DepthDoubt doubt_of(const RigScatter& scatter) {
-  DepthDoubt doubt;
+DepthUncertainty doubt_of(const RigScatter& scatter) {
+  DepthUncertainty doubt;
   doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
   return doubt;
 }
@@ -142,7 +143,7 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
 }
 
 /// Gauss-Newton until convergence, at most kSteps steps.
-void settle(std::span<const HeldPair> held, std::size_t origin,
+void settle(std::span<const ActivePair> held, std::size_t origin,
             std::vector<RefinedSensor>& sensors) {
   float reach_m = kReach_m;
   for (int i = 0; i < kSteps; ++i) {
@@ -156,8 +157,8 @@ void settle(std::span<const HeldPair> held, std::size_t origin,
 struct Hold {
   double matches = 0, common = 0;
 
-  Hold(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
-    for (const HeldPair& each : held) {
+  Hold(std::span<const ActivePair> held, std::span<const RefinedSensor> sensors) {
+    for (const ActivePair& each : held) {
       const PairCandidates& pair = *each.pair->candidates;
       const PairState state = state_of(*each.pair, sensors);
       matches += match_support(agreeing_at(*each.pair, sensors)).weight;
@@ -171,9 +172,9 @@ struct Hold {
 };
 
 /// Total score of all pairs' poses.
-double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSensor> sensors) {
+double evidence_for(std::span<const ActivePair> held, std::span<const RefinedSensor> sensors) {
   double score = 0;
-  for (const HeldPair& each : held)
+  for (const ActivePair& each : held)
     score += each.pair->candidates->examine(state_of(*each.pair, sensors)).score;
   return score;
 }
@@ -181,13 +182,13 @@ double evidence_for(std::span<const HeldPair> held, std::span<const RefinedSenso
 /// Whether refinement slid surfaces along each other until they share less, which happens where
 /// views share little. A lower score alone is no proof: colours misaligned with depth favour the
 /// worse pose.
-bool slid(std::span<const HeldPair> held, std::span<const RefinedSensor> start,
+bool slid(std::span<const ActivePair> held, std::span<const RefinedSensor> start,
           std::span<const RefinedSensor> refined) {
   return Hold(held, refined).is_lost_from(Hold(held, start)) &&
          evidence_for(held, refined) < kMinEvidenceKept * evidence_for(held, start);
 }
 
-void add_covariance(std::span<const HeldPair> held, std::size_t origin,
+void add_covariance(std::span<const ActivePair> held, std::size_t origin,
                     std::vector<RefinedSensor>& sensors) {
   const RigScatter scatter = rig_scatter(held, sensors, kMinReach_m);
   const auto covariance = rig_equations(held, sensors, origin, kMinReach_m)
@@ -201,8 +202,8 @@ std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_fro
                                       std::size_t origin, std::span<const RigPair> pairs) {
   std::vector<RefinedSensor> start;
   for (const RigidTransform& pose : origin_from_sensor) start.push_back({pose, {}});
-  correct_as_pairs_say(pairs, start);
-  std::vector<HeldPair> held;
+  initialise_corrections(pairs, start);
+  std::vector<ActivePair> held;
   for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
   std::vector<RefinedSensor> refined = start;
   settle(held, origin, refined);

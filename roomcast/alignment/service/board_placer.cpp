@@ -61,8 +61,8 @@ Placement BoardPlacer::place_one(const std::string& sensor, const Sightings& see
   return placement;
 }
 
-std::vector<Placement> BoardPlacer::place_beside(KnownPoses placed,
-                                                 const std::set<std::string>& lost) const {
+std::vector<Placement> BoardPlacer::place_relative_to(KnownPoses placed,
+                                                      const std::set<std::string>& lost) const {
   std::map<std::string, Placement> answers;
   for (bool is_more_known = true; is_more_known;) {
     is_more_known = false;
@@ -84,7 +84,7 @@ std::vector<Placement> BoardPlacer::place(const KnownPoses& placed,
                                           const std::set<std::string>& lost,
                                           const Seeds& seeds) const {
   return place_or_seed(placed, lost, seeds, [this](const auto& known, const auto& others) {
-    return place_beside(known, others);
+    return place_relative_to(known, others);
   });
 }
 

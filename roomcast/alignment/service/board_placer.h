@@ -34,8 +34,8 @@ class BoardPlacer {
                                              const Seeds& seeds) const;
 
  private:
-  [[nodiscard]] std::vector<Placement> place_beside(KnownPoses placed,
-                                                    const std::set<std::string>& lost) const;
+  [[nodiscard]] std::vector<Placement> place_relative_to(KnownPoses placed,
+                                                         const std::set<std::string>& lost) const;
   using Sightings = std::deque<alignment::TagSighting>;  // sorted by time
   [[nodiscard]] Placement place_one(const std::string& sensor, const Sightings& seen,
                                     const KnownPoses& placed) const;

@@ -81,7 +81,7 @@ TEST_P(MovedRecordings, a_sensor_that_stands_is_not_taken_for_moved) {
   const auto check = check_of_first_half(recorded);
   for (std::size_t i = recorded.depth_mm.size() / 2; i < recorded.depth_mm.size(); ++i) {
     const auto evidence = check.compare(recorded.depth_mm[i].view());
-    EXPECT_NE(alignment::says_moved(evidence), true)
+    EXPECT_NE(alignment::indicates_motion(evidence), true)
         << i << ": " << 1000 * evidence.shift_m << " mm, " << evidence.angle_rad << " rad";
   }
 }
@@ -99,7 +99,7 @@ TEST_P(MovedRecordings, half_a_degree_and_two_centimetres_are_seen) {
     for (const RigidTransform& push : {turn, shift}) {
       const auto seen = seen_from(recorded.depth_mm.back(), recorded.camera, push);
       const auto evidence = check.compare(seen.view());
-      const bool says = alignment::says_moved(evidence) == true;
+      const bool says = alignment::indicates_motion(evidence) == true;
       noticed += says;
       ++pushes;
       if (!says) {

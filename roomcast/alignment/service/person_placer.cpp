@@ -43,7 +43,7 @@ const PersonPlacer::Watcher* PersonPlacer::watcher_of(const std::string& sensor)
 }
 
 std::vector<alignment::HeadSighting> PersonPlacer::sightings_of(const Watcher& watcher,
-                                                            const RigidTransform& pose) {
+                                                                const RigidTransform& pose) {
   std::vector<alignment::HeadSighting> sightings;
   sightings.reserve(watcher.heads.size());
   for (const Head& head : watcher.heads) {
@@ -65,17 +65,17 @@ std::vector<alignment::HeadSighting> PersonPlacer::seen_in_world(const KnownPose
   return all;
 }
 
-std::vector<Placement> PersonPlacer::place_beside(KnownPoses known,
-                                                  const std::set<std::string>& lost,
-                                                  const Settle& settle) const {
+std::vector<Placement> PersonPlacer::place_relative_to(KnownPoses known,
+                                                       const std::set<std::string>& lost,
+                                                       const Settle& settle) const {
   std::vector<Placement> placements;
   for (const std::string& sensor : lost) {
     const Watcher* watcher = watcher_of(sensor);
     if (watcher == nullptr) continue;
     Placement& placement = placements.emplace_back();
     placement.sensor = sensor;
-    const auto match =
-        alignment::match_walks(seen_in_world(known), sightings_of(*watcher, watcher->level_from_depth));
+    const auto match = alignment::match_walks(seen_in_world(known),
+                                              sightings_of(*watcher, watcher->level_from_depth));
     if (!match) {
       placement.note = match.error().message;
       continue;
@@ -92,7 +92,7 @@ std::vector<Placement> PersonPlacer::place(const KnownPoses& placed,
                                            const std::set<std::string>& lost, const Seeds& seeds,
                                            const Settle& settle) const {
   return place_or_seed(placed, lost, seeds, [&](const auto& known, const auto& others) {
-    return place_beside(known, others, settle);
+    return place_relative_to(known, others, settle);
   });
 }
 

@@ -48,9 +48,9 @@ class PersonPlacer {
     std::deque<Head> heads;  // sorted by time
   };
 
-  [[nodiscard]] std::vector<Placement> place_beside(KnownPoses known,
-                                                    const std::set<std::string>& lost,
-                                                    const Settle& settle) const;
+  [[nodiscard]] std::vector<Placement> place_relative_to(KnownPoses known,
+                                                         const std::set<std::string>& lost,
+                                                         const Settle& settle) const;
   [[nodiscard]] std::vector<alignment::HeadSighting> seen_in_world(const KnownPoses& placed) const;
   [[nodiscard]] static std::vector<alignment::HeadSighting> sightings_of(
       const Watcher& watcher, const RigidTransform& pose);

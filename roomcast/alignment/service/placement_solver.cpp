@@ -52,8 +52,8 @@ void PlacementSolver::forget(const std::string& sensor) {
   refused_.erase(sensor);
   walks_.forget(sensor);
   boards_.forget(sensor);
-  guesses_.erase(sensor);
-  by_hand_.erase(sensor);
+  pending_priors_.erase(sensor);
+  accepted_priors_.erase(sensor);
 }
 
 void PlacementSolver::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
@@ -62,7 +62,7 @@ void PlacementSolver::see(const std::string& sensor, const wire::pb::Sightings& 
 }
 
 void PlacementSolver::nudge(const std::string& sensor, const RigidTransform& world_from_depth) {
-  guesses_[sensor] = world_from_depth;
+  pending_priors_[sensor] = world_from_depth;
 }
 
 std::vector<Placement> PlacementSolver::solve(KnownRoom known) {
@@ -156,8 +156,8 @@ void PlacementSolver::place_by_overlap(Room& room, LoneStoredPose lone) {
 
 /// An accepted prior is valid until the sensor sends another bundle.
 void PlacementSolver::place_by_nudge(Room& room) {
-  for (const auto& [sensor, placement] : by_hand_) room.place(placement);
-  for (const auto& [sensor, guess] : guesses_) {
+  for (const auto& [sensor, placement] : accepted_priors_) room.place(placement);
+  for (const auto& [sensor, guess] : pending_priors_) {
     const auto view = views_.find(sensor);
     if (view == views_.end()) continue;
     KnownPoses base = room.known;
@@ -171,15 +171,15 @@ void PlacementSolver::place_by_nudge(Room& room) {
     const auto answer = alignment::refined_prior(*view->second, guess, views_except(sensor, base));
     if (answer) {
       keep_nudged(placed_at(sensor, answer->world_from_depth, answer->expected_error_mm), room);
-    } else if (!by_hand_.contains(sensor)) {
+    } else if (!accepted_priors_.contains(sensor)) {
       room.placement_of(sensor)->note = not_there(answer.error());
     }
   }
-  guesses_.clear();
+  pending_priors_.clear();
 }
 
 void PlacementSolver::keep_nudged(const Placement& found, Room& room) {
-  by_hand_[found.sensor] = found;
+  accepted_priors_[found.sensor] = found;
   room.place(found);
 }
 

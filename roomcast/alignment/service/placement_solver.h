@@ -91,8 +91,8 @@ class PlacementSolver {
   RoomWorld world_;
   PersonPlacer walks_;
   BoardPlacer boards_;
-  KnownPoses guesses_;                        // priors that are not answered yet
-  std::map<std::string, Placement> by_hand_;  // priors that were accepted
+  KnownPoses pending_priors_;                         // priors that are not answered yet
+  std::map<std::string, Placement> accepted_priors_;  // priors that were accepted
 };
 
 }  // namespace roomcast::alignment

@@ -18,9 +18,9 @@ class Recollecting {
 
   StoredPoseChecks finish() {
     do {
-      while (ask_known()) {
+      while (check_against_known()) {
       }
-    } while (ask_each_other());
+    } while (check_pairs());
     return std::move(told_);
   }
 
@@ -34,7 +34,7 @@ class Recollecting {
 
   /// Returns true if a pose was confirmed or contradicted. A confirmed sensor then serves to check
   /// others.
-  bool ask_known() {
+  bool check_against_known() {
     for (const auto& [sensor, pose] : told_.untold) {
       const Verdict verdict = beside_known(sensor, pose);
       if (verdict.confirmed == verdict.contradicted) continue;  // inconclusive or conflicting
@@ -66,7 +66,7 @@ class Recollecting {
     return verdict;
   }
 
-  bool ask_each_other() {
+  bool check_pairs() {
     for (auto one = told_.untold.begin(); one != told_.untold.end(); ++one) {
       for (auto other = std::next(one); other != told_.untold.end(); ++other) {
         const auto told = witness_({one->first, one->second}, {other->first, other->second});

@@ -83,7 +83,7 @@ std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
 }
 
 /// A sensor that is alone in the report was placed relative to itself only.
-void leave_lone_memory(const KnownPoses& remembered, std::vector<Placement>& placements) {
+void drop_lone_stored_pose(const KnownPoses& remembered, std::vector<Placement>& placements) {
   if (placements.size() != 1 || !remembered.contains(placements[0].sensor)) return;
   placements[0].world_from_depth.reset();
   placements[0].expected_error_mm = 0;
@@ -93,7 +93,7 @@ void leave_lone_memory(const KnownPoses& remembered, std::vector<Placement>& pla
 }  // namespace
 
 std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report,
-                                        const KnownRoom& known, LoneStoredPose lone_memory) {
+                                        const KnownRoom& known, LoneStoredPose lone_stored_pose) {
   KnownPoses found = settled(known);
   const auto lone = lone_world(report, known);
   if (lone) found.erase(*lone);
@@ -101,8 +101,8 @@ std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report
   for (const KnownPoses& poses : {found, known.given}) {
     for (const auto& [sensor, pose] : poses) keep[sensor] = pose;
   }
-  auto placements = placements_of(report, anchor_in(known, found, report, lone_memory), keep);
-  leave_lone_memory(known.remembered, placements);
+  auto placements = placements_of(report, anchor_in(known, found, report, lone_stored_pose), keep);
+  drop_lone_stored_pose(known.remembered, placements);
   const bool is_provisional = known.given.empty() && known.remembered.empty() &&
                               (known.found.empty() || !provisional_.empty());
   for (Placement& placement : placements) {

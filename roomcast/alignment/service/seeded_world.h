@@ -12,17 +12,17 @@
 
 namespace roomcast::alignment {
 
-/// `place_beside(placed, lost)` returns placements of the lost sensors. If `placed` and `seeds` are
-/// empty, no sensor is placed.
+/// `place_relative_to(placed, lost)` returns placements of the lost sensors. If `placed` and
+/// `seeds` are empty, no sensor is placed.
 template <class PlaceBeside>
 std::vector<Placement> place_or_seed(const KnownPoses& placed, const std::set<std::string>& lost,
-                                     const Seeds& seeds, const PlaceBeside& place_beside) {
-  if (!placed.empty()) return place_beside(placed, lost);
+                                     const Seeds& seeds, const PlaceBeside& place_relative_to) {
+  if (!placed.empty()) return place_relative_to(placed, lost);
   std::vector<Placement> reasons;
   for (const auto& [seed, world_from_depth] : seeds) {
     std::set<std::string> others = lost;
     others.erase(seed);
-    auto placements = place_beside(KnownPoses{{seed, world_from_depth}}, others);
+    auto placements = place_relative_to(KnownPoses{{seed, world_from_depth}}, others);
     const bool any = std::ranges::any_of(placements, [](const Placement& placement) {
       return placement.world_from_depth.has_value();
     });

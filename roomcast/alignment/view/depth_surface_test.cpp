@@ -16,7 +16,7 @@ const RigidTransform kPose = corner_pose(2, 1.5);
 
 DepthSurface corner_surface() {
   const SensorCalibration calibration = calibration_fixture();
-  return depth_surface(invented_depth({}, calibration.depth, kPose), calibration.depth);
+  return depth_surface(depth_fixture({}, calibration.depth, kPose), calibration.depth);
 }
 
 TEST(DepthSurface, samples_lie_on_the_rooms_surfaces_with_normals_towards_the_camera) {

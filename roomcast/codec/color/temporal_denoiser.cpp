@@ -13,7 +13,7 @@ constexpr int kSide = 8;    // of a block, luma pixels
 constexpr int kScale = 64;  // units of a mean per grey level
 constexpr int kRefineShift = 3;
 constexpr int kHalfStep = 1 << (kRefineShift - 1);
-constexpr std::uint8_t kSettledFrames = 8;  // after so many held frames the mean is accurate
+constexpr std::uint8_t kConvergedFrames = 8;  // after so many held frames the mean is accurate
 // Tolerated squared difference of the shown block from the mean, square grey levels per pixel: a
 // constant, and a factor of the noise variance.
 constexpr double kMinGain = 1, kNoiseGain = 0.25;
@@ -200,8 +200,8 @@ void TemporalDenoiser::hold_block(const I420Image& input, int block_x, int block
   refine(input.cb, chroma, mean_.cb);
   refine(input.cr, chroma, mean_.cr);
   std::uint8_t& held = blocks_.at(block_x, block_y).held;
-  held = std::min<std::uint8_t>(kSettledFrames, held + 1);
-  if (!reference || held < kSettledFrames) return;
+  held = std::min<std::uint8_t>(kConvergedFrames, held + 1);
+  if (!reference || held < kConvergedFrames) return;
   const double error = shown_error(mean_.y, luma, shown_.y) +
                        shown_error(mean_.cb, chroma, shown_.cb) +
                        shown_error(mean_.cr, chroma, shown_.cr);

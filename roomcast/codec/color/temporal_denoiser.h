@@ -29,7 +29,7 @@ class TemporalDenoiser {
 
  private:
   struct Block {
-    std::uint8_t held = 0;    // consecutive frames without a change, up to kSettledFrames
+    std::uint8_t held = 0;    // consecutive frames without a change, up to kConvergedFrames
     std::uint16_t noise = 0;  // mean absolute difference while the block was still
   };
 

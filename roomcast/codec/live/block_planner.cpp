@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kPersistentUrgency = 3;
 constexpr int kMinMoved = 24;  // pixels on coded surfaces, in a block that counts as moved
-constexpr int kMinUrgency = 10, kMinPassingUrgency = 9;  // of 64
-constexpr int kMinUrgencyInMotion = 3;                   // while the sensor itself moves
+constexpr int kMinUrgency = 10, kMinUrgencyNonReference = 9;  // of 64
+constexpr int kMinUrgencyInMotion = 3;                        // while the sensor itself moves
 constexpr int kSameSurface = 2;  // standard deviations of noise between readings of one surface
 constexpr int kReach = 6 * kLevelsPerSigma;
 constexpr int kMaxPatience = 9;  // frames; a change is delayed by half a second at most
@@ -101,7 +101,7 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
   const std::size_t block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
   code.mode = BlockMode::kSkip;
 
-  if (urgency(here, drifts) >= least_urgency()) {
+  if (urgency(here, drifts) >= min_urgency()) {
     if (plan_labels(here, drifts, code, target)) {
       code.mode = BlockMode::kLabels;
       ++labelled_blocks_;
@@ -113,9 +113,9 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
   }
 }
 
-int BlockPlanner::least_urgency() const {
+int BlockPlanner::min_urgency() const {
   if (sensor_moves_) return kMinUrgencyInMotion;
-  return reference_ ? kMinUrgency : kMinPassingUrgency;
+  return reference_ ? kMinUrgency : kMinUrgencyNonReference;
 }
 
 int BlockPlanner::urgency(const Area& here, bool drifts) const {
@@ -171,7 +171,7 @@ PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) con
 PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
   const int old = state_.picture[at], back = state_.background[at];
   if (old == 0) return PixelLabel::kUnchanged;
-  if (history_.missing[at] >= kHoldFrames) return PixelLabel::kVanished;
+  if (history_.missing[at] >= kMaxMissingFrames) return PixelLabel::kVanished;
   int readings = 0, like_old = 0, like_back = 0;
   for (int yy = std::max(0, y - 2); yy <= std::min(state_.height - 1, y + 2); ++yy) {
     for (int xx = std::max(0, x - 2); xx <= std::min(state_.width - 1, x + 2); ++xx) {

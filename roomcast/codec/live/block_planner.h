@@ -42,7 +42,7 @@ class BlockPlanner {
     return static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(state_.width) +
            static_cast<std::size_t>(area.x0 + x);
   }
-  [[nodiscard]] int least_urgency() const;
+  [[nodiscard]] int min_urgency() const;
   [[nodiscard]] int urgency(const Area& area, bool drifts) const;
   [[nodiscard]] bool plan_labels(const Area& area, bool drifts, BlockCode& code,
                                  BlockTarget& target);

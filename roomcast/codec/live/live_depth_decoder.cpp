@@ -29,8 +29,8 @@ Status LiveDepthDecoder::decode(std::span<const std::uint8_t> section,
     state_.resize(depth_mm.width, depth_mm.height);
     scratch_.resize(state_);
   }
-  if (!head->key && !in_step_) return malformed("The frame builds on one that is missing.");
-  in_step_ = in_step_ && !head->reference;
+  if (!head->key && !state_is_valid_) return malformed("The frame builds on one that is missing.");
+  state_is_valid_ = state_is_valid_ && !head->reference;
   LiveReader reader(section);
   if (!head->reference) {
     if (decode_non_reference(reader, *head, depth_mm) == expected_hash) return {};
@@ -42,7 +42,7 @@ Status LiveDepthDecoder::decode(std::span<const std::uint8_t> section,
   if (hash != expected_hash) {
     return malformed("The frame is damaged, or builds on one that is missing.");
   }
-  in_step_ = true;
+  state_is_valid_ = true;
   copy_picture(state_.picture_mm, depth_mm);
   return {};
 }
@@ -57,10 +57,10 @@ std::uint32_t LiveDepthDecoder::decode_key(LiveReader& reader, const LiveSection
 std::uint32_t LiveDepthDecoder::decode_non_reference(LiveReader& reader,
                                                      const LiveSectionHead& head,
                                                      ImageView<std::uint16_t> depth_mm) {
-  passing_contexts_ = state_.contexts;
+  non_reference_contexts_ = state_.contexts;
   scratch_.shown_mm = state_.picture_mm;
   const std::uint32_t hash =
-      decode_pass(reader, passing_contexts_, head.step, false, scratch_.shown_mm.data());
+      decode_pass(reader, non_reference_contexts_, head.step, false, scratch_.shown_mm.data());
   copy_picture(scratch_.shown_mm, depth_mm);
   return hash;
 }

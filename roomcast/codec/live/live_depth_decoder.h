@@ -35,8 +35,8 @@ class LiveDepthDecoder {
 
   LiveState state_;
   PassScratch scratch_;
-  LiveContexts passing_contexts_;  // for frames that are no reference
-  bool in_step_ = false;           // the state equals the encoder's
+  LiveContexts non_reference_contexts_;  // for frames that are no reference
+  bool state_is_valid_ = false;          // the state equals the encoder's
 };
 
 }  // namespace roomcast::codec

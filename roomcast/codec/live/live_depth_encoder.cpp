@@ -57,7 +57,7 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
     begin_anew(head.sigma);
     analysis_.take_reading(depth_mm, state_.domain, change_);
     if (!started_) memory_ = change_.reading;
-    encode_memory(writer);
+    encode_background(writer);
     follow_new_reference();
   } else {
     analysis_.take_reading(depth_mm, state_.domain, change_);
@@ -74,7 +74,7 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
 // levels.
 void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   old_picture_ = state_.picture;
-  choose_memory();
+  choose_background_target();
   old_domain_ = state_.domain;
   state_.begin_anew(sigma);
   for (auto* plane : {&memory_, &old_picture_}) {
@@ -84,7 +84,7 @@ void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
 
 // The target is the stored background where it differs from the picture; else the picture,
 // corrected by the average of later readings.
-void LiveDepthEncoder::choose_memory() {
+void LiveDepthEncoder::choose_background_target() {
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const std::uint16_t old = state_.picture[i], back = state_.background[i];
     if (back != 0 && back != old) {
@@ -98,16 +98,16 @@ void LiveDepthEncoder::choose_memory() {
   }
 }
 
-void LiveDepthEncoder::encode_memory(LiveWriter& writer) {
+void LiveDepthEncoder::encode_background(LiveWriter& writer) {
   Pass pass(state_, scratch_, state_.contexts, writer, options_.key_step, true, nullptr);
   for (int by = 0; by < state_.blocks_high; ++by) {
-    for (int bx = 0; bx < state_.blocks_wide; ++bx) encode_memory_block(pass, bx, by);
+    for (int bx = 0; bx < state_.blocks_wide; ++bx) encode_background_block(pass, bx, by);
   }
   pass.finish();
   state_.remember_picture_as_background();
 }
 
-void LiveDepthEncoder::encode_memory_block(Pass& pass, int bx, int by) {
+void LiveDepthEncoder::encode_background_block(Pass& pass, int bx, int by) {
   code_.mode = BlockMode::kSkip;
   code_.labels.fill(PixelLabel::kUnchanged);
   target_.fill(0);
@@ -169,12 +169,12 @@ void LiveDepthEncoder::follow_new_reference() {
 
 std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool reference) {
   if (!reference) {
-    passing_contexts_ = state_.contexts;
+    non_reference_contexts_ = state_.contexts;
     scratch_.shown_mm = state_.picture_mm;
   }
   drift_.update(change_, history_);
   planner_.begin_frame(reference);
-  Pass pass(state_, scratch_, reference ? state_.contexts : passing_contexts_, writer,
+  Pass pass(state_, scratch_, reference ? state_.contexts : non_reference_contexts_, writer,
             options_.step, reference, scratch_.shown_mm.data());
   for (int by = 0; by < state_.blocks_high; ++by) {
     for (int bx = 0; bx < state_.blocks_wide; ++bx) {

@@ -41,10 +41,10 @@ class LiveDepthEncoder {
 
  private:
   using Pass = PicturePass<LiveWriter>;
-  void encode_memory(LiveWriter& writer);
+  void encode_background(LiveWriter& writer);
   void begin_anew(const SigmaCodes& sigma);
-  void choose_memory();
-  void encode_memory_block(Pass& pass, int bx, int by);
+  void choose_background_target();
+  void encode_background_block(Pass& pass, int bx, int by);
   std::uint32_t encode_changes(LiveWriter& writer, bool reference);
   void encode_block(Pass& pass, int bx, int by, bool reference);
   void prepare_surfaces(Pass& pass, int bx, int by, int step, BlockCode& code, BlockTarget& target);
@@ -53,7 +53,7 @@ class LiveDepthEncoder {
   LiveDepthOptions options_;
   LiveState state_;
   PassScratch scratch_;
-  LiveContexts passing_contexts_;
+  LiveContexts non_reference_contexts_;
   SensorNoise noise_;
   ChangeAnalysis analysis_;
   PixelHistory history_;

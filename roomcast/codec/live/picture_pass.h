@@ -18,7 +18,8 @@
 
 namespace roomcast::codec {
 
-inline constexpr int kCalmFrames = 20;  // after so many unchanged frames a block becomes background
+inline constexpr int kStaticFrames =
+    20;  // after so many unchanged frames a block becomes background
 inline constexpr int kRefinementStep = 6;  // levels
 inline constexpr int kReadingStep = 2;     // levels
 inline constexpr int kNear = 3 * kLevelsPerSigma;
@@ -131,7 +132,7 @@ class PicturePass {
     scratch_.trace[block_] = {};
     if (!reference_) return;
     std::uint8_t& static_age = state_.static_age[block_];
-    if (static_age == kCalmFrames || ++static_age != kCalmFrames) return;
+    if (static_age == kStaticFrames || ++static_age != kStaticFrames) return;
     const std::size_t bytes = static_cast<std::size_t>(columns_) * sizeof(std::uint16_t);
     for (int y = 0; y < rows_; ++y) {
       std::memcpy(&state_.background[pixel(0, y)], &state_.picture[pixel(0, y)], bytes);

@@ -18,13 +18,13 @@ constexpr int kMinSupport = 2;                          // of eight neighbours
 constexpr u16 kHeld = 64;  // in first_flags_: kept without a reading, support not checked yet
 constexpr u16 kAnyChange = kJumped | kVanished | kUnsupported;
 constexpr int kBasePersistence = 5;
-constexpr u16 kCalming = 6;  // persistence that a frame without the difference takes back
+constexpr u16 kPersistenceDecay = 6;  // persistence that a frame without the difference takes back
 constexpr int kMaxPersistence = 200;
 constexpr int kOverdueFrames = 14;
-constexpr int kHoldReach = 2;         // pixels; radius in which readings may support a missing one
-constexpr int kMinCluster = 4;        // changed pixels of 3x3
-constexpr u16 kMoreIfRestless = 2;    // added to kMinCluster where a pixel is known to flicker
-constexpr int kMovingNeighbours = 6;  // jumped pixels of 5x5: a moving outline
+constexpr int kHoldReach = 2;   // pixels; radius in which readings may support a missing one
+constexpr int kMinCluster = 4;  // changed pixels of 3x3
+constexpr u16 kFlickerClusterBonus = 2;  // added to kMinCluster where a pixel is known to flicker
+constexpr int kMovingNeighbours = 6;     // jumped pixels of 5x5: a moving outline
 constexpr u16 kFirstDeviation = 6 << kNoiseShift;
 
 // All bits set where true, else 0.
@@ -98,7 +98,7 @@ void compare_pixels(const ComparedRow& row, int n) {
     missing[i] = gone;
     const u16 jumped = static_cast<u16>(((both & big) | (has_v & ~has_r)) & kJumped);
     const u16 held = has_r & static_cast<u16>(~has_v);
-    const u16 long_gone = mask(gone >= kHoldFrames);
+    const u16 long_gone = mask(gone >= kMaxMissingFrames);
     flags[i] = static_cast<u16>(jumped | (held & ((long_gone & kVanished) | (~long_gone & kHeld))));
     const u16 near = both & mask(apart < 6 * kLevelsPerSigma);
     off[i] = static_cast<s16>(difference & static_cast<s16>(near));
@@ -119,7 +119,7 @@ void sum_three(const u16* flags, const s16* off, const u16* close, int width, u1
   }
 }
 
-struct SettledRow {
+struct ClassifiedRow {
   const u16* first_flags;
   const u16* row_flags;
   const s16* row_off;
@@ -134,7 +134,7 @@ struct SettledRow {
 };
 
 ROOMCAST_VECTOR_CLONES
-void settle_row(const SettledRow& row, int width) {
+void classify_row(const ClassifiedRow& row, int width) {
   const u16* first = row.first_flags;
   const u16 *f0 = row.row_flags - row.stride, *f1 = row.row_flags, *f2 = row.row_flags + row.stride;
   const s16 *o0 = row.row_off - row.stride, *o1 = row.row_off, *o2 = row.row_off + row.stride;
@@ -157,15 +157,15 @@ void settle_row(const SettledRow& row, int width) {
     const u16 biased =
         mask(samples >= 6) & mask(static_cast<u16>(size * 5) > limit) & mask(close[x] != 0);
     const u16 before = persistence[x];
-    const u16 calmer =
-        static_cast<u16>(before - (std::min<u16>(before, kCalming) & mask(reading[x] != 0)));
+    const u16 calmer = static_cast<u16>(
+        before - (std::min<u16>(before, kPersistenceDecay) & mask(reading[x] != 0)));
     const u16 lasting = std::min<u16>(
         static_cast<u16>((changed & (before + 1)) | (~changed & calmer)), kMaxPersistence);
     persistence[x] = lasting;
     const u16 persists =
         changed & mask(lasting >= static_cast<u16>(kBasePersistence + patience[x]));
     const u16 least_cluster =
-        static_cast<u16>(kMinCluster + (mask(patience[x] != 0) & kMoreIfRestless));
+        static_cast<u16>(kMinCluster + (mask(patience[x] != 0) & kFlickerClusterBonus));
     const u16 counts = changed & (mask(cluster >= least_cluster) | persists);
     flags[x] = static_cast<u16>((counts & change) | (persists & kPersistent) |
                                 (changed & mask(lasting >= kOverdueFrames) & kOverdue) |
@@ -278,10 +278,10 @@ void ChangeAnalysis::sum_rows(const FrameChange& change) {
 void ChangeAnalysis::settle(PixelHistory& history, FrameChange& change) const {
   for (int y = 1; y < height_ - 1; ++y) {
     const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-    settle_row({&first_flags_[at], &row_flags_[at], &row_off_[at], &row_close_[at], width_,
-                &change.reading[at], &change.close[at], &history.deviation[at],
-                &history.patience[at], &history.persistence[at], &change.flags[at]},
-               width_);
+    classify_row({&first_flags_[at], &row_flags_[at], &row_off_[at], &row_close_[at], width_,
+                  &change.reading[at], &change.close[at], &history.deviation[at],
+                  &history.patience[at], &history.persistence[at], &change.flags[at]},
+                 width_);
   }
 }
 

@@ -15,16 +15,16 @@ namespace roomcast::codec {
 /// Reasons to code a pixel.
 enum ChangeFlag : std::uint16_t {
   kJumped = 1,       // the reading differs from the reference by more than noise
-  kVanished = 2,     // no reading for kHoldFrames
+  kVanished = 2,     // no reading for kMaxMissingFrames
   kUnsupported = 4,  // no reading, and the neighbours no longer support the reference
   kBiased = 8,       // a small offset, shared by its neighbours
   kPersistent = 16,  // changed for a while: code it even if few others changed
   kOverdue = 32      // changed for too long: code it even if it is alone
 };
 
-inline constexpr int kHoldFrames = 6;   // for which a vanished reading is kept
-inline constexpr int kNoiseShift = 4;   // fraction bits of PixelHistory::deviation
-inline constexpr int kMaxSamples = 64;  // at this count, sum and count are halved
+inline constexpr int kMaxMissingFrames = 6;  // for which a vanished reading is kept
+inline constexpr int kNoiseShift = 4;        // fraction bits of PixelHistory::deviation
+inline constexpr int kMaxSamples = 64;       // at this count, sum and count are halved
 inline constexpr int kSampleReach =
     8 * kLevelsPerSigma;  // readings further off are not samples of the reference
 

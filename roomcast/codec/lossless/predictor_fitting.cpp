@@ -91,7 +91,7 @@ int cost(int error) {
 }
 
 /// Removes the weights of classes where the median does as well.
-void keep_the_better(ImageView<const std::uint16_t> plane, Predictors& predictors) {
+void drop_useless_weights(ImageView<const std::uint16_t> plane, Predictors& predictors) {
   std::array<std::int64_t, kClassCount> gain{};
   for_each_sample(plane, [&](const Neighbours& at, int value) {
     const auto c = static_cast<std::size_t>(class_of(at));
@@ -113,7 +113,7 @@ Predictors fit_predictors(ImageView<const std::uint16_t> plane) {
   for (int c = 0; c < kLinearClassCount; ++c) {
     if (fits[c].samples >= kMinSamples) predictors[c] = rounded(solve(fits[c]));
   }
-  keep_the_better(plane, predictors);
+  drop_useless_weights(plane, predictors);
   return predictors;
 }
 

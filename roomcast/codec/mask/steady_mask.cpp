@@ -7,7 +7,7 @@ namespace roomcast::codec {
 namespace {
 
 constexpr std::uint8_t kMinNeeded = 6, kMaxToHide = 32, kMaxToShow = 4;
-constexpr std::uint8_t kCalmFrames = 120;
+constexpr std::uint8_t kStaticFrames = 120;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void SteadyMask::begin(MaskView seen) {
 void SteadyMask::step(Pixel& pixel, bool seen, std::uint8_t& shown) {
   if (seen == (shown != 0)) {
     pixel.against = 0;
-    if (++pixel.agreeing == kCalmFrames) {
+    if (++pixel.agreeing == kStaticFrames) {
       pixel.agreeing = 0;
       pixel.needed = std::max<std::uint8_t>(kMinNeeded, pixel.needed / 2);
     }

@@ -53,7 +53,7 @@ net::HttpResponse no_object() {
 
 AdminApi::AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
                    RoomRecordings* recordings, LogSink log)
-    : hall_(hall),
+    : registry_(hall),
       store_worker_(store_worker),
       version_(std::move(version)),
       recordings_(recordings),
@@ -95,7 +95,7 @@ void AdminApi::apply(const Call& call) {
 /// Calls for the room's admins only. For a caller who may not know of the room the answer is the
 /// same as if it did not exist.
 void AdminApi::carry_out_in_room(const Call& call) {
-  const RoomSettings* settings = hall_.find(call.parameter(0));
+  const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
   if (!call.is_admin_of(settings->name)) return call.respond(not_yours());
@@ -124,14 +124,14 @@ void AdminApi::carry_out_in_room(const Call& call) {
 void AdminApi::status(const Call& call) const {
   if (!call.is_hub_admin()) return call.respond(not_yours());
   std::size_t sensors = 0, viewers = 0;
-  for (const RoomStats& stats : hall_.stats()) {
+  for (const RoomStats& stats : registry_.stats()) {
     sensors += static_cast<std::size_t>(std::ranges::count_if(stats.sensors, &SensorStats::online));
     viewers += stats.viewers.size();
   }
   const double uptime_s = std::chrono::duration<double>(clock_.now() - started_).count();
   call.respond(json_answer(200, {{"version", version_},
                                  {"uptime_s", uptime_s},
-                                 {"rooms", hall_.room_count()},
+                                 {"rooms", registry_.room_count()},
                                  {"sensors", sensors},
                                  {"viewers", viewers}}));
 }
@@ -141,7 +141,7 @@ void AdminApi::status(const Call& call) const {
 void AdminApi::list_hubs(const Call& call) const {
   if (!call.is_hub_admin()) return call.respond(not_yours());
   Json hubs = Json::array();
-  for (const HubStatus& hub : hall_.hubs()) {
+  for (const HubStatus& hub : registry_.hubs()) {
     Json rooms = Json::array();
     for (const auto& room : hub.rooms) {
       rooms.push_back({{"name", room.name}, {"sensors", room.sensors}, {"viewers", room.viewers}});
@@ -155,8 +155,8 @@ void AdminApi::list_hubs(const Call& call) const {
 void AdminApi::list_rooms(const Call& call) const {
   Json rooms = Json::array();
   const Claims* claims = call.claims ? &*call.claims : nullptr;
-  for (const RoomStats& stats : hall_.stats()) {
-    const RoomSettings& settings = *hall_.find(stats.room);
+  for (const RoomStats& stats : registry_.stats()) {
+    const RoomSettings& settings = *registry_.find(stats.room);
     if (!may_know_of(settings, claims)) continue;
     rooms.push_back(call.is_admin_of(settings.name) ? whole_room(settings, stats)
                                                     : brief_room(settings, stats));
@@ -165,10 +165,10 @@ void AdminApi::list_rooms(const Call& call) const {
 }
 
 void AdminApi::room(const Call& call) const {
-  const RoomSettings* settings = hall_.find(call.parameter(0));
+  const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
-  const RoomStats stats = *hall_.stats(settings->name);
+  const RoomStats stats = *registry_.stats(settings->name);
   call.respond(json_answer(200, call.is_admin_of(settings->name) ? whole_room(*settings, stats)
                                                                  : brief_room(*settings, stats)));
 }
@@ -184,7 +184,7 @@ void AdminApi::open_room(const Call& call) {
       {.send = Who::kToken, .view = Who::kToken, .record = Who::kAdmin, .share = Who::kAdmin},
       *json);
   if (!settings) return call.respond(error_answer(settings.error()));
-  if (hall_.find(settings->name) != nullptr) {
+  if (registry_.find(settings->name) != nullptr) {
     return call.respond(error_answer(409, "conflict", "there is a room of this name already"));
   }
   keep_room(call, *settings, true);
@@ -193,7 +193,7 @@ void AdminApi::open_room(const Call& call) {
 void AdminApi::change_room(const Call& call) {
   const auto json = object_in(call.body);
   if (!json) return call.respond(no_object());
-  const RoomSettings& before = *hall_.find(call.parameter(0));
+  const RoomSettings& before = *registry_.find(call.parameter(0));
   const auto settings = changed(before, *json);
   if (!settings) return call.respond(error_answer(settings.error()));
   if (settings->name != before.name) {
@@ -203,24 +203,25 @@ void AdminApi::change_room(const Call& call) {
 }
 
 void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is_new) {
-  store_worker_.ask([settings](HubStore& book) { return book.rooms().save(settings); },
-                    [this, call, settings, is_new](const Status& kept) {
-                      if (!kept) return call.respond(error_answer(kept.error()));
-                      const bool is_there = hall_.find(settings.name) != nullptr;
-                      if (!is_there && !is_new) return call.respond(no_such_room());
-                      if (is_there) {
-                        hall_.change(settings);
-                      } else {
-                        hall_.open(settings, {});
-                      }
-                      call.respond(json_answer(is_new ? 201 : 200,
-                                               whole_room(settings, *hall_.stats(settings.name))));
-                    });
+  store_worker_.ask(
+      [settings](HubStore& book) { return book.rooms().save(settings); },
+      [this, call, settings, is_new](const Status& kept) {
+        if (!kept) return call.respond(error_answer(kept.error()));
+        const bool is_there = registry_.find(settings.name) != nullptr;
+        if (!is_there && !is_new) return call.respond(no_such_room());
+        if (is_there) {
+          registry_.change(settings);
+        } else {
+          registry_.open(settings, {});
+        }
+        call.respond(
+            json_answer(is_new ? 201 : 200, whole_room(settings, *registry_.stats(settings.name))));
+      });
 }
 
 void AdminApi::close_room(const Call& call) {
   if (!call.is_hub_admin()) return call.respond(not_yours());
-  if (hall_.is_configured(call.parameter(0))) {
+  if (registry_.is_configured(call.parameter(0))) {
     return call.respond(error_answer(
         409, "conflict",
         "this room is in the hub's configuration and would be back with its next start; take it "
@@ -229,8 +230,9 @@ void AdminApi::close_room(const Call& call) {
   store_worker_.ask([name = call.parameter(0)](HubStore& book) { return book.forget_room(name); },
                     [this, call](const Status& forgotten) {
                       if (!forgotten) return call.respond(error_answer(forgotten.error()));
-                      if (hall_.find(call.parameter(0)) != nullptr) hall_.close(call.parameter(0));
-                      hall_.tell_revoked();
+                      if (registry_.find(call.parameter(0)) != nullptr)
+                        registry_.close(call.parameter(0));
+                      registry_.send_revoked();
                       call.respond(no_content());
                     });
 }
@@ -239,27 +241,27 @@ void AdminApi::close_room(const Call& call) {
 
 void AdminApi::list_sensors(const Call& call) const {
   Json sensors = Json::array();
-  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const RoomStats stats = *registry_.stats(call.parameter(0));
   for (const SensorStats& sensor : stats.sensors) {
-    sensors.push_back(sensor_json(sensor, hall_.address_of(sensor.connection)));
+    sensors.push_back(sensor_json(sensor, registry_.address_of(sensor.connection)));
   }
   call.respond(json_answer(200, {{"sensors", std::move(sensors)}}));
 }
 
 void AdminApi::list_viewers(const Call& call) const {
   Json viewers = Json::array();
-  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const RoomStats stats = *registry_.stats(call.parameter(0));
   for (const ViewerStats& viewer : stats.viewers) {
-    viewers.push_back(viewer_json(viewer, hall_.address_of(viewer.connection)));
+    viewers.push_back(viewer_json(viewer, registry_.address_of(viewer.connection)));
   }
   call.respond(json_answer(200, {{"viewers", std::move(viewers)}}));
 }
 
 void AdminApi::end_sensor(const Call& call) {
-  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const RoomStats stats = *registry_.stats(call.parameter(0));
   const auto found = std::ranges::find(stats.sensors, call.parameter(1), &SensorStats::name);
   if (found == stats.sensors.end() || !found->online) return forget_sensor(call);
-  hall_.send_away(found->connection, "the room's owner ended this connection");
+  registry_.disconnect_client(found->connection, "the room's owner ended this connection");
   call.respond(no_content());
 }
 
@@ -267,7 +269,7 @@ void AdminApi::end_sensor(const Call& call) {
 /// forgets first, so that a pending save of the sensor runs before it is deleted from the store.
 void AdminApi::forget_sensor(const Call& call) {
   const std::string &room = call.parameter(0), &sensor = call.parameter(1);
-  hall_.forget_sensor(room, sensor);
+  registry_.forget_sensor(room, sensor);
   store_worker_.ask([room, sensor](HubStore& book) { return book.sensors().forget(room, sensor); },
                     [call](const Status& forgotten) {
                       call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
@@ -278,12 +280,12 @@ void AdminApi::end_viewer(const Call& call) {
   std::uint32_t id = 0;
   const std::string& text = call.parameter(1);
   std::from_chars(text.data(), text.data() + text.size(), id);
-  const RoomStats stats = *hall_.stats(call.parameter(0));
+  const RoomStats stats = *registry_.stats(call.parameter(0));
   const auto found = std::ranges::find(stats.viewers, ViewerId{id}, &ViewerStats::id);
   if (found == stats.viewers.end()) {
     return call.respond(error_answer(404, "not_found", "no such viewer is in this room"));
   }
-  hall_.send_away(found->connection, "the room's owner ended this connection");
+  registry_.disconnect_client(found->connection, "the room's owner ended this connection");
   call.respond(no_content());
 }
 
@@ -298,7 +300,7 @@ void AdminApi::recording(const Call& call) const {
 void AdminApi::start_recording(const Call& call) {
   const std::string& room = call.parameter(0);
   if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
-  if (hall_.find(room)->record == Who::kNobody) {
+  if (registry_.find(room)->record == Who::kNobody) {
     return call.respond(
         error_answer(403, "wrong_role", "nobody may record this room; its settings say so"));
   }
@@ -356,8 +358,8 @@ void AdminApi::revoke_token(const Call& call) {
       },
       [this, call, id](const Status& revoked) {
         if (!revoked) return call.respond(error_answer(revoked.error()));
-        hall_.send_away_holders({id});
-        hall_.tell_revoked();
+        registry_.disconnect_token_holders({id});
+        registry_.send_revoked();
         call.respond(no_content());
       });
 }

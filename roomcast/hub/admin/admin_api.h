@@ -59,7 +59,7 @@ class AdminApi {
   void make_token(const Call& call);
   void revoke_token(const Call& call);
 
-  RoomRegistry& hall_;
+  RoomRegistry& registry_;
   StoreWorker& store_worker_;
   const std::string version_;
   RoomRecordings* const recordings_;

@@ -9,7 +9,7 @@
 namespace roomcast::hub {
 
 AdminAuth::AdminAuth(RoomRegistry& hall, StoreWorker& store_worker, LogSink log)
-    : hall_(hall), store_worker_(store_worker), log_(std::move(log)) {}
+    : registry_(hall), store_worker_(store_worker), log_(std::move(log)) {}
 
 void AdminAuth::admit(const net::HttpRequest& request, bool needs_token, net::Respond respond,
                       std::function<void(Caller)> enter) {
@@ -26,7 +26,7 @@ void AdminAuth::admit(const net::HttpRequest& request, bool needs_token, net::Re
                     [this, asked = std::move(asked), respond = std::move(respond),
                      enter = std::move(enter)](const Verdict<Claims>& verdict) mutable {
                       if (const Refusal* why = refusal(verdict)) {
-                        hall_.hold_against(asked.peer, *why);
+                        registry_.count_fault(asked.peer, *why);
                         return audited(log_, std::move(asked),
                                        std::move(respond))(error_answer(*why));
                       }

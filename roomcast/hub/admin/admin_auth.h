@@ -36,7 +36,7 @@ class AdminAuth {
              std::function<void(Caller)> enter);
 
  private:
-  RoomRegistry& hall_;
+  RoomRegistry& registry_;
   StoreWorker& store_worker_;
   const LogSink log_;
 };

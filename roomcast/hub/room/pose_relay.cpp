@@ -20,7 +20,7 @@ void PoseRelay::set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime 
   person.is_news = is_news_ = true;
 }
 
-void PoseRelay::tell_all_again() {
+void PoseRelay::resend_all() {
   for (auto& [viewer, person] : people_) person.is_news = is_news_ = true;
 }
 

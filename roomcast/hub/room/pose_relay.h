@@ -19,7 +19,7 @@ class PoseRelay {
   void set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void forget(ViewerId viewer) { people_.erase(viewer); }
   /// Marks all poses as new, for a client that has just joined.
-  void tell_all_again();
+  void resend_all();
 
   /// The newest poses of the viewers that moved; nothing: no pose has changed, or the next message
   /// is not yet due. All viewers get the same message and skip their own pose.

@@ -42,7 +42,7 @@ TEST(PoseRelay, who_comes_is_told_where_the_others_are) {
   PoseRelay relay;
   relay.set(ViewerId{1}, pose_at(1), at(0ms));
   EXPECT_TRUE(relay.take(at(0ms)));
-  relay.tell_all_again();
+  relay.resend_all();
   const auto message = relay.take(at(1s));
   ASSERT_TRUE(message);
   EXPECT_EQ(message->viewer_poses().poses_size(), 1);

@@ -67,10 +67,10 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       poses_.set(viewer->second.id, message.viewer_pose(), now);
       return out;
     case pb::Control::kPeopleHere:
-      if (!tells_of_people(from)) break;
+      if (!may_report_people(from)) break;
       return take_people(from, message.people_here(), now);
     case pb::Control::kViewerPoses:
-      if (!tells_of_people(from)) break;
+      if (!may_report_people(from)) break;
       take_poses(from, message.viewer_poses(), now);
       return out;
     case pb::Control::kViewerStats:
@@ -184,7 +184,7 @@ RoomActions Room::tick(RoomTime now) {
   if (auto poses = poses_.take(now)) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
-  if (roster_is_news_ && now >= next_roster_) announce(now, out);
+  if (roster_changed_ && now >= next_roster_) announce(now, out);
   return out;
 }
 
@@ -197,7 +197,7 @@ std::optional<RoomTime> Room::next_tick() const {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
   consider(poses_.next());
-  if (roster_is_news_) consider(next_roster_);
+  if (roster_changed_) consider(next_roster_);
   return next;
 }
 
@@ -218,11 +218,11 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
 /// before its frames. If people have changed, all poses are sent again, because viewers may have
 /// received poses of people whom no roster had named yet.
 void Room::announce(RoomTime now, RoomActions& out) {
-  stand_aside();
-  const bool people_are_news = std::exchange(roster_is_news_, false);
+  place_unplaced_in_row();
+  const bool people_are_news = std::exchange(roster_changed_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
-  if (people_are_news) poses_.tell_all_again();
+  if (people_are_news) poses_.resend_all();
   out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 
@@ -230,7 +230,7 @@ void Room::announce(RoomTime now, RoomActions& out) {
 /// that joins together would cause one roster to everybody per person. False: the roster is sent
 /// later.
 bool Room::announce_in_time(RoomTime now, RoomActions& out) {
-  roster_is_news_ = true;
+  roster_changed_ = true;
   if (now < next_roster_) return false;
   announce(now, out);
   return true;

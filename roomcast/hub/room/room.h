@@ -34,7 +34,7 @@ namespace roomcast::hub {
 class Room {
  public:
   /// How often a viewer that is a hub may report its people. It reports when its roster changes.
-  static constexpr double kPeopleToldPerSecond = 20;
+  static constexpr double kPeopleReportsPerSecond = 20;
 
   /// `recalls_poses`: restore the estimated poses of remembered sensors. Only where an aligner
   /// verifies them.
@@ -93,7 +93,7 @@ class Room {
     bool relays = false;  // it is a hub that relays this room
     std::string token_id;
     wire::pb::ViewerStats told = {};  // reported by the viewer
-    RateLimit people{kPeopleToldPerSecond, 4 * kPeopleToldPerSecond};
+    RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
   };
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
@@ -110,18 +110,18 @@ class Room {
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   [[nodiscard]] bool may_nudge(ConnectionId from) const;
-  [[nodiscard]] bool tells_of_people(ConnectionId from) const;
+  [[nodiscard]] bool may_report_people(ConnectionId from) const;
   RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
   void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
   bool forget_people(const RemotePresence::Change& change);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
-  bool make_room_for(const std::string& name);
+  bool evict_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void announce(RoomTime now, RoomActions& out);
-  void stand_aside();
+  void place_unplaced_in_row();
   bool announce_in_time(RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
@@ -147,7 +147,7 @@ class Room {
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;
   RoomTime next_roster_{};
-  bool roster_is_news_ = false;  // some viewers do not have the newest one
+  bool roster_changed_ = false;  // some viewers do not have the newest one
 };
 
 }  // namespace roomcast::hub

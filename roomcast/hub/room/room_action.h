@@ -48,12 +48,12 @@ struct Disconnect {
 };
 
 /// Save these sensors, so that the hub knows them after a restart.
-struct KeepSensors {
+struct SaveSensors {
   std::vector<KnownSensor> sensors;
 };
 
 using RoomAction =
-    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, KeepSensors>;
+    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, SaveSensors>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

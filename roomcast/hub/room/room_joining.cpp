@@ -57,7 +57,7 @@ pb::Control Room::welcome_message(const Entry& entry) const {
 
 void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
                        RoomActions& out) {
-  if (!make_room_for(join.name())) {
+  if (!evict_for(join.name())) {
     out = refuse(from, pb::ERROR_ROOM_FULL,
                  "this room has " + std::to_string(settings_.max_sensors) +
                      " sensors that are here or have their place; its admin can forget one that is "
@@ -67,7 +67,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   }
   const bool was_here = sensors_.find(join.name()) != nullptr;
   RoomSensor* sensor = known_or_new_sensor(join.name(), out);
-  ROOMCAST_ASSERT(sensor != nullptr);  // make_room_for() left a free ID
+  ROOMCAST_ASSERT(sensor != nullptr);  // evict_for() left a free ID
   if (!may_replace(*sensor, entry)) {
     out = refuse(from, pb::ERROR_WRONG_ROLE,
                  "another sensor is here as \"" + sensor->name + "\"; choose another --name", now);
@@ -125,7 +125,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
   if (viewers_.empty()) forget_newest_frames();
-  poses_.tell_all_again();
+  poses_.resend_all();
   viewers_[from] = {.id = ViewerId{next_viewer_id_},
                     .name = join.name(),
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
@@ -148,7 +148,7 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
     return;
   }
   aligners_.push_back(from);
-  if (is_of_backplane(from)) poses_.tell_all_again();
+  if (is_of_backplane(from)) poses_.resend_all();
   out.push_back(AcceptConnection{from, Role::kAligner});
   out.push_back(SendControl{{from}, welcome_message(entry)});
   out.push_back(SendControl{{from}, roster_message()});
@@ -160,7 +160,7 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
 /// Removes offline sensors that have no estimated pose, oldest first, until a sensor of this name
 /// fits; so invented names cannot fill the room. False: the room is full of sensors that are online
 /// or have an estimated pose.
-bool Room::make_room_for(const std::string& name) {
+bool Room::evict_for(const std::string& name) {
   if (sensors_.find(name) != nullptr) return true;
   while (sensors_.count() >= settings_.max_sensors || sensors_.would_displace(name)) {
     const RoomSensor* gone = sensors_.longest_gone();
@@ -178,7 +178,7 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
   const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
   if (pose && recalls_poses_) added->place.recall(*pose);
   if (earlier == nullptr || earlier->id != added->id) {
-    out.push_back(KeepSensors{{{name, added->id, pose}}});
+    out.push_back(SaveSensors{{{name, added->id, pose}}});
   }
   return added;
 }

@@ -13,7 +13,7 @@ namespace roomcast::hub {
 namespace pb = wire::pb;
 
 /// Viewers that are hubs may, and aligners, because the backplane joins as one.
-bool Room::tells_of_people(ConnectionId from) const {
+bool Room::may_report_people(ConnectionId from) const {
   const auto viewer = viewers_.find(from);
   if (viewer != viewers_.end()) return viewer->second.relays;
   return std::ranges::find(aligners_, from) != aligners_.end();

@@ -60,12 +60,12 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
       sensor->verified_by = sensor->bundle_hash;
     placed.push_back({sensor->name, sensor->id, sensor->place.found()});
   }
-  if (!placed.empty()) out.push_back(KeepSensors{std::move(placed)});
+  if (!placed.empty()) out.push_back(SaveSensors{std::move(placed)});
   announce(now, out);
 }
 
 /// Shows unplaced sensors in a row next to the placed ones.
-void Room::stand_aside() {
+void Room::place_unplaced_in_row() {
   const auto is_placed = [](const RoomSensor& sensor) {
     return sensor.place.placement != pb::PLACEMENT_UNPLACED;
   };

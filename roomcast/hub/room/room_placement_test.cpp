@@ -227,7 +227,7 @@ TEST_F(RoomTest, an_aligned_pose_survives_the_sensors_coming_and_going) {
 TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_started_again) {
   enter(sensor_join("left", std::nullopt));
   const auto aligner = enter(aligner_join());
-  const auto kept = all<KeepSensors>(room.control(aligner, placement_of(0, 7), at(1s)));
+  const auto kept = all<SaveSensors>(room.control(aligner, placement_of(0, 7), at(1s)));
   ASSERT_EQ(kept.size(), 1U);
   ASSERT_EQ(kept[0].sensors.size(), 1U);
   EXPECT_EQ(kept[0].sensors[0].name, "left");
@@ -276,7 +276,7 @@ TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {
   std::vector<KnownSensor> kept;
   for (const char* name : {"left", "right"}) {
     enter(sensor_join(name));
-    for (const auto& keep : all<KeepSensors>(actions)) {
+    for (const auto& keep : all<SaveSensors>(actions)) {
       kept.insert(kept.end(), keep.sensors.begin(), keep.sensors.end());
     }
   }
@@ -284,7 +284,7 @@ TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {
   restarted.remember(kept);
   const auto back = restarted.join(ConnectionId{1}, sensor_join("right"), {}, at(0s));
   EXPECT_EQ(messages(back, pb::Control::kWelcome).at(0).message.welcome().sensor_id(), 1U);
-  EXPECT_THAT(all<KeepSensors>(back), IsEmpty()) << "nothing new";
+  EXPECT_THAT(all<SaveSensors>(back), IsEmpty()) << "nothing new";
 }
 
 TEST_F(RoomTest, poses_that_nobody_would_verify_are_not_used) {

@@ -22,7 +22,7 @@ RoomSensor* SensorList::add(const std::string& name) {
   const auto id = free_id(name);
   if (!id) return nullptr;
   RoomSensor sensor{.id = *id, .name = name, .place = SensorPlace::guessed(id->value)};
-  sensor.bundles = bundles_of_the_removed_;
+  sensor.bundles = max_removed_bundle_;
   if (sensor.bundles > 0) sensor.place.valid_from_bundle = sensor.bundles + 1;
   return &sensors_.emplace(*id, std::move(sensor)).first->second;
 }
@@ -68,7 +68,7 @@ RoomSensor* SensorList::longest_gone() {
 
 void SensorList::remove(const RoomSensor& sensor) {
   ROOMCAST_ASSERT(!sensor.connection);
-  bundles_of_the_removed_ = std::max(bundles_of_the_removed_, sensor.bundles);
+  max_removed_bundle_ = std::max(max_removed_bundle_, sensor.bundles);
   sensors_.erase(SensorId(sensor.id));
 }
 

@@ -88,7 +88,7 @@ class SensorList {
   std::vector<KnownSensor> remembered_;
   std::uint64_t departures_ = 0;
   /// The highest number; poses estimated from bundles up to it are outdated.
-  std::uint32_t bundles_of_the_removed_ = 0;
+  std::uint32_t max_removed_bundle_ = 0;
 };
 
 }  // namespace roomcast::hub

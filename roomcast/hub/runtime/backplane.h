@@ -95,7 +95,7 @@ struct BackplaneContext {
   /// Takes the tokens that other hubs report as revoked.
   std::function<void(std::vector<Claims>)> revoke = {};
   /// Requests the revoked tokens; the answer is a call of Backplane::revoked() if there are any.
-  std::function<void()> tell_revoked = {};
+  std::function<void()> send_revoked = {};
   /// Takes the public URLs of the other hubs. This hub's page may reconnect to them, and their
   /// pages to this hub.
   std::function<void(std::vector<std::string>)> name_hubs = {};

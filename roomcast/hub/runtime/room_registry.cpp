@@ -53,7 +53,7 @@ void RoomRegistry::open(const RoomSettings& settings, std::vector<KnownSensor> s
       .backplane = backplane_,
       .clock = clock_,
       .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
-      .on_let_go = [this](const Disconnect& end) { let_go(end); }};
+      .on_removed = [this](const Disconnect& end) { let_go(end); }};
   rooms_[settings.name] =
       std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(around));
   if (backplane_ != nullptr) backplane_->room_opened(settings.name);
@@ -67,7 +67,7 @@ void RoomRegistry::close(const std::string& name) {
   const auto found = rooms_.find(name);
   if (backplane_ != nullptr) backplane_->room_closed(name);
   for (const ConnectionId client : found->second->room().connections()) {
-    send_away(client, "this room was closed");
+    disconnect_client(client, "this room was closed");
   }
   found->second->close();
   std::erase_if(dropped_sets_,
@@ -156,13 +156,13 @@ void RoomRegistry::refuse(const ConnectionInfo& connection_info, const pb::Join&
        {"peer", connection_info.address},
        {"token", token_id},
        {"error", pb::ErrorCode_Name(why.code)}});
-  hold_against(connection_info.peer, why);
+  count_fault(connection_info.peer, why);
   if (is_of_backplane(connection_info.from)) return backplane_->let_go(connection_info.from);
   shards_[Shard::of(connection_info.from, shards_.size())]->disconnect(connection_info.from,
                                                                        why.code, why.sentence);
 }
 
-void RoomRegistry::hold_against(const std::string& peer, const Refusal& why) {
+void RoomRegistry::count_fault(const std::string& peer, const Refusal& why) {
   const auto& exempt = options_.never_banned;
   if (!is_fault(why.code) || std::ranges::find(exempt, peer) != exempt.end()) return;
   if (!bans_.fault(peer, clock_.now())) return;
@@ -207,14 +207,14 @@ void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& 
     backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
   }
   room.apply(room.room().join(connection_info.from, join, entry, room.now()));
-  if (join.viewer().relays()) greet_hub(connection_info.from);
+  if (join.viewer().relays()) send_revoked_to_new_hub(connection_info.from);
   if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
     options_.on_in_use(entry.room);
   }
 }
 
 /// Sends a hub that has just joined the tokens revoked so far.
-void RoomRegistry::greet_hub(ConnectionId hub) {
+void RoomRegistry::send_revoked_to_new_hub(ConnectionId hub) {
   store_worker_.ask([](HubStore& book) { return book.revoked(); },
                     [this, hub](const Result<std::vector<Claims>>& revoked) {
                       if (revoked && room_of(hub) != nullptr) tell_hub_behind(hub, *revoked);
@@ -281,31 +281,31 @@ void RoomRegistry::log_client(const std::string& line, const Client& client, std
 
 // ---- disconnecting
 
-/// A room removed the client, by itself or through send_away().
+/// A room removed the client, by itself or through disconnect_client().
 void RoomRegistry::let_go(const Disconnect& end) {
   const auto client = clients_.find(end.connection);
   if (client == clients_.end()) return;
-  log_client(client->second.address + " is sent away: " + end.sentence, client->second, "send_away",
-             pb::ErrorCode_Name(end.code));
+  log_client(client->second.address + " is sent away: " + end.sentence, client->second,
+             "disconnect_client", pb::ErrorCode_Name(end.code));
   clients_.erase(client);
 }
 
-bool RoomRegistry::send_away(ConnectionId client, const std::string& sentence) {
+bool RoomRegistry::disconnect_client(ConnectionId client, const std::string& sentence) {
   RoomRunner* room = room_of(client);
-  if (room != nullptr) room->send_away(client, pb::ERROR_NOT_ALLOWED, sentence);
+  if (room != nullptr) room->disconnect_client(client, pb::ERROR_NOT_ALLOWED, sentence);
   return room != nullptr;
 }
 
-void RoomRegistry::tell_revoked() {
+void RoomRegistry::send_revoked() {
   store_worker_.ask([](HubStore& book) { return book.revoked(); },
                     [this](const Result<std::vector<Claims>>& revoked) {
                       if (!revoked || revoked->empty()) return;
                       if (backplane_ != nullptr) backplane_->revoked(*revoked);
-                      tell_hubs_behind(*revoked);
+                      send_revoked_to_downstream(*revoked);
                     });
 }
 
-void RoomRegistry::tell_hubs_behind(const std::vector<Claims>& revoked) {
+void RoomRegistry::send_revoked_to_downstream(const std::vector<Claims>& revoked) {
   for (const auto& [connection, client] : clients_) {
     if (client.room != nullptr && client.relays) tell_hub_behind(connection, revoked);
   }
@@ -324,12 +324,12 @@ void RoomRegistry::take_revoked(std::vector<Claims> tokens) {
       [tokens = std::move(tokens)](HubStore& book) { return book.take_revoked(tokens); },
       [this, ids = std::move(ids)](const Result<std::vector<Claims>>& news) {
         if (!news) log(LogLevel::kWarning, news.error().message);
-        send_away_holders(ids);
-        if (news) tell_hubs_behind(*news);
+        disconnect_token_holders(ids);
+        if (news) send_revoked_to_downstream(*news);
       });
 }
 
-void RoomRegistry::send_away_holders(const std::vector<std::string>& token_ids) {
+void RoomRegistry::disconnect_token_holders(const std::vector<std::string>& token_ids) {
   std::vector<std::pair<ConnectionId, RoomRunner*>> holders;
   for (const auto& [connection, client] : clients_) {
     const bool holds = client.room != nullptr && !client.token_id.empty() &&
@@ -337,7 +337,7 @@ void RoomRegistry::send_away_holders(const std::vector<std::string>& token_ids) 
     if (holds) holders.emplace_back(connection, client.room);
   }
   for (const auto& [connection, room] : holders) {
-    room->send_away(connection, pb::ERROR_TOKEN_REVOKED, "this token was revoked");
+    room->disconnect_client(connection, pb::ERROR_TOKEN_REVOKED, "this token was revoked");
   }
 }
 

@@ -73,12 +73,12 @@ class RoomRegistry final : public BackplaneEvents {
   /// Makes a room forget a sensor that is offline. The caller removes it from the store.
   void forget_sensor(const std::string& room, const std::string& sensor);
   /// Disconnects a client. False: it is in no room any more.
-  bool send_away(ConnectionId client, const std::string& sentence);
+  bool disconnect_client(ConnectionId client, const std::string& sentence);
   /// Disconnects the clients that joined with one of these tokens.
-  void send_away_holders(const std::vector<std::string>& token_ids);
+  void disconnect_token_holders(const std::vector<std::string>& token_ids);
   /// Sends the revoked tokens, if there are any, to the backplane and to hubs that relay rooms of
   /// this hub.
-  void tell_revoked();
+  void send_revoked();
   /// Takes the tokens that other hubs report as revoked.
   void take_revoked(std::vector<Claims> tokens);
   /// Empty: this hub is the only one.
@@ -88,7 +88,7 @@ class RoomRegistry final : public BackplaneEvents {
 
   /// Counts a refused token, of a join or of an HTTP request, against this address. An address with
   /// too many bad tokens is banned for a while (BanRules).
-  void hold_against(const std::string& peer, const Refusal& why);
+  void count_fault(const std::string& peer, const Refusal& why);
   /// Nothing: there is no backplane.
   [[nodiscard]] std::optional<BackplaneStats> backplane_stats() const {
     return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
@@ -131,12 +131,12 @@ class RoomRegistry final : public BackplaneEvents {
   [[nodiscard]] std::string only_listed_room() const;
   [[nodiscard]] RoomStats stats_of(const RoomRunner& room) const;
 
-  void greet_hub(ConnectionId hub);
-  void tell_hubs_behind(const std::vector<Claims>& revoked);
+  void send_revoked_to_new_hub(ConnectionId hub);
+  void send_revoked_to_downstream(const std::vector<Claims>& revoked);
   void tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked);
 
-  void look_around_later();
-  void look_around();
+  void schedule_periodic_tasks();
+  void run_periodic_tasks();
   void end_expired();
   void measure_sensors();
   void take_traffic(std::size_t shard, const ShardTraffic& traffic);

@@ -15,19 +15,19 @@ constexpr std::chrono::seconds kForgetAfter{10};
 }  // namespace
 
 void RoomRegistry::start() {
-  look_around_later();
+  schedule_periodic_tasks();
 }
 
-void RoomRegistry::look_around_later() {
+void RoomRegistry::schedule_periodic_tasks() {
   timer_.expires_after(kLookAround);
   timer_.async_wait([this](boost::system::error_code error) {
     if (error) return;
-    look_around();
-    look_around_later();
+    run_periodic_tasks();
+    schedule_periodic_tasks();
   });
 }
 
-void RoomRegistry::look_around() {
+void RoomRegistry::run_periodic_tasks() {
   measure_sensors();
   for (std::size_t i = 0; i < shards_.size(); ++i) {
     shards_[i]->report_traffic([this, i](const ShardTraffic& t) { take_traffic(i, t); });
@@ -43,9 +43,9 @@ void RoomRegistry::look_around() {
         if (revoked.empty()) return;
         std::vector<std::string> ids;
         for (const Claims& token : revoked) ids.push_back(token.id);
-        send_away_holders(ids);
+        disconnect_token_holders(ids);
         if (backplane_ != nullptr) backplane_->revoked(revoked);
-        tell_hubs_behind(revoked);
+        send_revoked_to_downstream(revoked);
       });
 }
 
@@ -58,8 +58,8 @@ void RoomRegistry::end_expired() {
     }
   }
   for (const auto& [connection, room] : expired) {
-    room->send_away(connection, wire::pb::ERROR_TOKEN_EXPIRED,
-                    "this token has expired; ask for a new one");
+    room->disconnect_client(connection, wire::pb::ERROR_TOKEN_EXPIRED,
+                            "this token has expired; ask for a new one");
   }
 }
 

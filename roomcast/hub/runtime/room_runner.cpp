@@ -8,47 +8,47 @@
 namespace roomcast::hub {
 
 RoomRunner::RoomRunner(RoomId id, Room room, Context around)
-    : id_(id), room_(std::move(room)), around_(std::move(around)), timer_(around_.io) {}
+    : id_(id), room_(std::move(room)), context_(std::move(around)), timer_(context_.io) {}
 
 void RoomRunner::apply(RoomActions actions) {
   for (const RoomAction& action : actions) {
     std::visit([this](const auto& a) { apply(a); }, action);
   }
   schedule_tick();
-  tell_backplane();
+  notify_backplane();
 }
 
-void RoomRunner::tell_backplane() {
-  if (around_.backplane == nullptr) return;
+void RoomRunner::notify_backplane() {
+  if (context_.backplane == nullptr) return;
   const std::uint64_t sets = room_.closed_set_count();
-  if (std::exchange(closed_sets_, sets) != sets) around_.backplane->set_closed(room_.name());
+  if (std::exchange(closed_sets_, sets) != sets) context_.backplane->set_closed(room_.name());
   const bool is_watched = room_.viewer_count() > 0;
   if (is_watched == is_watched_) return;
   is_watched_ = is_watched;
-  around_.backplane->watch(room_.name(), is_watched);
+  context_.backplane->watch(room_.name(), is_watched);
 }
 
 void RoomRunner::apply(const SendControl& action) {
   const auto message = framed_control(action.message);
-  std::vector<std::vector<ConnectionId>> to(around_.shards.size());
+  std::vector<std::vector<ConnectionId>> to(context_.shards.size());
   for (const ConnectionId connection : action.to) {
     if (is_of_backplane(connection)) {
-      around_.backplane->send(connection, action.message);
+      context_.backplane->send(connection, action.message);
       continue;
     }
     to[Shard::of(connection, to.size())].push_back(connection);
   }
   for (std::size_t i = 0; i < to.size(); ++i) {
-    if (!to[i].empty()) around_.shards[i]->send_control(std::move(to[i]), message);
+    if (!to[i].empty()) context_.shards[i]->send_control(std::move(to[i]), message);
   }
 }
 
 void RoomRunner::apply(const SendSet& action) {
-  for (const auto& shard : around_.shards) shard->send_set(id_, action.set);
+  for (const auto& shard : context_.shards) shard->send_set(id_, action.set);
 }
 
 void RoomRunner::apply(const RestartSensor& action) {
-  for (const auto& shard : around_.shards) shard->restart_sensor(id_, action.sensor);
+  for (const auto& shard : context_.shards) shard->restart_sensor(id_, action.sensor);
 }
 
 void RoomRunner::apply(const AcceptConnection& action) {
@@ -58,23 +58,23 @@ void RoomRunner::apply(const AcceptConnection& action) {
 
 void RoomRunner::apply(const Disconnect& action) {
   if (is_of_backplane(action.connection)) {
-    around_.backplane->let_go(action.connection);
+    context_.backplane->let_go(action.connection);
   } else {
     shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
   }
-  around_.on_let_go(action);
+  context_.on_removed(action);
 }
 
-void RoomRunner::apply(const KeepSensors& action) {
-  around_.store_worker.ask([room = room_.name(), sensors = action.sensors](
-                               HubStore& book) { return book.sensors().save(room, sensors); },
-                           [complain = around_.complain](const Status& status) {
-                             if (!status) complain(status.error().message);
-                           });
+void RoomRunner::apply(const SaveSensors& action) {
+  context_.store_worker.ask([room = room_.name(), sensors = action.sensors](
+                                HubStore& book) { return book.sensors().save(room, sensors); },
+                            [complain = context_.complain](const Status& status) {
+                              if (!status) complain(status.error().message);
+                            });
 }
 
-void RoomRunner::send_away(ConnectionId connection, wire::pb::ErrorCode code,
-                           const std::string& sentence) {
+void RoomRunner::disconnect_client(ConnectionId connection, wire::pb::ErrorCode code,
+                                   const std::string& sentence) {
   RoomActions actions = room_.leave(connection, now());
   actions.push_back(Disconnect{connection, code, sentence});
   apply(std::move(actions));
@@ -82,7 +82,7 @@ void RoomRunner::send_away(ConnectionId connection, wire::pb::ErrorCode code,
 
 void RoomRunner::close() {
   timer_.cancel();
-  for (const auto& shard : around_.shards) shard->forget(id_);
+  for (const auto& shard : context_.shards) shard->forget(id_);
 }
 
 void RoomRunner::schedule_tick() {

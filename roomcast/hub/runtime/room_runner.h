@@ -31,7 +31,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
     Backplane* backplane;  // null: there are no other hubs
     const Clock& clock;
     std::function<void(const std::string&)> complain;
-    std::function<void(const Disconnect&)> on_let_go;  // the room has removed this connection
+    std::function<void(const Disconnect&)> on_removed;  // the room has removed this connection
   };
 
   RoomRunner(RoomId id, Room room, Context around);
@@ -39,13 +39,14 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   [[nodiscard]] Room& room() { return room_; }
   [[nodiscard]] const Room& room() const { return room_; }
   [[nodiscard]] RoomId id() const { return id_; }
-  [[nodiscard]] RoomTime now() const { return RoomTime(around_.clock.now().time_since_epoch()); }
+  [[nodiscard]] RoomTime now() const { return RoomTime(context_.clock.now().time_since_epoch()); }
 
   /// Carries out the actions that an event of the room returned.
   void apply(RoomActions actions);
 
   /// Removes a client that is in the room, and disconnects it.
-  void send_away(ConnectionId connection, wire::pb::ErrorCode code, const std::string& sentence);
+  void disconnect_client(ConnectionId connection, wire::pb::ErrorCode code,
+                         const std::string& sentence);
 
   /// Stops the timer and removes the room from the shards. All clients must have left.
   void close();
@@ -56,16 +57,16 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void apply(const RestartSensor& action);
   void apply(const AcceptConnection& action);
   void apply(const Disconnect& action);
-  void apply(const KeepSensors& action);
-  void tell_backplane();
+  void apply(const SaveSensors& action);
+  void notify_backplane();
   void schedule_tick();
   [[nodiscard]] Shard& shard_of(ConnectionId connection) const {
-    return *around_.shards[Shard::of(connection, around_.shards.size())];
+    return *context_.shards[Shard::of(connection, context_.shards.size())];
   }
 
   const RoomId id_;
   Room room_;
-  const Context around_;
+  const Context context_;
   boost::asio::steady_timer timer_;
   std::optional<RoomTime> armed_for_;  // the time for which timer_ is set
   bool is_watched_ = false;            // as last reported to the backplane

@@ -95,7 +95,7 @@ void Session::take_control(std::span<const std::uint8_t> message) {
                                                 ? "this connection has joined already"
                                                 : "the first message of a connection is Join");
   }
-  if (control->has_clock_ping()) return tell_time(control->clock_ping());
+  if (control->has_clock_ping()) return answer_clock_ping(control->clock_ping());
   if (!control->has_join()) return hub_.on_control(id_, *control);
   has_joined_ = true;
   is_sensor_ = control->join().has_sensor();
@@ -104,7 +104,7 @@ void Session::take_control(std::span<const std::uint8_t> message) {
 
 // Answers at once, on the shard's thread, because any delay of the answer makes the client's clock
 // less certain.
-void Session::tell_time(const wire::pb::ClockPing& ping) {
+void Session::answer_clock_ping(const wire::pb::ClockPing& ping) {
   pb::Control pong;
   pong.mutable_clock_pong()->set_client_ns(ping.client_ns());
   pong.mutable_clock_pong()->set_hub_ns(

@@ -87,7 +87,7 @@ class Session final : public net::ConnectionHandler {
  private:
   void take_frame(net::MessageBuffer message);
   void take_control(std::span<const std::uint8_t> message);
-  void tell_time(const wire::pb::ClockPing& ping);
+  void answer_clock_ping(const wire::pb::ClockPing& ping);
   void refuse(const Error& error);
   void limit(const wire::SendingLimits& limits);
 

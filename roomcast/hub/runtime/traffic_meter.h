@@ -40,20 +40,20 @@ class TrafficMeter {
   void look(const Key& key, std::uint64_t count, HostTime now) {
     Entry& entry = entries_[key];
     entry.growth.look(count, now);
-    entry.looked_at = now;
+    entry.sampled_at = now;
   }
   [[nodiscard]] double per_s(const Key& key) const {
     const auto found = entries_.find(key);
     return found == entries_.end() ? 0 : found->second.growth.per_s();
   }
   void forget_before(HostTime time) {
-    std::erase_if(entries_, [time](const auto& entry) { return entry.second.looked_at < time; });
+    std::erase_if(entries_, [time](const auto& entry) { return entry.second.sampled_at < time; });
   }
 
  private:
   struct Entry {
     Growth growth;
-    HostTime looked_at{};
+    HostTime sampled_at{};
   };
   std::unordered_map<Key, Entry> entries_;
 };

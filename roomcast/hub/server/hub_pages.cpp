@@ -24,7 +24,7 @@ HubPages::HubPages(std::optional<net::StaticSite> site, RoomRegistry& hall,
                    bool metrics_for_anyone, std::string version, RoomRecordings* recordings,
                    const LogSink& log)
     : site_(std::move(site)),
-      hall_(hall),
+      registry_(hall),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
@@ -76,8 +76,8 @@ void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond
 /// Open to everybody, so it counts listed rooms only.
 net::HttpResponse HubPages::health() const {
   std::ptrdiff_t sensors = 0, viewers = 0;
-  for (const RoomStats& stats : hall_.stats()) {
-    if (!hall_.find(stats.room)->listed) continue;
+  for (const RoomStats& stats : registry_.stats()) {
+    if (!registry_.find(stats.room)->listed) continue;
     sensors += std::ranges::count_if(stats.sensors, &SensorStats::online);
     viewers += static_cast<std::ptrdiff_t>(stats.viewers.size());
   }
@@ -89,10 +89,10 @@ net::HttpResponse HubPages::metrics() const {
   const HubStats hub{.version = version_,
                      .process = process_stats(),
                      .connections = server_ == nullptr ? 0 : server_->connection_count(),
-                     .refused_joins = hall_.refused_joins(),
-                     .banned_peers = hall_.banned_count(),
-                     .backplane = hall_.backplane_stats()};
-  return net::text_response(200, metrics_text(hub, hall_.stats()));
+                     .refused_joins = registry_.refused_joins(),
+                     .banned_peers = registry_.banned_count(),
+                     .backplane = registry_.backplane_stats()};
+  return net::text_response(200, metrics_text(hub, registry_.stats()));
 }
 
 }  // namespace roomcast::hub

@@ -45,7 +45,7 @@ class HubPages {
   [[nodiscard]] net::HttpResponse metrics() const;
 
   const std::optional<net::StaticSite> site_;
-  RoomRegistry& hall_;
+  RoomRegistry& registry_;
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
   const std::string version_;

@@ -23,9 +23,9 @@ namespace roomcast::hub {
 namespace {
 
 namespace asio = boost::asio;
-constexpr std::chrono::seconds kGoodbyeWithin{3};  // a connection itself takes at most 2 s to close
+constexpr std::chrono::seconds kCloseTimeout{3};  // a connection itself takes at most 2 s to close
 constexpr std::chrono::milliseconds kGoodbyeLook{10};
-constexpr int kDoorNiceness = 10;  // clients in rooms go before new connections
+constexpr int kAcceptThreadNiceness = 10;  // clients in rooms go before new connections
 
 /// The rooms of the options, replaced and extended by those that the store has.
 std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
@@ -61,7 +61,7 @@ class HubServer::Loop {
 
  private:
   [[nodiscard]] net::HttpServerOptions http_options();
-  void say_goodbye();
+  void close_connections();
   asio::io_context& io() { return *loops_.front(); }
 
   HubOptions options_;
@@ -72,7 +72,7 @@ class HubServer::Loop {
   std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
   std::vector<std::unique_ptr<Shard>> shards_;
   std::unique_ptr<StoreWorker> store_worker_;
-  std::unique_ptr<RoomRegistry> hall_;
+  std::unique_ptr<RoomRegistry> registry_;
   std::unique_ptr<Backplane> backplane_;
   std::unique_ptr<HubPages> pages_;
   std::unique_ptr<net::HttpServer> http_;
@@ -84,7 +84,7 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
   const std::size_t count = std::max<std::size_t>(options_.threads, 1);
   for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
   store_worker_ = std::make_unique<StoreWorker>(std::move(book), io());
-  hall_ = std::make_unique<RoomRegistry>(
+  registry_ = std::make_unique<RoomRegistry>(
       RoomRegistryOptions{.hub_version = ROOMCAST_VERSION,
                           .recalls_poses = options_.recalls_poses,
                           .configured_rooms = names_of(options_.rooms),
@@ -95,10 +95,10 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
       io(), *store_worker_, shards_);
   for (std::size_t i = 0; i < count; ++i) {
     shards_.push_back(std::make_unique<Shard>(
-        Shard::Place{i, count, *loops_[i], io()}, *hall_, unjoined_,
+        Shard::Place{i, count, *loops_[i], io()}, *registry_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
-  pages_ = std::make_unique<HubPages>(std::move(site), *hall_, *store_worker_, io(),
+  pages_ = std::make_unique<HubPages>(std::move(site), *registry_, *store_worker_, io(),
                                       options_.metrics_for_anyone, ROOMCAST_VERSION,
                                       options_.recordings.get(), options_.log);
 }
@@ -111,7 +111,7 @@ HubServer::Loop::~Loop() {
   http_.reset();
   pages_.reset();
   backplane_.reset();
-  hall_.reset();
+  registry_.reset();
   loops_.front().reset();
   door_.reset();
   for (auto& loop : loops_) loop.reset();
@@ -121,10 +121,10 @@ Status HubServer::Loop::open_backplane() {
   if (!options_.open_backplane) return {};
   auto opened = options_.open_backplane(
       {.io = io(),
-       .rooms = *hall_,
+       .rooms = *registry_,
        .token = own_token_,
-       .revoke = [this](std::vector<Claims> tokens) { hall_->take_revoked(std::move(tokens)); },
-       .tell_revoked = [this] { hall_->tell_revoked(); },
+       .revoke = [this](std::vector<Claims> tokens) { registry_->take_revoked(std::move(tokens)); },
+       .send_revoked = [this] { registry_->send_revoked(); },
        .name_hubs =
            [this](std::vector<std::string> urls) {
              asio::post(*door_,
@@ -132,13 +132,13 @@ Status HubServer::Loop::open_backplane() {
            }});
   if (!opened) return opened.error();
   backplane_ = *std::move(opened);
-  hall_->connect(*backplane_);
+  registry_->connect(*backplane_);
   return {};
 }
 
 void HubServer::Loop::open_rooms(const std::map<std::string, RoomSettings>& rooms,
                                  std::map<std::string, std::vector<KnownSensor>> sensors) {
-  for (const auto& [name, settings] : rooms) hall_->open(settings, std::move(sensors[name]));
+  for (const auto& [name, settings] : rooms) registry_->open(settings, std::move(sensors[name]));
 }
 
 net::HttpServerOptions HubServer::Loop::http_options() {
@@ -147,7 +147,9 @@ net::HttpServerOptions HubServer::Loop::http_options() {
   http.port = options_.port;
   http.tls = options_.tls;
   http.names = options_.names;
-  http.knows_site = [this](std::string_view origin) { return pages_->peer_origins().has(origin); };
+  http.allows_origin = [this](std::string_view origin) {
+    return pages_->peer_origins().has(origin);
+  };
   http.on_get = [this](std::string_view path) { return pages_->find(path); };
   http.request_paths = HubPages::request_paths();
   http.on_request = [this](net::HttpRequest request, net::Respond respond) {
@@ -156,7 +158,7 @@ net::HttpServerOptions HubServer::Loop::http_options() {
   http.on_websocket = [this](const auto& connection, std::size_t thread) {
     return shards_[thread]->welcome(connection);
   };
-  http.may_connect = [this](const std::string& peer) { return hall_->may_connect(peer); };
+  http.may_connect = [this](const std::string& peer) { return registry_->may_connect(peer); };
   http.max_connections = options_.limits.max_connections;
   http.max_unsettled_per_peer = options_.limits.max_unsettled_per_peer;
   http.uncounted_peers = options_.limits.proxies;
@@ -185,22 +187,22 @@ void HubServer::Loop::run(const std::stop_token& stop) {
   keep_alive.push_back(asio::make_work_guard(*door_));
   std::vector<std::jthread> others;
   others.emplace_back([this] {
-    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kDoorNiceness);
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kAcceptThreadNiceness);
     door_->run();
   });
   for (std::size_t i = 1; i < loops_.size(); ++i) {
     others.emplace_back([loop = loops_[i].get()] { loop->run(); });
   }
-  hall_->start();
+  registry_->start();
   while (!stop.stop_requested()) io().run_one();
-  say_goodbye();
+  close_connections();
   for (std::size_t i = 1; i < loops_.size(); ++i) loops_[i]->stop();
   door_->stop();
 }
 
-void HubServer::Loop::say_goodbye() {
+void HubServer::Loop::close_connections() {
   asio::post(*door_, [this] { http_->stop(); });
-  const auto give_up = std::chrono::steady_clock::now() + kGoodbyeWithin;
+  const auto give_up = std::chrono::steady_clock::now() + kCloseTimeout;
   while (http_->connection_count() > 0 && std::chrono::steady_clock::now() < give_up) {
     io().run_one_for(kGoodbyeLook);
   }

@@ -19,7 +19,7 @@ namespace roomcast::hub {
 class StoreWorker {
  public:
   StoreWorker(std::unique_ptr<HubStore> book, boost::asio::io_context& answers)
-      : book_(std::move(book)), answers_(answers), thread_([this] { io_.run(); }) {}
+      : store_(std::move(book)), answers_(answers), thread_([this] { io_.run(); }) {}
 
   /// Finishes the pending requests; answers that have not been delivered by then are lost.
   ~StoreWorker() { keep_open_.reset(); }
@@ -30,14 +30,14 @@ class StoreWorker {
   template <class Work, class Then>
   void ask(Work work, Then then) {
     boost::asio::post(io_, [this, work = std::move(work), then = std::move(then)]() mutable {
-      boost::asio::post(answers_, [then = std::move(then), answer = work(*book_)]() mutable {
+      boost::asio::post(answers_, [then = std::move(then), answer = work(*store_)]() mutable {
         then(std::move(answer));
       });
     });
   }
 
  private:
-  std::unique_ptr<HubStore> book_;
+  std::unique_ptr<HubStore> store_;
   boost::asio::io_context& answers_;
   boost::asio::io_context io_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =

@@ -61,15 +61,15 @@ CameraSource::~CameraSource() {
 }
 
 void CameraSource::capture(const std::stop_token& stop) {
-  last_heard_ = SteadyClock().now();
+  last_picture_at_ = SteadyClock().now();
   while (!stop.stop_requested() && !has_ended_) {
     const Status status = take_pictures();
     if (status) {
-      lock_when_settled();
+      lock_when_converged();
     } else if (status.error().code == ErrorCode::kClosed) {
       hand_over_end();
     } else {
-      wait_for_return(status, stop);
+      wait_for_reconnection(status, stop);
     }
   }
 }
@@ -78,18 +78,18 @@ Status CameraSource::take_pictures() {
   Status status = camera_->wait(pairing_, kPatience);
   unpaired_ = pairing_.unpaired_count();
   if (!status) return status;
-  if (SteadyClock().now() - last_heard_ > options_.silence)
+  if (SteadyClock().now() - last_picture_at_ > options_.silence)
     return Error{ErrorCode::kUnavailable, "it gives no pictures any more"};
   return {};
 }
 
 void CameraSource::hand_over(CapturedFrame& frame) {
-  last_heard_ = SteadyClock().now();
+  last_picture_at_ = SteadyClock().now();
   ++frames_since_open_;
   Taken taken;
   if (auto memory = spare_.try_take()) taken.frame = *std::move(memory);
   std::swap(taken.frame, frame);
-  taken.frame.capture_time = clock_.capture_time(taken.frame.device_time, last_heard_);
+  taken.frame.capture_time = clock_.capture_time(taken.frame.device_time, last_picture_at_);
   if (auto unread = newest_.put(std::move(taken))) spare_.put(std::move(unread->frame));
 }
 
@@ -101,7 +101,7 @@ void CameraSource::hand_over_end() {
   newest_.put(std::move(last));
 }
 
-void CameraSource::lock_when_settled() {
+void CameraSource::lock_when_converged() {
   if (is_locked_ || frames_since_open_ < options_.frames_until_lock) return;
   is_locked_ = true;
   const CameraSettings& wanted = options_.settings;
@@ -110,7 +110,7 @@ void CameraSource::lock_when_settled() {
   if (!status) say(LogLevel::kWarning, status.error().message);
 }
 
-void CameraSource::wait_for_return(const Status& loss, const std::stop_token& stop) {
+void CameraSource::wait_for_reconnection(const Status& loss, const std::stop_token& stop) {
   is_there_ = false;
   ++losses_;
   camera_.reset();
@@ -125,7 +125,7 @@ bool CameraSource::reopen() {
   auto camera = open_camera(*backend_, place_, options_.settings);
   if (!camera) return false;
   camera_ = *std::move(camera);
-  last_heard_ = SteadyClock().now();
+  last_picture_at_ = SteadyClock().now();
   frames_since_open_ = 0;
   is_locked_ = false;
   clock_ = {};

@@ -55,8 +55,8 @@ class CameraSource final : public FrameSource {
   [[nodiscard]] Status take_pictures();
   void hand_over(CapturedFrame& frame);
   void hand_over_end();
-  void lock_when_settled();
-  void wait_for_return(const Status& loss, const std::stop_token& stop);
+  void lock_when_converged();
+  void wait_for_reconnection(const Status& loss, const std::stop_token& stop);
   [[nodiscard]] bool reopen();
   void say(LogLevel level, const std::string& sentence) const;
 
@@ -70,7 +70,7 @@ class CameraSource final : public FrameSource {
   FramePairing pairing_;
   DeviceClock clock_;
   Backoff pace_;
-  HostTime last_heard_{};
+  HostTime last_picture_at_{};
   std::uint64_t frames_since_open_ = 0;
   bool is_locked_ = false;
   bool has_ended_ = false;

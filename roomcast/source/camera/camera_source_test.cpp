@@ -81,12 +81,12 @@ TEST_F(CameraAtWork, an_unplugged_camera_is_waited_for_and_opened_again_by_its_s
   const auto source = open();
   backend_->unplug(true);
   backend_->fail(ErrorCode::kUnavailable);
-  ASSERT_TRUE(soon([&] { return !source->health().is_there; }));
+  ASSERT_TRUE(soon([&] { return !source->health().is_connected; }));
   backend_->unplug(false);
   backend_->show(77);
   EXPECT_EQ(next(*source), 77);
-  EXPECT_TRUE(source->health().is_there);
-  EXPECT_EQ(source->health().times_unplugged, 1U);
+  EXPECT_TRUE(source->health().is_connected);
+  EXPECT_EQ(source->health().disconnect_count, 1U);
   EXPECT_THAT(backend_->opened_places(), testing::ElementsAre("port-b", "port-b"));
   std::lock_guard lock(mutex_);
   EXPECT_THAT(said_, testing::ElementsAre(testing::HasSubstr("it was unplugged"),
@@ -97,7 +97,7 @@ TEST_F(CameraAtWork, a_silent_camera_counts_as_lost) {
   CameraSourceOptions options;
   options.silence = milliseconds(20);
   const auto source = open(options);
-  EXPECT_TRUE(soon([&] { return source->health().times_unplugged > 0; }));
+  EXPECT_TRUE(soon([&] { return source->health().disconnect_count > 0; }));
 }
 
 TEST_F(CameraAtWork, exposure_is_locked_once_after_it_has_settled) {

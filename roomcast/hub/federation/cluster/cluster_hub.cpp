@@ -28,7 +28,7 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
       .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
       .on_connected = [hub = hub.get()] { hub->say_alive(); },
       .log = hub->options_.log};
-  auto nats = NatsClient::open(hub->options_.nats, hub->seat_.io, std::move(handlers));
+  auto nats = NatsClient::open(hub->options_.nats, hub->context_.io, std::move(handlers));
   if (!nats) return nats.error();
   hub->nats_ = *std::move(nats);
   hub->nats_->subscribe(kHeartbeatSubject);
@@ -39,7 +39,7 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
 }
 
 ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext seat)
-    : options_(std::move(options)), seat_(std::move(seat)), timer_(seat_.io) {}
+    : options_(std::move(options)), context_(std::move(seat)), timer_(context_.io) {}
 
 ClusterHub::~ClusterHub() {
   timer_.cancel();
@@ -53,20 +53,20 @@ void ClusterHub::room_opened(const std::string& name) {
   auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
     return hub::backplane_connection(number, ++*count);
   };
-  SharedRoom::Seat seat{.own = id_,
-                        .room = name,
-                        .token = seat_.token,
-                        .rooms = seat_.rooms,
-                        .new_connection = std::move(new_connection),
-                        .out = *this};
+  SharedRoom::Context seat{.own = id_,
+                           .room = name,
+                           .token = context_.token,
+                           .rooms = context_.rooms,
+                           .new_connection = std::move(new_connection),
+                           .out = *this};
   rooms_[number] =
       std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(seat)),
                                      .packer = FramePacker(nats_->max_message_bytes()),
-                                     .gathered = boost::asio::steady_timer(seat_.io),
-                                     .unwatched = boost::asio::steady_timer(seat_.io)});
+                                     .gathered = boost::asio::steady_timer(context_.io),
+                                     .unwatched = boost::asio::steady_timer(context_.io)});
   nats_->subscribe(news_subject(name));
   // Deferred: all rooms are opened in sequence before any of them can accept a client.
-  boost::asio::post(seat_.io, [this, number] {
+  boost::asio::post(context_.io, [this, number] {
     const auto room = rooms_.find(number);
     if (room != rooms_.end()) room->second->shared->stay();
   });
@@ -156,7 +156,7 @@ void ClusterHub::let_go(ConnectionId connection) {
 
 // ---- to other hubs
 
-void ClusterHub::tell_all(const pb::RoomNews& news) {
+void ClusterHub::broadcast_news(const pb::RoomNews& news) {
   nats_->publish(news_subject(news.room()), bytes_of(news));
   say_alive();
 }
@@ -165,7 +165,7 @@ void ClusterHub::tell(HubId hub, const pb::ToHub& message) {
   nats_->publish(inbox_subject(hub), bytes_of(message));
 }
 
-void ClusterHub::tell_moved(const std::string& room, const pb::PeopleMoved& people) {
+void ClusterHub::broadcast_poses(const std::string& room, const pb::PeopleMoved& people) {
   const Room* moved_in = find(room);
   if (moved_in != nullptr && moved_in->is_wanted) {
     nats_->publish_now(poses_subject(room), bytes_of(people));
@@ -219,7 +219,7 @@ void ClusterHub::beat() {
   load_.look(clock_.now());
   for (const HubId gone : directory_.take_gone(clock_.now())) {
     if (options_.log) options_.log(LogLevel::kWarning, "hub " + to_string(gone) + " is gone");
-    for (const auto& [number, room] : rooms_) room->shared->hub_is_gone(gone);
+    for (const auto& [number, room] : rooms_) room->shared->remove_hub(gone);
   }
   look_after_rooms();
   ++beats_;
@@ -228,18 +228,18 @@ void ClusterHub::beat() {
 
 void ClusterHub::look_after_rooms() {
   auto urls = directory_.urls();
-  if (urls != named_hubs_) seat_.name_hubs(named_hubs_ = std::move(urls));
+  if (urls != named_hubs_) context_.name_hubs(named_hubs_ = std::move(urls));
   const pb::Heartbeat own = heartbeat();
   for (const auto& [number, room] : rooms_) {
     const std::string& name = room->shared->name();
     room->asked.clear();
     room->shared->stay();
     room->is_wanted = directory_.is_wanted(name);
-    room->shared->others_are(directory_.urls_with(name));
+    room->shared->set_other_urls(directory_.urls_with(name));
     const auto owner = owner_of(name, own, directory_);
     const bool was_ours = room->owner == id_;
     room->owner = owner;
-    room->shared->owner_is(owner);
+    room->shared->set_owner(owner);
     if (was_ours != (owner == id_)) begin_or_end_owning(name, owner == id_);
     if (beats_ % kBeatsPerList == 0) room->shared->tell_poses_again();
   }

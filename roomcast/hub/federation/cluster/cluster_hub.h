@@ -86,9 +86,9 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
 
   ClusterHub(ClusterOptions options, hub::BackplaneContext seat);
 
-  void tell_all(const pb::RoomNews& news) override;
+  void broadcast_news(const pb::RoomNews& news) override;
   void tell(HubId hub, const pb::ToHub& message) override;
-  void tell_moved(const std::string& room, const pb::PeopleMoved& people) override;
+  void broadcast_poses(const std::string& room, const pb::PeopleMoved& people) override;
 
   void take(std::string_view subject, std::span<const std::uint8_t> message);
   void take_revoked(const pb::Revoked& revoked);
@@ -104,7 +104,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);
 
   const ClusterOptions options_;
-  const hub::BackplaneContext seat_;
+  const hub::BackplaneContext context_;
   const HubId id_ = new_hub_id();
   SteadyClock clock_;
   HubDirectory directory_{id_};

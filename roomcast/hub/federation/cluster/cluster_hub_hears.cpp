@@ -51,7 +51,7 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
     const pb::RoomHere* there = room_of(heartbeat, room->shared->name());
     if (there == nullptr) continue;
     room->is_wanted = directory_.is_wanted(room->shared->name());
-    if (estimate) room->shared->clock_is(from, *estimate);
+    if (estimate) room->shared->set_clock(from, *estimate);
     if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
       pb::ToHub please;
       please.set_from(id_.value);
@@ -64,12 +64,12 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
   if (!is_new) return;
   beats_ = 0;
   say_alive();  // so that the new hub knows of this one at once
-  seat_.tell_revoked();
+  context_.send_revoked();
 }
 
 void ClusterHub::take_revoked(const pb::Revoked& revoked) {
   auto tokens = revoked_tokens(revoked);
-  if (!tokens.empty()) seat_.revoke(std::move(tokens));
+  if (!tokens.empty()) context_.revoke(std::move(tokens));
 }
 
 // ---- state of the hubs

@@ -32,9 +32,9 @@ bool is_legal(const pb::RoomNews& news) {
 
 }  // namespace
 
-SharedRoom::SharedRoom(Seat seat) : seat_(std::move(seat)) {
-  news_.set_hub(seat_.own.value);
-  news_.set_room(seat_.room);
+SharedRoom::SharedRoom(Context seat) : context_(std::move(seat)) {
+  news_.set_hub(context_.own.value);
+  news_.set_room(context_.room);
 }
 
 // ---- in the room here
@@ -44,18 +44,18 @@ void SharedRoom::stay() {
 }
 
 void SharedRoom::join() {
-  aligner_ = seat_.new_connection();
+  aligner_ = context_.new_connection();
   wpb::Join join;
-  join.set_room(seat_.room);
-  join.set_token(seat_.token);
+  join.set_room(context_.room);
+  join.set_token(context_.token);
   join.set_name("other hubs");
   join.mutable_aligner();
-  seat_.rooms.on_join({.from = *aligner_, .address = "other hubs", .peer = ""}, join);
+  context_.rooms.on_join({.from = *aligner_, .address = "other hubs", .peer = ""}, join);
 }
 
 void SharedRoom::leave() {
   is_welcome_ = false;
-  if (aligner_) seat_.rooms.on_left(*std::exchange(aligner_, std::nullopt), kRejoins);
+  if (aligner_) context_.rooms.on_left(*std::exchange(aligner_, std::nullopt), kRejoins);
 }
 
 void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
@@ -66,7 +66,8 @@ void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
       show_people();
     }
     if (message.has_roster()) return take_roster(message.roster());
-    if (message.has_viewer_poses()) return tell_moved(people_here_.take(message.viewer_poses()));
+    if (message.has_viewer_poses())
+      return broadcast_poses(people_here_.take(message.viewer_poses()));
     return pass_to_owner(message);
   }
   for (auto& [id, hub] : others_) {
@@ -79,7 +80,7 @@ void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
     if (message.has_sighting_request() && is_owner()) {
       *out.mutable_sightings_wanted()->mutable_request() = message.sighting_request();
     }
-    if (out.what_case() != pb::ToHub::WHAT_NOT_SET) seat_.out.tell(id, out);
+    if (out.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.tell(id, out);
     if (message.has_welcome() && is_owner()) ask_for_bundles(id);
     return;
   }
@@ -103,7 +104,7 @@ void SharedRoom::forget_claims() {
 void SharedRoom::take_roster(const wpb::Roster& roster) {
   roster_ = roster;
   people_here_.take(roster);
-  tell_news();
+  publish_news();
   place_sensors();
 }
 
@@ -131,7 +132,7 @@ SharedRoom::Claim SharedRoom::winner(const std::string& sensor) const {
   const wpb::SensorEntry* here = entry_of(sensor);
   const auto own = claims_.find(sensor);
   if (own != claims_.end() && here != nullptr && here->online() && !is_mirrored(sensor)) {
-    best = {own->second.number, seat_.own};
+    best = {own->second.number, context_.own};
   }
   for (const auto& [id, hub] : others_) {
     for (const pb::SensorHere& there : hub.news.sensors()) {
@@ -157,8 +158,8 @@ void SharedRoom::follow_winners() {
 
 pb::RoomNews SharedRoom::news_of_roster() const {
   pb::RoomNews news;
-  news.set_hub(seat_.own.value);
-  news.set_room(seat_.room);
+  news.set_hub(context_.own.value);
+  news.set_room(context_.room);
   news.set_revision(news_.revision());
   for (const wpb::SensorEntry& entry : roster_.sensors()) {
     const auto claim = claims_.find(entry.name());
@@ -176,19 +177,19 @@ pb::RoomNews SharedRoom::news_of_roster() const {
   return news;
 }
 
-void SharedRoom::tell_news() {
+void SharedRoom::publish_news() {
   pb::RoomNews news = news_of_roster();
   if (news.SerializeAsString() == news_.SerializeAsString()) return;
   news.set_revision(news.revision() + 1);
   news_ = std::move(news);
-  seat_.out.tell_all(news_);
+  context_.out.broadcast_news(news_);
 }
 
 SharedRoom::OtherHub& SharedRoom::other(HubId hub) {
   const auto known = others_.find(hub);
   if (known != others_.end()) return known->second;
-  hub::federation::MirroredSensors sensors(hub.value, seat_.room, seat_.token, seat_.rooms,
-                                           seat_.new_connection);
+  hub::federation::MirroredSensors sensors(hub.value, context_.room, context_.token, context_.rooms,
+                                           context_.new_connection);
   return others_.emplace(hub, OtherHub{{}, std::move(sensors), {}}).first->second;
 }
 
@@ -199,7 +200,7 @@ std::uint32_t SharedRoom::revision_of(HubId hub) const {
 
 void SharedRoom::news(const pb::RoomNews& news) {
   const HubId from{news.hub()};
-  if (from == seat_.own || news.revision() <= revision_of(from) || !is_legal(news)) return;
+  if (from == context_.own || news.revision() <= revision_of(from) || !is_legal(news)) return;
   other(from).news = news;
   follow_winners();
   place_sensors();
@@ -215,19 +216,19 @@ void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
   hub->second.sensors.pass_on();
 }
 
-void SharedRoom::others_are(const std::vector<std::string>& urls) {
+void SharedRoom::set_other_urls(const std::vector<std::string>& urls) {
   if (!is_welcome_ || urls == other_urls_) return;
   other_urls_ = urls;
   wpb::Control control;
   control.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
-  seat_.rooms.on_control(*aligner_, control);
+  context_.rooms.on_control(*aligner_, control);
 }
 
-void SharedRoom::clock_is(HubId hub, const client::ClockEstimate& estimate) {
-  other(hub).sensors.clock_is(estimate);
+void SharedRoom::set_clock(HubId hub, const client::ClockEstimate& estimate) {
+  other(hub).sensors.set_clock(estimate);
 }
 
-void SharedRoom::hub_is_gone(HubId hub) {
+void SharedRoom::remove_hub(HubId hub) {
   const auto found = others_.find(hub);
   if (found == others_.end()) return;
   found->second.sensors.other_hub_is_gone();
@@ -242,28 +243,28 @@ void SharedRoom::hub_is_gone(HubId hub) {
 void SharedRoom::show_people() {
   if (!is_welcome_) return;
   if (const auto news = shown_presence_.news(people_there_.all())) {
-    seat_.rooms.on_control(*aligner_, *news);
+    context_.rooms.on_control(*aligner_, *news);
   }
 }
 
 void SharedRoom::people_moved(const pb::PeopleMoved& people) {
   const HubId from{people.hub()};
-  if (from == seat_.own || !is_welcome_) return;
+  if (from == context_.own || !is_welcome_) return;
   wpb::Control control;
   *control.mutable_viewer_poses() = people_there_.renamed(from, people.poses());
-  if (wire::check_control(control)) seat_.rooms.on_control(*aligner_, control);
+  if (wire::check_control(control)) context_.rooms.on_control(*aligner_, control);
 }
 
-void SharedRoom::tell_moved(const wpb::ViewerPoses& poses) {
+void SharedRoom::broadcast_poses(const wpb::ViewerPoses& poses) {
   if (poses.poses().empty()) return;
   pb::PeopleMoved moved;
-  moved.set_hub(seat_.own.value);
+  moved.set_hub(context_.own.value);
   *moved.mutable_poses() = poses;
-  seat_.out.tell_moved(seat_.room, moved);
+  context_.out.broadcast_poses(context_.room, moved);
 }
 
 void SharedRoom::tell_poses_again() {
-  tell_moved(people_here_.newest_poses());
+  broadcast_poses(people_here_.newest_poses());
 }
 
 }  // namespace roomcast::hub::federation

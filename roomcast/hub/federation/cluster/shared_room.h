@@ -32,14 +32,14 @@ namespace roomcast::hub::federation {
 class SharedRoomOut {
  public:
   virtual ~SharedRoomOut() = default;
-  virtual void tell_all(const pb::RoomNews& news) = 0;
+  virtual void broadcast_news(const pb::RoomNews& news) = 0;
   virtual void tell(HubId hub, const pb::ToHub& message) = 0;
-  virtual void tell_moved(const std::string& room, const pb::PeopleMoved& people) = 0;
+  virtual void broadcast_poses(const std::string& room, const pb::PeopleMoved& people) = 0;
 };
 
 class SharedRoom {
  public:
-  struct Seat {
+  struct Context {
     HubId own;
     std::string room;
     std::string token;  // admits any client to the room
@@ -48,7 +48,7 @@ class SharedRoom {
     SharedRoomOut& out;
   };
 
-  explicit SharedRoom(Seat seat);
+  explicit SharedRoom(Context seat);
 
   /// Rejoins the room if it was removed. Call it at first, and then periodically.
   void stay();
@@ -65,16 +65,16 @@ class SharedRoom {
   void take(const pb::ToHub& message);
   void frames(HubId from, std::span<const std::uint8_t> message);
   void people_moved(const pb::PeopleMoved& people);
-  void clock_is(HubId hub, const client::ClockEstimate& estimate);
-  void hub_is_gone(HubId hub);
+  void set_clock(HubId hub, const client::ClockEstimate& estimate);
+  void remove_hub(HubId hub);
   /// Sets the hub that estimates sensor poses; nothing: none.
-  void owner_is(std::optional<HubId> owner);
+  void set_owner(std::optional<HubId> owner);
 
   /// Sends the poses of this hub's people again, for hubs that have joined since or missed them.
   void tell_poses_again();
 
   /// Sets the addresses of the other hubs that have this room.
-  void others_are(const std::vector<std::string>& urls);
+  void set_other_urls(const std::vector<std::string>& urls);
 
   /// Of the newest news of this hub. 0: none so far.
   [[nodiscard]] std::uint32_t revision() const { return news_.revision(); }
@@ -93,7 +93,7 @@ class SharedRoom {
     return static_cast<std::size_t>(std::ranges::count_if(
         roster_.viewers(), [](const auto& viewer) { return viewer.hubs_away() == 0; }));
   }
-  [[nodiscard]] const std::string& name() const { return seat_.room; }
+  [[nodiscard]] const std::string& name() const { return context_.room; }
 
  private:
   /// A claim to a sensor's name: the highest one wins.
@@ -116,7 +116,7 @@ class SharedRoom {
   void leave();
   [[nodiscard]] OtherHub& other(HubId hub);
   void take_roster(const wire::pb::Roster& roster);
-  void tell_news();
+  void publish_news();
   [[nodiscard]] pb::RoomNews news_of_roster() const;
   void follow_winners();
   [[nodiscard]] Claim winner(const std::string& sensor) const;
@@ -125,18 +125,18 @@ class SharedRoom {
   void forget_claims();
 
   void show_people();
-  void tell_moved(const wire::pb::ViewerPoses& poses);
+  void broadcast_poses(const wire::pb::ViewerPoses& poses);
 
   void place_sensors();
   void pass_to_owner(const wire::pb::Control& said_here);
   void ask_for_bundles(HubId hub);
-  void take_said(HubId from, const pb::SensorSaid& said);
-  void take_nudge(const pb::NudgeByName& nudge);
-  [[nodiscard]] bool is_owner() const { return owner_ == seat_.own; }
+  void take_said(HubId from, const pb::SensorMessage& said);
+  void take_nudge(const pb::NamedNudge& nudge);
+  [[nodiscard]] bool is_owner() const { return owner_ == context_.own; }
   [[nodiscard]] pb::ToHub message_to_hub() const;
   [[nodiscard]] const wire::pb::SensorEntry* entry_of(const std::string& sensor) const;
 
-  const Seat seat_;
+  const Context context_;
   std::optional<ConnectionId> aligner_;
   bool is_welcome_ = false;
   wire::pb::Roster roster_;  // of the room here, newest

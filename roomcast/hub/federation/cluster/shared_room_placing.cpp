@@ -29,10 +29,10 @@ bool is_news(const wpb::SensorEntry& said, const wpb::SensorEntry& here) {
 
 }  // namespace
 
-void SharedRoom::owner_is(std::optional<HubId> owner) {
+void SharedRoom::set_owner(std::optional<HubId> owner) {
   if (owner == owner_) return;
   owner_ = owner;
-  tell_news();
+  publish_news();
   place_sensors();
   if (!is_owner()) return;
   for (const auto& [id, hub] : others_) {
@@ -56,7 +56,7 @@ void SharedRoom::place_sensors() {
     if (owner_) break;
     for (const auto& [there, sensor] : hub.sensors.all()) consider(sensor.there.entry);
   }
-  if (control.has_placements()) seat_.rooms.on_control(*aligner_, control);
+  if (control.has_placements()) context_.rooms.on_control(*aligner_, control);
 }
 
 /// Forwards messages of sensors and people here to the owner.
@@ -78,19 +78,19 @@ void SharedRoom::pass_to_owner(const wpb::Control& said_here) {
       *message.mutable_nudge()->mutable_world_from_depth() = said_here.nudge().world_from_depth();
     }
   }
-  if (message.what_case() != pb::ToHub::WHAT_NOT_SET) seat_.out.tell(*owner_, message);
+  if (message.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.tell(*owner_, message);
 }
 
 void SharedRoom::ask_for_bundles(HubId hub) {
   pb::ToHub message = message_to_hub();
   message.mutable_bundles_please();
-  seat_.out.tell(hub, message);
+  context_.out.tell(hub, message);
 }
 
 pb::ToHub SharedRoom::message_to_hub() const {
   pb::ToHub message;
-  message.set_from(seat_.own.value);
-  message.set_room(seat_.room);
+  message.set_from(context_.own.value);
+  message.set_room(context_.room);
   return message;
 }
 
@@ -100,7 +100,7 @@ void SharedRoom::take(const pb::ToHub& message) {
   switch (message.what_case()) {
     case pb::ToHub::kKeyRequest: {
       const SensorId sensor{static_cast<std::uint16_t>(message.key_request().sensor_id())};
-      if (is_welcome_) seat_.rooms.on_key_needs(*aligner_, {sensor});
+      if (is_welcome_) context_.rooms.on_key_needs(*aligner_, {sensor});
       return;
     }
     case pb::ToHub::kSensorSaid:
@@ -109,12 +109,12 @@ void SharedRoom::take(const pb::ToHub& message) {
       if (from != owner_ || !is_welcome_) return;
       wpb::Control control;
       *control.mutable_sighting_request() = message.sightings_wanted().request();
-      return seat_.rooms.on_control(*aligner_, control);
+      return context_.rooms.on_control(*aligner_, control);
     }
     case pb::ToHub::kNudge:
       return take_nudge(message.nudge());
     case pb::ToHub::kNewsPlease:
-      return seat_.out.tell_all(news_);
+      return context_.out.broadcast_news(news_);
     case pb::ToHub::kBundlesPlease:
       if (!is_welcome_) return;  // the bundles follow the welcome
       leave();
@@ -125,7 +125,7 @@ void SharedRoom::take(const pb::ToHub& message) {
 }
 
 /// Sighting times are converted to this hub's clock.
-void SharedRoom::take_said(HubId from, const pb::SensorSaid& said) {
+void SharedRoom::take_said(HubId from, const pb::SensorMessage& said) {
   const auto hub = others_.find(from);
   if (!is_owner() || hub == others_.end() || !wire::check_control(said.control())) return;
   wpb::Control control = said.control();
@@ -146,13 +146,13 @@ void SharedRoom::take_said(HubId from, const pb::SensorSaid& said) {
   if (times_are_known) hub->second.sensors.say(said.sensor_id(), control);
 }
 
-void SharedRoom::take_nudge(const pb::NudgeByName& nudge) {
+void SharedRoom::take_nudge(const pb::NamedNudge& nudge) {
   const wpb::SensorEntry* entry = entry_of(nudge.sensor());
   if (!is_owner() || !is_welcome_ || entry == nullptr) return;
   wpb::Control control;
   control.mutable_nudge()->set_sensor_id(entry->id());
   *control.mutable_nudge()->mutable_world_from_depth() = nudge.world_from_depth();
-  if (wire::check_control(control)) seat_.rooms.on_control(*aligner_, control);
+  if (wire::check_control(control)) context_.rooms.on_control(*aligner_, control);
 }
 
 }  // namespace roomcast::hub::federation

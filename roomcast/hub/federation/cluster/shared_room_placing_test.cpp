@@ -31,14 +31,14 @@ class Hub final : public SharedRoomOut {
     room.stay();
     welcome(0, 0);
   }
-  void tell_all(const pb::RoomNews& news) override {
+  void broadcast_news(const pb::RoomNews& news) override {
     if (other != nullptr) other->room.news(news);
   }
   void tell(HubId, const pb::ToHub& message) override {
     said_to_other.push_back(message);
     if (other != nullptr) other->room.take(message);
   }
-  void tell_moved(const std::string&, const pb::PeopleMoved&) override {}
+  void broadcast_poses(const std::string&, const pb::PeopleMoved&) override {}
   void welcome(std::size_t n, std::uint32_t id) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
@@ -80,7 +80,7 @@ class SharedRoomPlacing : public testing::Test {
   SharedRoomPlacing() {
     owner.other = &other;
     other.other = &owner;
-    for (Hub* hub : {&owner, &other}) hub->room.owner_is(kOwner);
+    for (Hub* hub : {&owner, &other}) hub->room.set_owner(kOwner);
     owner.room.sensor_joins("a", "");
     other.room.sensor_joins("b", "");
     owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED)});
@@ -116,7 +116,7 @@ TEST_F(SharedRoomPlacing,
   EXPECT_EQ(other.here.left.size(), 1u) << "it joins again: the room tells it all bundles";
   other.welcome(2, 0);
   other.said_to_other.clear();
-  other.room.owner_is(kOther);
+  other.room.set_owner(kOther);
   ASSERT_EQ(other.said_to_other.size(), 1u);
   EXPECT_TRUE(other.said_to_other[0].has_bundles_please());
 }
@@ -159,7 +159,7 @@ TEST_F(SharedRoomPlacing, a_hub_that_is_not_the_owner_places_nothing_elsewhere) 
 }
 
 TEST_F(SharedRoomPlacing, where_nobody_works_it_out_a_sensors_own_hub_knows) {
-  for (Hub* hub : {&owner, &other}) hub->room.owner_is(std::nullopt);
+  for (Hub* hub : {&owner, &other}) hub->room.set_owner(std::nullopt);
   owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
                 sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
   other.roster({aligned(0, "b", 5)});
@@ -174,7 +174,7 @@ TEST_F(SharedRoomPlacing, sightings_are_wanted_by_the_owner_only_and_come_in_its
   owner.room.said(owner.here.joins[1].first, request);
   ASSERT_FALSE(other.here.said.empty());
   EXPECT_TRUE(other.here.said.back().second.sighting_request().heads());
-  owner.room.clock_is(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});
+  owner.room.set_clock(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});
   wpb::Control sightings;
   sightings.mutable_sightings()->set_sensor_id(0);
   sightings.mutable_sightings()->add_heads()->set_room_ns(10'000'000'000);

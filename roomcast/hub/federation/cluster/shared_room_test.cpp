@@ -20,9 +20,9 @@ using namespace std::chrono_literals;
 constexpr HubId kOwn{5}, kLower{3}, kHigher{8};
 
 struct Told final : SharedRoomOut {
-  void tell_all(const pb::RoomNews& news) override { to_all.push_back(news); }
+  void broadcast_news(const pb::RoomNews& news) override { to_all.push_back(news); }
   void tell(HubId hub, const pb::ToHub& message) override { to_one.emplace_back(hub, message); }
-  void tell_moved(const std::string&, const pb::PeopleMoved& people) override {
+  void broadcast_poses(const std::string&, const pb::PeopleMoved& people) override {
     moved.push_back(people);
   }
   std::vector<pb::RoomNews> to_all;
@@ -144,7 +144,7 @@ TEST_F(SharedRoomTest, when_a_hub_is_gone_its_sensors_are_and_the_next_ones_take
   room.news(news_of(kHigher, 1, {sensor_there(4, "left")}, 2));
   EXPECT_EQ(here.left.size(), 1u);
   EXPECT_EQ(here.joins.size(), 3u);
-  room.hub_is_gone(kHigher);
+  room.remove_hub(kHigher);
   EXPECT_EQ(here.left.size(), 2u);
   EXPECT_EQ(here.joins.size(), 4u);
   EXPECT_EQ(room.revision_of(kHigher), 0u) << "it may come back";
@@ -153,7 +153,7 @@ TEST_F(SharedRoomTest, when_a_hub_is_gone_its_sensors_are_and_the_next_ones_take
 TEST_F(SharedRoomTest, frames_come_in_with_this_hubs_time) {
   room.news(news_of(kLower, 1, {sensor_there(7, "left")}));
   welcome(1, 3);
-  room.clock_is(kLower, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
+  room.set_clock(kLower, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
   FramePacker packer(10'000);
   auto frame = hub::federation::frame_there();
   packer.add(frame.payload());
@@ -191,10 +191,10 @@ TEST_F(SharedRoomTest, who_missed_news_is_told_again) {
 }
 
 TEST_F(SharedRoomTest, the_room_here_is_told_where_else_it_is_when_that_changes) {
-  room.others_are({});
+  room.set_other_urls({});
   EXPECT_TRUE(here.said.empty());
-  room.others_are({"wss://a"});
-  room.others_are({"wss://a"});
+  room.set_other_urls({"wss://a"});
+  room.set_other_urls({"wss://a"});
   ASSERT_EQ(here.said.size(), 1u);
   EXPECT_EQ(here.said[0].second.other_hubs().urls(0), "wss://a");
 }
@@ -238,7 +238,7 @@ TEST_F(SharedRoomTest, who_watches_at_other_hubs_is_shown_here_and_goes_with_the
   *moved.mutable_poses() = pose_of(7).viewer_poses();
   room.people_moved(moved);
   EXPECT_EQ(here.said.back().second.viewer_poses().poses(0).viewer_id(), both.people(1).id());
-  room.hub_is_gone(kLower);
+  room.remove_hub(kLower);
   ASSERT_EQ(here.said.back().second.people_here().people_size(), 1);
   EXPECT_EQ(here.said.back().second.people_here().people(0).id(), both.people(1).id());
 }

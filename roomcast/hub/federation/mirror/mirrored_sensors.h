@@ -47,7 +47,7 @@ class MirroredSensors {
   // From the other hub.
   /// Sets the sensors online there; those no longer online leave the room here.
   void follow(const std::vector<SensorThere>& online);
-  void clock_is(const client::ClockEstimate& estimate) { clock_ = estimate; }
+  void set_clock(const client::ClockEstimate& estimate) { clock_ = estimate; }
   /// Dropped while the clock offset or the sensor's ID here is unknown, or if it is not a valid
   /// frame.
   void frame(net::MessageBuffer message);

@@ -50,7 +50,7 @@ TEST_F(MirroredSensorsTest, whose_token_a_sensor_showed_there_is_said_here) {
 TEST_F(MirroredSensorsTest, frames_have_this_hubs_id_and_time) {
   follow({sensor_there(7, "left")});
   welcome(0, 3);
-  mirror.clock_is({.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
+  mirror.set_clock({.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
   mirror.frame(frame_there());
   mirror.pass_on();
   ASSERT_EQ(here.frames.size(), 1u);
@@ -63,7 +63,7 @@ TEST_F(MirroredSensorsTest, frames_have_this_hubs_id_and_time) {
 TEST_F(MirroredSensorsTest, frames_are_dropped_before_clock_and_id_are_known) {
   mirror.frame(frame_there());
   follow({sensor_there(7, "left")});
-  mirror.clock_is({});
+  mirror.set_clock({});
   mirror.frame(frame_there());
   welcome(0, 3);
   mirror.other_hub_is_gone();
@@ -75,7 +75,7 @@ TEST_F(MirroredSensorsTest, frames_are_dropped_before_clock_and_id_are_known) {
 TEST_F(MirroredSensorsTest, frames_that_come_together_go_on_together) {
   follow({sensor_there(7, "left")});
   welcome(0, 3);
-  mirror.clock_is({});
+  mirror.set_clock({});
   mirror.frame(frame_there());
   mirror.frame(frame_there());
   EXPECT_TRUE(here.frames.empty());
@@ -90,7 +90,7 @@ TEST_F(MirroredSensorsTest,
        frames_go_on_before_what_was_said_after_them_and_none_of_who_was_sent_away) {
   follow({sensor_there(7, "left")});
   welcome(0, 3);
-  mirror.clock_is({});
+  mirror.set_clock({});
   mirror.frame(frame_there());
   follow({});
   EXPECT_EQ(here.frames.size(), 1u) << "sent before its sensor left";
@@ -105,7 +105,7 @@ TEST_F(MirroredSensorsTest,
 TEST_F(MirroredSensorsTest, what_is_no_frame_is_dropped) {
   follow({sensor_there(7, "left")});
   welcome(0, 3);
-  mirror.clock_is({});
+  mirror.set_clock({});
   auto cut = frame_there();
   mirror.frame(net::MessageBuffer(cut.payload().first(20)));
   mirror.pass_on();

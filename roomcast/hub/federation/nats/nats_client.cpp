@@ -17,9 +17,9 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr std::chrono::milliseconds kTryAgainAfter{500};
-/// A server silent for kAskedAfter is pinged every kAskedEvery, and abandoned after kGivenUpAfter.
+/// A server silent for kPingAfter is pinged every kPingEvery, and abandoned after kTimeout.
 /// With another hub in the cluster its heartbeats are more frequent, so no ping is needed.
-constexpr std::chrono::milliseconds kAskedAfter{200}, kAskedEvery{50}, kGivenUpAfter{400};
+constexpr std::chrono::milliseconds kPingAfter{200}, kPingEvery{50}, kTimeout{400};
 constexpr std::size_t kUsualMessageBytes = 1u << 20;
 
 /// Rotates the servers so that the one after `last` comes first and `last` itself, which is gone or
@@ -106,7 +106,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
 
  private:
   void begin(NatsConnection connection) {
-    was_told_.clear();
+    last_logged_.clear();
     session_ = std::make_shared<NatsSession>(std::move(connection));
     server_ = session_->server();
     begun_ = clock_.now();
@@ -158,14 +158,14 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   void connected(Result<NatsConnection> made) {
     if (made) return begin(*std::move(made));
     const std::string& why = made.error().message;
-    if (std::exchange(was_told_, why) != why) log(LogLevel::kWarning, why);
+    if (std::exchange(last_logged_, why) != why) log(LogLevel::kWarning, why);
     connect_again_later();
   }
 
   void look_later() {
     const HostTime now = clock_.now();
     const HostTime silent_since = session_ ? session_->last_heard() : now;
-    const HostTime due = std::max<HostTime>(silent_since + kAskedAfter, now + kAskedEvery);
+    const HostTime due = std::max<HostTime>(silent_since + kPingAfter, now + kPingEvery);
     watch_.expires_after(due - now);
     watch_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
       const auto self = weak.lock();
@@ -181,9 +181,9 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     if (!session_) return;
     const HostTime now = clock_.now();
     const nanoseconds silent = now - session_->last_heard();
-    const bool is_on_time = now - due < kAskedEvery;
-    if (silent > kGivenUpAfter && is_on_time) return session_->abort();
-    if (silent >= kAskedAfter) session_->ask();
+    const bool is_on_time = now - due < kPingEvery;
+    if (silent > kTimeout && is_on_time) return session_->abort();
+    if (silent >= kPingAfter) session_->ask();
   }
 
   const NatsOptions options_;
@@ -197,7 +197,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;
   NatsStats stats_;  // except is_connected
-  std::string was_told_;
+  std::string last_logged_;
   bool is_stopped_ = false;
   asio::steady_timer again_, watch_;
   std::shared_ptr<NatsLoginAttempt> connecting_;

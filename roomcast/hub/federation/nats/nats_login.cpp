@@ -162,7 +162,7 @@ void Attempt::take_events() {
   for (std::span<const std::uint8_t> bytes = received_;;) {
     const NatsEvent event = next_nats_event(bytes);
     if (std::holds_alternative<NatsNeedsMore>(event)) break;
-    if (std::holds_alternative<NatsViolation>(event)) return fail(NatsFault::kNoNats);
+    if (std::holds_alternative<NatsViolation>(event)) return fail(NatsFault::kNotNats);
     const std::size_t taken = received_.size() - bytes.size();
     if (!take(event)) return;
     received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(taken));
@@ -175,7 +175,7 @@ void Attempt::take_events() {
 /// False: reading is to stop for now.
 bool Attempt::take(const NatsEvent& event) {
   if (const auto* complaint = std::get_if<NatsComplaint>(&event)) {
-    fail(is_about_identity(complaint->text) ? NatsFault::kRefused : NatsFault::kNotTaken);
+    fail(is_about_identity(complaint->text) ? NatsFault::kRefused : NatsFault::kRejected);
     return false;
   }
   const auto* info = std::get_if<NatsInfo>(&event);
@@ -187,7 +187,7 @@ bool Attempt::take(const NatsEvent& event) {
 void Attempt::on_info(std::string_view json) {
   const auto info = read_server_info(json);
   received_.clear();  // the server waits for an answer now
-  if (!info) return fail(NatsFault::kNoNats);
+  if (!info) return fail(NatsFault::kNotNats);
   info_ = *info;
   const bool wants = wants_tls(options_);
   if (wants && !info_.offers_tls) return fail(NatsFault::kOffersNoTls);

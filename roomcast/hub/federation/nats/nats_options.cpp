@@ -90,7 +90,7 @@ Error connect_error(NatsFault fault, const std::string& server, const NatsOption
   switch (fault) {
     case NatsFault::kNoAnswer:
       return {ErrorCode::kUnavailable, "no NATS server answers at " + without_secret(server)};
-    case NatsFault::kNoNats:
+    case NatsFault::kNotNats:
       return {ErrorCode::kClosed,
               "who answers at " + without_secret(server) + " is no NATS server"};
     case NatsFault::kRefused:
@@ -101,7 +101,7 @@ Error connect_error(NatsFault fault, const std::string& server, const NatsOption
       return {ErrorCode::kClosed, where +
                                       " refuses this hub; name its credentials with "
                                       "--nats-credentials, or put user:password@ before the host"};
-    case NatsFault::kNotTaken:
+    case NatsFault::kRejected:
       return {ErrorCode::kClosed, where + " does not take this hub"};
     case NatsFault::kNotTrusted:
       return {ErrorCode::kClosed,

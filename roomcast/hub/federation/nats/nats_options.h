@@ -44,9 +44,9 @@ struct NatsAddress {
 
 enum class NatsFault {
   kNoAnswer,
-  kNoNats,       // the peer is not a NATS server
+  kNotNats,      // the peer is not a NATS server
   kRefused,      // our credentials, or their absence
-  kNotTaken,     // rejected for another reason
+  kRejected,     // rejected for another reason
   kNotTrusted,   // the server's certificate, or ours
   kOffersNoTls,  // although TLS is required
 };

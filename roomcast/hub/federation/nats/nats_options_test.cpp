@@ -65,7 +65,7 @@ TEST(NatsOptions, each_refusal_is_one_sentence_that_says_what_to_do) {
   };
   EXPECT_NE(refusal(plain).find("--nats-credentials"), std::string::npos);
   EXPECT_NE(refusal(with_file).find("hub.creds"), std::string::npos);
-  for (const auto fault : {NatsFault::kNoNats, NatsFault::kRefused, NatsFault::kNotTaken,
+  for (const auto fault : {NatsFault::kNotNats, NatsFault::kRefused, NatsFault::kRejected,
                            NatsFault::kNotTrusted, NatsFault::kOffersNoTls}) {
     const Error error = connect_error(fault, server, plain);
     EXPECT_EQ(error.code, ErrorCode::kClosed);

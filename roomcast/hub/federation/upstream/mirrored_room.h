@@ -29,7 +29,7 @@ class MirroredRoom {
   std::vector<wire::pb::Control> welcomed(std::uint32_t viewer_id);
   void poses(const wire::pb::ViewerPoses& poses);
   void roster(const wire::pb::Roster& roster);
-  void clock_is(const client::ClockEstimate& estimate) { sensors_.clock_is(estimate); }
+  void set_clock(const client::ClockEstimate& estimate) { sensors_.set_clock(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
   void frames_done() { sensors_.pass_on(); }
   /// Removes all sensors until the hub returns.

@@ -21,7 +21,7 @@ void add_traffic(const UpstreamRoom& room, hub::BackplaneStats& stats) {
 }  // namespace
 
 UpstreamHub::UpstreamHub(UpstreamOptions options, hub::BackplaneContext seat)
-    : options_(std::move(options)), seat_(std::move(seat)) {}
+    : options_(std::move(options)), context_(std::move(seat)) {}
 
 void UpstreamHub::watch(const std::string& name, bool is_watched) {
   const auto found =
@@ -41,11 +41,11 @@ void UpstreamHub::pull(const std::string& name) {
   auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
     return hub::backplane_connection(number, ++*count);
   };
-  MirroredRoom mirror(name, seat_.token, seat_.rooms, std::move(new_connection));
+  MirroredRoom mirror(name, context_.token, context_.rooms, std::move(new_connection));
   rooms_[number] = std::unique_ptr<Pulled>(
       new Pulled{.name = name,
-                 .room{seat_.io, options_, name, std::move(mirror), seat_.revoke},
-                 .end = boost::asio::steady_timer(seat_.io)});
+                 .room{context_.io, options_, name, std::move(mirror), context_.revoke},
+                 .end = boost::asio::steady_timer(context_.io)});
 }
 
 void UpstreamHub::end_later(Number number, Pulled& pulled) {

@@ -40,7 +40,7 @@ class UpstreamHub final : public hub::Backplane {
   [[nodiscard]] UpstreamRoom* owner_of(ConnectionId connection) const;
 
   const UpstreamOptions options_;
-  const hub::BackplaneContext seat_;
+  const hub::BackplaneContext context_;
   Number newest_ = 0;
   hub::BackplaneStats ended_;  // traffic of rooms that are no longer pulled
   Rooms rooms_;

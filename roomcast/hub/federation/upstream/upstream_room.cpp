@@ -40,8 +40,9 @@ UpstreamRoom::UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& o
 
 void UpstreamRoom::join() {
   client::HubLinkEvents& events = *this;
-  link_.emplace(io_, options_.hubs, join_message(options_, room_), events,
-                client::HubLink::Options{.timings = kTimings, .pings = client::PingSchedule::kOfHub});
+  link_.emplace(
+      io_, options_.hubs, join_message(options_, room_), events,
+      client::HubLink::Options{.timings = kTimings, .pings = client::PingSchedule::kOfHub});
   link_->start();
 }
 
@@ -77,7 +78,7 @@ void UpstreamRoom::on_frame(net::MessageBuffer message) {
 }
 
 void UpstreamRoom::on_clock(const client::ClockEstimate& estimate) {
-  mirror_.clock_is(estimate);
+  mirror_.set_clock(estimate);
 }
 
 void UpstreamRoom::on_down(const Error& reason, bool final) {

@@ -90,13 +90,13 @@ TEST_F(ReplayedKinect, that_is_unplugged_and_plugged_in_again_goes_on) {
   CapturedFrame frame;
   ASSERT_TRUE(*source->next(frame, {}));
   unplug();
-  while (source->health().is_there) std::this_thread::yield();
+  while (source->health().is_connected) std::this_thread::yield();
   plug_in();
   const auto before = frame.capture_time;
   ASSERT_TRUE(*source->next(frame, {}));
   ASSERT_TRUE(*source->next(frame, {}));  // the first one may be from before
   EXPECT_GT(frame.capture_time, before);
-  EXPECT_EQ(source->health().times_unplugged, 1U);
+  EXPECT_EQ(source->health().disconnect_count, 1U);
 }
 
 TEST_F(ReplayedKinect, that_is_not_there_is_not_found) {

@@ -36,9 +36,10 @@ KinectColorMap color_map_of(const freenect_registration& memory) {
 std::optional<KinectMemory> read_kinect_memory(freenect_device* device) {
   if (freenect_copy_registration == nullptr) return std::nullopt;
   freenect_registration copy = freenect_copy_registration(device);
-  const bool is_there = copy.registration_table != nullptr && copy.depth_to_rgb_shift != nullptr;
+  const bool is_connected =
+      copy.registration_table != nullptr && copy.depth_to_rgb_shift != nullptr;
   std::optional<KinectMemory> memory;
-  if (is_there) {
+  if (is_connected) {
     const KinectZeroPlane plane = plane_of(copy);
     if (auto cameras = kinect_calibration(plane, color_map_of(copy)))
       memory = KinectMemory{plane, *cameras};

@@ -112,12 +112,12 @@ TEST_F(OpenNi2, a_camera_that_is_unplugged_and_plugged_in_again_goes_on) {
   CapturedFrame frame;
   ASSERT_TRUE(*source->next(frame, {}));
   unplug();
-  while (source->health().is_there) std::this_thread::yield();
+  while (source->health().is_connected) std::this_thread::yield();
   plug_in();
   ASSERT_TRUE(*source->next(frame, {}));
   ASSERT_TRUE(*source->next(frame, {}));  // the first one may be from before
   expect_virtual_camera(frame);
-  EXPECT_EQ(source->health().times_unplugged, 1U);
+  EXPECT_EQ(source->health().disconnect_count, 1U);
 }
 
 TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {

@@ -9,8 +9,8 @@
 namespace roomcast::source {
 namespace {
 
-constexpr double kColorFromDepth_m = -0.025;                        // PrimeSense's reference design
-constexpr auto kPlayerFallsAsleep = std::chrono::milliseconds(50);  // it sleeps for 10 ms at a time
+constexpr double kColorFromDepth_m = -0.025;                      // PrimeSense's reference design
+constexpr auto kPlayerStopDelay = std::chrono::milliseconds(50);  // it sleeps for 10 ms at a time
 
 }  // namespace
 
@@ -27,7 +27,7 @@ OpenNi2Device::~OpenNi2Device() {
   for (openni::VideoStream* stream : streams) {
     if (stream->isValid()) stream->stop();
   }
-  if (device_.isValid() && device_.isFile()) std::this_thread::sleep_for(kPlayerFallsAsleep);
+  if (device_.isValid() && device_.isFile()) std::this_thread::sleep_for(kPlayerStopDelay);
   for (openni::VideoStream* stream : streams) {
     if (stream->isValid()) stream->destroy();
   }
@@ -72,7 +72,7 @@ void OpenNi2Device::calibrate() {
   const bool same_grid =
       color.width == calibration.depth.width && color.height == calibration.depth.height;
   calibration.color_is_registered =
-      same_grid && (device_.getImageRegistrationMode() == kOver || !tells_registration());
+      same_grid && (device_.getImageRegistrationMode() == kOver || !reports_registration());
   calibration.color = color;
   if (calibration.color_is_registered) {
     calibration.depth = color;
@@ -82,7 +82,7 @@ void OpenNi2Device::calibrate() {
 }
 
 /// Most files do not state it; most were recorded with depth registered to colour.
-bool OpenNi2Device::tells_registration() const {
+bool OpenNi2Device::reports_registration() const {
   return !device_.isFile() || device_.isPropertySupported(ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION);
 }
 

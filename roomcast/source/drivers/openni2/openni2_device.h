@@ -34,10 +34,10 @@ class OpenNi2Device {
 
  private:
   void calibrate();
-  [[nodiscard]] bool tells_registration() const;
+  [[nodiscard]] bool reports_registration() const;
 
   const OpenNi2Session session_;  // outlives everything below
-  OpenNi2Departure departure_;
+  OpenNi2DisconnectListener departure_;
   openni::Device device_;
   openni::VideoStream depth_, color_;
   FrameReadySignal bell_;

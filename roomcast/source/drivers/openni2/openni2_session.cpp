@@ -12,7 +12,7 @@ namespace roomcast::source {
 namespace {
 
 /// A thread that runs tasks one after the other.
-class LastingThread {
+class ProcessLifetimeThread {
  public:
   void run(const std::function<void()>& work) {
     std::packaged_task<void()> task(work);
@@ -37,20 +37,20 @@ Status OpenNi2Session::status() const {
                std::string("OpenNI does not start: ") + openni::OpenNI::getExtendedError()};
 }
 
-OpenNi2Departure::OpenNi2Departure(std::string uri) : uri_(std::move(uri)) {
+OpenNi2DisconnectListener::OpenNi2DisconnectListener(std::string uri) : uri_(std::move(uri)) {
   openni::OpenNI::addDeviceDisconnectedListener(this);
 }
 
-OpenNi2Departure::~OpenNi2Departure() {
+OpenNi2DisconnectListener::~OpenNi2DisconnectListener() {
   openni::OpenNI::removeDeviceDisconnectedListener(this);
 }
 
-void OpenNi2Departure::onDeviceDisconnected(const openni::DeviceInfo* device) {
+void OpenNi2DisconnectListener::onDeviceDisconnected(const openni::DeviceInfo* device) {
   if (uri_ == device->getUri()) happened_ = true;
 }
 
 void on_openni2_thread(const std::function<void()>& work) {
-  static LastingThread thread;
+  static ProcessLifetimeThread thread;
   thread.run(work);
 }
 

@@ -32,10 +32,10 @@ class OpenNi2Session {
 };
 
 /// Detects that the device of this URI was disconnected. Must not outlive its session.
-class OpenNi2Departure final : public openni::OpenNI::DeviceDisconnectedListener {
+class OpenNi2DisconnectListener final : public openni::OpenNI::DeviceDisconnectedListener {
  public:
-  explicit OpenNi2Departure(std::string uri);
-  ~OpenNi2Departure() override;
+  explicit OpenNi2DisconnectListener(std::string uri);
+  ~OpenNi2DisconnectListener() override;
   void onDeviceDisconnected(const openni::DeviceInfo* device) override;
   [[nodiscard]] bool happened() const { return happened_; }
 
