@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Stands in a room and prints what each of its sensors sees: python3 depth.py ws://127.0.0.1:7600 [LIBRARY]
+"""Joins a room and prints a summary of each sensor's depth: python3 depth.py ws://127.0.0.1:7600 [LIBRARY]
 
-Needs nothing but Python: ctypes calls libroomcast.so.1.
+Needs only Python and libroomcast.so.1, called through ctypes.
 """
 import ctypes
 import sys

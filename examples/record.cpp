@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records a room for some seconds, and says meanwhile what its sensors see.
+// Records a room for some seconds and prints the depth at the middle of each sensor's picture.
 //   c++ -std=c++17 record.cpp $(pkg-config --cflags --libs roomcast) -o record
 //   ./record ws://127.0.0.1:7600 lab.mcap 10
 #include <chrono>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera of your own, in one file: whatever program can write pictures to a pipe becomes a sensor
-// of a room. Each frame is 320 x 240 depth values (16 bits, little endian, millimetres), then as
-// many pixels of red, green, blue.
+// A camera driver of your own in one file: any program that writes frames to a pipe becomes a sensor
+// of a room. A frame is 320 x 240 depth values (16 bits, little endian, millimetres), followed by
+// 320 x 240 pixels of red, green, blue (8 bits each).
 //
-//   your_grabber | third_party_camera                           says what it sees
-//   your_grabber | third_party_camera ws://127.0.0.1:7600       and sends it to a hub
+//   your_grabber | third_party_camera                           prints the frames' middle pixel
+//   your_grabber | third_party_camera ws://127.0.0.1:7600       sends the frames to a hub
 //
-// What a kind of camera has to bring is in roomcast/source/camera/camera.h: a Camera that hands
-// over pictures, and a CameraBackend that lists and opens it. Threads, pairing, clocks, dropped
-// frames, loss and replug come with CameraSource.
+// A driver implements two interfaces of roomcast/source/camera/camera.h: Camera, which delivers
+// pictures, and CameraBackend, which lists and opens cameras. CameraSource adds threads, pairing,
+// clocks, dropped frames, loss and replug.
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -37,7 +37,7 @@ class PipeCamera final : public source::Camera {
     SensorCalibration& cameras = description_.calibration;
     cameras.depth = {kWidth, kHeight, 285, 285, 159.5, 119.5};
     cameras.color = cameras.depth;
-    cameras.color_is_registered = true;  // both pictures are of the same view
+    cameras.color_is_registered = true;  // depth and colour share one pixel grid
   }
 
   [[nodiscard]] const source::CameraDescription& description() const override { return description_; }
@@ -74,7 +74,7 @@ class PipeCamera final : public source::Camera {
   const int pipe_;
   source::CameraDescription description_;
   Frame frame_;
-  std::size_t filled_ = 0;  // bytes of it
+  std::size_t filled_ = 0;  // bytes of frame_
   DepthImage depth_mm_;
   ColorImage color_;
 };
@@ -124,7 +124,7 @@ int send(std::unique_ptr<source::FrameSource> source, const std::string& hub_url
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A pipe may be silent for as long as it likes; it is no camera that was unplugged.
+  // A silent pipe is not an unplugged camera, so it may stay silent for long.
   source::CameraSourceOptions options;
   options.silence = std::chrono::hours(24);
   auto source = source::CameraSource::open(std::make_shared<PipeBackend>(), "", options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ReceivedSensor: one sensor's newest picture for those who know nothing of how it came: colour in
-// the grid of depth, and the ray of every pixel. Threading: plain data, shared once made.
+// ReceivedSensor: one sensor's newest frame, with colour in the depth grid and a ray for each
+// pixel. Users need not know how the frame was encoded or registered. Threading: immutable once
+// made.
 #pragma once
 
 #include <map>
@@ -15,9 +16,9 @@
 
 namespace roomcast::capi {
 
-using Rays = Image<Eigen::Vector2f>;  // as ray_table() makes them
+using Rays = Image<Eigen::Vector2f>;  // see ray_table()
 
-/// The rays of every sensor's depth camera, worked out when its calibration is new.
+/// Caches the rays of each sensor's depth camera; computes them again when the intrinsics change.
 /// Single-threaded.
 class SensorRays {
  public:
@@ -32,12 +33,12 @@ class SensorRays {
 };
 
 struct ReceivedSensor {
-  const client::RoomSensor* sensor = nullptr;  // of the snapshot it was taken from
+  const client::RoomSensor* sensor = nullptr;  // points into the snapshot
   std::shared_ptr<const codec::DecodedFrame> frame;
   std::shared_ptr<const Rays> rays;
 };
 
-/// Those that are there and have a picture, by id. The snapshot has to stay as long as they do.
+/// The sensors of `room` that are online and have a picture. `room` must outlive the result.
 [[nodiscard]] std::vector<ReceivedSensor> received_sensors(const client::RoomSnapshot& room,
                                                            SensorRays& rays);
 

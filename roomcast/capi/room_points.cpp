@@ -10,7 +10,7 @@ namespace {
 
 constexpr Rgb8 kGrey{128, 128, 128};
 
-/// Takes points as long as there is room, and counts all.
+/// Keeps points while `out` has room, and counts all of them.
 class PointSink {
  public:
   explicit PointSink(std::span<roomcast_point> out) : out_(out) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a room's sensors as libroomcast hands them out. World frame, metres. Threading: no
-// state.
+// Converts the frames of a room's sensors to points for libroomcast. World frame, metres.
+// Threading: no state.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace roomcast::capi {
 
-/// Writes a point for every reading of every sensor that has been placed, as many as `out` has room
-/// for; grey where a sensor has no colour. Returns how many there are.
+/// Writes one point for each depth reading of each placed sensor, up to the size of `out`; grey
+/// where a sensor has no colour. Returns the number of points there are, which may be more.
 std::size_t write_points(const std::vector<ReceivedSensor>& sensors, std::span<roomcast_point> out);
 
 }  // namespace roomcast::capi

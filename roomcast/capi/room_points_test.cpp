@@ -11,7 +11,7 @@ namespace {
 
 constexpr CameraIntrinsics kCamera{.width = 3, .height = 2, .fx = 2, .fy = 2, .cx = 1, .cy = 0.5};
 
-/// Looks along world x from (5, 1, 0), which is its z.
+/// A pose at (5, 1, 0) whose optical axis (z) points along world x.
 RigidTransform looking_along_x() {
   RigidTransform world_from_depth;
   world_from_depth.rotation << 0, 0, 1, 0, -1, 0, 1, 0, 0;

@@ -26,7 +26,7 @@ struct roomcast_viewer {
 };
 
 struct roomcast_frames {
-  std::shared_ptr<const roomcast::client::RoomSnapshot> room;  // whose parts `sensors` point at
+  std::shared_ptr<const roomcast::client::RoomSnapshot> room;  // `sensors` points into it
   std::vector<roomcast::capi::ReceivedSensor> sensors;
 };
 
@@ -49,8 +49,8 @@ void say(const std::string& sentence, char* error, std::size_t size) {
   error[length] = '\0';
 }
 
-/// Whatever happens inside, memory that has run out included, nothing is thrown at a caller who may
-/// not even have exceptions.
+/// Catches every exception, std::bad_alloc included, because a C caller cannot handle one. Returns
+/// `otherwise` then.
 template <class Value, class Call>
 Value guarded(Value otherwise, char* error, std::size_t size, Call call) noexcept {
   try {
@@ -63,7 +63,7 @@ Value guarded(Value otherwise, char* error, std::size_t size, Call call) noexcep
   return otherwise;
 }
 
-/// A caller that was built against an earlier header knows less of a structure.
+/// Copies only to.size bytes: a caller built against an earlier header has a smaller structure.
 template <class Struct>
 void copy_known_part(const Struct& from, Struct& to) {
   const std::size_t size = std::min(to.size, sizeof(Struct));
@@ -72,7 +72,7 @@ void copy_known_part(const Struct& from, Struct& to) {
   std::memcpy(static_cast<void*>(&to), &copy, size);
 }
 
-/// What the caller does not know of is left at nothing.
+/// Fields beyond given.size, which the caller does not know, are zero.
 template <class Struct>
 Struct known_part(const Struct& given) {
   Struct known{};
@@ -126,9 +126,9 @@ Result<client::PersonPose> person_pose(const roomcast_pose& given) {
   }
   if (!*head) return Error{ErrorCode::kInvalidArgument, "world_from_head is NULL"};
   return client::PersonPose{.world_from_head = **head,
-                    .world_from_left_hand = *left,
-                    .world_from_right_hand = *right,
-                    .pointer = {}};
+                            .world_from_left_hand = *left,
+                            .world_from_right_hand = *right,
+                            .pointer = {}};
 }
 
 int may(roomcast_viewer* viewer, Status (*check)(const client::ViewerRights&), char* error,
@@ -143,7 +143,7 @@ int may(roomcast_viewer* viewer, Status (*check)(const client::ViewerRights&), c
 using WallClock = std::chrono::steady_clock;
 
 std::shared_ptr<const client::RoomSnapshot> wait_newer(roomcast_viewer& viewer,
-                                               WallClock::time_point until) {
+                                                       WallClock::time_point until) {
   std::uint64_t revision = 0;
   {
     std::lock_guard lock(viewer.mutex);
@@ -153,7 +153,7 @@ std::shared_ptr<const client::RoomSnapshot> wait_newer(roomcast_viewer& viewer,
   return viewer.subscriber->wait_newer(revision, std::max(left, std::chrono::milliseconds(0)));
 }
 
-/// Null where `room` has no set that is newer than the last one given.
+/// Null if `room` has no frame set newer than the last one returned.
 roomcast_frames* new_frames(roomcast_viewer& viewer,
                             const std::shared_ptr<const client::RoomSnapshot>& room) {
   std::lock_guard lock(viewer.mutex);

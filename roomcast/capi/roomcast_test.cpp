@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What needs no hub; tests/cli runs the examples against one.
+// Tests that need no hub. tests/cli runs the examples against a hub.
 #include "roomcast/capi/roomcast.h"
 
 #include <cstddef>
@@ -35,7 +35,7 @@ TEST(CApi, options_of_an_earlier_header_are_understood) {
   char error[200] = "";
   roomcast_options options = options_for("ftp://x");
   options.size = offsetof(roomcast_options, room);
-  options.room = reinterpret_cast<const char*>(1);  // not to be read
+  options.room = reinterpret_cast<const char*>(1);  // beyond options.size: must not be read
   EXPECT_EQ(roomcast_connect(&options, error, sizeof(error)), nullptr);
   EXPECT_NE(std::string(error), "");
 }

@@ -1,6 +1,6 @@
 # Writes shader sources into a C++ file, one string_view per shader: shaders/points.vert -> shaders::points_vert.
 #   cmake -DOUTPUT=shader_sources.cpp "-DSHADERS=a.vert;b.frag" -DHEADER=roomcast/render/gl/shader_sources.h -DNAMESPACE=roomcast::render::shaders -P embed_shaders.cmake
-# HEADER declares them, in NAMESPACE.
+# HEADER declares the string_views, in NAMESPACE.
 set(definitions "")
 foreach(shader IN LISTS SHADERS)
   get_filename_component(name "${shader}" NAME)

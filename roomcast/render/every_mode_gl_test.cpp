@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every way of drawing beside what is there, and beside itself: two sensors see a wall and a board
-// before it, an eye between them looks at both.
+// Compares each render mode with the true scene and with its own earlier result. Two sensors see a
+// wall and a board in front of it; an eye between the sensors looks at both.
 #include <cmath>
 #include <map>
 #include <string>
@@ -23,7 +23,7 @@ struct Likeness {
   double psnr_db = 0, drawn_share = 0;
 };
 
-/// Of the pixels that were drawn.
+/// Compares only the pixels that were drawn.
 Likeness compare(const Picture& picture, const RigidTransform& eye) {
   double squared = 0, drawn = 0;
   for (int y = 0; y < kEyeLens.height; ++y) {
@@ -61,7 +61,7 @@ TEST_P(EveryModeOfTrueScene, looks_like_what_is_there) {
   EXPECT_GT(like.drawn_share, is_solid ? 0.95 : 0.5);
 }
 
-// One pixel more or less that differs is a change that somebody has to have wanted.
+// Detects every unintended change of a pixel.
 TEST_P(EveryModeOfTrueScene, is_the_same_bit_by_bit_on_the_driver_it_was_kept_for) {
   const std::string kept_for = "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6";
   const Picture picture = draw_scene();

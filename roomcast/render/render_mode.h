@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways in which surfaces can be drawn.
+// The ways to draw the surfaces of a room.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 namespace roomcast::render {
 
 enum class RenderMode {
-  kPoints,    // a pixel for each depth pixel: the paper's way
-  kSplats,    // squares as large as the surface between neighbours
-  kMesh,      // a triangle for every three neighbours; the nearest surface wins
-  kAdaptive,  // the same of cleaned surfaces, whose flat parts are few triangles
-  kBlend,     // cleaned surfaces of all sensors weighted by how well each sees what the eye sees
+  kPoints,    // one pixel for each depth pixel, as in the paper
+  kSplats,    // squares as large as the distance between neighbours
+  kMesh,      // triangles between neighbouring depth pixels; the nearest surface wins
+  kAdaptive,  // as kMesh, of cleaned surfaces; flat parts become few triangles
+  kBlend,     // cleaned surfaces of all sensors, mixed by quality and viewing direction
 };
 inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSplats,
                                             RenderMode::kMesh, RenderMode::kAdaptive,
@@ -34,7 +34,7 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
   return "";
 }
 
-/// What such a picture shows depends on earlier frames, too.
+/// True if a picture in this mode also depends on earlier frames.
 [[nodiscard]] constexpr bool remembers_background(RenderMode mode) {
   return mode == RenderMode::kAdaptive || mode == RenderMode::kBlend;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests that draw rooms: a renderer, and what it drew, on a plain background.
+// Fixture for tests that draw rooms: a renderer, a plain background, and the drawn picture.
 #pragma once
 
 #include <cmath>
@@ -58,7 +58,7 @@ class RoomTest : public GlTest {
   RenderOptions look_;
 };
 
-/// The eye of an ideal pinhole camera: same place, same picture.
+/// The eye that sees the same picture as an ideal pinhole camera at the same pose.
 inline ViewCamera eye_of(const CameraIntrinsics& lens, const RigidTransform& world_from_optical) {
   ViewCamera camera;
   camera.world_from_view = world_from_optical * optical_from_view();

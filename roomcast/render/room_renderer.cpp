@@ -112,8 +112,7 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
   return {};
 }
 
-/// What is live first: much of what is remembered lies behind it. Only what is mixed is filled with
-/// that.
+/// Puts live surfaces before backgrounds, which they mostly hide. Only blend mode uses backgrounds.
 void RoomRenderer::gather_layers(RenderMode mode) {
   layers_.clear();
   for (const auto& [id, sensor] : sensors_) {
@@ -158,7 +157,7 @@ void RoomRenderer::draw_sensors(const Eyes& eyes, RenderMode mode) {
   for (auto& [id, sensor] : sensors_) draw_sensor(id, sensor, eyes, mode);
 }
 
-/// Beside what is mixed, which has left its depth.
+/// Draws unplaced sensors after the other surfaces, against the depth those have left.
 void RoomRenderer::draw_apart(const Eyes& eyes) {
   const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);

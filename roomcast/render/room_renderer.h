@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the surfaces of all sensors of a room in one world, from any eye or two at once.
-// Single-threaded; needs a current OpenGL 4.5 context (EglContext) for its whole life.
+// RoomRenderer: draws the surfaces of all sensors of a room in one world frame, for one or two
+// eyes. Single-threaded; needs a current OpenGL 4.5 context (EglContext) for its whole life.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,8 @@ struct RenderOptions {
   bool floor_grid = true;
   Rgb8 floor_line = {150, 160, 175};
   SurfaceMeshOptions mesh;
-  /// For modes that need it: every picture is remembered, whichever mode is drawn.
+  /// Whether each upload updates the background model, in every mode. Modes that show the
+  /// background need it.
   bool remember = true;
   Unseen unseen = Unseen::kSurroundings;  // for RenderMode::kBlend
 
@@ -36,38 +37,38 @@ struct RenderOptions {
   [[nodiscard]] Status check() const { return mesh.check(); }
 };
 
-/// More sensors than this are refused: each holds some ten megabytes of the graphics card's memory.
+/// set_sensor refuses more sensors: each takes about ten megabytes of GPU memory.
 inline constexpr std::size_t kMaxRenderedSensors = 64;
 
 class RoomRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<RoomRenderer> create();
 
-  /// Adds a sensor, or gives it another pose. It keeps its pictures unless its lens is another one.
+  /// Adds a sensor or changes its pose. A sensor keeps its pictures unless its intrinsics change.
   /// Fails as SensorSurface::create does; kTooLarge beyond kMaxRenderedSensors; kInvalidArgument
   /// for a pose that is not finite. On failure nothing has changed.
   Status set_sensor(SensorId id, const CameraIntrinsics& depth,
                     const RigidTransform& world_from_depth);
 
-  /// Whether it only stands beside the room, because nobody knows where it is: it is drawn by
-  /// itself, as a mesh where others are mixed, and what it sees tells nothing about what others
-  /// remember. Nothing happens when there is no such sensor.
+  /// Marks a sensor whose pose is unknown and that is shown next to the room. It is drawn
+  /// separately, as a mesh in the adaptive and blend modes, without effect on other sensors'
+  /// colours or background. Does nothing if there is no such sensor.
   void set_apart(SensorId id, bool apart);
 
-  /// The sensor's newest pictures. kNotFound without a set_sensor before it; else as
+  /// Sets the sensor's newest pictures. kNotFound without a set_sensor before it; other errors as
   /// SensorSurface::upload.
   Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen);
 
-  /// Nothing happens when there is no such sensor.
+  /// Does nothing if there is no such sensor.
   void remove(SensorId id);
 
-  /// Fails as RenderOptions::check does, changing nothing.
+  /// Errors as RenderOptions::check; then nothing has changed.
   Status set_look(const RenderOptions& look);
 
-  /// A new picture in all of `target`, for as many eyes as it has room for: each sensor's surface
-  /// is drawn once for all of them. kInvalidArgument when an eye is not legal, as Eyes::check, or
-  /// not of the target's size.
+  /// Draws a new picture into all of `target`, for as many eyes as it has parts. Each sensor's
+  /// surface is drawn once for all eyes. kInvalidArgument if an eye is invalid (Eyes::check) or
+  /// does not have the target's size.
   Status draw(const Eyes& eyes, const OffscreenTarget& target, RenderMode mode);
 
  private:
@@ -99,9 +100,9 @@ class RoomRenderer {
   Parts parts_;
   ColorMatching colors_;
   RenderOptions look_;
-  std::vector<SurfaceLayer> layers_;  // of the newest picture
+  std::vector<SurfaceLayer> layers_;  // of the last picture
   std::map<SensorId, Sensor>
-      sensors_;  // in order, so that the same room always gives the same picture
+      sensors_;  // ordered, so that the same room always gives the same picture
 };
 
 }  // namespace roomcast::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold in every mode; what is the mesh's or the points' own lies in their tests.
+// Tests common to all render modes; tests of meshes and points are next to their renderers.
 #include <limits>
 
 #include "roomcast/render/room_fixture.h"
@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A sensor of 64x48, and an eye at the same place that sees twice as far to every side: a depth
-// pixel is a pixel.
+// A sensor of 64x48 pixels, and an eye at the same pose with the same focal length and twice the
+// field: one depth pixel covers one pixel.
 const CameraIntrinsics kLens = pinhole(64, 48, 60);
 const CameraIntrinsics kWideLens = pinhole(128, 96, 60);
 const RigidTransform kPose = world_from_optical_looking_at(Vector3d(1, 1.5, 2), Vector3d(3, 1, -4));
-constexpr int kLeft = 32, kTop = 24, kRight = 96, kBottom = 72;  // where the sensor's picture lies
+constexpr int kLeft = 32, kTop = 24, kRight = 96, kBottom = 72;  // the sensor's part of the picture
 
 class EveryMode : public RoomTest, public ::testing::WithParamInterface<RenderMode> {
  protected:
@@ -42,7 +42,7 @@ TEST_P(EveryMode, colours_twice_as_fine_as_depth_have_their_places) {
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
   const Picture picture = draw_wide();
-  const int border = 1;  // half a point sticks out, half a cell is missing
+  const int border = 1;  // half a point extends beyond it, half a cell is missing
   for (int y = 0; y < kWideLens.height; ++y) {
     for (int x = 0; x < kWideLens.width; ++x) {
       const bool inside =
@@ -82,7 +82,7 @@ TEST_P(EveryMode, pixels_without_depth_draw_nothing) {
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 10, 40, 30, 0);
   add(kFirst, kLens, kPose, pictures);
   const Picture picture = draw_wide();
-  constexpr int kRim = 4;  // what a blend puts back where sensors lose readings
+  constexpr int kRim = 4;  // blend mode extends the edges of objects
   for (int y = kTop + 10 + kRim; y < kTop + 30 - kRim; ++y) {
     for (int x = kLeft + 20 + kRim; x < kLeft + 40 - kRim; ++x) {
       ASSERT_EQ(picture.color.at(x, y), kNothing) << x << "," << y;
@@ -106,10 +106,10 @@ TEST_P(EveryMode, a_surface_without_color_gives_way_to_a_sensor_that_saw_it) {
   SensorPictures unseen = wall(kLens, 2000, kRed);
   unseen.seen = MaskImage(kLens.width, kLens.height, 0);
   add(kFirst, kLens, kPose, unseen);
-  add(kSecond, kLens, kPose, wall(kLens, 2020, kGreen));  // 2 cm further: depth noise
+  add(kSecond, kLens, kPose, wall(kLens, 2020, kGreen));  // 2 cm farther: within depth noise
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
 
-  add(kSecond, kLens, kPose, wall(kLens, 2200, kGreen));  // another surface, well behind
+  add(kSecond, kLens, kPose, wall(kLens, 2200, kGreen));  // a different surface, well behind
   EXPECT_NEAR(draw_wide().color.at(64, 48).g, 128, 1);
 }
 
@@ -126,7 +126,7 @@ TEST_P(EveryMode, every_pixel_knows_which_sensor_drew_it) {
 
 TEST_P(EveryMode, a_sensor_that_stands_apart_is_drawn_and_never_mixed_with_others) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
-  add(kSecond, kLens, kPose, wall(kLens, 2010, kGreen));  // within what is mixed
+  add(kSecond, kLens, kPose, wall(kLens, 2010, kGreen));  // within the mixing distance
   room_->set_apart(kSecond, true);
   EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
   add(kSecond, kLens, kPose, wall(kLens, 1900, kGreen));

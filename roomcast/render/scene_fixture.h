@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a wall and a board before it, of which sensors and eyes see exactly what is there. Ray
-// casting in a few lines on the CPU: what drawn pictures are compared with.
+// A scene for tests: a wall and a board in front of it, ray-cast on the CPU. Drawn pictures are
+// compared with it.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct TruePoint {
   bool is_board = false;
 };
 
-/// What the pixel of a pinhole camera sees.
+/// The point seen by a pixel of a pinhole camera.
 inline TruePoint true_point(const CameraIntrinsics& lens, const RigidTransform& world_from_optical,
                             int x, int y) {
   constexpr double kWall_m = -3, kBoard_m = -1.8;  // z in the world

@@ -14,11 +14,11 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReportInterval{250};  // of the panel's figures
-constexpr milliseconds kPanelInterval{100};   // the window is shown again even if nothing moves
+constexpr milliseconds kPanelInterval{100};   // redraws the window even if nothing moves
 constexpr int kIdle_ms = 5;
 constexpr std::chrono::seconds kHeadsetRetry{5};
 constexpr double kPivotDistance_m = 3;
-/// Where the hand would be that holds the laser pointer, from the head.
+/// Position of the hand with the laser pointer, relative to the head.
 const Eigen::Vector3d kPointerPlace_m(0.18, -0.22, -0.1);
 
 bool is_same(const render::ViewCamera& a, const render::ViewCamera& b) {
@@ -138,7 +138,7 @@ void DesktopViewer::obey(ViewerCommand command) {
   }
 }
 
-/// Commands are in the order of the modes.
+/// The mode commands are in the order of the modes.
 void DesktopViewer::choose_mode(ViewerCommand command) {
   const auto number =
       static_cast<std::size_t>(command) - static_cast<std::size_t>(ViewerCommand::kModePoints);
@@ -150,7 +150,7 @@ void DesktopViewer::set_mouse_look(bool on) {
   window_->capture_mouse(on);
 }
 
-/// What holds the person most comes first.
+/// Leaves one state per call: mouse look, then help, then full screen.
 void DesktopViewer::release() {
   if (input_.mouse_looks()) return set_mouse_look(false);
   if (panel_.shows_help()) return panel_.toggle_help();
@@ -177,7 +177,7 @@ void DesktopViewer::apply_settings() {
   const bool same_sensors = settings_.hidden == applied_.hidden;
   if (!same_sensors) {
     room_view_.hide(settings_.hidden);
-    static_cast<void>(room_view_.show(*room_));  // its faults have been told
+    static_cast<void>(room_view_.show(*room_));  // its errors have been shown
   }
   picture_is_old_ |= !same_picture || !same_sensors;
   applied_ = settings_;
@@ -228,7 +228,7 @@ client::PersonPose DesktopViewer::pose_publisher() const {
   return pose;
 }
 
-/// At what the last picture shows under the mouse; in the middle while the mouse turns the head.
+/// Points at the surface under the mouse, or at the picture's centre during mouse look.
 void DesktopViewer::point() {
   const bool had_pointer = std::exchange(pointer_, std::nullopt).has_value();
   picture_is_old_ |= had_pointer || input_.is_pointing();
@@ -260,7 +260,7 @@ void DesktopViewer::draw_room(HostTime begin) {
     return;
   }
   drawn_camera_ = eye;
-  picture_is_old_ = true;  // of the window, until it is shown
+  picture_is_old_ = true;  // the window must be redrawn
   if (const auto time = picture_.take_drawing_time()) {
     drawing_time_ = *time;
     if (!keeper_.is_recording()) automatic_scale_.judge(*time, begin);  // a video keeps its size
@@ -295,7 +295,7 @@ void DesktopViewer::draw_window() {
   if (pressed) obey(*pressed);
 }
 
-/// While somebody wears the headset the window shows what the left eye sees.
+/// While the headset is worn, the window shows the left eye's picture.
 const render::OffscreenTarget* DesktopViewer::shown_picture() const {
   return is_in_headset() && headset_->left_eye() != nullptr ? headset_->left_eye()
                                                             : picture_.target();
@@ -323,7 +323,7 @@ std::vector<Toast> DesktopViewer::toasts() const {
   return toasts_.current(now());
 }
 
-/// Else it says why not.
+/// If not, shows the reason.
 bool DesktopViewer::may_keep_pictures() {
   const Status may = client::check_may_record(hub_.snapshot()->rights);
   if (!may) say({Toast::Kind::kNotice, may.error().message});
@@ -332,7 +332,8 @@ bool DesktopViewer::may_keep_pictures() {
 
 void DesktopViewer::save_screenshot() {
   if (!may_keep_pictures()) return;
-  if (const render::OffscreenTarget* picture = shown_picture()) say(keeper_.save(*picture, room_->room));
+  if (const render::OffscreenTarget* picture = shown_picture())
+    say(keeper_.save(*picture, room_->room));
 }
 
 void DesktopViewer::start_or_stop_video() {
@@ -342,8 +343,8 @@ void DesktopViewer::start_or_stop_video() {
     say(keeper_.start_video(*picture, room_->room));
 }
 
-/// Until it has to stop: when the picture has another size, or when the hub, which let us in again,
-/// does not let us record any more.
+/// Stops the video when the picture's size changes, or when the hub no longer permits recording
+/// after a reconnection.
 void DesktopViewer::record_on() {
   const bool goes_on = room_->rights.may_record && keeper_.record(*shown_picture(), now());
   if (goes_on) return;
@@ -355,7 +356,7 @@ void DesktopViewer::say(const Toast& toast) {
   toasts_.say(toast.kind, toast.sentence, now());
 }
 
-/// One that is not there yet, or was lost, is looked for every now and then.
+/// Retries every kHeadsetRetry while there is no headset or after it was lost.
 void DesktopViewer::look_for_headset(HostTime at) {
   if (!options_.headset) return;
   if (headset_) {
@@ -369,7 +370,7 @@ void DesktopViewer::look_for_headset(HostTime at) {
   auto opened = viewer::xr::HeadsetView::open();
   if (!opened) {
     const std::string trouble = opened.error().message;
-    if (std::exchange(headset_trouble_, trouble) == trouble) return;  // told once is enough
+    if (std::exchange(headset_trouble_, trouble) == trouble) return;  // show it once
     return toasts_.say(Toast::Kind::kNotice,
                        "The room is shown on the desktop only: " + trouble + ".", at);
   }

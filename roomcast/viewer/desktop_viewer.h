@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// DesktopViewer: `roomcast view` in a window: draws the newest RoomSnapshot, moves its person,
-// tells the hub where that person is. Never waits for the network: when the hub or a sensor is
-// lost it goes on drawing what it has and says what is missing. Threading: one thread, the
-// window's.
+// DesktopViewer: `roomcast view` in a window. Draws the newest RoomSnapshot, moves the viewer and
+// sends the viewer's pose to the hub. Never waits for the network: when the hub or a sensor is
+// lost, it keeps drawing the last data and reports the loss. Threading: the window's thread only.
 #pragma once
 
 #include <filesystem>
@@ -32,31 +31,34 @@ namespace roomcast::viewer {
 struct DesktopViewerOptions {
   ViewWindowOptions window;
   ViewSettings settings;
-  std::optional<ViewState> start;        // else where the hub puts a viewer
-  bool panel = true;                     // open at first
+  std::optional<ViewState> start;        // default: the hub's start position
+  bool panel = true;                     // shown at the start
   std::filesystem::path pictures = ".";  // folder for screenshots and videos
-  io::PictureWriter write_png;               // has to be given
-  bool headset = false;                  // draw for one, too, when there is one
+  io::PictureWriter write_png;           // required
+  bool headset = false;                  // also draw for a headset if there is one
 };
 
 class DesktopViewer {
  public:
-  /// `hub` outlives it. Errors as ViewWindow::open, PanelLayer::create and RoomView::create.
-  static Result<std::unique_ptr<DesktopViewer>> open(client::Subscriber& hub, DesktopViewerOptions options);
+  /// `hub` must outlive the viewer. Errors as ViewWindow::open, PanelLayer::create and
+  /// RoomView::create.
+  static Result<std::unique_ptr<DesktopViewer>> open(client::Subscriber& hub,
+                                                     DesktopViewerOptions options);
 
-  /// One round: input, movement, the newest room, drawing, news for the hub. False: the person
-  /// wants to leave.
+  /// One iteration: input, movement, the newest room, drawing, reports to the hub. False: the user
+  /// wants to quit.
   bool step();
 
-  /// What the window shows: the room and the panel.
+  /// The window's content: the room and the panel.
   [[nodiscard]] ColorImage window_picture();
   [[nodiscard]] const ViewState& view() const { return navigation_.view(); }
   [[nodiscard]] std::vector<Toast> toasts() const;
   [[nodiscard]] std::uint64_t pictures_drawn() const { return pictures_drawn_; }
 
  private:
-  DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options, std::unique_ptr<ViewWindow> window,
-                std::unique_ptr<PanelLayer> panel_layer, RoomView room_view);
+  DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options,
+                std::unique_ptr<ViewWindow> window, std::unique_ptr<PanelLayer> panel_layer,
+                RoomView room_view);
 
   [[nodiscard]] HostTime now() const { return clock_.now(); }
   void take_events();
@@ -93,14 +95,15 @@ class DesktopViewer {
   client::Subscriber& hub_;
   DesktopViewerOptions options_;
   ViewSettings settings_, applied_;
-  std::unique_ptr<ViewWindow> window_;  // first: its GL context outlives what follows
+  std::unique_ptr<ViewWindow> window_;  // before the members that need its GL context
   std::unique_ptr<PanelLayer> panel_layer_;
   RoomView room_view_;
   RoomPicture picture_;
   std::unique_ptr<viewer::xr::HeadsetView> headset_;  // null while there is none
   std::string driver_;
 
-  std::shared_ptr<const client::RoomSnapshot> room_ = std::make_shared<const client::RoomSnapshot>();
+  std::shared_ptr<const client::RoomSnapshot> room_ =
+      std::make_shared<const client::RoomSnapshot>();
   std::unordered_map<SensorId, std::uint32_t> shown_seq_;
   Navigation navigation_;
   DesktopInput input_;
@@ -114,7 +117,7 @@ class DesktopViewer {
   RenderScale automatic_scale_;
 
   bool wants_to_leave_ = false;
-  bool has_start_ = false;      // the view is where it should be at first, or where the person went
+  bool has_start_ = false;      // the view is at the start position, or the user has moved
   bool picture_is_old_ = true;  // the room, the people or the settings have changed
   bool had_input_ = false;
   std::optional<render::ViewCamera> drawn_camera_;
@@ -122,7 +125,7 @@ class DesktopViewer {
   std::uint64_t pictures_drawn_ = 0;
   nanoseconds drawing_time_{};
   HostTime last_step_{}, last_report_{}, last_shown_{}, headset_looked_for_{};
-  std::string headset_trouble_;  // the last one that was told
+  std::string headset_trouble_;  // the last one shown
 };
 
 }  // namespace roomcast::viewer

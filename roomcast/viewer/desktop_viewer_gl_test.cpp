@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole desktop viewer, in a window without a display (SDL_VIDEODRIVER=offscreen), beside a
-// hub that says what the test wants.
+// Tests the whole desktop viewer in a window without a display (SDL_VIDEODRIVER=offscreen), with a
+// fake hub.
 #include <cstdlib>
 
 #include <SDL2/SDL.h>
@@ -24,7 +24,8 @@ class DesktopViewerTest : public testing::Test {
   void SetUp() override {
     ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
     network.start();
-    auto joined = client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
+    auto joined =
+        client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "Ada", .log = {}});
     ASSERT_TRUE(joined.ok()) << joined.error().message;
     subscriber = std::move(*joined);
     options.window.size = kSize;
@@ -55,7 +56,7 @@ class DesktopViewerTest : public testing::Test {
     network.run([&] { action(*hub); });
   }
 
-  /// The hub hangs up, and says this to those who come back.
+  /// The hub disconnects and sends the new permission to reconnecting viewers.
   void join_a_hub_that_lets_record(bool lets) {
     on_hub([lets](client::FakeHub& h) {
       h.lets_record = lets;
@@ -67,7 +68,7 @@ class DesktopViewerTest : public testing::Test {
     }));
   }
 
-  /// Rounds until `wanted` is true.
+  /// Calls step() until `wanted` is true.
   template <class Wanted>
   bool steps_until(Wanted wanted) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
@@ -170,10 +171,10 @@ TEST_F(DesktopViewerTest, keeps_pictures_of_the_room_without_the_panel) {
 
 TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+  ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   press(SDLK_v);
-  press(SDLK_a);  // something happens
+  press(SDLK_a);  // any input
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
   press(SDLK_a, false);
   press(SDLK_v);
@@ -197,7 +198,7 @@ TEST_F(DesktopViewerTest, keeps_no_picture_where_the_room_does_not_let_viewers_r
 
 TEST_F(DesktopViewerTest, a_video_ends_when_the_room_lets_viewers_record_no_more) {
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+  ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   press(SDLK_v);
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// HubReport: what a viewer tells the hub: where its person is, at a bounded rate, and once a second
-// how well it can show what comes.
+// HubReport: a viewer's reports to the hub: the viewer's pose, at a limited rate, and once a second
+// statistics of how well it keeps up.
 #pragma once
 
 #include "roomcast/client/subscriber.h"
@@ -12,15 +12,17 @@ namespace roomcast::viewer {
 
 class HubReport {
  public:
-  /// `hub` outlives it.
+  /// `hub` must outlive this.
   explicit HubReport(client::Subscriber& hub) : hub_(hub) {}
 
-  /// Whoever has just come, or is there after a new connection, knows of no pose yet.
+  /// Sends the pose again after a reconnection and to newly arrived people, who have not received
+  /// it.
   void follow(const client::RoomSnapshot& room);
-  /// A newer room was drawn.
+  /// Counts a drawn frame set.
   void shown(const client::RoomSnapshot& room, HostTime now);
-  /// Once per round; sends what is due.
-  void tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency, HostTime now);
+  /// Call it once per iteration; sends the reports that are due.
+  void tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
+            HostTime now);
 
   [[nodiscard]] double shown_per_s() const { return shown_rate_.per_second(); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as few triangles: large ones where it is flat, small ones where it is not, none where
-// it breaks. Built on the GPU once per picture; how many there are the CPU never learns. Where
-// triangles of different sizes meet, gaps of the surface's noise can open. Needs the GL context it
-// was made with.
+// AdaptiveMesh: a surface as few triangles: large where it is flat, small elsewhere, none at
+// breaks. Built on the GPU once per picture; the triangle count stays on the GPU. Gaps as wide as
+// the surface's noise can appear between triangles of different sizes. Needs the GL context it was
+// made with.
 #pragma once
 
 #include "roomcast/core/result.h"
@@ -13,18 +13,18 @@
 namespace roomcast::render {
 
 struct AdaptiveMesh {
-  GlBuffer indices;  // GL_TRIANGLES, 32 bits, counter-clockwise as the sensor sees them
+  GlBuffer indices;  // GL_TRIANGLES, 32 bits, counter-clockwise as seen from the sensor
   static constexpr GLsizeiptr kCommandBytes = 5 * sizeof(GLuint);
-  GlBuffer commands;  // for glDrawElementsIndirect: for one eye, for two
+  GlBuffer commands;  // for glDrawElementsIndirect: one for one eye, one for two
 };
 
 class AdaptiveMesher {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<AdaptiveMesher> create();
 
-  /// Of a depth texture in metres. `covering`: another surface in the same grid; what lies on it is
-  /// left out. Null: nothing is. `options.grid_step` counts for nothing here.
+  /// Meshes a depth texture in metres. `covering`: another surface in the same grid, or null; parts
+  /// that coincide with it are left out. `options.grid_step` is ignored.
   void build(const GlTexture& depth_m, const GlTexture* covering, int width, int height,
              const SurfaceMeshOptions& options, AdaptiveMesh& mesh);
 
@@ -33,7 +33,7 @@ class AdaptiveMesher {
   void make_room(int tiles);
 
   GlProgram tiles_program_, offsets_program_, gather_program_;
-  int tiles_ = 0;  // that the buffers hold
+  int tiles_ = 0;  // capacity of the buffers
   GlBuffer tile_indices_, tile_counts_, tile_offsets_;
 };
 

@@ -40,7 +40,7 @@ class AdaptiveMeshTest : public GlTest {
   }
 };
 
-// Indices name pixels as in shaders/blend/blend_surface.glsl.
+// An index encodes a pixel as in shaders/blend/blend_surface.glsl.
 int column(GLuint index) {
   return static_cast<int>(index & 0xffffU);
 }
@@ -51,8 +51,8 @@ float at_index(const Image<float>& depth, GLuint index) {
   return depth.at(column(index), row(index));
 }
 
-/// In cells of the grid, times two; above 0 for triangles that are counter-clockwise as the sensor
-/// sees them.
+/// Twice the area in grid cells; positive for triangles that are counter-clockwise as seen from the
+/// sensor.
 int twice_area(const Triangle& t) {
   return (column(t[2]) - column(t[0])) * (row(t[1]) - row(t[0])) -
          (column(t[1]) - column(t[0])) * (row(t[2]) - row(t[0]));
@@ -115,7 +115,7 @@ TEST_F(AdaptiveMeshTest, what_lies_on_the_covering_surface_is_left_out) {
   const Image<float> wall(kWidth, kHeight, 3.0F);
   Image<float> live = wall;
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 33; x < 40; ++x) live.at(x, y) = y < 20 ? 1.5F : 0;  // somebody; nothing
+    for (int x = 33; x < 40; ++x) live.at(x, y) = y < 20 ? 1.5F : 0;  // a person; then no readings
   }
   const int covered = cells_covered(triangles_of(wall, &live));
   EXPECT_GE(covered, 6 * (kHeight - 1));

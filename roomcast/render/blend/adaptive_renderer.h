@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the cleaned surfaces of all sensors; the nearest wins. One pass over few triangles: the
-// quickest of the solid modes. Needs the GL context it was made with.
+// AdaptiveRenderer: draws the cleaned surfaces of all sensors; the nearest wins. Takes one pass
+// over few triangles, the quickest of the modes without holes. Needs the GL context it was made
+// with.
 #pragma once
 
 #include <span>
@@ -12,10 +13,10 @@ namespace roomcast::render {
 
 class AdaptiveRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<AdaptiveRenderer> create();
 
-  /// Over what `target` holds. Its size must be the eyes'.
+  /// Draws over the content of `target`. Its size must be the eyes'.
   void draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
             const OffscreenTarget& target) const;
 

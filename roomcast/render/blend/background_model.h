@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// BackgroundModel: what one sensor shows now and what it has seen behind that before: two clean
-// surfaces. The remembered background fills what people hide and what a sensor momentarily loses;
-// it gives way where any sensor looks through it, and what stands before it without a reading is
-// drawn before it. Single-threaded; needs the GL context it was made
-// with.
+// BackgroundModel: two clean surfaces of one sensor: its live surface and the remembered background
+// behind it. The background fills areas hidden by people or briefly without readings. It is removed
+// where any sensor sees through it; objects in front of it that give no readings are drawn in front
+// of it (LostDepth). Single-threaded; needs the GL context it was made with.
 #pragma once
 
 #include <span>
@@ -17,7 +16,7 @@
 
 namespace roomcast::render {
 
-/// Of another sensor, to look through what this one remembers.
+/// Another sensor, used to find background that it sees through.
 struct OtherSensor {
   const SensorSurface* surface = nullptr;
   RigidTransform other_from_depth;
@@ -32,29 +31,29 @@ class BackgroundModel {
 
  private:
   friend class BackgroundUpdater;
-  /// Forgets all colours when it is another one.
+  /// Clears all colours if the scale changes.
   void set_color_scale(int scale);
 
-  GlTexture newest_m_;          // R32F: what was read last, 0 without a reading
-  GlTexture steadiness_;        // R16F: remember_background.comp
-  GlTexture verdict_, seen_;    // R8UI: LostDepth
-  GlTexture readings_;          // RGBA32F: remember_background.comp
+  GlTexture newest_m_;          // R32F: the newest readings, 0 without a reading
+  GlTexture steadiness_;        // R16F: see remember_background.comp
+  GlTexture verdict_, seen_;    // R8UI: see LostDepth
+  GlTexture readings_;          // RGBA32F: see remember_background.comp
   GlTexture background_color_;  // RGBA16F, scaled: rgb, readings
   int color_scale_ = 0;
   CleanSurface live_, background_;
 };
 
-/// The programs that keep memories; one for all sensors.
+/// The shader programs that update background models; shared by all sensors.
 class BackgroundUpdater {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<BackgroundUpdater> create();
 
-  /// The sensor has a new picture. Every one counts, whether it is drawn or not.
+  /// Updates the model with the sensor's new picture. Call it for every picture, drawn or not.
   void remember(const SensorSurface& sensor, BackgroundModel& memory) const;
 
-  /// Makes the surfaces ready to be drawn: when all sensors have their newest pictures, and when
-  /// one was moved.
+  /// Computes both surfaces for drawing. Call it when all sensors have their newest pictures, and
+  /// after a sensor was moved.
   void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
                const SurfaceCleaner::Options& options, BackgroundModel& memory);
 

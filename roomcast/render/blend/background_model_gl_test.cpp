@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a blended room remembers of what its sensors saw before.
+// Tests the remembered background of a room in blend mode.
 #include "roomcast/render/blend/background_model.h"
 #include "roomcast/render/room_fixture.h"
 
@@ -13,7 +13,7 @@ const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
 const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
 constexpr int kMiddleX = 32, kMiddleY = 24;
 
-/// A red wall at 3 m; somebody blue at 1.5 m hides its middle.
+/// A red wall at 3 m whose middle is hidden by a blue person at 1.5 m.
 SensorPictures with_somebody() {
   SensorPictures pictures = wall(kLens, 3000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 0, 44, 48, 1500);
@@ -21,7 +21,7 @@ SensorPictures with_somebody() {
   return pictures;
 }
 
-/// The same wall, of whose middle nothing is read.
+/// The same wall without readings in its middle.
 SensorPictures with_a_gap() {
   SensorPictures pictures = wall(kLens, 3000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 0, 44, 48, 0);

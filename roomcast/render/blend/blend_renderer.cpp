@@ -10,8 +10,8 @@
 namespace roomcast::render {
 namespace {
 
-constexpr std::size_t kLevels = 10;  // the coarsest covers 1024 pixels
-// Levels of which coverage is asked; 16 and 64 pixels are one there.
+constexpr std::size_t kLevels = 10;  // a pixel of the coarsest covers 1024 pixels
+// Levels whose coverage is used; one pixel there covers 16 and 64 pixels of the picture.
 constexpr std::size_t kNarrow = 3, kWide = 5;
 constexpr float kBackgroundWeight = 0.02F;
 
@@ -94,7 +94,7 @@ void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const Eye
   glColorMaski(kPicture, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-/// Sums up whatever lies behind the nearest surface by no more than surfaces may be apart.
+/// Sums the weighted colours of all surfaces within the mixing distance behind the nearest one.
 void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                         const GlTexture& nearest_depth) {
   const EyeBorders borders(eyes);
@@ -135,7 +135,7 @@ void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,
 
 void BlendRenderer::begin_surroundings(const Eyes& eyes, const GlTexture& nearest_depth) {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  const Eigen::Matrix4f clip = clip_from_view(eyes[0]);  // in this the eyes are alike
+  const Eigen::Matrix4f clip = clip_from_view(eyes[0]);  // the same for both eyes
   glProgramUniform2f(programs_.begin.program().name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
   const Level& finest = levels_.front();
   glBindTextureUnit(0, color_sum_.name());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the surfaces of several sensors as one: those that lie within about 2 cm + 1.2 % of the
-// nearest are mixed, weighted by how well each was seen and by how alike the sensor's and the eye's
-// directions are (Buehler et al. 2001). Holes among surfaces, and surfaces whose colour nobody saw,
-// take the colour of what surrounds them, the far more than the near (push-pull, Gortler et al.
-// 1996). Needs the GL context it was made with.
+// BlendRenderer: draws the surfaces of several sensors as one. Surfaces within about 2 cm + 1.2 %
+// of the nearest are mixed. Their weights are the quality of each pixel and the agreement between
+// the sensor's and the eye's viewing directions (Buehler et al. 2001). Holes between surfaces, and
+// surfaces whose colour no sensor saw, take the surrounding colour, in which far surfaces count
+// more than near ones (push-pull, Gortler et al. 1996). Needs the GL context it was made with.
 #pragma once
 
 #include <span>
@@ -16,19 +16,19 @@
 
 namespace roomcast::render {
 
-/// What is shown where no sensor sees anything, or a surface without its colour.
+/// How to draw pixels without a surface, and surfaces without a colour.
 enum class Unseen {
-  kBackground,    // what was there before; a grey surface
-  kHolesFilled,   // in holes among surfaces the colour of what surrounds them
-  kSurroundings,  // everywhere the colour of what surrounds it, the smoother the farther
+  kBackground,    // background as it was; grey surfaces
+  kHolesFilled,   // holes between surfaces get the surrounding colour
+  kSurroundings,  // every pixel gets the surrounding colour, smoother with distance
 };
 
 class BlendRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<BlendRenderer> create();
 
-  /// Over the colours that `target` holds; nothing may have drawn depth there. Its size must be the
+  /// Draws over the colours of `target`, which must contain no depth yet. Its size must be the
   /// eyes'.
   void draw(std::span<const SurfaceLayer> layers, const Eyes& eyes, Unseen unseen,
             const OffscreenTarget& target);
@@ -51,15 +51,15 @@ class BlendRenderer {
 
   Programs programs_;
   LayerPainter painter_;
-  GlVertexArray no_vertices_;              // of whole pictures
-  int width_ = 0, height_ = 0, eyes_ = 0;  // of what follows
+  GlVertexArray no_vertices_;              // for full-screen passes
+  int width_ = 0, height_ = 0, eyes_ = 0;  // size and count for the textures below
   GlTexture color_sum_;
   GlFramebuffer sum_target_, picture_target_;
-  struct Level {  // a layer for each eye, so that neither takes colours from the other
+  struct Level {  // one layer for each eye, so that eyes share no colours
     GlLayers color, coverage;
     int width = 0, height = 0;
   };
-  std::vector<Level> levels_;  // each half of the one before, the first half of an eye's picture
+  std::vector<Level> levels_;  // each half the last one's size, from half an eye's part
 };
 
 }  // namespace roomcast::render

@@ -25,7 +25,7 @@ class BlendTest : public RoomTest {
 };
 
 TEST_F(BlendTest, who_sees_a_surface_as_the_eye_does_counts_more) {
-  // The same spot, 2 m away from both.
+  // Both sensors see the same spot from 2 m.
   const RigidTransform aside =
       world_from_optical_looking_at(kAhead + Vector3d(1.6, 0, 1.2), kAhead);
   SensorPictures green = wall(kLens, 2000, {120, 200, 120});
@@ -50,7 +50,7 @@ TEST_F(BlendTest, surfaces_two_centimetres_apart_are_mixed_and_half_a_metre_apar
 TEST_F(BlendTest, colours_twice_as_fine_as_depth_are_drawn_as_fine) {
   SensorPictures pictures = wall(kLens, 2000, kRed);
   pictures.color = ColorImage(2 * kLens.width, 2 * kLens.height, kRed);
-  for (int x = 0; x < pictures.color.width(); x += 2) {  // stripes within pixels of depth
+  for (int x = 0; x < pictures.color.width(); x += 2) {  // stripes finer than a depth pixel
     fill_box(pictures.color, x, 0, x + 1, pictures.color.height(), kBlue);
   }
   add(kFirst, kLens, kPose, pictures);

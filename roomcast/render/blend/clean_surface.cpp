@@ -15,8 +15,8 @@ enum TextureUnit : GLuint {
   kRays = 1,
   kColor = 2,
   kSeen = 3,
-  kEdges = 4,    // of quality.comp
-  kQuality = 4,  // of weighted_color.comp
+  kEdges = 4,    // in quality.comp
+  kQuality = 4,  // in weighted_color.comp
   kBackgroundColor = 5,
   kReadings = 6,
 };

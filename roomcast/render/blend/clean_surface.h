@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// CleanSurface: a surface of one sensor made ready to be mixed with others: depth without small
-// holes and most of its noise, how much each pixel counts, and its triangles. SurfaceCleaner makes
-// it on the GPU, once per frame. Steps and constants as measured in a prototype; the shaders say
-// what each does. Needs the GL context it was made with.
+// CleanSurface: one sensor's surface, prepared for mixing with others: depth without small holes
+// and with less noise, a weight per pixel, colour, and triangles. SurfaceCleaner computes it on the
+// GPU once per frame. The steps and constants were measured in a prototype; the shaders describe
+// each step. Needs the GL context it was made with.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,25 +16,25 @@ namespace roomcast::render {
 
 struct CleanSurface {
   explicit CleanSurface(const CameraIntrinsics& lens);
-  /// Colour pixels for each pixel of depth and direction: 1, 2, 4, ...
+  /// Colour pixels per depth pixel along each axis: 1, 2, 4, ...
   void set_color_scale(int scale);
 
   int width, height;
   int color_scale = 1;
-  GlTexture depth_m;         // R32F, 0: nothing
-  GlTexture quality;         // R16F: how much it counts beside others
+  GlTexture depth_m;         // R32F, 0: no surface
+  GlTexture quality;         // R16F: weight of the pixel when surfaces are mixed
   GlTexture weighted_color;  // RGBA16F, scaled: rgb times quality, quality; 0 without a colour
   AdaptiveMesh mesh;
-  GlTexture between, edge_in_row, still_color;  // of the steps on the way
+  GlTexture between, edge_in_row, still_color;  // intermediate results
 };
 
 class SurfaceCleaner {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<SurfaceCleaner> create();
 
-  /// What is remembered: metres and readings; mean colour and of how many. And where the newest
-  /// colour is to be believed.
+  /// The background model: metres and number of readings; mean colour and number of samples.
+  /// `seen`: where the newest colour is valid.
   struct Known {
     const GlTexture& readings;
     const GlTexture& color;
@@ -43,15 +43,15 @@ class SurfaceCleaner {
   enum class Shows { kNewest, kBackground };
   struct Options {
     SurfaceMeshOptions mesh;
-    Eigen::Vector3f gain = Eigen::Vector3f::Ones();  // of its colours, red first
-    const CleanSurface* covering = nullptr;          // what lies on it is not drawn
+    Eigen::Vector3f gain = Eigen::Vector3f::Ones();  // for the sensor's colours, red first
+    const CleanSurface* covering = nullptr;          // parts on this surface are not drawn
   };
 
-  /// Fills small holes of `surface.depth_m`, which is that of what it shows, in place; the rims of
-  /// things that are live, too.
+  /// Fills small holes of `surface.depth_m` in place; for kNewest also extends the edges of
+  /// objects.
   void repair(Shows shows, CleanSurface& surface);
 
-  /// Smooths it and derives the rest.
+  /// Smooths `surface.depth_m` and computes the other textures and the mesh.
   void finish(const SensorSurface& sensor, const Known& known, Shows shows, const Options& options,
               CleanSurface& surface);
 

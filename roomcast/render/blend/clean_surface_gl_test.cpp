@@ -14,7 +14,7 @@ class CleanSurfaceTest : public GlTest {
     Image<float> depth_m, quality;
   };
 
-  /// Of metres, all of whose colours were seen.
+  /// Cleans a surface of this depth whose colours were all seen.
   Cleaned clean(const Image<float>& depth_m) {
     Result<SensorSurface> sensor = SensorSurface::create(kLens);
     Result<SurfaceCleaner> cleaner = SurfaceCleaner::create();

@@ -12,15 +12,15 @@
 namespace roomcast::render {
 namespace {
 
-constexpr int kGridStep = 6;                    // every so many pixels a place is compared
-constexpr std::size_t kEnoughPlaces = 60;       // of a pair
-constexpr int kDarkest = 20, kBrightest = 235;  // levels between which a ratio means something
+constexpr int kGridStep = 6;                    // pixels between compared points
+constexpr std::size_t kEnoughPlaces = 60;       // per pair of sensors
+constexpr int kDarkest = 20, kBrightest = 235;  // outside these levels a ratio is unreliable
 constexpr double kSamePlace_m = 0.02, kSamePlacePer_m = 0.01;
-constexpr double kPriorPlaces = 10;  // that say: no factor at all
+constexpr double kPriorPlaces = 10;  // weight of the prior: a factor of 1
 constexpr double kLargestLog = 0.5;
-constexpr float kFollow = 0.5F;  // share of a change that one update takes over
+constexpr float kFollow = 0.5F;  // share of a change that one update applies
 
-/// Every so many pixels.
+/// Copies every `step`-th pixel.
 template <class T>
 void copy(ImageView<const T> from, int step, Image<T>& to) {
   to.resize(from.width / step, from.height / step);
@@ -107,7 +107,7 @@ void ColorMatching::update(const std::map<SensorId, RigidTransform>& world_from_
       const auto ratio =
           compare(*a, *b, world_from_depth.at(id_b).inverse() * world_from_depth.at(id_a));
       if (!ratio) continue;
-      // gain_a * a should be gain_b * b.
+      // Equation: gain_a * a = gain_b * b.
       normal(i, i) += ratio->places;
       normal(j, j) += ratio->places;
       normal(i, j) -= ratio->places;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// ColorMatching: cameras of a room see the same wall in different colours (white balance,
-// exposure). From what two sensors both see it finds a factor for each channel of each sensor that
-// makes them agree: the median ratio of every pair, then least squares over all pairs, the mean of
-// the factors' logarithms kept at nought. On the CPU, now and then. Single-threaded.
+// ColorMatching: corrects colour differences between cameras (white balance, exposure). Computes a
+// factor per sensor and channel from surfaces that two sensors both see: the median ratio of each
+// pair, then least squares over all pairs with a prior that keeps the factors near 1. Runs on the
+// CPU, on a fraction of the pictures. Single-threaded.
 #pragma once
 
 #include <map>
@@ -19,16 +19,15 @@ namespace roomcast::render {
 
 class ColorMatching {
  public:
-  /// Looks at every kEvery-th picture of a sensor. All of the lens's size.
+  /// Uses every kEvery-th picture of a sensor. All images have the size of `lens`.
   void offer(SensorId sensor, const CameraIntrinsics& lens, DepthView depth_mm, ColorView color,
              MaskView seen);
   void forget(SensorId sensor);
 
-  /// Brings the factors up to date when there are new pictures; a change is followed over several
-  /// of them.
+  /// Recomputes the factors if there are new pictures. A change is applied over several updates.
   void update(const std::map<SensorId, RigidTransform>& world_from_depth);
 
-  /// Red first; 1 while nothing is known.
+  /// Factors, red first; 1 while nothing is known.
   [[nodiscard]] Eigen::Vector3f gain(SensorId sensor) const;
 
   static constexpr int kEvery = 10;
@@ -40,7 +39,7 @@ class ColorMatching {
     ColorImage color;
     MaskImage seen;
     Eigen::Vector3f log_gain = Eigen::Vector3f::Zero();
-    int skipped = kEvery;  // the first one is looked at
+    int skipped = kEvery;  // so that the first picture is used
   };
   struct PairRatio {
     double places = 0;

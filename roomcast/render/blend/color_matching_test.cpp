@@ -12,7 +12,7 @@ const CameraIntrinsics kLens = pinhole(120, 90, 100);
 constexpr SensorId kLeft{1}, kRight{2};
 const RigidTransform kHere;
 
-/// Both look at the same wall from the same place.
+/// Both sensors see the same wall from the same pose.
 const std::map<SensorId, RigidTransform> kSamePlace = {{kLeft, kHere}, {kRight, kHere}};
 
 void show(ColorMatching& colors, SensorId sensor, Rgb8 color, std::uint16_t depth_mm = 2000) {

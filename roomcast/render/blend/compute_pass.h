@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compute shader that does something for every pixel of a picture, or of several in layers. Needs
+// ComputePass: a compute shader that runs once per pixel of a picture, or of several layers. Needs
 // the GL context it was made with.
 #pragma once
 
@@ -13,10 +13,10 @@ namespace roomcast::render {
 
 class ComputePass {
  public:
-  /// kUnsupported with the driver's log when it does not take the shader.
+  /// kUnsupported with the driver's log if it rejects the shader.
   static Result<ComputePass> create(std::initializer_list<std::string_view> sources);
 
-  /// Its textures and images must be bound. What it wrote can be fetched and copied afterwards.
+  /// The pass's textures and images must be bound. Its output can be fetched and copied afterwards.
   void run(int width, int height, int layers = 1) const;
 
   [[nodiscard]] const GlProgram& program() const { return program_; }
@@ -35,7 +35,7 @@ enum class ImageAccess : GLenum {
 };
 
 void bind_image(GLuint unit, const GlTexture& texture, ImageAccess access, GLenum format);
-/// All of its layers.
+/// Binds all layers.
 void bind_image(GLuint unit, const GlLayers& layers, ImageAccess access, GLenum format);
 
 }  // namespace roomcast::render

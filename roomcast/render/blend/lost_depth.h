@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// LostDepth: what stands before a remembered background without giving a reading is drawn in its
-// live colour, not as that background. Told apart by what the colour camera sees there; needs
-// pictures whose colour says that (geometry/hole_registration.h). Needs the GL context it was made
-// with.
+// LostDepth: finds objects that give no depth readings in front of a remembered background, and
+// draws them in their live colour instead of the background's. Finds them by comparing the live
+// colour with the background's; needs pictures with colour where depth is missing
+// (geometry/hole_registration.h). Needs the GL context it was made with.
 #pragma once
 
 #include "roomcast/core/result.h"
@@ -13,10 +13,10 @@ namespace roomcast::render {
 
 class LostDepth {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<LostDepth> create();
 
-  /// As BackgroundModel keeps it.
+  /// As in BackgroundModel.
   struct Known {
     const GlTexture &newest_m, &readings, &color, &steadiness;
   };
@@ -24,7 +24,7 @@ class LostDepth {
   struct Out {
     const GlTexture &verdict, &depth_m, &seen;
   };
-  /// Writes the newest readings and where they have a colour, and beside them what was covered.
+  /// Writes the newest readings and their colour mask, plus the depth of objects without readings.
   void cover(const SensorSurface& sensor, const Known& known, const Out& out) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn where readings of a remembered wall are missing.
+// Tests drawing where readings of a remembered wall are missing.
 #include "roomcast/render/blend/lost_depth.h"
 #include "roomcast/render/room_fixture.h"
 
@@ -21,7 +21,7 @@ class LostDepthTest : public RoomTest {
     for (int i = 0; i < 40; ++i) add(kFirst, kLens, kPose, wall(kLens, 3000, kWall));
   }
 
-  /// The wall, of which a box in the middle is not read, and what the colour camera sees there.
+  /// The wall with a box in the middle without readings, in which the colour camera sees `seen`.
   static SensorPictures without_readings(Rgb8 seen, int half_px = 10) {
     SensorPictures pictures = wall(kLens, 3000, kWall);
     const int x0 = kMiddleX - half_px, x1 = kMiddleX + half_px;

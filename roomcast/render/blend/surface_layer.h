@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cleaned surface where it stands in the room, and the drawing of its triangles. Needs the GL
-// context it was made with.
+// SurfaceLayer: a cleaned surface and its pose in the room. LayerPainter draws its triangles. Needs
+// the GL context it was made with.
 #pragma once
 
 #include <string_view>
@@ -17,11 +17,11 @@ struct SurfaceLayer {
   RigidTransform world_from_depth;
   const CleanSurface* surface = nullptr;
   const GlTexture* rays = nullptr;
-  bool is_background = false;  // stands back, and counts little beside a live one
+  bool is_background = false;  // drawn farther back, with a lower weight than live surfaces
 };
 
-/// A program for LayerPainter: both shaders are preceded by shaders/blend/blend_surface.glsl, the
-/// vertex shader by whatever puts points in view, too. Errors as make_program.
+/// A program for LayerPainter. Both shaders are preceded by shaders/blend/blend_surface.glsl, the
+/// vertex shader also by the sources that transform points to the view. Errors as make_program.
 [[nodiscard]] Result<GlProgram> make_layer_program(std::string_view vertex_shader,
                                                    std::string_view fragment_shader);
 
@@ -29,7 +29,7 @@ class LayerPainter {
  public:
   LayerPainter() : vertices_(GlVertexArray::create()) {}
 
-  /// Into the bound framebuffer, with the tests and masks that are set.
+  /// Draws into the bound framebuffer with the current depth test and write masks.
   void draw(const GlProgram& program, const SurfaceLayer& layer, const Eyes& eyes) const;
 
  private:

@@ -24,7 +24,7 @@ Error no_context(const char* what_failed) {
 }
 
 bool worth_keeping(GLenum source, GLenum type) {
-  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return false;  // make_program returns those
+  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return false;  // make_program returns these
   return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
          type == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR;
 }
@@ -102,7 +102,7 @@ EglContext::~EglContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
   eglDestroyContext(display_, context_);
-  // The display is the process's, not ours: terminating it would take other contexts down.
+  // The display belongs to the whole process: terminating it would destroy other contexts.
 }
 
 EglContext::EglContext(EglContext&& other) noexcept

@@ -68,7 +68,8 @@ TEST(EglContext, cannot_be_current_on_two_threads) {
   other.join();
 }
 
-// Tells EGL's loader of no driver at all, in a process of its own: it looks for them only once.
+// Hides all drivers from EGL's loader. A process of its own, because EGL looks for drivers only
+// once.
 TEST(EglContextDeathTest, says_what_to_install_where_there_is_no_opengl) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto without_drivers = [] {

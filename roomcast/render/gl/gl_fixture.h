@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests that draw: a GL context of their own, and a failure when the driver had anything to
-// complain about.
+// Fixture for tests that draw: gives each test its own GL context and fails the test if the driver
+// reported an error.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ class GlTest : public ::testing::Test {
     for (const std::string& text : context_->complaints().texts) ADD_FAILURE() << text;
   }
 
-  std::optional<EglContext> context_;  // destroyed after the members of the test
+  std::optional<EglContext> context_;  // outlives the members of the test
 };
 
 }  // namespace roomcast::render

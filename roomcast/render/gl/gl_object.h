@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// GL names with an owner. Each type holds one name, can be moved but not copied, and deletes it at
-// the end. A default-constructed one holds nothing. The context must be current for making and for
-// deleting.
+// Owners of GL names. Each type owns one name, can be moved but not copied, and deletes the name in
+// its destructor. A default-constructed object owns no name. Create and destroy objects while their
+// context is current.
 #pragma once
 
 #include <utility>
@@ -59,18 +59,18 @@ using GlVertexArray = GlObject<GlVertexArrayKind>;
 using GlLayers = GlObject<GlLayersKind>;
 using GlTexture = GlObject<GlTextureKind>;
 
-/// A 2D texture of fixed size and one level, read by texelFetch: nearest, no wrap. Its content is
-/// undefined. (Integer textures with any other filter are incomplete and read as zero without an
-/// error.)
+/// A 2D texture of fixed size with one level, for texelFetch: nearest filter, no wrap. Its content
+/// is undefined. (Integer textures with another filter are incomplete: they read as zero, without
+/// an error.)
 [[nodiscard]] GlTexture make_texture(GLenum internal_format, int width, int height);
 
-/// The same, read between pixels: linear. Not for integers.
+/// As make_texture, with a linear filter. Not for integer formats.
 [[nodiscard]] GlTexture make_smooth_texture(GLenum internal_format, int width, int height);
 
-/// Several of one size, one upon the other.
+/// An array of `count` layers of one size, with a linear filter.
 [[nodiscard]] GlLayers make_smooth_layers(GLenum internal_format, int width, int height, int count);
 
-/// A buffer of fixed size that the CPU does not touch. Its content is undefined.
+/// A buffer of fixed size that the CPU does not access. Its content is undefined.
 [[nodiscard]] GlBuffer make_buffer(GLsizeiptr bytes);
 
 }  // namespace roomcast::render

@@ -23,7 +23,7 @@ TEST_F(GlObjectTest, moving_hands_the_name_over) {
   GlBuffer first = make_buffer(16);
   const GLuint name = first.name();
   const GlBuffer second = std::move(first);
-  EXPECT_EQ(first.name(), 0U);  // NOLINT: that is the question
+  EXPECT_EQ(first.name(), 0U);  // NOLINT: tests the moved-from object
   EXPECT_EQ(second.name(), name);
   EXPECT_TRUE(glIsBuffer(name));
 }

@@ -58,7 +58,7 @@ Result<GlProgram> make_program(std::initializer_list<GlStage> stages) {
   for (const GlStage& stage : stages) {
     Result<GlShader> shader = compile(stage);
     if (!shader) return std::move(shader).error();
-    glAttachShader(program.name(), shader->name());  // keeps it alive until the program goes
+    glAttachShader(program.name(), shader->name());  // the program keeps the shader alive
   }
   glLinkProgram(program.name());
   GLint linked = GL_FALSE;

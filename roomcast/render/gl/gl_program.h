@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A linked GL program. Stages are given as several sources that the compiler sees one after the
-// other, so that what shaders share is written once; the "#version 450 core" line is added here.
+// A linked GL program. A stage consists of several sources, compiled as one text, so that shaders
+// can share code. make_program adds the line "#version 450 core".
 #pragma once
 
 #include <initializer_list>
@@ -22,7 +22,7 @@ struct GlStage {
   std::initializer_list<std::string_view> sources;
 };
 
-/// kUnsupported with the compiler's or linker's own log.
+/// Compiles and links the stages. kUnsupported with the log of the compiler or linker.
 [[nodiscard]] Result<GlProgram> make_program(std::initializer_list<GlStage> stages);
 
 }  // namespace roomcast::render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of every file in shaders/, put into the program by embed_shaders.cmake so that it needs
-// no files at run time. Dots in a file's name become underscores.
+// The text of every file in shaders/. embed_shaders.cmake compiles it in, so the program needs no
+// shader files at run time. Dots in a file's name become underscores.
 #pragma once
 
 #include <string_view>

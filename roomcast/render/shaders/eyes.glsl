@@ -1,9 +1,9 @@
-// Whom the picture is drawn for: one eye, or two side by side. Put in front of every vertex shader that draws something
-// of the room; each instance of what it draws is for one eye. Locations as in eyes.cpp.
+// Draws for one eye, or for two side by side. Comes before every vertex shader of the room; each instance is drawn for
+// one eye. Locations as in eyes.cpp.
 
 layout(location = 15) uniform int eyes;
 
-out float gl_ClipDistance[2];  // to the left and the right border of the eye's part; nobody asks while there is one
+out float gl_ClipDistance[2];  // distances to the left and right border of the eye's part; unused for one eye
 
 int this_eye() { return gl_InstanceID; }
 

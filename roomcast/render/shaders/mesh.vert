@@ -1,4 +1,4 @@
-// Vertices of the depth grid, pulled from the pictures; surface_mesh.comp decides which ones make triangles.
+// Vertices of the depth grid, fetched from the pictures; surface_mesh.comp decides which of them form triangles.
 
 out vec3 tint;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faint lines every metre on the world's floor (y = 0), so that an empty part of the room still has
-// an up, a down and a scale. Behind everything: it leaves no depth and belongs to no sensor. Draws
-// into the bound framebuffer; needs the GL context it was made with.
+// FloorGrid: faint lines every metre on the world's floor (y = 0). They show up, down and scale
+// where the room is empty. Drawn behind everything: writes no depth and no sensor. Draws into the
+// bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include "roomcast/core/image.h"
@@ -12,7 +12,7 @@ namespace roomcast::render {
 
 class FloorGrid {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<FloorGrid> create();
 
   void draw(const Eyes& eyes, Rgb8 line) const;

@@ -19,7 +19,7 @@ const CameraIntrinsics kEye = pinhole(200, 200, 100);
 
 TEST_F(FloorGridTest, lines_lie_on_whole_metres_of_the_floor) {
   show_floor();
-  // Straight down from 1 m: 100 pixels are a metre, the picture's top is towards -z.
+  // Looks straight down from 1 m: 100 pixels per metre, the picture's top towards -z.
   const RigidTransform down =
       world_from_optical_looking_at(Vector3d(0.2, 1, 0.3), Vector3d(0.2, 0, 0.3));
   const ColorImage picture = draw(eye_of(kEye, down), RenderMode::kMesh).color;
@@ -37,7 +37,7 @@ TEST_F(FloorGridTest, it_belongs_to_no_sensor_and_lies_behind_everything) {
   EXPECT_NE(empty.color, ColorImage(200, 200, kNothing));
   EXPECT_EQ(empty.sensors, Image<std::int32_t>(200, 200, kDrawnByNoSensor));
 
-  const CameraIntrinsics lens = pinhole(64, 64, 20);  // sees more than the eye
+  const CameraIntrinsics lens = pinhole(64, 64, 20);  // wider than the eye's field of view
   add(kFirst, lens, pose, wall(lens, 8000, kRed));    // mostly below the floor
   EXPECT_EQ(draw(eye_of(kEye, pose), RenderMode::kMesh).color, ColorImage(200, 200, kRed));
 }

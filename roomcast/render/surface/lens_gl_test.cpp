@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do surfaces land where the camera model says, through a distorting lens and any two poses?
+// Checks that surfaces are drawn where the camera model projects them, for a distorting lens and
+// any two poses.
 #include <cmath>
 
 #include "roomcast/render/room_fixture.h"
@@ -10,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Kinect v2's lens at a quarter of its size.
+// The lens of a Kinect v2 at a quarter of its resolution.
 CameraIntrinsics distorting_lens() {
   CameraIntrinsics lens = pinhole(128, 106, 91);
   lens.cx += 1.7;
@@ -42,8 +43,8 @@ std::optional<Vector2d> middle_of_drawn(const Image<std::int32_t>& sensors) {
 
 class LensTest : public RoomTest, public ::testing::WithParamInterface<RenderMode> {
  protected:
-  // Draws one spot of 3x3 depth pixels, seen by a pinhole eye; compares its middle with the camera
-  // model.
+  // Draws one spot of 3x3 depth pixels, seen by a pinhole eye, and compares its centre with the
+  // camera model.
   void expect_spot_where_projected(const CameraIntrinsics& lens, int x, int y, double z_m,
                                    const CameraIntrinsics& eye, const RigidTransform& eye_pose) {
     SensorPictures pictures = wall(lens, 0, kRed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a sensor's surface as the triangles of a SurfaceMesh. Back faces are not drawn: from
-// behind, a surface that only one sensor saw is open, and not a mask turned inside out. Draws into
-// the bound framebuffer; needs the GL context it was made with.
+// MeshRenderer: draws a sensor's surface as the triangles of a SurfaceMesh. Back faces are culled:
+// seen from behind, a surface that only one sensor saw would look like a mask turned inside out.
+// Draws into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include "roomcast/render/surface/surface_mesh.h"
@@ -11,10 +11,10 @@ namespace roomcast::render {
 
 class MeshRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<MeshRenderer> create();
 
-  /// `mesh` must be that of `surface`.
+  /// `mesh` must belong to `surface`.
   void draw(const SensorSurface& surface, const SurfaceMesh& mesh, const SurfaceView& view) const;
 
  private:

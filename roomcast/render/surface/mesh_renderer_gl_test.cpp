@@ -28,8 +28,8 @@ std::ptrdiff_t pixels_drawn(const Picture& picture) {
 }
 
 // Foreground at 1 m in the left half of the picture, wall at 3 m in the right half, seen from far
-// to the right: between the foreground's edge (x = 0, z = -1) and the wall's (x = 0, z = -3) there
-// is nothing but air.
+// to the right. There is only air between the foreground's edge (x = 0, z = -1) and the wall's (x =
+// 0, z = -3).
 TEST_F(MeshTest, no_rubber_sheet_joins_foreground_and_background) {
   SensorPictures pictures = wall(kLens, 3000, kBlue);
   fill_box<std::uint16_t>(pictures.depth_mm, 0, 0, 32, 48, 1000);
@@ -53,7 +53,7 @@ TEST_F(MeshTest, no_rubber_sheet_joins_foreground_and_background) {
 
 TEST_F(MeshTest, a_slanted_wall_has_no_holes) {
   SensorPictures pictures = wall(kLens, 0, kRed);
-  for (int x = 0; x < kLens.width; ++x) {  // 2 % of its distance from pixel to pixel: 1 m to 3.5 m
+  for (int x = 0; x < kLens.width; ++x) {  // depth grows by 2 % per pixel, from 1 m to 3.5 m
     const double depth_mm = 1000 * std::pow(1.02, x);
     fill_box(pictures.depth_mm, x, 0, x + 1, kLens.height, static_cast<std::uint16_t>(depth_mm));
   }
@@ -78,7 +78,7 @@ TEST_F(MeshTest, a_coarser_grid_covers_the_same_wall) {
   const std::ptrdiff_t coarse = pixels_drawn(draw_from(kEye));
   EXPECT_EQ(fine, 63 * 47);
   EXPECT_EQ(coarse,
-            60 * 44);  // what is left of the last cell at the right and at the bottom is not drawn
+            60 * 44);  // an incomplete last cell at the right and the bottom is not drawn
 }
 
 TEST_F(MeshTest, color_is_interpolated_between_depth_pixels) {
@@ -86,8 +86,7 @@ TEST_F(MeshTest, color_is_interpolated_between_depth_pixels) {
   fill_box(pictures.color, 32, 0, 64, 48, Rgb8{200, 200, 200});
   add(kFirst, kLens, kPose, pictures);
   const Picture picture = draw(eye_of(pinhole(256, 192, 480), kPose), RenderMode::kMesh);
-  // 8 pixels from vertex to vertex: the step from black to white lies between columns 123.5 and
-  // 131.5.
+  // Vertices are 8 pixels apart: the step from black to white is between columns 123.5 and 131.5.
   EXPECT_EQ(picture.color.at(122, 96).r, 0);
   EXPECT_NEAR(picture.color.at(127, 96).r, 200 * 3.5 / 8, 2);
   EXPECT_NEAR(picture.color.at(128, 96).r, 200 * 4.5 / 8, 2);

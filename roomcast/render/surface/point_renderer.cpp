@@ -11,8 +11,8 @@ namespace {
 
 // As in shaders/points.*.
 enum UniformLocation : GLint { kSizeAtEqualDistance = 5, kEyeWidth = 7 };
-// Squares that only just touch would leave gaps: they are not turned the way the surface is, and
-// depth is noisy.
+// Larger than the distance between points. Squares that only touched would leave gaps, because they
+// are not turned with the surface and depth is noisy.
 constexpr double kOverlap = 1.2;
 
 Result<GlProgram> make_points(std::string_view two_eyes) {

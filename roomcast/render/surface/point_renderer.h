@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a sensor's surface as points: of one pixel each (the paper's rendering), or as squares as
-// large on the screen as the surface between a reading and its neighbours, so that there are few
-// holes. Draws into the bound framebuffer; needs the GL context it was made with.
+// PointRenderer: draws a sensor's surface as points, of one pixel each (as in the paper), or as
+// squares sized by the screen distance between neighbouring readings, which leaves few holes. Draws
+// into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ enum class PointSize { kOnePixel, kAsSurface };
 
 class PointRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<PointRenderer> create();
 
   void draw(const SensorSurface& surface, const SurfaceView& view, PointSize size) const;
@@ -25,7 +25,7 @@ class PointRenderer {
   PointRenderer(GlProgram for_one_eye, GlProgram for_two);
 
   std::array<GlProgram, kMaxEyes> programs_;  // for one eye, for two
-  GlVertexArray no_attributes_;               // a core context draws nothing without one
+  GlVertexArray no_attributes_;               // the core profile requires one
 };
 
 }  // namespace roomcast::render

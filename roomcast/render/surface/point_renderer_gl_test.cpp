@@ -15,7 +15,7 @@ const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
 
 using PointTest = RoomTest;
 
-// Width in pixels of what is drawn in the middle row.
+// Number of drawn pixels in the middle row.
 int width_drawn(const Picture& picture) {
   int count = 0;
   for (int x = 0; x < picture.color.width(); ++x) {
@@ -24,7 +24,7 @@ int width_drawn(const Picture& picture) {
   return count;
 }
 
-// OpenGL drops a point whose middle lies outside the picture, though it would still reach into it.
+// OpenGL drops a point whose centre is outside the picture even if its square reaches into it.
 void expect_red_but_at_the_border(const Picture& picture, int point_px) {
   for (int y = point_px; y < picture.color.height() - point_px; ++y) {
     for (int x = point_px; x < picture.color.width() - point_px; ++x) {
@@ -50,8 +50,8 @@ TEST_F(PointTest, a_wall_seen_at_45_degrees_has_no_holes) {
   expect_red_but_at_the_border(picture, 2);
 }
 
-// The sensor sees the wall at 50 degrees: its points lie 1.6 times further apart than on one that
-// faces it.
+// The sensor sees the wall at 50 degrees: its points are 1.6 times farther apart than on a wall
+// that faces the sensor.
 TEST_F(PointTest, a_wall_that_its_sensor_sees_at_a_slant_has_no_holes) {
   SensorPictures pictures = wall(kLens, 0, kRed);
   constexpr double kStep = 1.02;
@@ -84,7 +84,7 @@ TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
   SensorPictures pictures = wall(kLens, 0, kRed);
   pictures.depth_mm.at(32, 24) = 2000;
   add(kFirst, kLens, kPose, pictures);
-  const CameraIntrinsics fine = pinhole(640, 480, 600);  // ten pixels to one of the sensor's
+  const CameraIntrinsics fine = pinhole(640, 480, 600);  // ten pixels for each of the sensor's
   const double overlap = 1.2;
   EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPose), RenderMode::kSplats)), 10 * overlap, 1);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: small sensors and pictures whose every pixel is known.
+// Fixtures for tests: small sensors and synthetic pictures.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct SensorPictures {
   MaskImage seen;
 };
 
-/// An ideal pinhole whose axis goes through the middle of the picture.
+/// An ideal pinhole with its principal point in the middle of the picture.
 inline CameraIntrinsics pinhole(int width, int height, double focal_px) {
   CameraIntrinsics camera;
   camera.width = width;
@@ -30,7 +30,7 @@ inline CameraIntrinsics pinhole(int width, int height, double focal_px) {
   return camera;
 }
 
-/// A wall at right angles to the optical axis, wholly seen by the colour camera.
+/// A wall at right angles to the optical axis, seen completely by the colour camera.
 inline SensorPictures wall(const CameraIntrinsics& camera, std::uint16_t depth_mm, Rgb8 color) {
   return {DepthImage(camera.width, camera.height, depth_mm),
           ColorImage(camera.width, camera.height, color),

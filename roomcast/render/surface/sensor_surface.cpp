@@ -24,7 +24,7 @@ void replace(const GlTexture& texture, ImageView<const T> image, GLenum format, 
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-// GLSL need not know NaN, so "no ray" becomes a number of its own.
+// GLSL does not guarantee NaN, so a large number marks "no ray".
 Image<Eigen::Vector2f> rays_without_nan(const CameraIntrinsics& depth) {
   Image<Eigen::Vector2f> rays = ray_table(depth);
   Eigen::Vector2f* ray = rays.data();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor's newest pictures on the GPU: depth (R16UI, millimetres), colour in the depth grid
-// or twice as fine (RGB8), the mask of where that colour is to be believed, and the lens as a table
+// SensorSurface: one sensor's newest pictures on the GPU: depth (R16UI, millimetres), colour at the
+// depth grid's resolution or twice that (RGB8), the mask of valid colours, and the lens as a table
 // of rays (RG32F): about 15 bytes per pixel. Needs a current GL context for its whole life. Shaders
 // read it through shaders/sensor_surface.glsl.
 #pragma once
@@ -14,21 +14,21 @@
 
 namespace roomcast::render {
 
-/// The largest depth picture that is drawn (an Azure Kinect's widest is a quarter of it).
+/// The largest depth picture that is drawn, four times the largest mode of an Azure Kinect.
 inline constexpr int kMaxSurfacePixels = 4 * 1024 * 1024;
 
 class SensorSurface {
  public:
-  /// Empty pictures. Fails as CameraIntrinsics::check does; kTooLarge beyond kMaxSurfacePixels.
+  /// Makes empty pictures. Errors as CameraIntrinsics::check; kTooLarge beyond kMaxSurfacePixels.
   static Result<SensorSurface> create(const CameraIntrinsics& depth);
 
-  /// Replaces the pictures. Without colour (both `color` and `seen` empty) all
-  /// of the surface counts as unseen. Allocates nothing but when the resolution of colour changes.
-  /// kInvalidArgument unless the sizes are those of `intrinsics()`, colour's that or twice that;
-  /// the last pictures are then kept.
+  /// Replaces the pictures. Without colour (both `color` and `seen` empty) the colour of the whole
+  /// surface is unknown. Allocates only when the resolution of colour changes. kInvalidArgument
+  /// unless the sizes match `intrinsics()`, colour's once or twice; then the last pictures are
+  /// kept.
   Status upload(DepthView depth_mm, ColorView color, MaskView seen);
 
-  /// Puts the textures where shaders/sensor_surface.glsl looks for them.
+  /// Binds the textures to the units of shaders/sensor_surface.glsl.
   void bind() const;
 
   [[nodiscard]] const GlTexture& depth_mm() const { return depth_mm_; }
@@ -37,11 +37,10 @@ class SensorSurface {
   [[nodiscard]] const GlTexture& seen() const { return seen_; }
 
   [[nodiscard]] const CameraIntrinsics& intrinsics() const { return intrinsics_; }
-  /// Colour pixels for each pixel of depth and direction: 1 or 2.
+  /// Colour pixels per depth pixel along each axis: 1 or 2.
   [[nodiscard]] int color_scale() const { return color_scale_; }
   [[nodiscard]] int pixel_count() const { return intrinsics_.width * intrinsics_.height; }
-  /// How many pictures were uploaded: what is derived from one compares it to know that it is out
-  /// of date.
+  /// The number of uploads. Derived data compare it to find out that they are out of date.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:

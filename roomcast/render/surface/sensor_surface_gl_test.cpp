@@ -11,9 +11,9 @@ namespace {
 
 using SensorSurfaceTest = GlTest;
 
-constexpr int kWidth = 5, kHeight = 3;  // rows of colour do not end on a multiple of four bytes
+constexpr int kWidth = 5, kHeight = 3;  // a row of colour is not a multiple of four bytes
 
-// What a shader would fetch from the unit that shaders/sensor_surface.glsl names.
+// The texel that a shader fetches from the unit given in shaders/sensor_surface.glsl.
 template <class T>
 Image<T> bound_texture(GLint unit, GLenum format, GLenum type) {
   GLint name = 0;

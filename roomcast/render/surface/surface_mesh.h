@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of one sensor's surface: an index buffer over its depth grid, built on the GPU once
-// per picture (not per view), without the triangles that would span a break between foreground and
-// background. Needs the GL context it was made with.
+// SurfaceMesh: the triangles of one sensor's surface: an index buffer over its depth grid, built on
+// the GPU once per picture (not per view). Triangles across a break between foreground and
+// background are left out. Needs the GL context it was made with.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 namespace roomcast::render {
 
 struct SurfaceMeshOptions {
-  /// A triangle is dropped when its corners lie further apart in depth than this plus a share of
-  /// the nearest one's.
+  /// A triangle is dropped if the depths of its corners differ by more than this plus a share of
+  /// the nearest corner's depth.
   double max_gap_m = 0.012;
   double max_gap_per_m = 0.022;
-  /// Every how many depth pixels a vertex lies: 2 is four times fewer triangles.
+  /// Depth pixels from one vertex to the next: 2 gives a quarter of the triangles.
   int grid_step = 1;
 
   /// kInvalidArgument unless the gaps are finite and not negative, and the step is 1..kMaxGridStep.
@@ -25,11 +25,10 @@ struct SurfaceMeshOptions {
 };
 inline constexpr int kMaxGridStep = 16;
 
-/// The triangles; GL_TRIANGLES, 32-bit indices row by row, counter-clockwise as the sensor sees
-/// them.
+/// GL_TRIANGLES with 32-bit indices, row by row, counter-clockwise as seen from the sensor.
 struct SurfaceMesh {
   GlBuffer indices;
-  GLsizeiptr capacity = 0;  // indices that the buffer holds
+  GLsizeiptr capacity = 0;  // in indices
   GLsizei count = 0;        // indices to draw, those of dropped triangles included
   std::uint64_t revision = 0;
   SurfaceMeshOptions options;
@@ -37,10 +36,10 @@ struct SurfaceMesh {
 
 class SurfaceMesher {
  public:
-  /// kUnsupported with the driver's log when it does not take the shader.
+  /// kUnsupported with the driver's log if it rejects the shader.
   static Result<SurfaceMesher> create();
 
-  /// Brings `mesh` up to date with `surface`; nothing to do when it is. `options` must be legal.
+  /// Rebuilds `mesh` if `surface` or `options` have changed. `options` must be valid.
   void update(const SensorSurface& surface, const SurfaceMeshOptions& options,
               SurfaceMesh& mesh) const;
 

@@ -13,7 +13,7 @@ using Triangle = std::array<GLuint, 3>;
 
 class SurfaceMeshTest : public GlTest {
  protected:
-  // The triangles that have an area.
+  // The triangles with an area above zero.
   std::vector<Triangle> triangles_of(const CameraIntrinsics& lens, const SensorPictures& pictures,
                                      const SurfaceMeshOptions& options = {}) {
     Result<SensorSurface> surface = SensorSurface::create(lens);
@@ -72,7 +72,7 @@ TEST_F(SurfaceMeshTest, a_missing_corner_leaves_the_triangle_of_the_other_three)
   EXPECT_TRUE(triangles_of(kFour, corners(1000, 0, 0, 1000)).empty());
 }
 
-// 1.2 cm + 2.2 % of 1 m = 34 mm.
+// The largest gap is 1.2 cm + 2.2 % of 1 m = 34 mm.
 TEST_F(SurfaceMeshTest, corners_further_apart_than_the_gap_are_not_joined) {
   EXPECT_EQ(triangles_of(kFour, corners(1000, 1000, 1033, 1033)).size(), 2U);
   EXPECT_TRUE(triangles_of(kFour, corners(1000, 1000, 1035, 1035)).empty());

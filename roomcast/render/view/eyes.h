@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom a picture is drawn for: one eye, or two in one picture side by side, the first at the left.
-// Whatever is drawn is drawn once for all of them: each instance of it is for one eye, its vertex
-// shader (shaders/eyes.glsl) puts it into that eye's part of the picture, and two clip planes keep
-// it there. OpenGL 4.5 core has no other way to draw for two eyes at once without a geometry
-// shader.
+// Eyes: the one or two eyes of a picture; two are side by side in it, the first at the left. Each
+// draw call serves all eyes: one instance per eye. The vertex shader (shaders/eyes.glsl) moves an
+// instance to its eye's part of the picture, and two clip planes confine it there. In OpenGL 4.5
+// core the alternative would be a geometry shader.
 #pragma once
 
 #include <array>
@@ -19,15 +18,16 @@ inline constexpr int kMaxEyes = 2;
 
 class Eyes {
  public:
-  /// One; so that whoever draws for one need not know of more.
+  /// One eye. Implicit, so that code for one eye can pass a ViewCamera.
   Eyes(const ViewCamera& only) : cameras_{only, only} {}  // NOLINT(google-explicit-constructor)
   Eyes(const ViewCamera& left, const ViewCamera& right) : cameras_{left, right}, count_(2) {}
 
-  /// As ViewCamera::check; kInvalidArgument unless all have one size and the same near and far.
+  /// Errors as ViewCamera::check; kInvalidArgument unless all eyes have the same size, near and
+  /// far.
   [[nodiscard]] Status check() const;
 
   [[nodiscard]] int count() const { return count_; }
-  /// Of one eye's part of the picture, pixels.
+  /// Size of one eye's part of the picture, pixels.
   [[nodiscard]] int width() const { return cameras_[0].width; }
   [[nodiscard]] int height() const { return cameras_[0].height; }
 
@@ -40,19 +40,19 @@ class Eyes {
   int count_ = 1;
 };
 
-/// For each eye.
+/// One matrix for each eye.
 using EyeMatrices = std::array<Eigen::Matrix4f, kMaxEyes>;
 
 /// World -> clip.
 [[nodiscard]] EyeMatrices clip_from_world(const Eyes& eyes);
 
-/// Tells shaders/eyes.glsl, in this program, how many there are.
+/// Sets the number of eyes in a program with shaders/eyes.glsl.
 void set_eyes(const GlProgram& program, const Eyes& eyes);
-/// Fills a `uniform mat4[2]`.
+/// Sets a `uniform mat4[2]`.
 void set_matrices(const GlProgram& program, GLint location, const EyeMatrices& matrices);
 
-/// While it lives, what is drawn for an eye stays in that eye's part. Only programs with
-/// shaders/eyes.glsl may draw meanwhile.
+/// Confines drawing for each eye to that eye's part of the picture for the lifetime of this object.
+/// Only programs with shaders/eyes.glsl may draw meanwhile.
 class EyeBorders {
  public:
   explicit EyeBorders(const Eyes& eyes);

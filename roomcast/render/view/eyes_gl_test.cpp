@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn for two eyes at once, beside what is drawn for each of them alone.
+// Compares drawing for two eyes at once with drawing for each eye alone.
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -25,7 +25,7 @@ Picture read_eye(const OffscreenTarget& target, int eye) {
   return {target.read_color(eye), target.read_sensors(eye)};
 }
 
-/// Of pixels that differ by more than a rounding of their colour.
+/// Share of the pixels that differ by more than a rounding of their colour.
 double share_of_others(const Picture& a, const Picture& b) {
   constexpr int kRounding = 1;
   int others = 0;
@@ -52,8 +52,8 @@ class TwoEyes : public RoomTest, public ::testing::WithParamInterface<RenderMode
     show(Vector3d(0.4, 1.6, 0), kSecond);
   }
 
-  /// The second sensor's surface lies a little before the first one's: which of two at the same
-  /// place wins, the last bit decides.
+  /// The second sensor's surface is slightly in front of the first one's. At equal depth, rounding
+  /// would decide which one wins.
   void show(const Vector3d& place_m, SensorId id) {
     const RigidTransform pose = world_from_optical_looking_at(place_m, kAhead);
     SensorPictures pictures = true_pictures(kLens, pose);
@@ -107,7 +107,7 @@ TEST_P(TwoEyes, may_have_different_lenses_and_an_odd_width) {
   EXPECT_LT(share_of_others(read_eye(both, 1), draw(right, GetParam())), 2e-3);
 }
 
-/// What the driver was asked for, counted on the way to it.
+/// Counts the draw and dispatch calls to the driver.
 struct Calls {
   static inline int draws = 0, dispatches = 0;
   static inline decltype(epoxy_glDrawElementsIndirect) indirect = nullptr;
@@ -133,7 +133,7 @@ struct Calls {
     dispatch(x, y, z);
   }
 
-  /// From here on, until it dies.
+  /// Counts from construction to destruction.
   Calls() {
     draws = dispatches = 0;
     indirect = std::exchange(epoxy_glDrawElementsIndirect, count_indirect);
@@ -151,12 +151,12 @@ struct Calls {
 
 TEST_P(TwoEyes, ask_as_much_of_the_driver_as_one) {
   const ViewCamera left = eye_at({-0.03, 1.65, 0.1}), right = eye_at({0.034, 1.65, 0.1});
-  draw_both({left, right});  // epoxy finds the driver's functions at their first call
+  draw_both({left, right});  // epoxy resolves the driver's functions at their first call
   struct Count {
     int draws, dispatches;
   };
   const auto count_of = [&](const Eyes& eyes) {
-    show(Vector3d(-0.3, 1.5, 0), kFirst);  // a new picture: what is done for each is counted, too
+    show(Vector3d(-0.3, 1.5, 0), kFirst);  // a new picture: counts the work per picture, too
     const Calls calls;
     draw_both(eyes);
     return Count{Calls::draws, Calls::dispatches};
@@ -185,7 +185,7 @@ TEST_F(EyesTest, that_do_not_fit_together_are_refused) {
   EXPECT_NE(code(illegal).find("field of view"), std::string::npos);
 }
 
-// The software driver clips by these distances whether it was asked to or not; others do not.
+// The software driver applies these clip distances even while they are disabled; others do not.
 TEST_F(EyesTest, have_borders_only_while_two_are_drawn) {
   const ViewCamera eye = eye_at({0, 1.5, 0});
   {

@@ -15,7 +15,7 @@ bool legal_side(int pixels) {
   return pixels >= 1 && pixels <= kMaxImageSide;
 }
 
-// OpenGL's pictures begin at the bottom.
+// Flips the rows: OpenGL's images begin at the bottom.
 template <class T>
 void turn_upside_down(ImageView<T> image) {
   for (int y = 0; y < image.height / 2; ++y) {

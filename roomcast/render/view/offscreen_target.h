@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture to draw into that is not on any screen, of one eye or of two side by side: colour,
-// depth, and which sensor drew each pixel. Needs the GL context it was made with.
+// OffscreenTarget: an off-screen picture for one eye, or for two side by side: colour, depth, and
+// the sensor that drew each pixel. Needs the GL context it was made with.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,35 @@
 
 namespace roomcast::render {
 
-/// In `OffscreenTarget::read_sensors`, a pixel that no sensor drew.
+/// Value of `OffscreenTarget::read_sensors` for a pixel that no sensor drew.
 inline constexpr std::int32_t kDrawnByNoSensor = -1;
 
 class OffscreenTarget {
  public:
-  /// `width`, `height`: for each eye; `eyes`: 1 or 2 (Eyes::count). kInvalidArgument unless both
-  /// sides are 1..kMaxImageSide; kUnavailable when the driver will not draw into it.
+  /// `width`, `height`: of each eye's part; `eyes`: 1 or 2 (Eyes::count). kInvalidArgument unless
+  /// both sides are 1..kMaxImageSide; kUnavailable if the driver cannot render to it.
   static Result<OffscreenTarget> create(int width, int height, int eyes = 1);
 
-  /// What follows is drawn here: binds the framebuffer and sets the viewport.
+  /// Binds the framebuffer and sets the viewport, so that drawing goes here.
   void bind() const;
-  /// Binds it and makes it one colour, infinitely far, drawn by no sensor.
+  /// Binds the framebuffer and clears it: one colour, infinite depth, no sensor.
   void clear(Rgb8 background) const;
 
-  /// Of each eye's part.
+  /// Size of each eye's part, pixels.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int eyes() const { return eyes_; }
-  /// To copy the picture from: the first eye's part begins at the left, the second's behind it.
+  /// The framebuffer, to copy from. The first eye's part is at the left, the second's right of it.
   /// Attachment 0 is colour, attachment 1 the sensors.
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
-  /// For drawings of several passes, which attach them to framebuffers of their own. RGBA8,
-  /// DEPTH32F.
+  /// The textures, for drawing in several passes with other framebuffers. RGBA8, DEPTH32F.
   [[nodiscard]] const GlTexture& color() const { return color_; }
   [[nodiscard]] const GlTexture& depth() const { return depth_; }
 
-  /// An eye's part. Wait for the drawing to end. Top row first, as every image here.
+  /// One eye's part, top row first. Waits for drawing to finish.
   [[nodiscard]] ColorImage read_color(int eye = 0) const;
-  /// Along the axis of the eye for which it was drawn; 0 where no surface was.
+  /// Metres along the axis of `camera`, for which the eye's part was drawn; 0 where there is no
+  /// surface.
   [[nodiscard]] Image<float> read_depth_m(const ViewCamera& camera, int eye = 0) const;
   /// SensorId::value, or kDrawnByNoSensor.
   [[nodiscard]] Image<std::int32_t> read_sensors(int eye = 0) const;

@@ -8,7 +8,7 @@ namespace {
 
 using OffscreenTargetTest = GlTest;
 
-constexpr int kWidth = 7, kHeight = 5;  // odd: rows of bytes do not end on a multiple of four
+constexpr int kWidth = 7, kHeight = 5;  // odd: a row's bytes are not a multiple of four
 
 TEST_F(OffscreenTargetTest, clear_makes_one_color_that_no_sensor_drew) {
   const Result<OffscreenTarget> target = OffscreenTarget::create(kWidth, kHeight);

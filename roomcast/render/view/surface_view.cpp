@@ -13,8 +13,8 @@ SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth
                          const Eyes& eyes) {
   SurfaceView view{sensor, eyes, {}};
   for (std::size_t eye = 0; eye < view.view_from_depth.size(); ++eye) {
-    // Multiplied in double: far from the world's origin, single precision would make surfaces
-    // tremble.
+    // Multiplied in double: far from the world's origin, surfaces would tremble in single
+    // precision.
     view.view_from_depth[eye] =
         matrix_from_transform(eyes[eye].world_from_view.inverse() * world_from_depth);
   }

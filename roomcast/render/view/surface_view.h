@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How one sensor's surface is seen from one or two eyes: what the point and the mesh shaders need
-// besides the pictures.
+// SurfaceView: one sensor's surface as seen from one or two eyes: the uniforms of the point and
+// mesh shaders.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,11 +21,11 @@ struct SurfaceView {
 [[nodiscard]] SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
                                        const Eyes& eyes);
 
-/// Fills the uniforms that all surface shaders share (shaders/eyes.glsl,
-/// shaders/surface_view.glsl, `sensor`).
+/// Sets the uniforms that all surface shaders share (shaders/eyes.glsl, shaders/surface_view.glsl,
+/// `sensor`).
 void set_surface_view(const GlProgram& program, const SurfaceView& view);
 
-/// The OpenGL matrix of a transform.
+/// The transform as a 4x4 matrix for OpenGL.
 [[nodiscard]] Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform);
 
 }  // namespace roomcast::render

@@ -19,8 +19,8 @@ TEST(SurfaceView, the_matrix_of_a_transform_moves_points_as_it_does) {
   EXPECT_LT((moved.cast<double>() - kSomewhere * point).norm(), 1e-6 * point.norm());
 }
 
-// A kilometre from the origin single precision resolves 0.06 mm only; what lies near the eye must
-// not suffer.
+// A kilometre from the origin single precision resolves only 0.06 mm. Surfaces near the eye must
+// stay precise.
 TEST(SurfaceView, keeps_its_precision_far_from_the_origin) {
   RigidTransform far_away = kSomewhere;
   far_away.translation_m += Vector3d(1000.123, 0, -1000.456);

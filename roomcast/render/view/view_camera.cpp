@@ -19,7 +19,7 @@ bool legal_side(int pixels) {
 
 }  // namespace
 
-// Comparisons are written so that NaN fails them.
+// The comparisons are written so that NaN fails them.
 Status ViewCamera::check() const {
   if (!legal_side(width) || !legal_side(height)) {
     return invalid("the view's width and height must be 1 to 8192 pixels");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eye a picture is drawn for: where it is, where it looks, how wide. View frame: x right, y up,
-// -z forward (OpenGL, OpenXR, WebXR); world: y up, metres. Lens: an ideal pinhole, square pixels,
-// centred.
+// ViewCamera: the eye for which a picture is drawn: pose, field of view, size. View frame: x right,
+// y up, -z forward (OpenGL, OpenXR, WebXR). World frame: y up, metres. Lens: an ideal centred
+// pinhole with square pixels.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +17,8 @@ struct ViewCamera {
   int width = 1280, height = 720;  // pixels
   double near_m = 0.05, far_m = 50;
 
-  /// kInvalidArgument naming what is wrong: size 1..kMaxImageSide, 0 < fov < pi, 0 < near < far,
-  /// all finite.
+  /// kInvalidArgument with the reason, unless size is 1..kMaxImageSide, 0 < fov < pi, 0 < near <
+  /// far, and all values are finite.
   [[nodiscard]] Status check() const;
 };
 
@@ -28,11 +28,11 @@ struct ViewCamera {
 /// OpenGL's perspective matrix: view frame -> clip, depth -1 at near_m and +1 at far_m.
 [[nodiscard]] Eigen::Matrix4f clip_from_view(const ViewCamera& camera);
 
-/// Turns an optical frame (x right, y down, z forward) into the view frame at the same place.
+/// Maps the view frame to the optical frame (x right, y down, z forward) at the same position.
 [[nodiscard]] RigidTransform optical_from_view();
 
-/// The pose of an eye at `eye_m` that looks at `target_m`, its head up (straight up or down: top
-/// towards -z).
+/// The pose of an upright eye at `eye_m` that looks at `target_m` (straight up or down: the
+/// picture's top towards -z).
 [[nodiscard]] RigidTransform world_from_view_looking_at(const Eigen::Vector3d& eye_m,
                                                         const Eigen::Vector3d& target_m);
 

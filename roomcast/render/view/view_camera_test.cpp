@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-6;  // of float matrices around 1
+constexpr double kRounding = 1e-6;  // of float matrices with values around 1
 
 Eigen::Vector4d clip_of(const ViewCamera& camera, const Vector3d& in_view) {
   return clip_from_view(camera).cast<double>() * in_view.homogeneous();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CaptureWriter: screenshots and videos of what a viewer shows, in the folder that its person
-// chose. Says what came of it. Needs the GL context of the pictures.
+// CaptureWriter: writes screenshots and videos of the view to the folder that the user chose.
+// Returns the outcome as a Toast. Needs the GL context of the pictures.
 #pragma once
 
 #include <filesystem>
@@ -20,15 +20,16 @@ class CaptureWriter {
   CaptureWriter(std::filesystem::path folder, io::PictureWriter write)
       : folder_(std::move(folder)), write_(std::move(write)) {}
 
-  /// The room's name becomes part of the file's.
+  /// The room's name becomes part of the file name.
   Toast save(const render::OffscreenTarget& picture, const std::string& room);
 
   [[nodiscard]] bool is_recording() const { return video_ != nullptr; }
-  /// The file or folder; empty while nothing is recorded.
+  /// File or folder; empty while no video is being recorded.
   [[nodiscard]] const std::string& video_name() const { return name_; }
   Toast start_video(const render::OffscreenTarget& picture, const std::string& room);
   Toast stop_video();
-  /// What is shown now. A video has one size: false when it cannot go on and has to be stopped.
+  /// Adds a picture to the video. False if the video must be stopped, because the size has changed
+  /// or writing failed.
   bool record(const render::OffscreenTarget& picture, HostTime now);
 
  private:

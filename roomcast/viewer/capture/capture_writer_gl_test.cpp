@@ -17,7 +17,7 @@ class CaptureWriterTest : public render::GlTest {
  protected:
   void SetUp() override {
     render::GlTest::SetUp();
-    ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+    ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
     picture.emplace(*render::OffscreenTarget::create(8, 6));
     picture->clear({1, 2, 3});
   }

@@ -27,11 +27,12 @@ std::vector<std::string> ffmpeg_arguments(const std::filesystem::path& file, Pic
   return {"ffmpeg", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format",
           "rgb24", "-video_size", fmt::format("{}x{}", size.width, size.height), "-framerate",
           std::to_string(fps), "-i", "pipe:0",
-          // Players want even sides and this pixel format.
+          // Players need even sides and this pixel format.
           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", file.string()};
 }
 
-/// `input` becomes the program's standard input; it has no part in our terminal's Ctrl-C.
+/// `input` becomes the program's standard input. The program does not receive the terminal's
+/// Ctrl-C.
 Result<pid_t> spawn(const std::vector<std::string>& arguments, int input) {
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -54,7 +55,8 @@ Result<pid_t> spawn(const std::vector<std::string>& arguments, int input) {
   return pid;
 }
 
-/// While it lives, writing to a program that has ended is an error and not the end of ours.
+/// For its lifetime, writing to a program that has ended gives an error instead of ending this
+/// process.
 class NoBrokenPipeSignal {
  public:
   NoBrokenPipeSignal() {

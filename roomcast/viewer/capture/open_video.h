@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses how a video is kept: one file by ffmpeg where it is installed, else a folder of pictures.
+// Chooses the format of a video: one file by ffmpeg if that is installed, else a folder of
+// pictures.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +14,11 @@ namespace roomcast::viewer {
 struct OpenedVideo {
   std::unique_ptr<VideoSink> sink;
   std::filesystem::path path;
-  std::string note;  // for the person; may be empty
+  std::string note;  // for the user; may be empty
 };
 
-/// In `folder`, under a free name that begins with `stem`. Errors as next_free_path and
-/// open_ffmpeg.
+/// Opens a video in `folder` under an unused name that begins with `stem`. Errors as next_free_path
+/// and open_ffmpeg.
 [[nodiscard]] Result<OpenedVideo> open_video(const std::filesystem::path& folder,
                                              const std::string& stem, PictureSize size,
                                              const io::PictureWriter& write_png);

@@ -35,7 +35,7 @@ void VideoRecorder::offer(ColorImage picture) {
 
 Status VideoRecorder::finish() {
   if (!writer_.joinable()) return {};
-  waiting_.push({});  // the last: an empty picture
+  waiting_.push({});  // an empty picture ends the writing thread
   writer_.join();
   Status finished = sink_->finish();
   return fault_ ? std::move(finished) : std::move(fault_);

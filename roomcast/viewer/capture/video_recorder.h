@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VideoRecorder: keeps what is shown as a video of a steady frame rate. Frames are written on a
-// thread of its own; when that falls behind, the oldest waiting ones go, and others are
-// shown longer, so that the video's time stays right. Threading: offer() and finish() from one
-// thread.
+// VideoRecorder: records the shown pictures as a video with a constant frame rate. A thread of its
+// own writes the frames; when it falls behind, the oldest waiting frames are dropped and others
+// repeated, so that the video keeps real time. Threading: offer() and finish() from one thread.
 #pragma once
 
 #include <atomic>
@@ -17,11 +16,11 @@
 
 namespace roomcast::viewer {
 
-/// Which frames of a steady video are due. Pure.
+/// Decides which frames of a constant-rate video are due. Pure.
 class FramePace {
  public:
   explicit FramePace(int fps) : fps_(fps) {}
-  /// How many frames long a picture shown at `now` makes the video: 0 when none is due yet, more
+  /// The number of video frames to fill with a picture shown at `now`: 0 if none is due yet, more
   /// than one after a pause.
   [[nodiscard]] int due(HostTime now);
 
@@ -35,20 +34,20 @@ class VideoRecorder {
  public:
   static constexpr int kFps = 30;
   static constexpr std::size_t kMaxWaiting = 8;
-  static constexpr int kLongestStill = 10 * kFps;  // a machine that slept does not fill the disk
+  static constexpr int kLongestStill = 10 * kFps;  // frames; limits the gap after a suspension
 
   explicit VideoRecorder(std::unique_ptr<VideoSink> sink);
   ~VideoRecorder();
   VideoRecorder(const VideoRecorder&) = delete;
   VideoRecorder& operator=(const VideoRecorder&) = delete;
 
-  /// True when the video wants a frame now: then offer() one.
+  /// True if the video needs a frame now; then call offer().
   [[nodiscard]] bool wants_frame(HostTime now);
-  /// Of the size of the first.
+  /// All pictures must have the size of the first.
   void offer(ColorImage picture);
 
   [[nodiscard]] bool has_failed() const { return failed_; }
-  /// Waits for what was offered to be written. The first fault, if there was one.
+  /// Waits until all offered frames are written. Returns the first error, if any.
   Status finish();
 
  private:
@@ -60,11 +59,11 @@ class VideoRecorder {
 
   std::unique_ptr<VideoSink> sink_;
   FramePace pace_{kFps};
-  int times_ = 0;  // of the frame that wants_frame() asked for
+  int times_ = 0;  // repetitions of the frame requested by wants_frame()
   DropOldestQueue<Frame> waiting_{kMaxWaiting};
-  std::atomic<int> times_behind_ = 0;  // of frames that had to go
+  std::atomic<int> times_behind_ = 0;  // repetitions owed for dropped frames
   std::atomic<bool> failed_ = false;
-  Status fault_;  // the writing thread's, until it has ended
+  Status fault_;  // owned by the writing thread until it has ended
   std::jthread writer_;
 };
 

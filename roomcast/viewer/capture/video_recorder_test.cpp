@@ -89,7 +89,7 @@ TEST(PngSequence, numbers_its_pictures) {
   EXPECT_EQ(names, (std::vector<std::string>{"frame-000001.png", "frame-000002.png"}));
 }
 
-/// Stands in for ffmpeg on the PATH: keeps its arguments and what it is given.
+/// A fake ffmpeg on the PATH: keeps its arguments and its input.
 class FakeFfmpeg {
  public:
   explicit FakeFfmpeg(const std::string& script) {
@@ -137,7 +137,7 @@ TEST(OpenVideo, is_a_file_where_there_is_ffmpeg_and_else_a_folder) {
     EXPECT_TRUE(video->sink->finish().ok());
   }
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1);  // where no ffmpeg is
+  ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
   auto video = open_video(folder.path(), "roomcast-lab", {4, 3}, {});
   ::setenv("PATH", path.c_str(), 1);
   ASSERT_TRUE(video.ok());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a video's frames go: to ffmpeg where it is installed, else into a folder of PNG files.
-// Single-threaded; all frames are of one size.
+// VideoSink: destination of a video's frames: ffmpeg if it is installed, else a folder of PNG
+// files. Single-threaded; all frames have one size.
 #pragma once
 
 #include <filesystem>
@@ -16,20 +16,20 @@ namespace roomcast::viewer {
 class VideoSink {
  public:
   virtual ~VideoSink() = default;
-  /// The next frame of the video. kUnavailable when it could not be kept: no more will come.
+  /// Writes the next frame. kUnavailable if it could not be written: then stop writing.
   virtual Status write(ColorView frame) = 0;
-  /// Waits until everything is in the file.
+  /// Waits until everything is written.
   virtual Status finish() = 0;
 };
 
-/// FOLDER/frame-000001.png, ...
+/// Writes FOLDER/frame-000001.png, ...
 [[nodiscard]] std::unique_ptr<VideoSink> open_png_sequence(const std::filesystem::path& folder,
                                                            io::PictureWriter write);
 
-/// True when a program of this name is on the PATH.
+/// True if a program of this name is on the PATH.
 [[nodiscard]] bool is_on_path(const std::string& program);
 
-/// Runs ffmpeg, which writes H.264 into `file` where it can. kUnavailable when it does not start.
+/// Starts ffmpeg, which writes `file`, in H.264 if it can. kUnavailable if it does not start.
 [[nodiscard]] Result<std::unique_ptr<VideoSink>> open_ffmpeg(const std::filesystem::path& file,
                                                              PictureSize size, int fps);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Panel: what a person is told beside the room and can set there: connection, rates, where the time
-// goes, sensors and how well they are aligned, people, how to draw, help; and toasts. Between
+// Panel: shows connection, rates, latency by stage, sensors and their alignment, people, drawing
+// settings, help and toasts, and lets the user change settings. Call draw() between
 // PanelLayer::begin() and end().
 #pragma once
 
@@ -17,19 +17,19 @@
 
 namespace roomcast::viewer {
 
-/// Everything that is shown.
+/// The data that the panel shows.
 struct PanelFacts {
   const client::RoomSnapshot& room;
   const RoomFigures& figures;
   std::optional<LatencyStages> latency;
   std::vector<Toast> toasts;
-  double drawn_per_s = 0;     // pictures of the room
-  double drawing_ms = 0;      // of the last one
-  int width = 0, height = 0;  // of the last one, pixels
+  double drawn_per_s = 0;     // of the room
+  double drawing_ms = 0;      // of the last picture
+  int width = 0, height = 0;  // of the last picture, pixels
   double speed_m_per_s = 0;   // of walking
-  std::string driver = {};    // of the graphics card
-  std::string video = {};     // what is being recorded; empty: nothing
-  std::string headset = {};   // its name and how it does; empty: none
+  std::string driver = {};    // of the GPU
+  std::string video = {};     // file or folder being recorded; empty: none
+  std::string headset = {};   // name and timing; empty: none
 };
 
 class Panel {
@@ -39,7 +39,7 @@ class Panel {
   void toggle_help() { shows_help_ = !shows_help_; }
   [[nodiscard]] bool shows_help() const { return shows_help_; }
 
-  /// Changes `settings` as the person does; gives what else is asked for.
+  /// Changes `settings` by the user's input; returns a command, if the user gave one.
   std::optional<ViewerCommand> draw(const PanelFacts& facts, ViewSettings& settings);
 
  private:

@@ -11,7 +11,7 @@ namespace roomcast::viewer {
 namespace {
 
 constexpr PictureSize kSize = {900, 700};
-constexpr int kButtons = 70;  // rows of the window above which they stand
+constexpr int kButtons = 70;  // the buttons are above this row of the window
 constexpr Rgb8 kRoom = {90, 110, 120};
 
 class PanelTest : public testing::Test {
@@ -30,7 +30,7 @@ class PanelTest : public testing::Test {
     room.room = "lab";
   }
 
-  /// Dear ImGui lays out in one frame what it draws in the next.
+  /// Draws several frames: Dear ImGui lays out in one frame and draws in the next.
   ColorImage draw() {
     for (int i = 0; i < 3; ++i) {
       auto picture = render::OffscreenTarget::create(kSize.width, kSize.height);

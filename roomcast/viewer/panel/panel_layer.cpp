@@ -16,7 +16,7 @@ namespace {
 constexpr float kLetterHeight_units = 15;
 constexpr float kUsualDpi = 96;
 
-/// How much larger than usual things have to be on this screen, in units of the desktop.
+/// Scale of text and controls for this screen, in desktop units.
 float desktop_scale(const ViewWindow& window) {
   float dpi = kUsualDpi;
   const int screen = SDL_GetWindowDisplayIndex(window.sdl());
@@ -38,7 +38,7 @@ PanelLayer::PanelLayer(const ViewWindow& window)
     : window_(window), context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // nothing is written where nobody looks for it
+  io.IniFilename = nullptr;  // do not write a settings file
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   set_style();

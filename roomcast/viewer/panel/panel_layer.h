@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PanelLayer: Dear ImGui over a ViewWindow: its context, its letters, its events and its drawing.
-// What it shows is said between begin() and end(). Threading: the window's thread; one at a time in
-// a process (Dear ImGui has one current context).
+// PanelLayer: Dear ImGui in a ViewWindow: its context, fonts, events and drawing. Build the panel
+// between begin() and end(). Threading: the window's thread; one PanelLayer per process (Dear ImGui
+// has one current context).
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ namespace roomcast::viewer {
 
 class PanelLayer {
  public:
-  /// The window outlives it. kUnavailable when the driver's library cannot be loaded.
+  /// The window must outlive it. kUnavailable if the driver's library cannot be loaded.
   static Result<std::unique_ptr<PanelLayer>> create(const ViewWindow& window);
   ~PanelLayer();
   PanelLayer(const PanelLayer&) = delete;
   PanelLayer& operator=(const PanelLayer&) = delete;
 
-  /// True when the event was meant for the panel.
+  /// True if the panel consumed the event.
   bool take(const SDL_Event& event);
 
   void begin();
-  /// Draws over what is in the window.
+  /// Draws the panel over the window's content.
   void end();
 
  private:

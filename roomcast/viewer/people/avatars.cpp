@@ -13,7 +13,7 @@ constexpr double kEasing_per_s = 14;
 constexpr double kArrived_m = 1e-4;
 constexpr double kArrived_rad = 1e-3;
 
-/// Each returns true while it still moves.
+/// The ease functions return true while the value still changes.
 bool ease(Eigen::Vector3d& shown_m, const Eigen::Vector3d& wanted_m, double share) {
   if ((wanted_m - shown_m).norm() < kArrived_m) return false;
   shown_m += share * (wanted_m - shown_m);
@@ -32,7 +32,7 @@ bool ease(client::PointerBeam& shown, const client::PointerBeam& wanted, double 
   return ease(shown.to_m, wanted.to_m, share) || from_moves;
 }
 
-/// What appears or vanishes does so at once.
+/// A part that appears or disappears does so without easing.
 template <class Part>
 bool ease(std::optional<Part>& shown, const std::optional<Part>& wanted, double share) {
   if (shown && wanted) return ease(*shown, *wanted, share);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Avatars: the other people of a room between the poses that the hub tells of them. Poses come 20
-// times a second; heads, hands and beams glide to the newest one, as on the page
+// Avatars: the other people of a room, animated between the poses received from the hub. Poses
+// arrive 20 times a second; heads, hands and beams glide to the newest one, as on the page
 // (web/src/view/avatars.ts). Pure, single-threaded.
 #pragma once
 
@@ -22,17 +22,17 @@ struct Avatar {
 
 class Avatars {
  public:
-  /// Everybody but the one who looks. Who has no pose yet is not shown.
+  /// Takes over everyone except this viewer. People without a pose are not shown.
   void follow(const client::RoomSnapshot& room);
 
-  /// True while somebody still moves: draw again.
+  /// True while anything still moves: draw again.
   bool advance(double seconds);
 
   [[nodiscard]] std::span<const Avatar> shown() const { return shown_; }
 
  private:
   std::vector<Avatar> shown_;
-  std::vector<client::PersonPose> wanted_;  // of each of those
+  std::vector<client::PersonPose> wanted_;  // newest pose of each
 };
 
 }  // namespace roomcast::viewer

@@ -41,7 +41,7 @@ RigidTransform at(const Eigen::Vector3d& place_m) {
 Result<BodyRenderer> BodyRenderer::create() {
   Result<render::GlProgram> program =
       render::make_program({{GL_VERTEX_SHADER, {render::shaders::eyes_glsl, shaders::body_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
+                            {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
   if (!program) return std::move(program).error();
   return BodyRenderer(std::move(program).value());
 }
@@ -84,7 +84,7 @@ void BodyRenderer::draw_hands_and_beam(const client::PersonPose& pose, Rgb8 colo
   if (pose.pointer) draw_beam(*pose.pointer, color);
 }
 
-/// A ball drawn out from one end to the other.
+/// A ball stretched between the beam's ends.
 void BodyRenderer::draw_beam(const client::PointerBeam& beam, Rgb8 color) const {
   const Eigen::Vector3d along_m = beam.to_m - beam.from_m;
   RigidTransform world_from_beam = at((beam.from_m + beam.to_m) / 2);

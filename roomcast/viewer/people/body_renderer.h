@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws people's heads, hands and laser pointers among the surfaces of a room: a head with a visor,
-// balls for hands, a beam with a spot at its end; shapes and sizes as on the page
+// BodyRenderer: draws people's heads, hands and laser pointers into a room: a head with a visor,
+// balls as hands, a beam with a spot at its end. Shapes and sizes as on the page
 // (web/src/view/avatars.ts). Draws into the bound framebuffer and its depth; needs the GL context
 // it was made with.
 #pragma once
@@ -17,11 +17,11 @@ namespace roomcast::viewer {
 
 class BodyRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<BodyRenderer> create();
 
   void draw(const render::Eyes& eyes, std::span<const Avatar> avatars);
-  /// The hands and the beam of the one who looks; the head is where the eyes are.
+  /// Draws this viewer's hands and beam, without a head, because the eyes are there.
   void draw_own(const render::Eyes& eyes, const client::PersonPose& self, Rgb8 color);
 
  private:
@@ -35,7 +35,7 @@ class BodyRenderer {
 
   render::GlProgram program_;
   render::GlVertexArray no_attributes_;
-  GLsizei eyes_ = 1;  // of the picture that was begun
+  GLsizei eyes_ = 1;  // of the picture being drawn
 };
 
 }  // namespace roomcast::viewer

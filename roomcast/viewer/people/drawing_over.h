@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// DrawingOver: while it lives, what is drawn lies among the surfaces of the room that is already in
-// the bound framebuffer (OffscreenTarget): hidden by what is nearer, in its colour only, of no
-// sensor. Leaves the GL state as RoomRenderer expects it.
+// DrawingOver: GL state for drawing into a room that is already in the bound framebuffer
+// (OffscreenTarget), for the lifetime of this object. Nearer surfaces hide the drawing; it writes
+// colour but no sensor. Leaves the GL state as RoomRenderer expects it.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -11,8 +11,8 @@ namespace roomcast::viewer {
 class DrawingOver {
  public:
   enum Kind {
-    kSolid,        // hides what is farther
-    kTransparent,  // mixed with what is behind it, and hides nothing
+    kSolid,        // hides farther surfaces
+    kTransparent,  // blended with the surfaces behind it; hides nothing
   };
 
   explicit DrawingOver(Kind kind) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws people's names above their heads, facing each eye, hidden by what is in front of them.
-// Draws into the bound framebuffer; needs the GL context it was made with.
+// LabelRenderer: draws people's names above their heads, facing each eye, hidden by nearer
+// surfaces. Draws into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ namespace roomcast::viewer {
 
 class LabelRenderer {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<LabelRenderer> create();
 
   void draw(const render::Eyes& eyes, std::span<const Avatar> avatars);
@@ -34,7 +34,8 @@ class LabelRenderer {
   explicit LabelRenderer(render::GlProgram program) : program_(std::move(program)) {}
   const Label& label_of(const Avatar& avatar);
   [[nodiscard]] Label make_label(const std::string& text) const;
-  void draw_label(const Label& label, const render::EyeMatrices& clip_from_label, GLsizei eyes) const;
+  void draw_label(const Label& label, const render::EyeMatrices& clip_from_label,
+                  GLsizei eyes) const;
   void forget_who_left(std::span<const Avatar> avatars);
 
   render::GlProgram program_;
@@ -42,7 +43,7 @@ class LabelRenderer {
   std::map<ViewerId, Label> labels_;
 };
 
-/// x right and y up in the picture, above the head's place, turned to the eye.
+/// Label frame: x right and y up in the picture. Placed above the head, turned to the eye.
 [[nodiscard]] RigidTransform world_from_label(const RigidTransform& world_from_view,
                                               const RigidTransform& world_from_head);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PeopleView: the people of a room, drawn into the room's picture. Needs the GL context it was made
+// PeopleView: draws the people of a room into the room's picture. Needs the GL context it was made
 // with.
 #pragma once
 
@@ -15,17 +15,17 @@ namespace roomcast::viewer {
 
 class PeopleView {
  public:
-  /// kUnsupported with the driver's log when it does not take the shaders.
+  /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<PeopleView> create();
 
   void follow(const client::RoomSnapshot& room);
-  /// True while somebody still moves: draw again.
+  /// True while anything still moves: draw again.
   bool advance(double seconds) { return avatars_.advance(seconds); }
-  /// Hands and beam of the one who looks; nothing: neither is seen.
+  /// Sets this viewer's own hands and beam; empty: neither is drawn.
   void set_own(const std::optional<client::PersonPose>& own) { own_ = own; }
   [[nodiscard]] std::span<const Avatar> others() const { return avatars_.shown(); }
 
-  /// Over the room that `target` holds.
+  /// Draws over the room in `target`.
   void draw(const render::Eyes& eyes, const render::OffscreenTarget& target);
 
  private:

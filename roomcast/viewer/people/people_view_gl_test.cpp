@@ -44,7 +44,7 @@ class PeopleViewTest : public render::GlTest {
 
   static bool is_blue(Rgb8 color) { return color.b > 1.5 * color.r && color.b > 80; }
 
-  /// Where a place of the world lies in the picture.
+  /// The pixel of a world point.
   Eigen::Vector2i pixel_of(const Eigen::Vector3d& world_m) const {
     const Eigen::Vector3d view_m = camera.world_from_view.inverse() * world_m;
     const double focal = render::focal_length_px(camera);
@@ -75,7 +75,7 @@ TEST_F(PeopleViewTest, the_visor_shows_where_somebody_looks) {
   room.people[0].pose->world_from_head.rotation.setIdentity();  // away: -z is forward
   const ColorImage back = draw();
   room.people[0].pose->world_from_head.rotation = Eigen::Vector3d(-1, 1, -1).asDiagonal();
-  people->follow({});  // no gliding
+  people->follow({});  // no easing
   const ColorImage front = draw();
   const auto visor = pixel_of({0, 1.62, -1.42});
   EXPECT_TRUE(is_blue(back.at(visor.x(), visor.y())));
@@ -127,7 +127,7 @@ TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
 TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
   room.people[0].pose->pointer = client::PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
   render::ViewCamera left = camera, right = camera;
-  left.world_from_view.translation_m.x() -= 0.4;  // so that each sees the head at another place
+  left.world_from_view.translation_m.x() -= 0.4;  // the eyes see the head at different places
   right.world_from_view.translation_m.x() += 0.5;
   auto both = render::OffscreenTarget::create(kSide, kSide, 2);
   ASSERT_TRUE(both.ok());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of every file in shaders/, as roomcast/render/gl/shader_sources.h.
+// The text of every file in shaders/; see roomcast/render/gl/shader_sources.h.
 #pragma once
 
 #include <string_view>

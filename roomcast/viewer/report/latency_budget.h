@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LatencyBudget: how long a picture takes from the sensor to the screen, and where. Medians of the
-// last second. What happens before a picture arrives (registration, encoding, the network, the hub)
-// is one stage: it is told by the hub's clock, with that clock's error. Pure.
+// LatencyBudget: a picture's latency from the sensor to the screen, by stage; medians of the last
+// second. The time before arrival (registration, encoding, network, hub) is one stage, measured
+// with the room clock and subject to that clock's error. Pure.
 #pragma once
 
 #include <chrono>
@@ -13,23 +13,23 @@
 namespace roomcast::viewer {
 
 struct LatencyStages {
-  std::optional<double> to_here_ms;  // capture to arrival; nothing before the clock is known
+  std::optional<double> to_here_ms;  // capture to arrival; empty before the clock is known
   double decoding_ms = 0;
-  double waiting_ms = 0;  // for the rest of its set, and for the drawing to begin
+  double waiting_ms = 0;  // for the rest of its set, and for drawing to begin
   double drawing_ms = 0;
   std::optional<double> total_ms;        // capture to drawn
-  std::optional<double> clock_error_ms;  // of the first and of the total
+  std::optional<double> clock_error_ms;  // of to_here_ms and total_ms
 };
 
 class LatencyBudget {
  public:
   static constexpr std::chrono::seconds kWindow{1};
 
-  /// `picture` was drawn for the first time, from `begin` to `end`.
-  void shown(const client::SensorPicture& picture, const std::optional<client::ClockEstimate>& clock,
-             HostTime begin, HostTime end);
+  /// Call it when `picture` was drawn for the first time, from `begin` to `end`.
+  void shown(const client::SensorPicture& picture,
+             const std::optional<client::ClockEstimate>& clock, HostTime begin, HostTime end);
 
-  /// Nothing when no new picture was drawn within the window before `now`.
+  /// Empty if no new picture was drawn within the window before `now`.
   [[nodiscard]] std::optional<LatencyStages> median(HostTime now) const;
 
  private:

@@ -12,7 +12,7 @@ HostTime at(nanoseconds since_start) {
   return HostTime(1h + since_start);
 }
 
-/// Captured at 0 by a room clock that is 5 s ahead, arrived at 30 ms, decoded in 4 ms.
+/// Captured at 0 on a room clock that is 5 s ahead, arrived at 30 ms, decoded in 4 ms.
 client::SensorPicture picture_at(nanoseconds start) {
   client::SensorPicture picture;
   picture.capture_time = RoomTime(1h + 5s + start);

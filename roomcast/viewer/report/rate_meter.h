@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RateMeter: how fast a count grows, over the last two seconds. Pure.
+// RateMeter: growth of a count per second, over the last two seconds. Pure.
 #pragma once
 
 #include <chrono>
@@ -13,9 +13,9 @@ namespace roomcast::viewer {
 class RateMeter {
  public:
   static constexpr std::chrono::seconds kWindow{2};
-  static constexpr std::chrono::milliseconds kSpacing{50};  // of samples: memory stays bounded
+  static constexpr std::chrono::milliseconds kSpacing{50};  // between samples, to bound the memory
 
-  /// `total` never shrinks, or it is a new count.
+  /// A `total` below the last one starts a new count.
   void count(HostTime now, std::uint64_t total) {
     if (!samples_.empty() && total < samples_.back().total) samples_.clear();
     const bool is_dense = samples_.size() > 1 && now - samples_[samples_.size() - 2].at < kSpacing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Toasts: sentences that are shown for a while. A problem's stays until the problem is gone, and
-// then it is said that it is. Pure.
+// Toasts: sentences shown for a while. A problem's sentence stays until the problem is gone; then a
+// toast reports that. Pure.
 #pragma once
 
 #include <chrono>
@@ -24,12 +24,12 @@ class Toasts {
   static constexpr std::chrono::seconds kShownFor{5};
   static constexpr std::size_t kMax = 6;
 
-  /// Something that has just happened.
+  /// Adds a sentence about an event.
   void say(Toast::Kind kind, std::string sentence, HostTime now);
-  /// All that is wrong now.
+  /// Replaces the list of current problems.
   void problems_are(std::vector<RoomProblem> problems, HostTime now);
 
-  /// Problems first; at most kMax.
+  /// Problems before other sentences; at most kMost.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;
 
  private:

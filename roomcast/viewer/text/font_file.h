@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The letters of labels and of the panel: DejaVu Sans where the desktop has it, else the font that
-// comes with Dear ImGui.
+// The font of labels and of the panel: DejaVu Sans if the desktop has it, else Dear ImGui's own
+// font.
 #pragma once
 
 struct ImFont;
@@ -8,7 +8,7 @@ struct ImFontAtlas;
 
 namespace roomcast::viewer {
 
-/// Never null; the atlas owns it.
+/// Never null; owned by the atlas.
 ImFont* add_font(ImFontAtlas& atlas, float height_px);
 
 }  // namespace roomcast::viewer

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LabelFont: letters as a texture, and where they go on a label. The letters are those of the
-// desktop's DejaVu Sans (Latin, Greek, Cyrillic) where it is installed, else of the small font that
-// comes with Dear ImGui (Latin only). Needs a GL context.
+// LabelFont: glyphs in a texture, and their layout on a label. Uses the desktop's DejaVu Sans
+// (Latin, Greek, Cyrillic) if it is installed, else the small font of Dear ImGui (Latin only).
+// Needs a GL context.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,8 @@ struct ImFontAtlas;
 
 namespace roomcast::viewer {
 
-/// Two triangles, each corner: place on the label in metres, place in the texture.
+/// A corner of one of a glyph's two triangles: position on the label in metres, position in the
+/// texture.
 struct LabelCorner {
   Eigen::Vector2f place_m, in_atlas;
 };
@@ -26,7 +27,7 @@ struct LabelText {
   float width_m = 0;                 // centred on x = 0, and on y = 0
 };
 
-/// Longer names are cut, as on the page.
+/// Longer names are truncated, as on the page.
 inline constexpr float kWidestLabel_m = 0.6F;
 
 class LabelFont {
@@ -36,9 +37,9 @@ class LabelFont {
   LabelFont(LabelFont&& other) noexcept;
   LabelFont& operator=(LabelFont&& other) noexcept;
 
-  /// `utf8` may be anything; what the font does not have is a question mark.
+  /// `utf8` may be any bytes; characters missing in the font become question marks.
   [[nodiscard]] LabelText lay_out(const std::string& utf8, float letter_height_m) const;
-  /// One channel: how much of a pixel is covered.
+  /// One channel: coverage.
   [[nodiscard]] const render::GlTexture& texture() const { return texture_; }
 
  private:

@@ -17,7 +17,7 @@ void RenderScale::judge(nanoseconds drawing, HostTime now) {
   rose_last_ = true;
 }
 
-/// Whoever rose by mistake waits twice as long before the next try.
+/// After a failed attempt at a finer scale, doubles the wait before the next one.
 void RenderScale::fall(HostTime now) {
   ++rung_;
   if (rose_last_) patience_ = std::min(2 * patience_, kLongestPatience);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RenderScale: how finely to draw, so that drawing keeps up: steps of the window's pixels, chosen
-// by how long pictures took; the desktop's counterpart of the page's ladder
+// RenderScale: the resolution of drawing as a share of the window's, chosen from measured drawing
+// times so that drawing keeps up. Counterpart of the page's quality ladder
 // (web/src/view/quality_ladder.ts). Pure.
 #pragma once
 
@@ -17,13 +17,13 @@ class RenderScale {
  public:
   static constexpr std::array kScales = {1.0, 0.75, 0.5, 0.375, 0.25};
   static constexpr std::chrono::milliseconds kTooSlow{50};
-  static constexpr std::chrono::milliseconds kQuick{15};  // worth trying a finer picture
+  static constexpr std::chrono::milliseconds kQuick{15};  // below it, tries a finer picture
   static constexpr std::size_t kDrawsToJudge = 5;
   static constexpr std::chrono::seconds kPatience{3}, kLongestPatience{60};
 
   [[nodiscard]] double scale() const { return kScales[rung_]; }
 
-  /// A picture took this long.
+  /// Reports the drawing time of one picture.
   void judge(nanoseconds drawing, HostTime now);
 
  private:

@@ -16,7 +16,7 @@ void GlQueryKind::destroy(GLuint name) {
 }
 
 void DrawTimer::begin() {
-  measures_ = begun_ - taken_ < kInFlight;  // else the card is far behind: this one goes unmeasured
+  measures_ = begun_ - taken_ < kInFlight;  // else the GPU is far behind: skip this picture
   if (measures_) glBeginQuery(GL_TIME_ELAPSED, queries_[begun_ % kInFlight].name());
 }
 
@@ -55,8 +55,8 @@ Status RoomPicture::draw(RoomView& room, const render::Eyes& eyes, render::Rende
   return drawn;
 }
 
-std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture, const render::ViewCamera& camera,
-                                          int x, int y) {
+std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture,
+                                          const render::ViewCamera& camera, int x, int y) {
   if (x < 0 || y < 0 || x >= picture.width() || y >= picture.height()) return std::nullopt;
   float depth = 1;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
@@ -65,7 +65,8 @@ std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture
   return world_from_pixel(camera, x, y, depth);
 }
 
-Eigen::Vector3d world_from_pixel(const render::ViewCamera& camera, double x, double y, double depth) {
+Eigen::Vector3d world_from_pixel(const render::ViewCamera& camera, double x, double y,
+                                 double depth) {
   const double near = camera.near_m, far = camera.far_m;
   const double z_m = 2 * far * near / (far + near - (2 * depth - 1) * (far - near));
   const double focal = render::focal_length_px(camera);

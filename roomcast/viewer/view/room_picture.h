@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomPicture: the picture that the room is drawn into for a ViewTarget: of the size that it asks
-// for, and measured. Needs the GL context it was made with.
+// RoomPicture: an off-screen picture of the room in the size that a ViewTarget needs, with its
+// drawing time. Needs the GL context it was made with.
 #pragma once
 
 #include <array>
@@ -20,19 +20,19 @@ struct GlQueryKind {
 };
 using GlQuery = render::GlObject<GlQueryKind>;
 
-/// How long the graphics card works on pictures, without waiting for it.
+/// Measures the GPU time of pictures without waiting for the GPU.
 class DrawTimer {
  public:
   void begin();
   void end();
-  /// Of the newest picture that is known to be finished; nothing before the first.
+  /// The time of the newest finished picture; empty if none has finished since the last call.
   [[nodiscard]] std::optional<nanoseconds> take();
 
  private:
   static constexpr std::size_t kInFlight = 4;
   std::array<GlQuery, kInFlight> queries_ = {GlQuery::create(), GlQuery::create(),
                                              GlQuery::create(), GlQuery::create()};
-  std::size_t begun_ = 0, taken_ = 0;  // counted up
+  std::size_t begun_ = 0, taken_ = 0;  // running counts
   bool measures_ = false;
 };
 
@@ -42,7 +42,9 @@ class RoomPicture {
   Status draw(RoomView& room, const render::Eyes& eyes, render::RenderMode mode);
 
   /// Null before the first draw().
-  [[nodiscard]] const render::OffscreenTarget* target() const { return target_ ? &*target_ : nullptr; }
+  [[nodiscard]] const render::OffscreenTarget* target() const {
+    return target_ ? &*target_ : nullptr;
+  }
   [[nodiscard]] std::optional<nanoseconds> take_drawing_time() { return timer_.take(); }
 
  private:
@@ -50,12 +52,13 @@ class RoomPicture {
   DrawTimer timer_;
 };
 
-/// The surface at a pixel (from the top left) of a room that was drawn for `camera`; nothing where
-/// none is. Waits for the drawing to end.
+/// The surface point at a pixel (from the top left) of a picture drawn for `camera`; empty if there
+/// is no surface. World frame, metres. Waits for drawing to finish.
 [[nodiscard]] std::optional<Eigen::Vector3d> surface_at(const render::OffscreenTarget& picture,
-                                                        const render::ViewCamera& camera, int x, int y);
+                                                        const render::ViewCamera& camera, int x,
+                                                        int y);
 
-/// World frame, metres, at this depth of OpenGL (0 near to 1 far).
+/// The point at this OpenGL depth (0 near to 1 far). World frame, metres.
 [[nodiscard]] Eigen::Vector3d world_from_pixel(const render::ViewCamera& camera, double x, double y,
                                                double depth);
 

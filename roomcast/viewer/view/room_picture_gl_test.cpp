@@ -68,7 +68,7 @@ TEST_F(RoomPictureTest, where_nothing_is_there_is_no_surface) {
 
 TEST_F(RoomPictureTest, drawing_is_measured_when_it_is_finished) {
   EXPECT_FALSE(picture->take_drawing_time());
-  for (int i = 0; i < 9; ++i) {  // more than are waited for
+  for (int i = 0; i < 9; ++i) {  // more than the timer has queries
     ASSERT_TRUE(picture->draw(*view, camera, render::RenderMode::kMesh).ok());
   }
   glFinish();

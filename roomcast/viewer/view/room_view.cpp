@@ -14,7 +14,7 @@ Result<RoomView> RoomView::create() {
   return RoomView(std::move(*renderer), std::move(*people));
 }
 
-// One sensor that cannot be drawn must not freeze the others.
+// Continues after errors: one sensor that cannot be drawn must not freeze the others.
 Status RoomView::show(const client::RoomSnapshot& room) {
   Status first_fault;
   people_.follow(room);
@@ -25,8 +25,7 @@ Status RoomView::show(const client::RoomSnapshot& room) {
   return first_fault;
 }
 
-// A sensor that is gone or has not sent anything is not drawn: an old picture would pass for a live
-// one.
+// Does not draw a sensor that is offline or has not sent anything: an old picture would look live.
 Status RoomView::show_sensor(const client::RoomSensor& sensor) {
   if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
     renderer_.remove(sensor.id);
@@ -49,7 +48,8 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor) {
   return {};
 }
 
-Status RoomView::draw(const render::Eyes& eyes, const render::OffscreenTarget& target, render::RenderMode mode) {
+Status RoomView::draw(const render::Eyes& eyes, const render::OffscreenTarget& target,
+                      render::RenderMode mode) {
   if (auto status = renderer_.draw(eyes, target, mode); !status) return status;
   people_.draw(eyes, target);
   return {};

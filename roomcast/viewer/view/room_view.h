@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomView: draws the room that a Subscriber receives, and the people in it. Keeps the renderer in
-// step with the snapshots and uploads only pictures that are new. Threading: the thread of its GL
-// context.
+// RoomView: draws the room received by a Subscriber, and the people in it. Updates the renderer
+// from the snapshots and uploads only new pictures. Threading: the thread of its GL context.
 #pragma once
 
 #include <memory>
@@ -22,27 +21,28 @@ class RoomView {
   /// Needs a current GL context. Errors as RoomRenderer::create.
   static Result<RoomView> create();
 
-  /// From now on this is what is drawn. Errors as RoomRenderer::set_sensor and upload; the other
+  /// Sets the room to draw. Errors as RoomRenderer::set_sensor and upload; after an error the other
   /// sensors are drawn all the same.
   Status show(const client::RoomSnapshot& room);
 
-  /// Sensors that are not to be drawn, from the next show() on.
+  /// Sets the sensors not to draw; takes effect at the next show().
   void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }
   /// Errors as RoomRenderer::set_look.
   Status set_look(const render::RenderOptions& look) { return renderer_.set_look(look); }
 
-  /// The other people, and what is seen of the one who looks.
+  /// The other people, and the visible parts of this viewer.
   [[nodiscard]] PeopleView& people() { return people_; }
 
   /// Errors as RoomRenderer::draw.
-  Status draw(const render::Eyes& eyes, const render::OffscreenTarget& target, render::RenderMode mode);
+  Status draw(const render::Eyes& eyes, const render::OffscreenTarget& target,
+              render::RenderMode mode);
 
  private:
   RoomView(render::RoomRenderer renderer, PeopleView people)
       : renderer_(std::move(renderer)), people_(std::move(people)) {}
   struct Uploaded {
     std::shared_ptr<const client::SensorPicture> picture;
-    CameraIntrinsics lens;  // another lens empties the surface
+    CameraIntrinsics lens;  // a change of it clears the surface
   };
   Status show_sensor(const client::RoomSensor& sensor);
 
@@ -52,7 +52,7 @@ class RoomView {
   std::unordered_map<SensorId, Uploaded> uploaded_;
 };
 
-/// Where a viewer of this room should stand if nobody says otherwise: where the hub put it.
+/// The default start pose of a viewer, as given by the hub.
 [[nodiscard]] RigidTransform world_from_start_view(const client::RoomSnapshot& room);
 
 }  // namespace roomcast::viewer

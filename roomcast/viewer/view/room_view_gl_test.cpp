@@ -84,7 +84,7 @@ TEST_F(RoomViewTest, people_are_hidden_by_walls_and_hide_walls) {
   EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10})) << "the wall is 2 m away";
   room.people[0].pose->world_from_head.translation_m = {0, 1, -1};
   room.people[0].pose->world_from_head.rotation =
-      Eigen::Vector3d(-1, 1, -1).asDiagonal();  // shows its back: the visor is dark
+      Eigen::Vector3d(-1, 1, -1).asDiagonal();  // facing away: the visor is dark
   ASSERT_TRUE(view->show(room).ok());
   while (view->people().advance(0.1)) {
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person can set while looking: how the room is drawn, and comfort in a headset.
+// User settings of the viewer: how the room is drawn, and comfort in a headset.
 #pragma once
 
 #include <numbers>
@@ -13,8 +13,8 @@ namespace roomcast::viewer {
 
 /// Comfort in a headset. Docs: docs/guides/viewer.md.
 struct ComfortOptions {
-  bool smooth_walk = true;  // else the walking stick teleports, too
-  bool snap_turn = true;    // turns by steps; smooth turning makes many people sick
+  bool smooth_walk = true;  // false: the walking stick teleports, too
+  bool snap_turn = true;    // turns in steps; smooth turning makes many people sick
   double snap_rad = std::numbers::pi / 6;
   double smooth_turn_rad_per_s = 1.4;
   double walk_speed_m_per_s = 1.4;
@@ -24,8 +24,8 @@ struct ViewSettings {
   render::RenderMode mode = render::RenderMode::kBlend;
   render::Unseen unseen = render::Unseen::kSurroundings;
   bool floor_grid = true;
-  bool automatic_scale = true;  // of the picture, so that drawing keeps up
-  double render_scale = 1;      // of the window's pixels
+  bool automatic_scale = true;  // adapts the resolution so that drawing keeps up
+  double render_scale = 1;      // share of the window's pixels
   double vertical_fov_rad = std::numbers::pi / 3;
   std::set<SensorId> hidden;
   ComfortOptions comfort;

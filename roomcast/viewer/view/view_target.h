@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ViewTarget: whatever people see the room in on a screen: a window, a picture in memory.
-// All of them are drawn the same way: the room is drawn into an OffscreenTarget of the size that
-// the target asks for, and the finished picture is shown.
+// ViewTarget: a window or a picture in memory that displays the room. The room is drawn into an
+// OffscreenTarget of the ViewTarget's size, then the finished picture is shown.
 #pragma once
 
 #include "roomcast/core/image.h"
@@ -17,13 +16,13 @@ struct PictureSize {
 class ViewTarget {
  public:
   virtual ~ViewTarget() = default;
-  /// Of the picture to draw now; may change between frames.
+  /// Size of the picture to draw now; may change between frames.
   [[nodiscard]] virtual PictureSize size() const = 0;
   /// Copies the picture; needs the GL context in which it was drawn.
   virtual void show(const render::OffscreenTarget& picture) = 0;
 };
 
-/// Keeps what was shown last.
+/// Keeps the last picture shown.
 class PictureTarget final : public ViewTarget {
  public:
   explicit PictureTarget(PictureSize size) : size_(size) {}

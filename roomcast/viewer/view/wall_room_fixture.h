@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a room of one sensor that sees a wall 2 m away.
+// Fixture for tests: a room with one sensor that sees a wall 2 m away.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,9 @@
 
 namespace roomcast::viewer {
 
-/// `color` is a square picture and gives the depth grid its size; 60 pixels are as wide as far.
-inline client::RoomSnapshot room_with_wall(const RigidTransform& world_from_depth, ColorImage color) {
+/// `color`: a square picture; the depth grid has the same size. The focal length is 60 pixels.
+inline client::RoomSnapshot room_with_wall(const RigidTransform& world_from_depth,
+                                           ColorImage color) {
   const int side = color.width();
   const double middle = (side - 1) / 2.0;
   auto picture = std::make_shared<client::SensorPicture>();

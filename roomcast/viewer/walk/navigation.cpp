@@ -7,7 +7,7 @@
 namespace roomcast::viewer {
 namespace {
 
-// As on the page; a notch of the wheel is 100 of its pixels.
+// As on the page, where one notch of the wheel is 100 pixels.
 constexpr double kOrbitPerPixel_rad = 0.006;
 constexpr double kLookPerPixel_rad = 0.004;
 constexpr double kZoomPerNotch = 0.12;
@@ -37,7 +37,7 @@ Eigen::Vector3d step_of(WalkKey key) {
   return {0, 0, 0};
 }
 
-/// Nothing while the stick rests, then from 0 on: no jump at the edge.
+/// 0 while the stick rests, then growing from 0, without a jump at the threshold.
 double beyond_rest(double axis) {
   const double beyond = (std::abs(axis) - kStickRest) / (1 - kStickRest);
   return std::copysign(std::clamp(beyond, 0.0, 1.0), axis);

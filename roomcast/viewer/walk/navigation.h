@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Navigation: what a person does with mouse, keys and gamepad becomes changes of the view, as on
-// the page (web/src/view/navigation.ts). Knows no devices: pixels, keys by meaning, axes -1..1.
+// Navigation: turns the input of mouse, keys and gamepad into changes of the view, as the page does
+// (web/src/view/navigation.ts). Independent of devices: pixels, keys by meaning, axes -1..1.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,15 @@ namespace roomcast::viewer {
 
 enum class WalkKey { kForward, kBack, kLeft, kRight, kUp, kDown };
 
-/// What dragging the mouse does.
+/// The effect of dragging the mouse.
 enum class Drag {
   kOrbit,  // turns around the pivot
-  kPan,    // shifts the view; what lies at the pivot follows the mouse
+  kPan,    // shifts the view; the surface at the pivot follows the mouse
   kLook,   // turns the head
 };
 
-/// Of a gamepad; right, forward and up are positive, -1..1. Small numbers are a stick's rest.
+/// A gamepad's axes, -1..1; right, forward and up are positive. Small values count as a stick at
+/// rest.
 struct Sticks {
   double walk_right = 0, walk_forward = 0, walk_up = 0;
   double look_right = 0, look_up = 0;
@@ -36,25 +37,25 @@ class Navigation {
 
   [[nodiscard]] const ViewState& view() const { return view_; }
   [[nodiscard]] double speed_m_per_s() const { return speed_m_per_s_; }
-  /// Keys and sticks are held: it will move on.
+  /// True while keys or sticks are held: the view keeps moving.
   [[nodiscard]] bool is_walking() const;
 
   void go_to(const ViewState& view) { view_ = view; }
   void hold(WalkKey key, bool down);
   void run(bool fast) { running_ = fast; }
-  /// As when the window loses the keyboard: nobody will tell of keys that are released.
+  /// For a window that loses the keyboard focus: key releases will not arrive.
   void release_all();
   void set_sticks(const Sticks& sticks) { sticks_ = sticks; }
 
-  /// The mouse moved by so many pixels (y down) over a picture this high.
+  /// The mouse moved by this many pixels (y down) in a picture of this height.
   void drag(Drag kind, double dx_px, double dy_px, double picture_height_px,
             double vertical_fov_rad);
-  /// Notches of the wheel: nearer is positive.
+  /// Notches of the wheel; positive moves nearer.
   void zoom(double notches);
-  /// Notches: faster is positive.
+  /// Notches of the wheel; positive is faster.
   void change_speed(double notches);
 
-  /// Goes on walking for so long. Long pauses (a machine that slept) count as short ones.
+  /// Moves the view for this time. Long pauses (a suspended machine) are shortened.
   void advance(double seconds);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PosePublisher: when to tell the hub where this viewer is: when it has moved, at most 20 times a
-// second, and the last place always; and again when somebody new has come, who knows of no pose
-// yet. Pure.
+// PosePublisher: decides when to send the viewer's pose to the hub: after a change, at most 20
+// times a second, and always the last pose. Sends it again when new people arrive, who have not
+// received it. Pure.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ class PosePublisher {
 
   void is(const client::PersonPose& pose);
   void tell_again() { is_news_ = true; }
-  /// What to send now, if anything.
+  /// The pose to send now, if any.
   [[nodiscard]] std::optional<client::PersonPose> take(HostTime now);
 
  private:

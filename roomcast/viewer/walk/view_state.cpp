@@ -9,7 +9,7 @@
 namespace roomcast::viewer {
 namespace {
 
-/// Stops at the end of the world.
+/// Stops at kFarthestWalk_m.
 ViewState moved_by(ViewState view, const Eigen::Vector3d& step_m) {
   view.position_m = (view.position_m + step_m).cwiseMax(-kFarthestWalk_m).cwiseMin(kFarthestWalk_m);
   return view;

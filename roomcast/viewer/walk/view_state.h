@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a viewer stands and looks, and how that changes: pure functions, the same as those of the
-// page (web/src/view/view_state.ts). World: metres, y up. Yaw 0 looks along -z and grows to the
-// left, pitch is up; the horizon stays level. The pivot is the place that orbiting turns around.
+// ViewState: a viewer's position and viewing direction. The functions are pure and the same as the
+// page's (web/src/view/view_state.ts). World frame: metres, y up. Yaw 0 looks along -z and grows to
+// the left, pitch grows upwards; there is no roll. The pivot is the point around which orbiting
+// turns.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +20,10 @@ struct ViewState {
 inline constexpr double kMaxPitch_rad = 1.55;  // a little less than straight up
 inline constexpr double kMinPivotDistance_m = 0.3;
 inline constexpr double kMaxPivotDistance_m = 60;
-/// Beyond this a pose is no longer one that the hub takes.
+/// The hub rejects poses beyond this distance.
 inline constexpr double kFarthestWalk_m = 1000;
 
-/// Unit vector, where it looks.
+/// The viewing direction, a unit vector.
 [[nodiscard]] Eigen::Vector3d direction(const ViewState& view);
 [[nodiscard]] Eigen::Vector3d pivot_m(const ViewState& view);
 /// View frame: x right, y up, -z forward.
@@ -30,19 +31,19 @@ inline constexpr double kFarthestWalk_m = 1000;
 
 [[nodiscard]] ViewState look_from(const Eigen::Vector3d& position_m,
                                   const Eigen::Vector3d& target_m);
-/// Roll is dropped.
+/// Ignores roll.
 [[nodiscard]] ViewState view_from_pose(const RigidTransform& world_from_view,
                                        double pivot_distance_m);
 
 /// Turns the head in place.
 [[nodiscard]] ViewState look(ViewState view, double yaw_rad, double pitch_rad);
-/// Moves around the pivot, which stays where it is in the picture.
+/// Moves around the pivot, which keeps its place in the picture.
 [[nodiscard]] ViewState orbit(const ViewState& view, double yaw_rad, double pitch_rad);
-/// Moves across the picture.
+/// Moves parallel to the picture.
 [[nodiscard]] ViewState pan(ViewState view, double right_m, double up_m);
-/// Goes to `factor` times the distance from the pivot; once there, pushes the pivot ahead.
+/// Multiplies the distance from the pivot by `factor`; when very near, pushes the pivot ahead.
 [[nodiscard]] ViewState dolly(ViewState view, double factor);
-/// Walks on the level, whatever the pitch.
+/// Walks horizontally at any pitch; `up_m` is along the world's y.
 [[nodiscard]] ViewState walk(ViewState view, double forward_m, double right_m, double up_m);
 
 }  // namespace roomcast::viewer

@@ -31,7 +31,7 @@ std::optional<WalkKey> walk_key(SDL_Scancode key) {
   }
 }
 
-/// By what is written on the key, but for digits, which some layouts write with Shift.
+/// Uses the key's label, except for digits, which some layouts type with Shift.
 std::optional<ViewerCommand> command_of(const SDL_Keysym& key) {
   switch (key.scancode) {
     case SDL_SCANCODE_1:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DesktopInput: SDL's events of mouse, keyboard and gamepad become movement (Navigation) and
-// commands. Events that the panel wants for itself are not given to it.
+// DesktopInput: turns SDL's events of mouse, keyboard and gamepad into movement (Navigation) and
+// commands. Events that the panel consumes are not passed to it.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@ struct _SDL_GameController;
 
 namespace roomcast::viewer {
 
-/// What the mouse moves over.
+/// The picture under the mouse.
 struct PictureUnderMouse {
-  double height_units = 720;  // of the desktop, as the mouse's
+  double height_units = 720;  // desktop units, as the mouse's
   double vertical_fov_rad = 1;
 };
 
-/// Where the mouse is, in units of the desktop from the top left.
+/// Mouse position in desktop units from the top left.
 struct MousePlace {
   double x = 0, y = 0;
 };
@@ -32,15 +32,15 @@ class DesktopInput {
   DesktopInput(DesktopInput&&) noexcept;
   DesktopInput& operator=(DesktopInput&&) noexcept;
 
-  /// Moves `navigation`, or says what is asked for, or neither.
+  /// Moves `navigation`, returns a command, or ignores the event.
   [[nodiscard]] std::optional<ViewerCommand> take(const SDL_Event& event,
                                                   const PictureUnderMouse& picture,
                                                   Navigation& navigation);
 
-  /// The mouse turns the head, and the wheel sets the speed.
+  /// On: moving the mouse turns the head, and the wheel sets the speed.
   void set_mouse_look(bool on) { mouse_looks_ = on; }
   [[nodiscard]] bool mouse_looks() const { return mouse_looks_; }
-  /// The laser pointer's key or button is held.
+  /// True while the laser pointer's key or button is held.
   [[nodiscard]] bool is_pointing() const { return key_points_ || pad_points_; }
   [[nodiscard]] const MousePlace& mouse() const { return mouse_; }
 

@@ -25,12 +25,12 @@ void ask_for_gl() {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, kGlMinor);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
-  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);  // the room is drawn elsewhere
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);  // the room is drawn into a framebuffer object
 }
 
 void start_sdl() {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");       // the program has its own
-  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "0");  // people look without touching anything
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "0");  // viewers watch without input
   SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "0");
 }
 
@@ -50,11 +50,11 @@ bool has_gl() {
 Result<std::unique_ptr<ViewWindow>> ViewWindow::open(const ViewWindowOptions& options) {
   start_sdl();
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return no_window("there is no display");
-  SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // one does without where there is none
+  SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // may fail: the viewer works without a gamepad
   ask_for_gl();
   SDL_Window* const window = make_window(options);
   void* const context = window != nullptr ? SDL_GL_CreateContext(window) : nullptr;
-  // Owns both from here on, and ends SDL.
+  // Owns the window and the context from here on; its destructor ends SDL.
   std::unique_ptr<ViewWindow> made(new ViewWindow(window, context));
   if (window == nullptr) return no_window("the desktop refuses one");
   if (context == nullptr || !has_gl()) return no_window("the driver has no OpenGL 4.5");
@@ -85,7 +85,7 @@ bool ViewWindow::is_hidden() const {
   return (SDL_GetWindowFlags(window_) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
 }
 
-/// Where shapes differ the picture's edges are cut off, as little as possible.
+/// If the aspect ratios differ, crops the picture's edges as little as possible.
 void ViewWindow::show(const render::OffscreenTarget& picture) {
   const PictureSize all = size();
   const double scale = std::max(static_cast<double>(all.width) / picture.width(),

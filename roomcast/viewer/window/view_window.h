@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ViewWindow: a window on the desktop with an OpenGL 4.5 core context, by SDL2 (X11, Wayland; with
-// SDL_VIDEODRIVER=offscreen no display at all). The context is current on the thread that opened
-// it; everything happens there. One window per process.
+// ViewWindow: a desktop window with an OpenGL 4.5 core context, by SDL2 (X11, Wayland, or no
+// display with SDL_VIDEODRIVER=offscreen). Threading: only the thread that opened it; the context
+// is current there. One window per process.
 #pragma once
 
 #include <memory>
@@ -16,36 +16,36 @@ namespace roomcast::viewer {
 
 struct ViewWindowOptions {
   std::string title = "roomcast";
-  PictureSize size = {1280, 720};  // in the desktop's units: more pixels on a fine screen
+  PictureSize size = {1280, 720};  // desktop units: more pixels on a high-DPI screen
   bool full_screen = false;
 };
 
 class ViewWindow final : public ViewTarget {
  public:
-  /// kUnavailable, with what to do, when there is no display or no OpenGL 4.5.
+  /// kUnavailable, with advice, if there is no display or no OpenGL 4.5.
   static Result<std::unique_ptr<ViewWindow>> open(const ViewWindowOptions& options);
   ~ViewWindow() override;
   ViewWindow(const ViewWindow&) = delete;
   ViewWindow& operator=(const ViewWindow&) = delete;
 
-  /// In pixels, also on a fine (high-DPI) screen.
+  /// In pixels, also on a high-DPI screen.
   [[nodiscard]] PictureSize size() const override;
-  /// Pixels per unit of the desktop and of the mouse: 1, or 2 on a fine screen.
+  /// Pixels per unit of the desktop and of the mouse: 1, or 2 on a high-DPI screen.
   [[nodiscard]] double pixels_per_unit() const;
-  /// Nobody can see it: minimised.
+  /// True if minimised.
   [[nodiscard]] bool is_hidden() const;
 
-  /// Fills the window with the picture, scaled, its edges cut where shapes differ. Seen after
-  /// present().
+  /// Fills the window with the picture, scaled, and cropped if the aspect ratios differ. Visible
+  /// after present().
   void show(const render::OffscreenTarget& picture) override;
-  /// Waits for the screen's refresh where the driver can.
+  /// Waits for the screen's refresh if the driver supports that.
   void present();
-  /// What is in the window, before present().
+  /// The window's content, before present().
   [[nodiscard]] ColorImage read() const;
 
   [[nodiscard]] bool is_full_screen() const;
   void set_full_screen(bool on);
-  /// The mouse is hidden and tells only how far it moves.
+  /// Hides the mouse, which then reports only its movement.
   void capture_mouse(bool on);
 
   [[nodiscard]] SDL_Window* sdl() const { return window_; }

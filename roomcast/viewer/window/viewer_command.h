@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person can ask the desktop viewer for besides moving, and the keys for it: one table, read
-// by the keyboard and shown as help.
+// The commands of the desktop viewer, apart from moving, and their keys. The keyboard handler and
+// the help use the same table.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct KeyHelp {
   std::string_view keys, what;
 };
 
-/// As shown in the panel and in docs/guides/viewer.md.
+/// Shown in the panel and in docs/guides/viewer.md.
 inline constexpr std::array kKeyHelp = {
     KeyHelp{"drag", "turn around the middle"},
     KeyHelp{"right drag, Shift drag", "shift"},

@@ -14,7 +14,7 @@
 namespace roomcast::viewer::xr {
 namespace {
 
-/// What a controller's parts are called. Empty: it has none.
+/// A controller's OpenXR paths. Empty: the controller does not have that part.
 struct Controller {
   const char* profile;
   const char* walk;
@@ -86,7 +86,7 @@ Result<XrActionStateBoolean> button(XrSession session, XrAction action) {
   return state;
 }
 
-/// Nothing while it is not tracked.
+/// Empty while the hand is not tracked.
 Result<std::optional<RigidTransform>> place_of(XrSpace part, XrSpace stage, XrTime time) {
   auto location = xr_struct<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   ROOMCAST_XR_TRY(xrLocateSpace(part, stage, time, &location), "asking where a hand is");
@@ -165,7 +165,7 @@ Status Actions::suggest_bindings(XrInstance instance) const {
         xr_status(xrSuggestInteractionProfileBindings(instance, &suggestion), "naming controllers");
     one_was_taken |= fault.ok();
   }
-  return one_was_taken ? Status{} : fault;  // software need not know all controllers
+  return one_was_taken ? Status{} : fault;  // a runtime need not support all controllers
 }
 
 Status Actions::attach(XrSession session) {
@@ -225,7 +225,7 @@ Actions::~Actions() {
   for (const XrSpace space : {left_grip_, right_grip_, right_aim_}) {
     if (space != XR_NULL_HANDLE) xrDestroySpace(space);
   }
-  if (set_ != XR_NULL_HANDLE) xrDestroyActionSet(set_);  // and its actions
+  if (set_ != XR_NULL_HANDLE) xrDestroyActionSet(set_);  // destroys its actions, too
 }
 
 Actions::Actions(Actions&& other) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions: what hands do in a headset, by meaning instead of by button: walk, turn, point,
-// recentre, where the hands are. Bindings are suggested for common controllers; people can change
-// them in their headset's software. Source: OpenXR 1.0, section 11.
+// Actions: a headset's controller input, by meaning instead of by button: walk, turn, point,
+// recentre, hand poses. Suggests bindings for common controllers; users can change them in the
+// headset's software. Source: OpenXR 1.0, section 11.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace roomcast::viewer::xr {
 
 class Actions {
  public:
-  /// Once per session, before its first frame. Errors as xr_status.
+  /// Call it once per session, before the first frame. Errors as xr_status.
   static Result<Actions> create(XrInstance instance, XrSession session);
   ~Actions();
   Actions(Actions&& other) noexcept;
   Actions& operator=(Actions&& other) noexcept;
 
-  /// Sticks, buttons and hands at `time`; the head is not touched. Errors as xr_status.
+  /// Reads sticks, buttons and hands at `time`; the head is not changed. Errors as xr_status.
   Status read(XrSession session, XrSpace stage, XrTime time, VrInput& input) const;
 
  private:

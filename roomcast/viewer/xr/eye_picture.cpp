@@ -12,14 +12,14 @@
 namespace roomcast::viewer::xr {
 namespace {
 
-constexpr double kWidest_rad = 1.5;  // from the axis; beyond it a plane picture has no end
+constexpr double kWidest_rad = 1.5;  // from the axis; a plane picture grows to infinity
 constexpr int kRounding_px = 2;      // both sides are rounded up
 
 bool is_picture(double low_rad, double high_rad) {
   return low_rad < high_rad && low_rad > -kWidest_rad && high_rad < kWidest_rad;
 }
 
-/// Pixels on both sides of the axis, whole ones.
+/// Whole pixels on both sides of the axis.
 struct Extent {
   int before = 0, after = 0;
   [[nodiscard]] int length() const { return before + after; }

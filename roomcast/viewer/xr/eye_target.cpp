@@ -63,7 +63,7 @@ void EyeTarget::show(const render::OffscreenTarget& picture) {
   shown_ = copy(picture);
 }
 
-/// Both hold sRGB bytes, whatever the image's format calls itself: nothing is converted.
+/// Copies without conversion: both images contain sRGB bytes, whatever the destination's format.
 Status EyeTarget::copy(const render::OffscreenTarget& picture) {
   const auto color = color_.acquire();
   if (!color) return color.error();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// EyeTarget: one eye of a headset: of the finished picture of both eyes what this one sees is
-// copied into the headset's image, with its depth where the headset takes that. Needs the GL
-// context of the session.
+// EyeTarget: one eye of a headset. Copies the eye's part of the finished two-eye picture into the
+// headset's image, with depth if the headset accepts it. Needs the GL context of the session.
 #pragma once
 
 #include <optional>
@@ -15,22 +14,23 @@ namespace roomcast::viewer::xr {
 
 class EyeTarget {
  public:
-  /// `depth_format` 0: the headset takes no depth. `number`: of this eye in the picture of both.
+  /// `depth_format` 0: the headset accepts no depth. `number`: index of the eye in the two-eye
+  /// picture.
   /// Errors as Swapchain::create.
   static Result<EyeTarget> create(XrSession session, std::int64_t color_format,
                                   std::int64_t depth_format, PictureSize size, int number);
 
-  /// What the eye sees in the coming frame. Errors as eye_picture.
+  /// Sets the eye's view for the coming frame. Errors as eye_picture.
   Status look(const XrView& view);
-  /// Of the picture to draw, in the space in which look()'s view was located.
+  /// The camera of the picture to draw, in the space of look()'s view.
   [[nodiscard]] render::ViewCamera camera() const;
 
   /// Copies this eye's part.
   void show(const render::OffscreenTarget& picture);
 
-  /// Whether the frame's picture has been shown, or why not.
+  /// The result of the last show().
   [[nodiscard]] const Status& shown() const { return shown_; }
-  /// For xrEndFrame, after show(); points into this.
+  /// For xrEndFrame, after show(); contains pointers into this object.
   [[nodiscard]] XrCompositionLayerProjectionView layer();
 
  private:
@@ -48,7 +48,7 @@ class EyeTarget {
   XrCompositionLayerDepthInfoKHR depth_info_{};
 };
 
-/// After look(): gives both pictures the size of the larger, to be drawn side by side.
+/// Call it after look(): gives both pictures the larger size, so that they fit side by side.
 void draw_alike(EyeTarget& left, EyeTarget& right);
 
 }  // namespace roomcast::viewer::xr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameTiming: how well a headset is kept supplied: its rate, ours, how long our part of a frame
-// takes, and which of its frames we missed. Pure.
+// FrameTiming: the headset's frame rate, the viewer's time per frame, and the number of frames
+// missed. Pure.
 #pragma once
 
 #include <chrono>
@@ -14,8 +14,8 @@ namespace roomcast::viewer::xr {
 
 class FrameTiming {
  public:
-  /// A frame that will be seen at `display`; the headset shows one every `period`. `ours`: from the
-  /// headset's call until we handed the frame over.
+  /// Adds a frame with display time `display`; the headset shows one every `period`. `ours`: time
+  /// from the end of the headset's wait until the frame was submitted.
   void add(XrTime display, XrDuration period, nanoseconds ours) {
     if (frames_ > 0 && period > 0) missed_ += missed_between(last_display_, display, period);
     last_display_ = display;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// X11's headers define everyday words as macros; they come first, and the words are freed again.
+// X11's headers define common words as macros; they are included here and the macros undefined
+// again.
 #include <epoxy/egl.h>
 #include <epoxy/glx.h>
 

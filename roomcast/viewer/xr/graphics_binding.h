@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GraphicsBinding: tells a headset's software which GL context draws for it: the current one of
-// this thread, made by GLX (XR_KHR_opengl_enable) or by EGL (XR_MNDX_egl_enable).
+// GraphicsBinding: describes the GL context to an OpenXR runtime: the one current on this thread,
+// made by GLX (XR_KHR_opengl_enable) or by EGL (XR_MNDX_egl_enable).
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@ namespace roomcast::viewer::xr {
 
 class GraphicsBinding {
  public:
-  /// kUnavailable when there is neither.
+  /// kUnavailable if there is neither.
   static Result<GraphicsBinding> of_current_context();
   ~GraphicsBinding();
   GraphicsBinding(GraphicsBinding&&) noexcept;
   GraphicsBinding& operator=(GraphicsBinding&&) noexcept;
 
-  /// Needed beside XR_KHR_opengl_enable; null for GLX.
+  /// The extension required in addition to XR_KHR_opengl_enable; null for GLX.
   [[nodiscard]] const char* extension() const;
   /// For XrSessionCreateInfo::next.
   [[nodiscard]] const void* chain() const;

@@ -63,7 +63,8 @@ Status Headset::create_session() {
                    "beginning a session with the headset");
 }
 
-/// A space without a floor begins where the eyes were; the floor is then taken to be below them.
+/// A space without a floor has its origin at the eyes' first position; the floor is assumed
+/// kEyeHeight_m below.
 Status Headset::create_stage() {
   const auto has_stage = offers_stage(session_);
   if (!has_stage) return has_stage.error();
@@ -157,7 +158,7 @@ Result<HeadsetFrame> Headset::begin_frame() {
   return frame;
 }
 
-/// Between the eyes is the head. Eyes that are not tracked see nothing.
+/// The head is midway between the eyes. Without tracking, nothing is drawn.
 Status Headset::locate_eyes(VrInput& input) {
   auto info = xr_struct<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
   info.viewConfigurationType = kStereo;

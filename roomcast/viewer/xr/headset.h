@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Headset: a session with a headset: its coming and going, its frames, its hands. The order of
-// calls is that of OpenXR 1.0, sections 9 and 10. Threading: the thread of the GL context that was
-// current when it was opened.
+// Headset: an OpenXR session: its states, frames and controllers. The order of calls is that of
+// OpenXR 1.0, sections 9 and 10. Threading: the thread of the GL context that was current at
+// open().
 //
 //   poll() every round; while is_running():
 //     begin_frame() - waits until the headset wants a frame - draw stage_eyes() - show() -
@@ -30,22 +30,22 @@ namespace roomcast::viewer::xr {
 inline constexpr std::size_t kEyes = 2;
 
 struct HeadsetFrame {
-  bool is_seen = false;  // else draw nothing, but end the frame
+  bool is_seen = false;  // false: draw nothing, but end the frame
   VrInput input;
 };
 
 class Headset {
  public:
-  /// Needs a current GL context. kUnavailable, with what to do, when there is no headset.
+  /// Needs a current GL context. kUnavailable, with advice, if there is no headset.
   static Result<std::unique_ptr<Headset>> open();
   ~Headset();
   Headset(const Headset&) = delete;
   Headset& operator=(const Headset&) = delete;
 
-  /// Takes what the headset's software says. kClosed: it is over (lost, or the person ended it
-  /// there); the Headset can only be destroyed then.
+  /// Handles the runtime's events. kClosed: the session is over (lost, or ended by the user in the
+  /// headset's software); then destroy the Headset.
   Status poll();
-  /// It wants frames. False while nobody wears it.
+  /// True if the runtime wants frames; false while the headset is not worn.
   [[nodiscard]] bool is_running() const { return is_running_; }
   [[nodiscard]] XrSessionState state() const { return state_; }
   [[nodiscard]] const std::string& name() const { return runtime_.name(); }
@@ -55,11 +55,11 @@ class Headset {
   Result<HeadsetFrame> begin_frame();
   /// Left and right, in the stage's frame.
   [[nodiscard]] render::Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
-  /// What was drawn for stage_eyes(). Whether that went well end_frame() says.
+  /// Takes the picture drawn for stage_eyes(). end_frame() reports errors.
   void show(const render::OffscreenTarget& picture);
-  /// Hands over what was shown to both eyes. Errors as xr_status.
+  /// Submits the pictures of both eyes. Errors as xr_status.
   Status end_frame();
-  /// Asks for the end of the session; poll() then says when it is over.
+  /// Requests the end of the session; poll() reports when it has ended.
   Status request_exit();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session with the test runtime, through the loader that people have.
+// Tests a session with the test runtime through the system's OpenXR loader.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -34,7 +34,7 @@ void use_test_runtime() {
   TestRuntime::instance().reset();
 }
 
-/// Looks around and moves, the same way every time.
+/// A reproducible motion of the head.
 XrPosef nodding_head(XrTime time) {
   const double seconds = 1e-9 * static_cast<double>(time - TestRuntime::kBegin_ns);
   const auto half_yaw = static_cast<float>(0.15 * std::sin(9 * seconds));
@@ -53,8 +53,7 @@ Status draw_frame(Headset& headset, RoomView& room, RoomPicture& picture) {
   return headset.end_frame();
 }
 
-/// What the renderer draws without a headset for the pose and the angles that an eye was given
-/// with.
+/// Renders without a headset, for the pose and angles of `eye`.
 ColorImage mono_picture(RoomView& room, const GivenEye& eye) {
   const double left = std::tan(-eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
   const double down = std::tan(-eye.fov.angleDown), up = std::tan(eye.fov.angleUp);
@@ -261,7 +260,8 @@ TEST_F(HeadsetTest, without_its_software_there_is_a_sentence) {
       << none.error().message;
 }
 
-// Khronos' own checks of every call. They do not know EGL contexts, so this one is made by GLX.
+// Runs with Khronos's validation layer, which does not support EGL contexts; so this context is
+// GLX's.
 TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
   const char* const layer =
       "/usr/share/openxr/1/api_layers/explicit.d/"

@@ -10,7 +10,7 @@ namespace roomcast::viewer::xr {
 namespace {
 
 constexpr double kFarthestPointer_m = 8;
-/// What lies along the pointer is found by drawing it: a few pixels, seen from the hand.
+/// The surface at the pointer is found by drawing a few pixels from the hand's pose.
 constexpr int kPointerPixels = 9;
 constexpr double kPointerFov_rad = 0.02;
 
@@ -44,7 +44,7 @@ Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const Vie
     if (drawn) drawn = draw_eyes(room, settings.mode);
     room.people().set_own(std::nullopt);
     if (!drawn) {
-      static_cast<void>(headset_->end_frame());  // what was begun has to end, whatever happened
+      static_cast<void>(headset_->end_frame());  // a frame once begun must end
       return drawn;
     }
   }
@@ -71,16 +71,17 @@ Status HeadsetView::find_pointed_at(RoomView& room, const VrInput& input) {
   if (!input.points || !input.stage_from_aim) return {};
   const RigidTransform world_from_aim = walk_.world_from_stage() * *input.stage_from_aim;
   const render::ViewCamera camera = pointer_camera(world_from_aim);
-  if (auto status = pointed_at_.draw(room, camera, render::RenderMode::kMesh); !status) return status;
+  if (auto status = pointed_at_.draw(room, camera, render::RenderMode::kMesh); !status)
+    return status;
   const auto place_m =
       surface_at(*pointed_at_.target(), camera, kPointerPixels / 2, kPointerPixels / 2);
-  pose_.pointer =
-      client::PointerBeam{world_from_aim.translation_m,
-                  place_m.value_or(world_from_aim * Eigen::Vector3d(0, 0, -kFarthestPointer_m))};
+  pose_.pointer = client::PointerBeam{
+      world_from_aim.translation_m,
+      place_m.value_or(world_from_aim * Eigen::Vector3d(0, 0, -kFarthestPointer_m))};
   return {};
 }
 
-/// Hands, and where the pointer or a teleport leads.
+/// The wearer's hands and pointer or teleport beam.
 client::PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
   client::PersonPose seen = pose_;
   if (const auto& target_m = walk_.teleport_target_m()) {

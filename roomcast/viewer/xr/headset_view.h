@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// HeadsetView: the room in a headset: moves its wearer, draws for both eyes at once, and says where
-// head and hands are. Threading: the thread of the GL context.
+// HeadsetView: the room in a headset: moves the wearer, draws for both eyes at once, and returns
+// the poses of head and hands. Threading: the thread of the GL context.
 #pragma once
 
 #include <memory>
@@ -23,23 +23,23 @@ class HeadsetView {
 
   /// Errors as Headset::poll.
   Status poll() { return headset_->poll(); }
-  /// Somebody wears it: draw() then.
+  /// True while the headset is worn: then call draw().
   [[nodiscard]] bool is_running() const { return headset_->is_running(); }
 
-  /// Waits until the headset wants a frame, moves the wearer and draws. `start`: where the wearer
-  /// stands at first, and after recentring. Errors as Headset's and RoomView::draw.
+  /// Waits until the headset wants a frame, moves the wearer and draws. `start`: the wearer's
+  /// position at the start and after recentring. Errors as Headset's and RoomView::draw.
   Status draw(RoomView& room, const ViewSettings& settings, const ViewState& start);
-  /// At the next frame the wearer stands at the start again.
+  /// Moves the wearer to the start at the next frame.
   void recenter() { is_placed_ = false; }
 
-  /// In the world; of the newest frame.
+  /// The wearer's pose in the newest frame, world frame.
   [[nodiscard]] const client::PersonPose& pose() const { return pose_; }
-  /// What the left eye sees, and behind it what the right one does; null before the first frame.
+  /// The two-eye picture, left eye at the left; null before the first frame.
   [[nodiscard]] const render::OffscreenTarget* left_eye() const { return picture_.target(); }
   [[nodiscard]] std::optional<nanoseconds> take_drawing_time() {
     return picture_.take_drawing_time();
   }
-  /// For the panel: the headset's name, its rate, our time for a frame, frames missed.
+  /// For the panel: the headset's name, its rate, the viewer's time per frame, missed frames.
   [[nodiscard]] std::string report() const;
 
  private:

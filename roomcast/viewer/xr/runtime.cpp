@@ -84,7 +84,8 @@ Status Runtime::find_headset() {
   return {};
 }
 
-/// OpenXR wants to be asked before a session is made, whatever the answer.
+/// OpenXR requires this call before a session is created. kUnavailable if the driver's OpenGL is
+/// too old for the headset.
 Status Runtime::ask_for_graphics_requirements() const {
   PFN_xrGetOpenGLGraphicsRequirementsKHR ask = nullptr;
   ROOMCAST_XR_TRY(xrGetInstanceProcAddr(instance_, "xrGetOpenGLGraphicsRequirementsKHR",

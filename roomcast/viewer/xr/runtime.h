@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runtime: the connection to a headset's software through the Khronos loader, and its headset.
-// Source: OpenXR 1.0, sections 4 and 5.
+// Runtime: the connection to an OpenXR runtime through the Khronos loader, and its headset. Source:
+// OpenXR 1.0, sections 4 and 5.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace roomcast::viewer::xr {
 
 class Runtime {
  public:
-  /// `binding_extension`: how the headset gets at the current GL context, beside
-  /// XR_KHR_opengl_enable; may be null. kUnavailable, with what to do, when there is no headset or
-  /// its software cannot work with OpenGL.
+  /// `binding_extension`: required in addition to XR_KHR_opengl_enable to share the current GL
+  /// context; may be null. kUnavailable, with advice, if there is no headset or the runtime does
+  /// not support OpenGL.
   static Result<Runtime> open(const char* binding_extension);
   ~Runtime();
   Runtime(Runtime&& other) noexcept;
@@ -24,9 +24,10 @@ class Runtime {
 
   [[nodiscard]] XrInstance instance() const { return instance_; }
   [[nodiscard]] XrSystemId system() const { return system_; }
-  /// It can use the depth of pictures, to move them to where the head is when they are seen.
+  /// True if the runtime can use pictures' depth to reproject them to the head's pose at display
+  /// time.
   [[nodiscard]] bool takes_depth() const { return takes_depth_; }
-  /// Of the headset and of the software.
+  /// Names of the headset and of the runtime.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:

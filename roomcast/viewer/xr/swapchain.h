@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swapchain: the images of one eye that the headset's software shows in turn.
+// Swapchain: the images of one eye that the OpenXR runtime shows in turn.
 // Source: OpenXR 1.0, section 10.1.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace roomcast::viewer::xr {
 
 class Swapchain {
  public:
-  /// `format`: of OpenGL, one that the session offers. `use`: XR_SWAPCHAIN_USAGE_...
+  /// `format`: an OpenGL format that the session offers. `use`: XR_SWAPCHAIN_USAGE_...
   static Result<Swapchain> create(XrSession session, std::int64_t format, PictureSize size,
                                   XrSwapchainUsageFlags use);
   ~Swapchain();
@@ -33,7 +33,7 @@ class Swapchain {
 
   /// The texture to draw into, once the headset no longer shows it. Errors as xr_status.
   Result<GLuint> acquire();
-  /// What was drawn is ready. Only after acquire().
+  /// Marks the image as ready to show. Only after acquire().
   Status release();
 
  private:

@@ -45,7 +45,7 @@ void VrWalk::advance(const VrInput& input, const ComfortOptions& comfort, double
   turn(input, comfort, step_s);
   const bool walks = comfort.smooth_walk && input.walk.norm() > kStickRest;
   if (walks) walk(input, comfort, step_s);
-  // The turning stick pushed forward teleports; so does the walking one of who would not glide.
+  // Pushing the turning stick forward teleports; without smooth walking, so does the walking stick.
   const double push = std::max(input.turn.y(), comfort.smooth_walk ? 0.0 : input.walk.y());
   teleport(input, push > (aims_ ? kAimRelease : kAimPush));
 }
@@ -69,7 +69,7 @@ void VrWalk::turn_around_head(const RigidTransform& stage_from_head, double yaw_
   world_from_stage_.translation_m = turn * (world_from_stage_.translation_m - head_m) + head_m;
 }
 
-/// Where the head looks is forward.
+/// Forward is the head's direction.
 void VrWalk::walk(const VrInput& input, const ComfortOptions& comfort, double seconds) {
   const Eigen::Matrix3d forward = yaw_matrix(yaw_of(world_from_stage_ * input.stage_from_head));
   const Eigen::Vector3d push(beyond_rest(input.walk.x()), 0, -beyond_rest(input.walk.y()));
@@ -99,7 +99,7 @@ std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_
   const Eigen::Vector3d from_m = world_from_aim.translation_m;
   const Eigen::Vector3d speed = world_from_aim.rotation * Eigen::Vector3d(0, 0, -kThrow_m_per_s);
   if (!(from_m.y() >= 0)) return std::nullopt;
-  // from.y + speed.y t - g t^2 / 2 = 0
+  // Solves from.y + speed.y t - g t^2 / 2 = 0.
   const double time_s =
       (speed.y() + std::sqrt(speed.y() * speed.y() + 2 * kGravity_m_per_s2 * from_m.y())) /
       kGravity_m_per_s2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VrWalk: how a person in a headset gets around: the stage (the piece of floor on which the person
-// really walks) is moved through the world by thumbsticks: smoothly, or by teleporting; turned
-// smoothly, or by steps. Pure.
+// VrWalk: moves a person in a headset: thumbsticks move the stage (the piece of floor on which the
+// person really walks) through the world, smoothly or by teleporting, and turn it, smoothly or in
+// steps. Pure.
 #pragma once
 
 #include <optional>
@@ -15,27 +15,27 @@
 
 namespace roomcast::viewer::xr {
 
-/// What a headset and its controllers say. Sticks: right and forward are positive, -1..1.
+/// Input of a headset and its controllers. Sticks: right and forward are positive, -1..1.
 struct VrInput {
   RigidTransform stage_from_head;
   std::optional<RigidTransform> stage_from_left_hand, stage_from_right_hand;
-  std::optional<RigidTransform> stage_from_aim;  // of the right hand: points along -z
+  std::optional<RigidTransform> stage_from_aim;  // of the right hand; points along -z
   Eigen::Vector2d walk = Eigen::Vector2d::Zero(), turn = Eigen::Vector2d::Zero();
   bool points = false;     // the trigger is held
-  bool recenters = false;  // has just been pressed
+  bool recenters = false;  // pressed in this frame
 };
 
 class VrWalk {
  public:
   [[nodiscard]] const RigidTransform& world_from_stage() const { return world_from_stage_; }
 
-  /// Puts the head where the view is, and its level direction; the floor stays the floor.
+  /// Moves the stage so that the head has the view's x, z and yaw; the stage's floor is at y = 0.
   void stand_at(const ViewState& view, const RigidTransform& stage_from_head);
 
-  /// What the sticks say for so long. Long pauses count as short ones.
+  /// Applies the sticks for this time. Long pauses are shortened.
   void advance(const VrInput& input, const ComfortOptions& comfort, double seconds);
 
-  /// On the floor, where letting go of the stick would lead; nothing while nobody teleports.
+  /// The teleport's target on the floor; empty while not aiming or out of reach.
   [[nodiscard]] const std::optional<Eigen::Vector3d>& teleport_target_m() const {
     return target_m_;
   }
@@ -52,8 +52,8 @@ class VrWalk {
   std::optional<Eigen::Vector3d> target_m_;
 };
 
-/// Where what is thrown along `world_from_aim`'s -z comes down on the floor (y = 0); nothing when
-/// that is out of reach.
+/// Where an object thrown along `world_from_aim`'s -z lands on the floor (y = 0); empty if out of
+/// reach.
 [[nodiscard]] std::optional<Eigen::Vector3d> landing_place_m(const RigidTransform& world_from_aim);
 
 }  // namespace roomcast::viewer::xr

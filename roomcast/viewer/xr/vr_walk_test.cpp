@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// Off the stage's middle, turned, as a real head is.
+/// A head off the stage's centre, turned, as a real one is.
 VrInput standing() {
   VrInput input;
   input.stage_from_head = world_from_view(look_from({0.4, 1.7, -0.3}, {1.4, 1.5, -0.3}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests that need a window of X11: an X server without a screen (Xvfb), on a display of its
-// own.
+// Fixture for tests that need an X11 window: an X server without a screen (Xvfb), on its own
+// display.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace roomcast::viewer::xr {
 
 class XServer {
  public:
-  /// Nothing where Xvfb is not installed.
+  /// Empty if Xvfb is not installed.
   static std::optional<XServer> start() {
     int ends[2];
     if (::pipe(ends) != 0) return std::nullopt;

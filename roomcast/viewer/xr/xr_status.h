@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What OpenXR answers, as a Status.
+// Converts OpenXR's result codes to Status.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace roomcast::viewer::xr {
 
-/// kClosed when the session or the runtime is lost; kUnavailable for every other failure. `what` is
-/// what failed: "drawing for the headset".
+/// kClosed if the session or the runtime is lost; kUnavailable for every other failure. `what`: the
+/// failed operation, such as "drawing for the headset".
 [[nodiscard]] Status xr_status(XrResult result, const std::string& what);
 
-/// The same for what has no status of its own on success.
+/// Returns from the calling function with xr_status if `call` fails.
 #define ROOMCAST_XR_TRY(call, what)                                                               \
   do {                                                                                            \
     if (::roomcast::Status xr_try_status = ::roomcast::viewer::xr::xr_status(call, what); !xr_try_status) \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenXR's structures say what they are; all else in them is zero at first.
+// Makes an OpenXR structure with its type set and all other fields zero.
 #pragma once
 
 #include <openxr/openxr.h>

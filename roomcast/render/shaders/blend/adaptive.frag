@@ -1,5 +1,5 @@
-// A surface without a colour is grey, and stands back by a share of its distance, so that another sensor that did see
-// the colour of the same surface wins although its depth is as noisy.
+// Draws a cleaned surface. A surface without a colour is grey and is moved back by a share of its distance, so that
+// another sensor that saw the colour of the same surface wins although its depth is as noisy.
 
 layout(location = 0) uniform mat4 clip_from_view[2];  // near and far are the same for all eyes
 layout(location = 4) uniform int sensor;

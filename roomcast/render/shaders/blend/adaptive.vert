@@ -1,6 +1,6 @@
-// The few vertices of a cleaned surface.
+// Vertices of a cleaned surface's adaptive mesh.
 
-out vec3 at;  // in the depth grid, 0..1: to be divided by its last, for large triangles
+out vec3 at;  // (u, v, 1) * z, u and v from 0 to 1 in the depth grid; correct across large triangles
 
 void main() {
   ivec2 pixel = pixel_of(gl_VertexID);

@@ -1,15 +1,15 @@
-// The triangles of one tile of 16x16 cells of the depth grid: a quadtree whose nodes are two triangles wherever the
-// surface is flat to within its noise. A plane is linear in inverse depth. Cells that no larger node covers are cut
-// along the diagonal whose ends lie closer together, and dropped where the surface breaks. Each tile writes to a place
-// of its own, each cell in the order of its number, so the same surface always gives the same triangles.
+// Meshes one tile of 16x16 cells of the depth grid with a quadtree. A node becomes two triangles if the surface in it
+// is flat to within its noise (a plane is linear in inverse depth). Cells outside flat nodes are cut along the diagonal
+// with the smaller depth difference; triangles across a break are dropped. Each tile writes to its own range, each cell
+// in the order of its number, so the same surface always gives the same triangles.
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMaxIndices for each tile
+layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMostIndices per tile
 layout(std430, binding = 1) writeonly buffer Counts { uint tile_counts[]; };
 layout(binding = 5) uniform sampler2D covering_depth_m;
 
 layout(location = 4) uniform vec2 max_gap;     // metres, and share of the nearest corner's distance
-layout(location = 5) uniform bool is_covered;  // what lies on the covering surface need not be drawn
+layout(location = 5) uniform bool is_covered;  // parts on the covering surface are not drawn
 
 const int kSide = 16;
 const int kSamples = kSide + 1;
@@ -22,7 +22,7 @@ const float kApart = 1.0e9;
 shared float z[kSamples * kSamples];
 shared bool hidden[kSamples * kSamples];  // by the covering surface
 shared uint is_bent[kNodes];
-shared uint is_shown[kNodes];  // some of it is not hidden
+shared uint is_shown[kNodes];  // at least one sample is not hidden
 shared uint before[kSide * kSide];
 
 int sample_at(ivec2 p) { return p.y * kSamples + p.x; }
@@ -53,7 +53,7 @@ void load_samples(ivec2 first) {
   }
 }
 
-// How far a sample lies off the plane through its node's corners.
+// True if a sample is on the plane through its node's corners, to within the noise.
 bool lies_in_node(ivec2 p, ivec2 first, int side) {
   float z00 = z[sample_at(first)], z10 = z[sample_at(first + ivec2(side, 0))];
   float z01 = z[sample_at(first + ivec2(0, side))], z11 = z[sample_at(first + side)];
@@ -66,7 +66,7 @@ bool lies_in_node(ivec2 p, ivec2 first, int side) {
 
 void judge(ivec2 p, int level) {
   int side = 2 << level;
-  for (int i = 0; i < 4; ++i) {  // a sample on the border of nodes belongs to all of them
+  for (int i = 0; i < 4; ++i) {  // a sample on a border belongs to all nodes there
     ivec2 cell = p - ivec2(i & 1, i >> 1);
     bool same_as_before = ((i & 1) != 0 && p.x % side != 0) || ((i >> 1) != 0 && p.y % side != 0);
     if (same_as_before || any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, ivec2(kSide)))) continue;
@@ -92,7 +92,7 @@ void main() {
   }
   barrier();
 
-  // The largest flat node that the cell lies in draws it, at its first cell.
+  // The largest flat node around the cell is drawn by the node's first cell.
   ivec2 cell = ivec2(gl_LocalInvocationID.xy);
   int side = 1;
   bool shown = false;
@@ -112,7 +112,7 @@ void main() {
     lower = !all_hidden && (along_falling ? connected(z10, z01, z11) : connected(z00, z11, z10));
   }
 
-  // Where this cell's triangles go: behind those of all cells before it.
+  // A prefix sum gives the position of this cell's triangles, after those of all cells before it.
   uint me = gl_LocalInvocationIndex;
   uint mine = (upper ? 3u : 0u) + (lower ? 3u : 0u);
   before[me] = mine;

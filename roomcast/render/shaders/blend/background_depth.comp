@@ -1,5 +1,5 @@
-// The remembered background as a surface to draw: where it was read often enough, and not where the sensor now reads
-// something beyond it.
+// Extracts the remembered background as a surface: pixels with enough readings, except where the sensor now reads
+// something farther.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba32f, binding = 0) readonly uniform image2D background;

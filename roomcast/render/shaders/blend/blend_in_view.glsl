@@ -1,4 +1,4 @@
-// A cleaned surface where an eye sees it. Put in front of vertex shaders, behind eyes.glsl, surface_view.glsl and
+// Transforms a cleaned surface to the view. Comes before vertex shaders, after eyes.glsl, surface_view.glsl and
 // blend_surface.glsl. Locations as in surface_layer.cpp.
 
 layout(location = 5) uniform float setback_m;  // along the eye's ray

@@ -1,12 +1,12 @@
-// A cleaned surface of one sensor: put in front of the shaders that mix them. The bindings are those of
+// Inputs of a cleaned surface of one sensor. Comes before the shaders that draw such surfaces. Bindings as in
 // surface_layer.cpp; the mesh's indices come from adaptive_mesh.comp.
 
-layout(binding = 0) uniform sampler2D depth_m;  // 0: nothing to draw
+layout(binding = 0) uniform sampler2D depth_m;  // 0: no surface
 layout(binding = 1) uniform sampler2D rays;
 layout(binding = 2) uniform sampler2D weighted_color;  // in the depth grid: rgb times quality, quality
 layout(binding = 4) uniform sampler2D quality;
 
-// Indices of vertices name pixels; not by their number in the grid, for whole-number division is slow.
+// A vertex index encodes a pixel as row and column bits: dividing a running index would be slow.
 const int kColumnBits = 16;
 
 uint index_of(ivec2 pixel) { return uint(pixel.y << kColumnBits | pixel.x); }

@@ -1,22 +1,22 @@
-// Takes away points of a surface that another sensor looks through: where that one now reads something clearly beyond
-// them, all around.
+// Removes the points of a surface through which another sensor sees: in 3x3 pixels around the point, that sensor now
+// reads something clearly farther.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(r32f, binding = 0) uniform image2D depth;
 layout(binding = 1) uniform sampler2D rays;             // of this surface's sensor
-layout(binding = 4) uniform usampler2D other_depth_mm;  // live
+layout(binding = 4) uniform usampler2D other_depth_mm;  // newest picture
 
 layout(location = 0) uniform mat4 other_from_depth;
 layout(location = 1) uniform vec4 other_focal_center;  // fx, fy, cx, cy
 layout(location = 2) uniform vec3 other_radial;
 layout(location = 3) uniform vec2 other_tangential;
-layout(location = 4) uniform float other_widest_squared;  // of the lens; beyond it the polynomial means nothing
+layout(location = 4) uniform float other_widest_squared;  // the largest radius for which the lens's polynomial is valid
 
 const float kBeyond_m = 0.06;
 const float kBeyondPer_m = 0.02;
 const float kNearest_m = 0.3;
 
-// Brown-Conrady, as geometry/camera_model.h.
+// Brown-Conrady, as in geometry/camera_model.h.
 vec2 projected(vec3 point) {
   vec2 xy = point.xy / point.z;
   float r2 = dot(xy, xy);

@@ -1,6 +1,6 @@
-// A thing that gives no reading (a dark monitor) stands where the colour camera sees something else than the background
-// that was read there before. It gets the distance of what is around it and nearer than that background: who carries it,
-// its frame; with nothing of the kind around, it hangs on the background.
+// Places an object that gives no reading (such as a dark monitor) where the colour camera sees something other than the
+// remembered background. The object gets the distance of nearer readings around it, such as its frame or the person who
+// carries it; without such readings it gets the background's distance.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D newest_m;
@@ -8,14 +8,14 @@ layout(binding = 3) uniform usampler2D seen;
 layout(binding = 4) uniform usampler2D verdict;    // judge_lost.comp
 layout(binding = 6) uniform sampler2D background;  // metres, readings
 layout(r32f, binding = 0) writeonly uniform image2D depth_out;
-layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is to be shown
+layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is valid
 
 const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
-const int kAround = 2, kMinOthers = 13;  // of 25 pixels: what is smaller comes and goes at every edge
+const int kAround = 2, kLeastOthers = 13;  // of 25 pixels; smaller areas flicker at every edge
 const int kReach = 64;
 const float kBefore_m = 0.1, kBeforePer_m = 0.03;
 
-// Around the pixel: where something else is seen than the background, and where that.
+// Number of pixels nearby that differ from the background, and number that match it.
 ivec2 others_and_same(ivec2 pixel, ivec2 size) {
   int others = 0, same = 0;
   for (int y = max(pixel.y - kAround, 0); y <= min(pixel.y + kAround, size.y - 1); ++y) {
@@ -28,7 +28,7 @@ ivec2 others_and_same(ivec2 pixel, ivec2 size) {
   return ivec2(others, same);
 }
 
-// The next reading in a direction, metres and pixels away; 0 where there is none.
+// The next reading in a direction: depth in metres, distance in pixels; 0 if there is none.
 vec2 next_reading(ivec2 pixel, ivec2 step, ivec2 size) {
   for (int i = 1; i <= kReach; ++i) {
     ivec2 at = pixel + i * step;
@@ -39,8 +39,8 @@ vec2 next_reading(ivec2 pixel, ivec2 step, ivec2 size) {
   return vec2(0.0);
 }
 
-// A thing that gives a reading here and there: how far it is between readings, nearer than the background, at three
-// corners that agree; 0: there are none, or the pixel lies beside them.
+// For an object with scattered readings: the mean depth of readings nearer than the background that agree in at least
+// three corners around the pixel; 0 if there are none.
 const int kNear = 7, kCorners = 3;
 
 float between_readings(ivec2 pixel, ivec2 size) {
@@ -83,7 +83,7 @@ float distance_around(ivec2 pixel, ivec2 size) {
   return weights > 0.0 ? sum / weights : behind;
 }
 
-// 0: it is not covered.
+// Depth of the object in front of the background; 0 if there is none.
 float distance_of_cover(ivec2 pixel, ivec2 size) {
   uint lost = texelFetch(verdict, pixel, 0).r;
   if (lost == kNothingLost) return 0.0;

@@ -1,4 +1,4 @@
-// How many pixels the next break of the surface is away along the row, 0 to kReach.
+// Distance in pixels to the next break of the surface along the row, 0 to kReach.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;

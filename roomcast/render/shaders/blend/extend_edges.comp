@@ -1,5 +1,5 @@
-// Sensors lose the readings at the rims of things and on whatever is dark, so limbs come out too thin. A pixel without
-// a reading takes the mean of its neighbours, as long as these are of one surface: beside two of them nobody knows.
+// Extends surfaces at their edges: sensors lose readings at the edges of objects and on dark areas, so limbs come out
+// too thin. A pixel without a reading takes the mean of its neighbours if all of them are on one surface.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;

@@ -1,4 +1,4 @@
-// Gives a pixel without a reading the mean of its neighbours, where most of them have one and agree.
+// Gives a pixel without a reading the mean of its neighbours if most of them have a reading and all of those agree.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;

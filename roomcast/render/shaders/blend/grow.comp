@@ -1,4 +1,4 @@
-// Where a level has nothing, what the next coarser one has: from the coarsest to the finest.
+// Fills the empty pixels of a level from the next coarser one. Runs from the coarsest level to the finest.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray coarser;  // a layer for each eye

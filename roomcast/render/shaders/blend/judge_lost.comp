@@ -1,23 +1,23 @@
-// Where a reading is missing before a remembered background: does the colour camera still see that background there?
-// Shadows and a camera's exposure make a surface darker or lighter, not another one, so brightness may differ by much.
+// Classifies pixels without a reading in front of a remembered background: does the colour camera still see that
+// background there? Shadows and exposure change a surface's brightness, so brightness may differ widely.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D newest_m;
-layout(binding = 2) uniform sampler2D color;             // the newest; without a reading what was seen there last
-layout(binding = 5) uniform sampler2D background_color;  // its alpha: the mean of how many
+layout(binding = 2) uniform sampler2D color;             // newest; without a reading: seen at the surface read before
+layout(binding = 5) uniform sampler2D background_color;  // alpha: number of samples in the mean
 layout(binding = 6) uniform sampler2D background;        // metres, readings
 layout(binding = 7) uniform sampler2D steadiness;        // remember_background.comp
 layout(r8ui, binding = 0) writeonly uniform uimage2D verdict;
 
-layout(location = 0) uniform int color_shift;  // how often the depth grid doubles to that of colour
+layout(location = 0) uniform int color_shift;  // log2 of colour pixels per depth pixel along an axis
 
 const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
 const float kEnoughReadings = 8.0;
-const float kSteady = 0.8;  // where readings come and go, one that misses means nothing
+const float kSteady = 0.8;  // below this, readings come and go: a missing one means nothing
 const float kEnoughColors = 2.0;
-// Brightness, 0..1 as displays show it, as a share of the background's.
+// Limits of brightness (0..1, display values) as a share of the background's.
 const float kDarkest = 0.75, kLightest = 1.35, kNoise = 0.03;
-// Of colours divided by their brightness, where there is light enough to tell.
+// Limits for colours divided by their brightness, used where there is enough light.
 const float kOtherHue = 0.15, kEnoughLight = 0.12;
 
 float brightness(vec3 rgb) { return dot(rgb, vec3(1.0 / 3.0)); }

@@ -1,4 +1,4 @@
-// Puts the triangles of all tiles one behind the other.
+// Concatenates the triangles of all tiles.
 
 layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer Tiles { uint tile_indices[]; };

@@ -1,11 +1,11 @@
-// Where the triangles of each tile go in the whole mesh, and how many there are in all: the commands that draw it.
+// Computes the position of each tile's triangles in the whole mesh, and the draw commands with the total count.
 
 layout(local_size_x = 256) in;
 struct Command { uint count, instances, first, base, first_instance; };
 
 layout(std430, binding = 1) readonly buffer Counts { uint tile_counts[]; };
 layout(std430, binding = 2) writeonly buffer Offsets { uint tile_offsets[]; };
-layout(std430, binding = 3) writeonly buffer Commands { Command commands[2]; };  // for one eye, for two
+layout(std430, binding = 3) writeonly buffer Commands { Command commands[2]; };  // one for one eye, one for two
 
 layout(location = 0) uniform uint tiles;
 

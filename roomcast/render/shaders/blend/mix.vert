@@ -1,19 +1,19 @@
-// Weighs a surface by how well its sensor saw it and by how alike the sensor's and the eye's directions are
-// (Buehler et al. 2001, unstructured lumigraph rendering).
+// Weighs a surface by its quality and by the agreement between the sensor's and the eye's viewing directions (Buehler
+// et al. 2001, unstructured lumigraph rendering).
 
-layout(location = 6) uniform float weight;  // of this surface beside others
+layout(location = 6) uniform float weight;  // of this surface relative to others
 
-out vec3 at;  // in the depth grid, 0..1: to be divided by its last, for large triangles
+out vec3 at;  // (u, v, 1) * z, u and v from 0 to 1 in the depth grid; correct across large triangles
 out float counts;
 
-// As much as surfaces may lie behind the nearest and still be mixed with it they are drawn in front of themselves: metres
-// along the eye's axis, and for each metre.
+// Surfaces are moved towards the eye by this much, so that those within it behind the nearest surface pass the depth
+// test and are mixed: metres along the eye's axis, and metres per metre of distance.
 const float kMix_m = 0.02;
 const float kMixPer_m = 0.012;
-const float kMinAgreement = 0.05;
-const float kScale = 256.0;  // half floats are finer there
+const float kLeastAgreement = 0.05;
+const float kScale = 256.0;  // keeps small weights precise in half floats
 
-// 1: the same; 0.5: at right angles. Its fourth power is the weight: higher is sharper, lower hides seams.
+// 1: same direction; 0.5: right angle. The weight is its fourth power: a higher power is sharper, a lower hides seams.
 float agreement(vec3 a, vec3 b) { return 0.5 + 0.5 * dot(a, b) * inversesqrt(dot(a, a) * dot(b, b)); }
 
 void main() {

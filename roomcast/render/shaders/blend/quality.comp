@@ -1,5 +1,5 @@
-// How much a pixel counts when surfaces of several sensors are mixed: the more, the closer it is, the more squarely it
-// was seen, and the farther from the next break of the surface, where depth and colour mix what lies on both sides.
+// Weight of a pixel when surfaces of several sensors are mixed. It grows with nearness, with an angle of view closer to
+// the normal, and with distance from the next break, where depth and colour mix both sides of the break.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;
@@ -25,13 +25,13 @@ vec3 point_at(ivec2 pixel, ivec2 size) {
   return vec3(texelFetch(rays, pixel, 0).xy * z, z);
 }
 
-// From the point before to the point behind, 0 where either is missing.
+// Vector from the previous point to the next one; 0 if either is missing.
 vec3 across(ivec2 pixel, ivec2 step, ivec2 size) {
   vec3 a = point_at(pixel - step, size), b = point_at(pixel + step, size);
   return a.z > 0.0 && b.z > 0.0 ? b - a : vec3(0.0);
 }
 
-// Of the angle between the ray and the surface's normal; 1 where there is no normal to be had.
+// Cosine of the angle between the ray and the surface's normal; 1 if the normal is unknown.
 float facing(ivec2 pixel, ivec2 size, vec3 point) {
   vec3 right = across(pixel, ivec2(1, 0), size) + across(pixel, ivec2(2, 0), size);
   vec3 down = across(pixel, ivec2(0, 1), size) + across(pixel, ivec2(0, 2), size);

@@ -1,13 +1,13 @@
-// What the sensor has seen farthest behind each pixel, and that surface's colour: the running mean of readings that
-// agree. A farther surface takes the place of a nearer one when it has been read several times; what comes in front
-// of it changes nothing. Writes the depth that is drawn, too: readings of the remembered surface become that surface,
-// which takes the noise out of whatever stands still.
+// Updates the background model: per pixel the farthest surface the sensor has seen, as the running mean of agreeing
+// readings, and that surface's colour. A farther surface replaces a nearer one after several readings; nearer surfaces
+// change nothing. Also writes the depth to draw: a reading of the remembered surface is replaced by the mean, which
+// removes noise from static surfaces.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform image2D background;        // metres, readings; metres, readings of a candidate
 layout(rgba16f, binding = 1) uniform image2D background_color;  // rgb, readings
-layout(r32f, binding = 2) uniform image2D depth_out;            // metres; of the frame before, until it is written
-layout(r16f, binding = 3) uniform image2D steadiness;           // 1: there is always a reading
+layout(r32f, binding = 2) uniform image2D depth_out;            // metres; the last frame's until written
+layout(r16f, binding = 3) uniform image2D steadiness;           // 1: always a reading
 
 const float kMaxReadings = 64.0;
 const float kMaxColors = 32.0;
@@ -27,8 +27,8 @@ void remember_colors(ivec2 pixel, bool is_new) {
   }
 }
 
-// How often readings begin to miss among those that come. How long they then stay away says nothing about the surface:
-// something may stand before it.
+// Tracks how often a reading drops out. Only the start of a gap counts: an object in front of the surface can make a
+// gap of any length.
 void remember_steadiness(ivec2 pixel, bool is_read) {
   bool was_read = imageLoad(depth_out, pixel).r > 0.0;
   if (!is_read && !was_read) return;

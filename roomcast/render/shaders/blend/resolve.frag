@@ -1,10 +1,9 @@
-// The mixed picture: colours divided by their weights. What lies among surfaces, and a surface whose colour nobody saw,
-// takes the colour of its surroundings; what lies beside them stays as it was.
+// Final picture: colours divided by their weights. Holes between surfaces, and surfaces without a colour, take the
+// surrounding colour; pixels outside all surfaces keep the background.
 
 layout(binding = 0) uniform sampler2D color_sum;
 layout(binding = 1) uniform sampler2D nearest_depth;
-layout(binding = 2) uniform sampler2DArray surroundings;  // half the size, a layer for each eye; how much of them is seen
-                                                          // where there is no surface
+layout(binding = 2) uniform sampler2DArray surroundings;  // half the size, one layer per eye; alpha: opacity in holes
 
 layout(location = 0) out vec4 picture;
 

@@ -1,4 +1,4 @@
-// Half the size: sums of colours with their weights (push-pull, Gortler et al. 1996), and how much is covered.
+// Halves the size: sums of colours with their weights (push-pull, Gortler et al. 1996), and coverage.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray finer_color;  // a layer for each eye

@@ -1,5 +1,5 @@
-// The mixed picture at half its size, each eye's part in a layer of its own: colours with weights, and how much is
-// covered. The far counts more: what fills a hole beside a person is the wall behind.
+// The mixed picture at half its size, one layer per eye: colours with weights, and coverage. Far surfaces weigh more,
+// because a hole next to a person should show the wall behind.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D color_sum;  // the eyes' parts side by side
@@ -11,7 +11,7 @@ layout(location = 0) uniform vec2 depth_from_z;  // ndc depth = x + y / z
 
 const float kFar_m = 4.0;
 
-// Along the eye's axis.
+// Distance along the eye's axis.
 float surface_m(float depth) { return depth_from_z.y / (2.0 * depth - 1.0 - depth_from_z.x); }
 
 vec4 weighted(vec4 sum, float depth) {

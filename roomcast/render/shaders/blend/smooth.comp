@@ -1,5 +1,4 @@
-// Bilateral filter of depth (Tomasi & Manduchi 1998): a mean over 5x5 pixels in which only those count that lie on the
-// same surface.
+// Bilateral filter of depth (Tomasi & Manduchi 1998): a mean over those of 5x5 pixels that are on the same surface.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;

@@ -1,21 +1,20 @@
-// The colour of what a sensor sees now: that of its newest picture, or, where that differs only by noise, the mean of
-// many.
+// Colour of a live surface: the newest colour, or the mean over time where the two differ only by noise.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;
 layout(binding = 2) uniform sampler2D color;
 layout(binding = 3) uniform usampler2D seen;
-layout(binding = 5) uniform sampler2D background_color;  // its alpha: the mean of how many
+layout(binding = 5) uniform sampler2D background_color;  // alpha: number of samples in the mean
 layout(binding = 6) uniform sampler2D background;        // metres, readings
-layout(rgba16f, binding = 0) writeonly uniform image2D still_color;  // alpha is 1, or 0 where there is no colour
+layout(rgba16f, binding = 0) writeonly uniform image2D still_color;  // alpha: 1, or 0 without a colour
 
-layout(location = 0) uniform int color_shift;  // how often the depth grid doubles to that of colour
+layout(location = 0) uniform int color_shift;  // log2 of colour pixels per depth pixel along an axis
 
-// Mean difference of the colours around a pixel: up to the first it is noise, from the second on something changed.
+// Mean colour difference around a pixel: below kNoise it is noise, above kChange the scene has changed.
 const float kNoise = 0.03;
 const float kChange = 0.06;
 
-// 0: the newest colour shows something else than the mean of many; 1: the same.
+// 0: the newest colour differs from the mean; 1: it is the same.
 float stillness(ivec2 at, ivec2 size, vec4 mean) {
   if (mean.a < 2.0) return 0.0;
   ivec2 pixel = at >> color_shift;

@@ -1,20 +1,20 @@
-// The colour a surface is drawn with, sharpened, and how much it counts.
+// The sharpened colour of a surface, multiplied by its weight.
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth_in;
-layout(binding = 2) uniform sampler2D color;  // its alpha is above 0 where there is one
+layout(binding = 2) uniform sampler2D color;  // alpha > 0 where there is a colour
 layout(binding = 4) uniform sampler2D quality;
-layout(rgba16f, binding = 0) writeonly uniform image2D weighted_color;  // rgb times quality, quality; or nothing
+layout(rgba16f, binding = 0) writeonly uniform image2D weighted_color;  // rgb times quality, quality; or 0
 
-layout(location = 0) uniform int color_shift;  // how often the depth grid doubles to that of colour
-layout(location = 1) uniform vec3 gain;  // makes the sensor's colours agree with the others'
+layout(location = 0) uniform int color_shift;  // log2 of colour pixels per depth pixel along an axis
+layout(location = 1) uniform vec3 gain;  // matches the sensor's colours to the others'
 
-// Colour was averaged over its pixels and will be interpolated between them; both take contrast from fine detail, which
-// this gives back in part: colour in the depth grid's resolution lost most of it.
+// Colour was averaged over its pixels and will be interpolated between them; both reduce the contrast of fine detail.
+// Sharpening restores part of it, more at the depth grid's resolution, where the loss is larger.
 const float kSharpen = 0.9;
 const float kSharpenFine = 0.15;
 
-// Without its surroundings where the surface ends or another has no colour.
+// Returns `here` unchanged at the surface's edges and where a neighbour has no colour.
 vec3 sharpened(vec3 here, float z, ivec2 at, ivec2 size) {
   vec3 around = vec3(0.0);
   for (int i = 0; i < 4; ++i) {

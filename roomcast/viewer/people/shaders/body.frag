@@ -1,4 +1,4 @@
-// Daylight from above and a lamp over the shoulder; a beam shines by itself.
+// Light from above and from over the shoulder; a beam is lit by itself.
 
 layout(location = 4) uniform vec3 color;
 layout(location = 5) uniform float own_light;

@@ -1,4 +1,4 @@
-// A ball of rings and sectors, made from gl_VertexID; the matrix makes it a head, a hand or a beam.
+// A ball of rings and sectors, generated from gl_VertexID; the matrix shapes it into a head, a hand or a beam.
 
 layout(location = 0) uniform mat4 clip_from_world[2];  // of each eye
 layout(location = 2) uniform mat4 world_from_ball;

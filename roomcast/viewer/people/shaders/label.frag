@@ -5,7 +5,7 @@ layout(location = 4) uniform vec2 plate_m;  // half of its width and height; 0: 
 in vec2 uv;
 layout(location = 0) out vec4 picture;
 
-// Rounded at both ends.
+// Coverage of a plate with round ends.
 float plate_coverage() {
   vec2 off = abs(uv) * plate_m - vec2(plate_m.x - plate_m.y, 0.0);
   float distance_m = length(vec2(max(off.x, 0.0), off.y)) - plate_m.y;

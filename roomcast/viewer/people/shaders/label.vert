@@ -1,9 +1,9 @@
-// A rectangle of a label: a letter, or the plate behind all of them.
+// A rectangle of a label: a letter, or the plate behind the letters.
 
 layout(location = 0) uniform mat4 clip_from_label[2];  // of each eye
 
 layout(location = 0) in vec2 place;     // on the label, metres
-layout(location = 1) in vec2 in_atlas;  // of a letter; for the plate from -1 to 1
+layout(location = 1) in vec2 in_atlas;  // of a letter; for the plate -1 to 1
 
 out vec2 uv;
 

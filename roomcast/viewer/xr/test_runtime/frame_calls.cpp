@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TestRuntime: frames, eyes and what they are given (OpenXR 1.0, section 10).
+// TestRuntime: frames, views and layers (OpenXR 1.0, section 10).
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ XRAPI_ATTR XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
   return XR_SUCCESS;
 }
 
-/// Turns a vector as the pose does.
+/// Rotates a vector.
 XrVector3f turned(const XrQuaternionf& q, const XrVector3f& v) {
   const XrVector3f t = {2 * (q.y * v.z - q.z * v.y), 2 * (q.z * v.x - q.x * v.z),
                         2 * (q.x * v.y - q.y * v.x)};
@@ -62,7 +62,7 @@ XRAPI_ATTR XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* i
   return XR_SUCCESS;
 }
 
-/// The newest image, once it has been released, and the part of it that is named.
+/// Checks that the part's image has been released and that the part is inside the image.
 XrResult check_part(const XrSwapchainSubImage& part) {
   const auto& chain = *reinterpret_cast<const SwapchainRecord*>(part.swapchain);
   if (chain.released < 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TestRuntime: paths, actions and where hands are (OpenXR 1.0, sections 6, 7 and 11).
+// TestRuntime: paths, actions and hand poses (OpenXR 1.0, sections 6, 7 and 11).
 #include <cstring>
 
 #include "roomcast/viewer/xr/test_runtime/session_record.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// TestRuntime: the runtime, its headset and its events (OpenXR 1.0, sections 4 and 5), and how the
-// loader finds all functions.
+// TestRuntime: the runtime, its headset and its events (OpenXR 1.0, sections 4 and 5), and the
+// loader's entry point.
 #include <cstdio>
 #include <cstring>
 
@@ -178,7 +178,7 @@ XRAPI_ATTR XrAnswer XRAPI_CALL get_function(XrInstance, const char* name,
   return XR_ERROR_FUNCTION_UNSUPPORTED;
 }
 
-// As the OpenXR loader's interface with runtimes has it, version 1.
+// Version 1 of the OpenXR loader's interface with runtimes.
 struct LoaderInfo {
   std::uint32_t type, version;
   std::size_t size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What TestRuntime remembers of its client between calls: the state behind OpenXR's handles.
+// SessionRecord: TestRuntime's state behind OpenXR's handles.
 #pragma once
 
 #include <deque>
@@ -23,7 +23,7 @@ struct SwapchainRecord {
   std::uint32_t next = 0;
   int acquired = -1;
   bool waited = false;
-  int released = -1;  // the newest
+  int released = -1;  // the newest released image
 };
 
 struct SessionRecord {
@@ -39,10 +39,10 @@ struct SessionRecord {
   std::map<std::string, bool> last_buttons;
 };
 
-/// Of the one client.
+/// The record of the single client.
 SessionRecord& session_record();
 
-/// Handles are addresses or numbers.
+/// A handle encodes an address or a number.
 template <class Handle, class Value>
 Handle handle_from(Value value) {
   return reinterpret_cast<Handle>(value);
@@ -51,16 +51,16 @@ Handle handle_from(Value value) {
 inline const XrSession kTheSession = handle_from<XrSession>(std::uintptr_t{0x51});
 inline const XrInstance kTheInstance = handle_from<XrInstance>(std::uintptr_t{0x11});
 
-/// Notes it, and is the answer.
+/// Records the violation and returns `result`.
 XrResult violation(const char* what, XrResult result);
 
-/// The function of this name; null: there is none.
+/// The function of this name; null if there is none.
 PFN_xrVoidFunction instance_function(const std::string& name);
 PFN_xrVoidFunction session_function(const std::string& name);
 PFN_xrVoidFunction frame_function(const std::string& name);
 PFN_xrVoidFunction input_function(const std::string& name);
 
-/// Fills OpenXR's two-call arrays.
+/// Implements OpenXR's two-call idiom for arrays.
 template <class Item>
 XrResult fill(std::uint32_t capacity, std::uint32_t* count, Item* items,
               const std::vector<Item>& values) {

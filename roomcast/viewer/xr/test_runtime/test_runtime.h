@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// TestRuntime: an OpenXR runtime for tests: a headset that nobody wears. It moves as the test says
-// by a clock of its own (90 frames a second, without waiting), keeps what each eye was given, and
-// notes whoever breaks the order of calls of OpenXR 1.0, sections 9 to 11. It is a shared library
-// that Debian's own loader loads (XR_RUNTIME_JSON); a test that links it speaks to the same one.
-// Threading: one thread.
+// TestRuntime: an OpenXR runtime for tests, with a simulated headset. The test scripts the
+// headset's motion on a simulated clock (90 frames a second, without waiting). The runtime keeps
+// the pictures of each eye and records violations of the call order of OpenXR 1.0, sections 9 to
+// 11. It is a shared library loaded by Debian's own loader (XR_RUNTIME_JSON); a test that links it
+// uses the same instance. Threading: one thread.
 #pragma once
 
 #include <array>
@@ -19,16 +19,16 @@
 
 namespace roomcast::viewer::xr {
 
-/// What an eye was given with a frame.
+/// The pictures of one eye in a frame.
 struct GivenEye {
-  ColorImage color;    // the part that the layer names; top row first
-  Image<float> depth;  // OpenGL's, 0..1; empty: none was given
+  ColorImage color;    // the part named by the layer; top row first
+  Image<float> depth;  // OpenGL's, 0..1; empty: the client gave none
   XrPosef pose{};
   XrFovf fov{};
   float near_m = 0, far_m = 0;  // of the depth
 };
 
-/// What the wearer's hands do; by the names of the client's actions.
+/// The state of the wearer's hands, by the names of the client's actions.
 struct ScriptedHands {
   std::map<std::string, XrVector2f> sticks;
   std::map<std::string, bool> buttons;
@@ -46,28 +46,28 @@ class TestRuntime {
                                      {-0.70F, 0.80F, 0.75F, -0.72F}};
   static constexpr float kHalfEyeDistance_m = 0.0315F;
 
-  /// The one that the loader loads.
+  /// The instance used by the loader.
   static TestRuntime& instance();
-  /// As at first. Between sessions only.
+  /// Restores the initial state. Between sessions only.
   void reset();
 
-  // What the test says.
+  // Set by the test.
   std::function<XrPosef(XrTime)> head_at;  // in the stage
   ScriptedHands hands;
-  bool is_connected = true;  // a headset is
+  bool is_connected = true;  // whether there is a headset
   bool offers_depth = true;
-  bool is_tracked = true;  // the head is
-  void take_off();         // and put away; the session goes on when it is put on again
+  bool is_tracked = true;  // whether the head is tracked
+  void take_off();         // ends rendering; the session resumes at put_on()
   void put_on();
   void ask_for_end();
   void lose_session();
 
-  // What came of it.
+  // Results.
   std::vector<std::string> violations;
-  std::uint64_t frames = 0;  // ended
+  std::uint64_t frames = 0;  // frames ended
   std::uint64_t frames_with_layer = 0;
-  std::array<GivenEye, 2> given;  // with the last layer
-  bool uses_egl = false;          // the client's context, else GLX
+  std::array<GivenEye, 2> given;  // of the last layer
+  bool uses_egl = false;          // whether the client's context is EGL's, else GLX's
   int open_handles = 0;           // spaces, swapchains, action sets
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The test runtime itself: it has to notice what real ones refuse. Raw OpenXR, so that the client
-// can make mistakes.
+// Tests the test runtime itself: it must detect the violations that real runtimes reject. Uses raw
+// OpenXR, so that the client can violate the rules.
 #include <cstdlib>
 #include <cstring>
 
