@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names inside a recording of a room: docs/spec/recording.md.
+// Topic, metadata and encoding names used in a recorded room's MCAP file: docs/spec/recording.md.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace roomcast::recording {
 inline constexpr std::string_view kMetadataName = "roomcast";
 inline constexpr std::string_view kFormatVersion = "1";
 
-inline constexpr std::string_view kExportKey = "export";  // of that metadata
+inline constexpr std::string_view kExportKey = "export";  // key in the kMetadataName record
 inline constexpr std::string_view kForbidden = "no";
 
 inline constexpr std::string_view kRosterTopic = "/room/roster";
@@ -23,7 +23,7 @@ inline constexpr std::string_view kBundleSuffix = "/bundle";
 inline constexpr std::string_view kFrameEncoding = "x-roomcast.v1";  // a frame message, wire.md §2
 inline constexpr std::string_view kProtobuf = "protobuf";
 inline constexpr std::string_view kJson = "json";
-inline constexpr std::string_view kSensorKey = "sensor";  // of a channel's metadata: the name
+inline constexpr std::string_view kSensorKey = "sensor";  // in a channel's metadata
 
 [[nodiscard]] inline std::string frame_topic(std::string_view sensor) {
   return std::string(kSensorPrefix).append(sensor).append(kFrameSuffix);

@@ -13,7 +13,7 @@ struct Look {
   const ColorPlate& plate;
 };
 
-/// The light of the room and of what moves in it, through one camera.
+/// Renders the static room and the moving things through one camera.
 void look(const SimulatedRoom& room, const MovingThings& things, const Look& at, MovingLayer& layer,
           MovingColors& colors, ColorImage& light) {
   const ColorImage& still = at.plate.color;

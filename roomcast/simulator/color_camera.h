@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour camera of a simulated sensor in its room: the light that reaches it, and what it makes
-// of that. Const calls are thread-safe as long as every thread brings its own Work.
+// ColorCamera: the colour camera of a simulated sensor: renders the incoming light and applies the
+// camera's response to it. Const calls are thread-safe if every thread uses its own Work.
 #pragma once
 
 #include "roomcast/core/image.h"
@@ -17,7 +17,7 @@ namespace roomcast::simulator {
 
 class ColorCamera {
  public:
-  /// Memory of one thread, and what is to be seen at the instant it was last drawn for.
+  /// Memory of one thread, with the light at the instant of the last draw.
   struct Work {
     MovingLayer layer, meter_layer;
     MovingColors colors;
@@ -29,16 +29,17 @@ class ColorCamera {
 
   [[nodiscard]] Work make_work() const;
 
-  /// Looks at the things where they are now. First of all for every instant.
+  /// Renders the things in their current state. Must precede the other calls for each instant.
   void draw(const MovingThings& things, Work& work) const;
-  /// The picture of the last draw with the unit's own colours and an exposure gain.
+  /// The picture of the last draw with the unit's white balance and an exposure gain, without
+  /// noise.
   void expose(float gain, const Work& work, ColorImage& color) const;
-  /// The same with noise, a function of the key.
+  /// As expose, with noise, which is a function of `key`.
   void read(float gain, std::uint32_t key, const Work& work, ColorImage& color) const;
 
-  /// Mean linear light of a small picture of the things where they are now.
+  /// Mean linear light of a small picture of the things in their current state.
   [[nodiscard]] float brightness(const MovingThings& things, Work& work) const;
-  /// A control that steers for the brightness of the empty room.
+  /// An exposure control whose target is the brightness of the empty room.
   [[nodiscard]] AutoExposure auto_exposure() const { return AutoExposure(calm_brightness_); }
 
  private:

@@ -15,22 +15,24 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A grey wall at 3 m with a black board before it at 2 m, and one camera in front of both.
+/// A grey wall at 3 m, a black board in front of it at 2 m, and one camera facing both.
 simulator::Room two_walls() {
   simulator::Room room;
   room.name = "walls";
   room.size_m = {10, 4, 10};
   room.ambient = Eigen::Vector3f::Constant(0.6F);
-  const auto grey = room.add(simulator::painted(simulator::Pattern::kPlain, 0xd0d0d0, 0xd0d0d0, 0xd0d0d0, 1));
-  const auto black = room.add(simulator::painted(simulator::Pattern::kPlain, 0x101010, 0x101010, 0x101010, 1));
+  const auto grey =
+      room.add(simulator::painted(simulator::Pattern::kPlain, 0xd0d0d0, 0xd0d0d0, 0xd0d0d0, 1));
+  const auto black =
+      room.add(simulator::painted(simulator::Pattern::kPlain, 0x101010, 0x101010, 0x101010, 1));
   const Eigen::Affine3f here = Eigen::Affine3f::Identity();
   simulator::add_quad(room.mesh, grey, here, {-5, -3, -3}, {10, 0, 0}, {0, 8, 0});
   simulator::add_quad(room.mesh, black, here, {-0.4F, 0.6F, -2}, {0.8F, 0, 0}, {0, 0.8F, 0});
   return room;
 }
 
-/// Where a row of brightness falls below the middle between its ends' levels, going from `from`
-/// towards `to`, to a fraction of a pixel.
+/// Subpixel position, going from `from` towards `to`, at which a row's brightness falls below the
+/// mean of its end levels.
 double edge_in_row(const std::vector<double>& row, int from, int to) {
   const int step = from < to ? 1 : -1;
   const double level =
@@ -47,16 +49,17 @@ double edge_in_row(const std::vector<double>& row, int from, int to) {
 TEST(ColorCamera, edges_of_colour_lie_on_edges_of_depth_after_registration) {
   const simulator::Room room = two_walls();
   const auto rays = simulator::RayScene::build(room.mesh).value();
-  for (const auto model :
-       {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure, simulator::CameraModel::kD435}) {
+  for (const auto model : {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure,
+                           simulator::CameraModel::kD435}) {
     simulator::SensingOptions options;
     options.camera = model;
     const simulator::SensorUnit unit = simulator::make_unit(options, 1, 1);
     const RigidTransform world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -3});
     const simulator::PlacedCamera depth_camera(unit.exact.depth, world_from_depth);
-    const simulator::PlacedCamera fine(simulator::resampled(unit.exact.depth, 2.0), world_from_depth);
-    const simulator::PlacedCamera color_camera(unit.exact.color,
-                                         world_from_depth * unit.exact.color_from_depth.inverse());
+    const simulator::PlacedCamera fine(simulator::resampled(unit.exact.depth, 2.0),
+                                       world_from_depth);
+    const simulator::PlacedCamera color_camera(
+        unit.exact.color, world_from_depth * unit.exact.color_from_depth.inverse());
     const auto depth = simulator::trace_depth_plate(room, *rays, depth_camera, fine, false, 0);
     const auto color = simulator::trace_color_plate(room, *rays, color_camera, 0);
     DepthImage depth_mm(depth.z_m.width(), depth.z_m.height());
@@ -65,7 +68,7 @@ TEST(ColorCamera, edges_of_colour_lie_on_edges_of_depth_after_registration) {
     RegisteredColor registered;
     auto registration = Registration::create(unit.exact).value();
     ASSERT_TRUE(registration.run(depth_mm, color.color, registered).ok());
-    // The board's upper half: rows where both pictures show both of its sides.
+    // The board's upper half: rows in which both pictures show both sides of the board.
     double largest = 0;
     int rows = 0;
     const int middle = static_cast<int>(unit.exact.depth.cx);
@@ -75,7 +78,7 @@ TEST(ColorCamera, edges_of_colour_lie_on_edges_of_depth_after_registration) {
       std::vector<double> depths, greys;
       for (int x = 0; x < depth_mm.width(); ++x) {
         depths.push_back(depth_mm.at(x, y));
-        // Where colour is hidden, the wall: it is the board's edge that is looked for.
+        // Pixels without colour count as wall: the test looks for the board's edge.
         greys.push_back(registered.seen.at(x, y) > 0 ? registered.color.at(x, y).g : 200.0);
       }
       for (const int to : {middle - reach, middle + reach}) {

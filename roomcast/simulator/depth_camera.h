@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth camera of a simulated sensor in its room. What stands still is traced and its errors
-// worked out once; a frame costs what moves, and the noise. Const calls are thread-safe as long as
-// every thread brings its own Work.
+// DepthCamera: the depth camera of a simulated sensor. Static surfaces and their systematic errors
+// are computed once; a frame costs only the moving things and the noise. Const calls are
+// thread-safe if every thread uses its own Work.
 #pragma once
 
 #include "roomcast/core/clock.h"
@@ -18,9 +18,9 @@ namespace roomcast::simulator {
 
 class DepthCamera {
  public:
-  /// Memory of one thread, and what is to be seen at the instant it was last drawn for.
+  /// Memory of one thread, with the depth at the instant of the last draw.
   struct Work {
-    MovingLayer layer, fine_layer;  // the fine one on the outline only
+    MovingLayer layer, fine_layer;  // the fine one is drawn on the outline only
     MovingOutline outline;
     FrameNoise noise;
     DepthImage clean_mm;
@@ -32,21 +32,21 @@ class DepthCamera {
   [[nodiscard]] Work make_work() const;
   [[nodiscard]] const PlacedCamera& placed() const { return camera_; }
   [[nodiscard]] const DepthPlate& plate() const { return plate_; }
-  /// The empty room.
+  /// Depth of the empty room in millimetres.
   [[nodiscard]] const DepthImage& still_mm() const { return still_mm_; }
 
-  /// Looks at the things where they are now. First of all for every instant.
+  /// Renders the things in their current state. Must precede the other calls for each instant.
   void draw(const MovingThings& things, Work& work) const;
-  /// What is there, in millimetres: of the last draw.
+  /// True depth in millimetres at the last draw.
   [[nodiscard]] const DepthImage& clean_mm(const Work& work) const { return work.clean_mm; }
-  /// 255 where that is something that can move, 0 elsewhere.
+  /// Sets 255 where the true depth is that of a movable thing, 0 elsewhere.
   void mark_moving(const Work& work, MaskImage& moving) const;
 
-  /// What the sensor reports of it: a function of `key` and of the scene time (interference).
+  /// The reported depth: a function of `key` and of the scene time (interference).
   void read(const MovingThings& things, std::uint32_t key, nanoseconds scene_time, Work& work,
             DepthImage& depth_mm) const;
-  /// What it would report without anything random: with its systematic errors alone; beside an edge
-  /// the surface at the pixel's centre; 0 where there is never a reading.
+  /// The reported depth without random effects, that is with systematic errors only; next to an
+  /// edge, the surface at the pixel's centre; 0 where there is never a reading.
   void expect(const MovingThings& things, const Work& work, DepthImage& depth_mm) const;
 
  private:
@@ -60,7 +60,7 @@ class DepthCamera {
                                           int x, int y) const;
   [[nodiscard]] FineSample fine_sample(const MovingThings& things, const Work& work, int x,
                                        int y) const;
-  /// Calls `what(x, y, sees)` for the pixels that see something that moves.
+  /// Calls `what(x, y, sees)` for each pixel that shows a moving thing.
   template <class Do>
   void for_each_moving(const Work& work, Do&& what) const;
   void read_moving(const MovingThings& things, Work& work, ImageView<std::uint16_t> out) const;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using std::chrono::milliseconds;
 
-/// Sensors without errors: what they see is the truth.
+/// Sensors without errors, which report true depth.
 SimulatedSensor::Options perfect(int index) {
   SimulatedSensor::Options options;
   options.index = index;
@@ -62,14 +62,14 @@ TEST(DepthCamera, drawing_what_moves_over_the_still_room_gives_what_a_full_trace
         }
       }
       EXPECT_GT(moving_seen, 500);
-      // Rays that graze an edge may fall to either side of it.
+      // Rays that graze an edge may hit either surface.
       EXPECT_LE(differing, 1 + moving_seen / 500) << "sensor " << index;
     }
   }
 }
 
-/// |dz| between what `from` sees and `to` sees, in millimetres, where both see it: pixels that the
-/// other camera sees within 5 cm of the same place.
+/// |dz| in millimetres between the surfaces seen by `from` and `to`, for pixels whose point the
+/// other camera sees within 5 cm.
 std::vector<double> disagreement_mm(const SimulatedSensor& from, const DepthImage& from_mm,
                                     const SimulatedSensor& to, const DepthImage& to_mm) {
   const RigidTransform to_from_from = to.world_from_depth().inverse() * from.world_from_depth();
@@ -86,7 +86,7 @@ std::vector<double> disagreement_mm(const SimulatedSensor& from, const DepthImag
       const int u = static_cast<int>(std::lround(pixel->x())),
                 v = static_cast<int>(std::lround(pixel->y()));
       if (u < 1 || v < 1 || u + 1 >= lens.width || v + 1 >= lens.height) continue;
-      // On the surface between the four pixels around it.
+      // Interpolated between the four pixels around it.
       const int left = static_cast<int>(pixel->x()), top = static_cast<int>(pixel->y());
       const double a = pixel->x() - left, b = pixel->y() - top;
       const double seen_mm =
@@ -139,7 +139,7 @@ TEST(DepthCamera, noise_of_the_empty_room_does_not_depend_on_who_is_in_it) {
   int differing = 0;
   for (int y = 1; y + 1 < first.height(); ++y) {
     for (int x = 1; x + 1 < first.width(); ++x) {
-      bool near = false;  // within a pixel of something that moves
+      bool near = false;  // within a pixel of a moving thing
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx)
           near = near || moving.at(x + dx, y + dy) > 0 || moving_then.at(x + dx, y + dy) > 0;
@@ -147,7 +147,7 @@ TEST(DepthCamera, noise_of_the_empty_room_does_not_depend_on_who_is_in_it) {
       if (!near) differing += first.at(x, y) != second.at(x, y);
     }
   }
-  // Parts thinner than a pixel may show in a sample without being at any pixel's centre.
+  // A part thinner than a pixel may appear in a sample without covering any pixel's centre.
   EXPECT_LE(differing, 20);
 }
 
@@ -172,7 +172,7 @@ TEST(DepthCamera, the_expected_reading_is_the_mean_of_many) {
   }
   std::size_t certain = 0, differing = 0;
   for (std::size_t k = 0; k < sum.size(); ++k) {
-    if (count[k] < kReadings) continue;  // beside an edge, or too dark
+    if (count[k] < kReadings) continue;  // next to an edge, or too dark
     ++certain;
     differing += std::abs(sum[k] / kReadings - expected.data()[k]) > 5;
   }

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Whether a sensor sees a point of the world, by what it sees at this instant.
+/// True if a sensor sees a point of the world, judged by its clean depth of this instant.
 bool sees(const SimulatedSensor& sensor, DepthView clean_mm, const Vector3d& point_m) {
   constexpr double kBehind_mm = 12.0;
   const simulator::SensorProfile& profile = sensor.unit().profile;
@@ -31,7 +31,7 @@ bool sees(const SimulatedSensor& sensor, DepthView clean_mm, const Vector3d& poi
   return 1000.0 * in_sensor.z() <= farthest + kBehind_mm;
 }
 
-/// A place to look from, and how much of what is seen from it some sensor sees too.
+/// A candidate viewpoint, and the share of its view that some sensor also sees.
 struct Candidate {
   RigidTransform world_from_view;
   double score = 0;
@@ -59,7 +59,7 @@ bool is_free(const simulator::RayScene& rays, const Vector3f& eye) {
   return true;
 }
 
-/// Share of a coarse picture that shows something at a pleasant distance that a sensor sees too.
+/// Share of a coarse picture with a surface, at least 0.9 m away, that some sensor also sees.
 double share_seen(const SimulatedRoom& room, std::span<const SimulatedSensor* const> sensors,
                   std::span<const DepthImage> depths, const RigidTransform& world_from_view) {
   constexpr int kSide = 24;

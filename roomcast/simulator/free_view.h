@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be seen of a simulated room from a place where no sensor stands: the truth for judging
-// pictures that a renderer makes of the sensors' data. Colour is that of the sensors' light at gain
-// 1, without noise. Metres, world frame of scene/room.h.
+// FreeView: the true view of a simulated room from a viewpoint without a sensor, for evaluating
+// pictures rendered from the sensors' data. Colour as the sensors see it at gain 1, without noise.
+// Metres, world frame of scene/room.h.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace roomcast::simulator {
 
-/// At most so many sensors fit into a mask of who sees a point.
+/// Maximum number of sensors in a visibility mask.
 inline constexpr std::size_t kMaxSeeingSensors = 8;
 
 class FreeView {
@@ -22,15 +22,15 @@ class FreeView {
   FreeView(const SimulatedRoom& room, const CameraIntrinsics& lens,
            const RigidTransform& world_from_view, int threads);
 
-  /// Looks at the things where they are now.
+  /// Renders the things in their current state.
   void look(const simulator::MovingThings& things);
 
   [[nodiscard]] const ColorImage& color() const { return color_; }
   [[nodiscard]] const DepthImage& depth_mm() const { return depth_mm_; }
 
-  /// Bit i of a pixel: sensor i, whose clean depth of this instant is `sensor_depths[i]`, sees that
-  /// surface point: inside its picture and its range, and at most 12 mm behind the farthest of the
-  /// four depth pixels about it.
+  /// Bit i of a pixel is set if sensor i, whose clean depth of this instant is `sensor_depths[i]`,
+  /// sees that surface point: it is inside the sensor's picture and range, and at most 12 mm behind
+  /// the farthest of the four depth pixels around it.
   [[nodiscard]] MaskImage seen_by(std::span<const SimulatedSensor* const> sensors,
                                   std::span<const DepthImage> sensor_depths) const;
 
@@ -44,9 +44,9 @@ class FreeView {
   DepthImage depth_mm_;
 };
 
-/// Places of `count` people who stand in the room, away from its furniture, and look at what at
-/// least one sensor sees: the best of many drawn from the seed, no two alike. Fewer where there is
-/// no room.
+/// Viewpoints of `count` people who stand in the room, away from its furniture, and look at
+/// something that at least one sensor sees. Picks the candidates with the largest seen share from
+/// many drawn by the seed, all different. Fewer if there is no space.
 [[nodiscard]] std::vector<RigidTransform> free_viewpoints(
     const SimulatedRoom& room, std::span<const SimulatedSensor* const> sensors, int count,
     std::uint64_t seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A room ready to be looked at by any number of simulated sensors and free viewpoints: its things,
-// the rays through it, and the cloth of whoever moves in it. Immutable and shared.
+// SimulatedRoom: a room prepared for rendering by any number of simulated sensors and free
+// viewpoints: its objects, the ray tracer's scene, and the texels of its moving surfaces. Immutable
+// and shared.
 #pragma once
 
 #include <memory>
@@ -13,13 +14,14 @@
 
 namespace roomcast::simulator {
 
-/// Who is in a room instead of its own people.
+/// A person who replaces the room's own people.
 enum class Visitor { kNone, kWalkabout, kBoardBearer };
 
 class SimulatedRoom {
  public:
-  /// kNotFound for an unknown scene (the message lists them); kUnavailable when the ray tracer does
-  /// not start; kInvalidArgument for a visitor where nobody walks about whose ways they could go.
+  /// kNotFound for an unknown scene (the message lists them); kUnavailable if the ray tracer does
+  /// not start; kInvalidArgument for a visitor in a scene without a walking person, whose paths the
+  /// visitor would use.
   static Result<std::shared_ptr<const SimulatedRoom>> build(std::string_view scene,
                                                             std::uint64_t seed,
                                                             Visitor visitor = Visitor::kNone);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One simulated sensor in its room: what it sees at any instant, and what it reports of that. The
-// empty room is traced once at opening; a frame then costs what moves, and the noise. What it
-// reports is a function of (seed, index, frame, scene time, exposure): the same on any thread, in
-// any order. Metres; scene time starts at 0 and may be any instant. Const calls are thread-safe as
-// long as every thread brings its own Moment.
+// SimulatedSensor: one simulated sensor in its room: the true view at any instant, and the reported
+// frames. The empty room is traced once when the sensor is opened; a frame then costs only the
+// moving things and the noise. Reports are a function of (seed, index, frame, scene time,
+// exposure): the same on any thread, in any order. Metres; scene time starts at 0 and may be any
+// instant. Const calls are thread-safe if every thread uses its own Moment.
 #pragma once
 
 #include <memory>
@@ -24,15 +24,15 @@ class SimulatedSensor {
  public:
   struct Options {
     int index = 0;
-    int count = 3;           // how many stand around the room, 1..simulator::kMaxSimulatedSensors
-    std::uint64_t seed = 1;  // what differs between devices, and the noise
-    double speed = 1;        // of all motion: 0.05 is slow motion, 0 stands still
+    int count = 3;           // sensors around the room, 1..simulator::kMaxSimulatedSensors
+    std::uint64_t seed = 1;  // of device differences and noise
+    double speed = 1;        // of all motion: 0.05 is slow motion, 0 no motion
     int threads = 0;         // for tracing the empty room; 0: all cores
     simulator::SensingOptions sensing;
-    RigidTransform stand_from_depth = {};  // how it was pushed out of its place
+    RigidTransform stand_from_depth = {};  // displacement from its mount
   };
 
-  /// An instant as the sensor sees it, and the memory of one thread for it.
+  /// The sensor's view at an instant, with the memory of one thread.
   class Moment {
    public:
     [[nodiscard]] nanoseconds scene_time() const { return scene_time_; }
@@ -50,7 +50,7 @@ class SimulatedSensor {
   static Result<std::unique_ptr<SimulatedSensor>> open(std::shared_ptr<const SimulatedRoom> room,
                                                        const Options& options);
 
-  /// What the sensor says of its lenses, and what they are.
+  /// The reported calibration, and the exact one.
   [[nodiscard]] const SensorCalibration& calibration() const { return unit_.reported; }
   [[nodiscard]] const SensorCalibration& exact_calibration() const { return unit_.exact; }
   [[nodiscard]] const RigidTransform& world_from_depth() const { return world_from_depth_; }
@@ -59,26 +59,27 @@ class SimulatedSensor {
 
   [[nodiscard]] Moment make_moment() const { return Moment(*this); }
 
-  /// Looks at the room at an instant. First of all for everything below.
+  /// Renders the room at an instant. Must precede the calls below.
   void look(nanoseconds scene_time, Moment& moment) const;
 
-  /// The truth: depth; 255 where it is that of something that can move; colour without noise, but
-  /// with the unit's own colours and exposure. The pictures keep their memory.
+  /// Ground truth: depth; mask with 255 where depth is that of a movable thing; colour without
+  /// noise, but with the unit's white balance and exposure. The pictures keep their memory.
   [[nodiscard]] const DepthImage& clean_depth_mm(const Moment& moment) const;
   void mark_moving(const Moment& moment, MaskImage& moving) const;
   void clean_color(float exposure, const Moment& moment, ColorImage& color) const;
 
-  /// What the sensor reports as its frame number `frame`.
+  /// The reported pictures of frame number `frame`.
   void read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const;
-  /// What it would report without anything random.
+  /// The reported depth without random effects.
   void expected_depth(const Moment& moment, DepthImage& depth_mm) const;
   void read_color(std::uint64_t frame, float exposure, const Moment& moment,
                   ColorImage& color) const;
 
-  /// The exposure gains of consecutive frames: 1 where the unit has no exposure control. Needs no
-  /// look before.
+  /// The exposure gains of consecutive frames; 1 without exposure control. Does not need a
+  /// preceding look().
   [[nodiscard]] simulator::AutoExposure auto_exposure() const { return color_.auto_exposure(); }
-  float next_exposure(nanoseconds scene_time, Moment& moment, simulator::AutoExposure& control) const;
+  float next_exposure(nanoseconds scene_time, Moment& moment,
+                      simulator::AutoExposure& control) const;
 
  private:
   SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);

@@ -14,7 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 
-/// Half-size colour: these tests are about everything else.
+/// Half-size colour, which these tests do not examine.
 SimulatedSensor::Options small(int index, std::uint64_t seed = 1) {
   SimulatedSensor::Options options;
   options.index = index;
@@ -28,7 +28,7 @@ std::shared_ptr<const SimulatedRoom> office() {
   return room;
 }
 
-/// One for all tests that only look: opening one takes long.
+/// Shared by all read-only tests, because opening a sensor is slow.
 const SimulatedSensor& first_in_office() {
   static const auto sensor = SimulatedSensor::open(office(), small(0)).value();
   return *sensor;
@@ -139,15 +139,15 @@ Errors errors_of(const Pictures& seen, int outlier_mm) {
 }
 
 TEST(SimulatedSensor, noisy_depth_stays_near_the_truth_with_few_holes_for_every_camera) {
-  for (const auto model :
-       {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure, simulator::CameraModel::kD435}) {
+  for (const auto model : {simulator::CameraModel::kKinect2, simulator::CameraModel::kAzure,
+                           simulator::CameraModel::kD435}) {
     auto options = small(1);
     options.sensing.camera = model;
     const auto sensor = SimulatedSensor::open(office(), options).value();
     const bool stereo = model == simulator::CameraModel::kD435;  // sigma is 60 mm at 4 m
     const Errors errors = errors_of(pictures(*sensor, milliseconds(700), 3), stereo ? 300 : 50);
     EXPECT_GT(errors.missing, 0.003) << simulator::name_of(model);
-    // The office is 8 m long; the Azure Kinect sees 5.5 m far.
+    // The office is 8 m long; the Azure Kinect's range is 5.5 m.
     const bool short_sighted = model == simulator::CameraModel::kAzure;
     EXPECT_LT(errors.missing, short_sighted ? 0.4 : 0.15) << simulator::name_of(model);
     EXPECT_GT(errors.outliers, 0.0005) << simulator::name_of(model);

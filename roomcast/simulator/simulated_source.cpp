@@ -34,7 +34,7 @@ class SimulatedSource final : public source::FrameSource {
     if (pace_ == source::Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
   }
 
-  /// From then on it stands where `moved` does.
+  /// Replaces the sensor by `moved` from that time on.
   void bump_at(nanoseconds after_opening, std::unique_ptr<SimulatedSensor> moved) {
     bump_ = Bump{time_of(next_instant_) + after_opening, Stand(std::move(moved))};
   }
@@ -56,7 +56,7 @@ class SimulatedSource final : public source::FrameSource {
   }
 
  private:
-  /// The sensor at a place, and what one thread remembers of it.
+  /// The sensor at one pose, with the memory of one thread.
   struct Stand {
     explicit Stand(std::unique_ptr<SimulatedSensor> standing)
         : sensor(std::move(standing)),
@@ -87,7 +87,7 @@ class SimulatedSource final : public source::FrameSource {
         std::chrono::duration<double>(now.time_since_epoch() - phase_).count();
     return static_cast<std::int64_t>(std::ceil(since_phase_s / period_s_));
   }
-  /// A caller that is late gets the newest instant that has passed, not all of them.
+  /// A late caller gets the newest instant that has passed; older ones are skipped.
   void skip_missed_instants() {
     next_instant_ = std::max(next_instant_, first_instant_after(SteadyClock().now()) - 1);
   }
@@ -99,15 +99,14 @@ class SimulatedSource final : public source::FrameSource {
   nanoseconds phase_;
   nanoseconds device_offset_;
   source::SensorDescription description_;
-  std::int64_t next_instant_ = 0;  // of the instants k / fps + phase
+  std::int64_t next_instant_ = 0;  // index k of the instants k / fps + phase
   std::uint64_t frame_count_ = 0;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<source::FrameSource>> open_simulated_source(const std::string& text,
-                                                           int sensor_index,
-                                                           const SimulatedSourceOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
+    const std::string& text, int sensor_index, const SimulatedSourceOptions& options) {
   if (!(options.fps > 0.0 && options.fps <= kMaxSimulatedFps)) {
     return Error{ErrorCode::kInvalidArgument,
                  "A simulated source gives more than 0 and at most 120 frames per second."};

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sim:` sources: a simulated sensor as a FrameSource. Scene time is the host's monotonic clock, so
 // the sensors of one host, in one process or in several, see the same instant of the same room.
-//  - Pace::kRealTime: frames of the instants k / fps plus a phase of the sensor's own (sensors are
-//  not synchronised);
-//    instants that the caller was too slow for are skipped.
-//  - Pace::kAsFastAsPossible: frame i is the instant i / fps, from scene time 0.
-// With bump_at=S it stands elsewhere, by bump_cm and bump_deg, from S seconds after opening on.
-// `device_time` is the scene time on the sensor's own clock, which is off by a fixed amount. No
-// frames are lost, and the frame rate is exact.
+// - Pace::kRealTime: frames at the instants k / fps plus a phase per sensor (sensors are not
+//   synchronised); instants that the caller misses are skipped.
+// - Pace::kAsFastAsPossible: frame i is at the instant i / fps, from scene time 0.
+// With bump_at=S the sensor is displaced by bump_cm and bump_deg from S seconds after opening on.
+// `device_time` is the scene time on the sensor's own clock, which has a fixed offset. No frames
+// are lost, and the frame rate is exact.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +18,20 @@
 
 namespace roomcast::simulator {
 
-/// Frames per second that a simulated source may be asked for.
+/// Maximum frame rate of a simulated source.
 inline constexpr double kMaxSimulatedFps = 120.0;
 
 struct SimulatedSourceOptions {
   source::Pace pace = source::Pace::kRealTime;
   double fps = 15;         // frames per second, above 0 and at most kMaxSimulatedFps
-  int sensor_count = 3;    // how many sensors stand around the room
+  int sensor_count = 3;    // number of sensors around the room
   std::uint64_t seed = 1;  // of noise and furniture
 };
 
-/// Sensor "s<index>" of `options.sensor_count` in the room that `spec` names
-/// (simulated_spec.h). Its description holds the calibration that the sensor reports, the true
-/// world_from_depth and options.fps. kNotFound for an unknown scene (the message lists them);
-/// kInvalidArgument for an index, count, rate or option out of range; kUnavailable when the ray
-/// tracer does not start.
+/// Opens sensor "s<index>" of `options.sensor_count` in the room named by `spec`
+/// (simulated_spec.h). Its description has the reported calibration, the true world_from_depth and
+/// options.fps. kNotFound for an unknown scene (the message lists them); kInvalidArgument for an
+/// index, count, rate or option out of range; kUnavailable if the ray tracer does not start.
 [[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
     const std::string& spec, int sensor_index, const SimulatedSourceOptions& options = {});
 

@@ -50,7 +50,7 @@ std::optional<NumberOption> number_named(std::string_view name, SimulatedSpec& s
   return std::nullopt;
 }
 
-/// Whether the option is one, with a legal value; `spec` has it then.
+/// Sets a valid option in `spec`; false for an unknown option or an invalid value.
 bool apply(std::string_view option, SimulatedSpec& spec) {
   const std::size_t equals = std::min(option.find('='), option.size());
   const std::string_view name = option.substr(0, equals);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows "sim:" on the command line: a scene and options, separated by commas.
+// The text after "sim:" on the command line: a scene and options, separated by commas.
 //   lab,camera=d435,speed=0.05,color=full,interference=2,bump_at=20,bump_cm=2,bump_deg=1,board,clean
 #pragma once
 
@@ -18,25 +18,25 @@ inline constexpr double kMaxInterferencePerMinute = 60;
 
 inline constexpr double kMaxBumpAt_s = 86'400, kMaxBump_cm = 100, kMaxBump_deg = 90;
 
-/// Somebody knocks against the sensor.
+/// Displacement of a sensor by a knock.
 struct SimulatedBump {
   double shift_cm = 5, angle_deg = 3;
 
-  /// Where the sensor stands then, in the frame it had: aside and back, turned left and down.
+  /// The displaced pose in the sensor's original frame: sideways and back, turned left and down.
   [[nodiscard]] RigidTransform stand_from_depth() const;
 };
 
 struct SimulatedSpec {
   std::string scene;  // "": the first one
-  double speed = 1;   // of all motion: 0.05 is slow motion, 0 stands still
+  double speed = 1;   // of all motion: 0.05 is slow motion, 0 no motion
   simulator::SensingOptions sensing;
   std::optional<double> bump_at_s;  // after opening
   SimulatedBump bump;
-  bool board = false;  // somebody carries one about
+  bool board = false;  // a person carries the board about
 };
 
-/// Half-size colour unless color=full. kInvalidArgument, naming the option, for what is not as
-/// above.
+/// Half-size colour unless color=full. kInvalidArgument, naming the option, for any deviation from
+/// the above.
 [[nodiscard]] Result<SimulatedSpec> parse_simulated_spec(std::string_view text);
 
 }  // namespace roomcast::simulator

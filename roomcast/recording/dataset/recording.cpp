@@ -17,13 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSecond_ns = 1e9;
-constexpr double kFpsOfOneFrame = 30;  // a single frame says nothing of its rate
+constexpr double kFpsOfOneFrame = 30;  // assumed: a single frame gives no rate
 
 nanoseconds seconds(double s) {
   return nanoseconds(std::llround(s * kSecond_ns));
 }
 
-/// The number that a file is named by: depth/000017.png -> 17.
+/// The number in a file's name: depth/000017.png -> 17.
 std::optional<std::uint64_t> number_of(const fs::path& file) {
   const std::string stem = file.stem().string();
   std::uint64_t number = 0;
@@ -32,7 +32,7 @@ std::optional<std::uint64_t> number_of(const fs::path& file) {
   return number;
 }
 
-/// File names number the frames if all of them do, growing.
+/// True if all file names are numbers in increasing order; these then number the frames.
 bool numbered_by_name(const std::vector<ListedFile>& files) {
   std::optional<std::uint64_t> before;
   for (const ListedFile& listed : files) {
@@ -51,7 +51,7 @@ Result<std::vector<ListedFile>> read_depth_list(const fs::path& folder) {
   return files;
 }
 
-/// Colour file of each depth file, empty where there is none.
+/// The colour file of each depth file; empty if it has none.
 Result<std::vector<std::string>> read_color_files(const fs::path& folder,
                                                   const std::vector<ListedFile>& depth_files,
                                                   double fps) {
@@ -93,8 +93,8 @@ Result<std::vector<RecordedFrame>> read_frames(const fs::path& folder,
   return frames;
 }
 
-/// A whole number of frame periods, so that a loop does not shift the frames against the room's
-/// frame sets.
+/// Rounds to a whole number of frame periods, so that a loop does not shift the frames relative to
+/// the room's frame sets.
 nanoseconds duration_of(nanoseconds first, nanoseconds last, double fps) {
   const double frames = std::round(double((last - first).count()) / kSecond_ns * fps);
   return seconds((frames + 1) / fps);
@@ -126,8 +126,9 @@ Error no_such_sensor(const fs::path& directory, const RigDescription& rig, const
   return {ErrorCode::kNotFound, directory.string() + what + "; choose one of " + names};
 }
 
-/// The part of the rig's time that its sensors play, from the first frame of any to the last of
-/// any: none begins again while another still plays its end, for that would show people twice.
+/// The interval that all sensors of a rig play, from the earliest first frame to the latest last
+/// frame. No sensor restarts while another still plays its end; otherwise people would appear
+/// twice.
 struct Span {
   nanoseconds start{}, loop_duration{};
 };

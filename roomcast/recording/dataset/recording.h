@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recorded sensor as it lies in a folder: its cameras and the list of its frames, no pictures
-// yet. Times are nanoseconds: `device_time` as stamped, `true_time` with the sensor's clock offset
-// taken out. Thread-safe (no state).
+// A recorded sensor in a folder: its cameras and the list of its frames, without pictures. Times
+// are nanoseconds: `device_time` as stamped, `true_time` with the sensor's clock offset removed.
+// Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,7 @@
 namespace roomcast::recording {
 
 struct RecordedFrame {
-  std::uint64_t index =
-      0;  // the recording's frame number: that of the file's name, else its place in the list
+  std::uint64_t index = 0;  // frame number: that of the file's name, else the position in the list
   nanoseconds device_time{};
   nanoseconds true_time{};
   std::filesystem::path depth;
@@ -28,23 +27,24 @@ struct RecordedFrame {
 struct Recording {
   source::SensorDescription description;
   io::RecordedCamera camera;
-  std::vector<RecordedFrame> frames;  // one at least, in the order of time
+  std::vector<RecordedFrame> frames;  // at least one, in order of time
   nanoseconds start{};                // true time at which playback begins
-  nanoseconds loop_duration{};        // after which it begins again; longer than the frames last
+  nanoseconds loop_duration{};        // playback restarts after this; longer than the frames last
 };
 
-/// What is played when a rig folder is opened for one of its sensors. All sensors of a rig get the
-/// same `start` and `loop_duration`. kNotFound for a sensor that is not in the rig (the message
-/// lists those that are), and for missing files; kMalformed naming file and field or line.
+/// Reads one sensor of a rig folder. All sensors of a rig get the same `start` and `loop_duration`.
+/// kNotFound for a sensor that is not in the rig (the message lists those that are), and for
+/// missing files; kMalformed naming file and field or line.
 [[nodiscard]] Result<Recording> read_rig_recording(const std::filesystem::path& directory,
                                                    const std::string& sensor);
 
-/// The sensors of a rig folder, in its order: "s0", "s1"... Errors of read_rig_json.
+/// The names of a rig's sensors, in the order of rig.json: "s0", "s1"... Errors of read_rig_json.
 [[nodiscard]] Result<std::vector<std::string>> rig_sensor_names(
     const std::filesystem::path& directory);
 
-/// A folder in the layout of the TUM RGB-D benchmark, with camera.json. Errors as above. Colour is
-/// the nearest in time within half a frame, unless associations.txt says which.
+/// Reads a folder in the layout of the TUM RGB-D benchmark, with camera.json. Errors as above. The
+/// colour of a depth picture is the nearest in time within half a frame, unless associations.txt
+/// gives it.
 [[nodiscard]] Result<Recording> read_tum_recording(const std::filesystem::path& directory);
 
 }  // namespace roomcast::recording

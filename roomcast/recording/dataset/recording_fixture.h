@@ -27,7 +27,7 @@ inline void put_text(const std::filesystem::path& path, const std::string& text)
   std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
 }
 
-/// Cuts a file to its first `share`.
+/// Truncates a file to the fraction `share` of its size.
 inline void truncate_file(const std::filesystem::path& path, double share) {
   const auto size = static_cast<double>(std::filesystem::file_size(path));
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(share * size));
@@ -43,7 +43,7 @@ inline SensorCalibration small_calibration() {
   return calibration;
 }
 
-/// Depth that tells sensor, frame and pixel; one smooth colour per frame.
+/// Depth that encodes sensor, frame and pixel; one smooth colour per frame.
 inline source::CapturedFrame small_frame(int sensor, std::uint64_t index) {
   source::CapturedFrame frame;
   frame.index = index;
@@ -60,8 +60,8 @@ inline source::CapturedFrame small_frame(int sensor, std::uint64_t index) {
 
 constexpr double kSmallFps = 50;
 
-/// Two sensors, `frames` frames each. The second one's clock is 7.5 s ahead and it is 3 ms later;
-/// its frame 2 is lost.
+/// Two sensors, `frames` frames each. The second one's clock is 7.5 s ahead and its frames are 3 ms
+/// later; its frame 2 is dropped.
 inline std::filesystem::path write_small_rig(const TemporaryFolder& folder, int frames = 5) {
   std::vector<RigSensor> sensors(2);
   sensors[0].description = {"s0", small_calibration(), RigidTransform{}, kSmallFps};
@@ -81,8 +81,7 @@ inline std::filesystem::path write_small_rig(const TemporaryFolder& folder, int 
   return path;
 }
 
-/// The folder of recordings that the tests may use, if it is there: ROOMCAST_DATA, else
-/// ../shared/data.
+/// The folder of optional test recordings, if it exists: ROOMCAST_DATA, else ../shared/data.
 inline std::filesystem::path shared_data() {
   const char* const given = std::getenv("ROOMCAST_DATA");
   if (given != nullptr) return given;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// rig.json: the sensors of a recording made by several.
+// Reads and writes rig.json, which describes a recording of several sensors.
 //
 //   {"version": 1, "fps": 30,
 //    "sensors": [{"id": "s0", "path": "s0", "world_from_depth": [16 numbers, row-major] or null,
 //                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23]}, ...]}
 //
-// Each sensor's folder `path` (inside the rig's) holds camera.json, depth.txt, rgb.txt, depth/*.png
-// and rgb/*.jpg, the lists in the layout of the TUM RGB-D benchmark: a timestamp in seconds and a
-// file per line.
-//   clock_offset_s  a sensor's stamps minus true time
-//   rate_ppm        by how much its frames come faster than `fps`; its stamps already show that
-//   drop            numbers of frames that were lost; they have no files and no lines
+// Each sensor's folder `path` (inside the rig's) contains camera.json, depth.txt, rgb.txt,
+// depth/*.png and rgb/*.jpg, the lists in the layout of the TUM RGB-D benchmark: a timestamp in
+// seconds and a file per line.
+//   clock_offset_s  a sensor's timestamps minus true time
+//   rate_ppm        how much faster than `fps` its frames come; its timestamps include that
+//   drop            numbers of lost frames; these have no files and no lines
 // Metres, seconds. Thread-safe (no state).
 #pragma once
 
@@ -40,20 +40,20 @@ struct RigSensorEntry {
 
 struct RigDescription {
   double fps = 30;
-  std::string source;  // what made it, for people
+  std::string source;  // name of the program that made it, for display
   std::vector<RigSensorEntry> sensors;
 };
 
-/// kNotFound when the file is missing; kUnsupported for another version; kMalformed, naming file
-/// and field, for anything that is not as above, double ids, and paths that lead out of the rig.
+/// kNotFound if the file is missing; kUnsupported for another version; kMalformed, naming file and
+/// field, for any other deviation from the above, duplicate IDs, and paths that leave the rig.
 [[nodiscard]] Result<RigDescription> read_rig_json(const std::filesystem::path& path);
 
 [[nodiscard]] std::string rig_json_text(const RigDescription& rig);
 
-/// Whether a sensor may have this name: 1..64 bytes without control characters.
+/// True if a sensor may have this name: 1..64 bytes without control characters.
 [[nodiscard]] bool is_sensor_name(const std::string& name);
 
-/// Whether a relative path stays inside the folder that it starts from.
+/// True if a relative path stays inside the folder that it starts from.
 [[nodiscard]] bool stays_inside(const std::filesystem::path& path);
 
 }  // namespace roomcast::recording

@@ -54,7 +54,7 @@ Status check_cameras(std::span<const RigSensor> sensors) {
   return {};
 }
 
-/// Never into a folder that holds something: what was recorded stays.
+/// Refuses a folder that is not empty, so that recordings are never overwritten.
 Status make_empty_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
@@ -85,7 +85,7 @@ std::string numbered(std::uint64_t index, const char* folder, const char* ending
   return text;
 }
 
-/// A line of a TUM list: seconds with nine decimals, exact for any int64 of nanoseconds.
+/// A line of a TUM list: seconds with nine decimals, which is exact for any int64 of nanoseconds.
 std::string list_line(nanoseconds timestamp, const std::string& file) {
   const std::int64_t ns = timestamp.count();
   char seconds[40];
@@ -205,7 +205,8 @@ Status RigWriter::drop(std::size_t sensor, std::uint64_t index) {
   return {};
 }
 
-Status RigWriter::add(std::size_t sensor, const source::CapturedFrame& frame, nanoseconds timestamp) {
+Status RigWriter::add(std::size_t sensor, const source::CapturedFrame& frame,
+                      nanoseconds timestamp) {
   ROOMCAST_ASSERT(sensor < sensors_.size());
   if (Status status = check_index(progress_[sensor], frame.index); !status.ok()) return status;
   if (Status status = write_pictures(sensor, frame); !status.ok()) return status;

@@ -22,7 +22,7 @@ bool all_digits(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Of digits only, and short enough not to overflow.
+/// Requires digits only, few enough not to overflow.
 std::int64_t number(std::string_view digits) {
   std::int64_t value = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -44,7 +44,7 @@ Error bad_line(const std::filesystem::path& path, std::size_t line, const std::s
   return {ErrorCode::kMalformed, path.string() + " line " + std::to_string(line) + ": " + what};
 }
 
-/// Calls `use(words) -> problem` for every line that is not empty and no comment.
+/// Calls `use(words) -> problem` for every line that is neither empty nor a comment.
 template <class Use>
 Status for_each_line(const std::filesystem::path& path, const Use& use) {
   std::vector<std::uint8_t> bytes;

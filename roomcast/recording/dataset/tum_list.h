@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of the TUM RGB-D benchmark layout: depth.txt and rgb.txt (a timestamp in seconds and a
-// file per line, '#' starts a comment) and associations.txt (two such pairs per line). Thread-safe
-// (no state).
+// Reads the lists of the TUM RGB-D benchmark layout: depth.txt and rgb.txt (a timestamp in seconds
+// and a file per line, '#' starts a comment) and associations.txt (two such pairs per line).
+// Thread-safe (no state).
 #pragma once
 
 #include <filesystem>
@@ -20,22 +20,22 @@ struct ListedFile {
   std::string file;  // as listed: relative to the list's folder
 };
 
-/// In the order of time. kNotFound, kTooLarge as read_file; kMalformed, naming file and line, for
-/// lines that are not as above, times that do not grow, and files outside the folder.
+/// Returns the files in order of time. kNotFound, kTooLarge as read_file; kMalformed, naming file
+/// and line, for lines not as above, times that do not increase, and files outside the folder.
 [[nodiscard]] Result<std::vector<ListedFile>> read_tum_list(const std::filesystem::path& path);
 
-/// Colour file by depth file, whichever of the two comes first in a line: `depth_files` tells them
-/// apart. Errors as above.
+/// Maps depth files to colour files. Either may come first in a line; `depth_files` identifies the
+/// depth files. Errors as above.
 [[nodiscard]] Result<std::map<std::string, std::string>> read_associations(
     const std::filesystem::path& path, const std::vector<ListedFile>& depth_files);
 
-/// For each depth file the colour file nearest in time, or an empty name where none is within
+/// For each depth file, the colour file nearest in time, or an empty name if none is within
 /// `tolerance`.
 [[nodiscard]] std::vector<std::string> associate_by_time(const std::vector<ListedFile>& depth_files,
                                                          const std::vector<ListedFile>& color_files,
                                                          nanoseconds tolerance);
 
-/// "103.231313" -> nanoseconds, without a detour over floating point. False for anything else.
+/// "103.231313" -> nanoseconds, exactly (no floating point). False for anything else.
 [[nodiscard]] bool parse_seconds(std::string_view text, nanoseconds& time);
 
 }  // namespace roomcast::recording

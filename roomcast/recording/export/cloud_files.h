@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point clouds as the bytes of files, little-endian:
+// Encodes point clouds as PLY and PCD files, little-endian:
 //   PLY  binary 1.0: x y z nx ny nz (float), red green blue (uchar)   (Turk 1994)
 //   PCD  binary 0.7: x y z normal_x normal_y normal_z (float), rgb (float, 0x00RRGGBB)  (PCL)
 // Metres. Thread-safe (no state).

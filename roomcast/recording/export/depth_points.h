@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that a depth picture shows: a point and a normal for each pixel, in the depth
-// camera's frame, metres. Normals are those of the plane through the neighbours left, right, above
-// and below; where the surface breaks off the pixel has none and counts as no surface, which takes
-// away the mixed pixels that sensors give at rims. Single-threaded; keeps its memory.
+// DepthPoints: a point and a normal for each pixel of a depth picture, in the depth camera's frame,
+// metres. The normal is that of the plane through the left, right, upper and lower neighbours.
+// Pixels at a depth discontinuity have no normal and do not count as surface, which removes the
+// mixed pixels that sensors produce at edges. Single-threaded; reuses its memory.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,15 +16,15 @@ class DepthPoints {
  public:
   explicit DepthPoints(const CameraIntrinsics& camera);
 
-  /// `depth_mm` of the camera's size.
+  /// `depth_mm` must have the camera's size.
   void set(DepthView depth_mm);
 
   [[nodiscard]] const CameraIntrinsics& camera() const { return camera_; }
   [[nodiscard]] bool has(int x, int y) const { return !normals_.at(x, y).isZero(0); }
   [[nodiscard]] const Eigen::Vector3f& point_m(int x, int y) const { return points_m_.at(x, y); }
-  /// Towards the camera.
+  /// Unit normal, pointing towards the camera.
   [[nodiscard]] const Eigen::Vector3f& normal(int x, int y) const { return normals_.at(x, y); }
-  /// Of the reading at a pixel, 0 for none.
+  /// Depth at a pixel in metres, 0 for none.
   [[nodiscard]] float z_m(int x, int y) const { return points_m_.at(x, y).z(); }
 
  private:
@@ -37,14 +37,14 @@ class DepthPoints {
   Image<Eigen::Vector3f> normals_;
 };
 
-/// Two neighbouring readings this far apart in z are not of one surface: some 70 degrees from
-/// facing the camera at the usual resolutions, and the noise of a reading.
+/// Maximum difference in z between neighbouring readings of one surface: allows surfaces tilted by
+/// some 70 degrees at the usual resolutions, plus the noise of a reading.
 [[nodiscard]] constexpr float largest_step_m(float z_m) {
   return 0.01F + 0.02F * z_m;
 }
 
-/// Standard deviation of a reading; a Kinect's grows with the square of distance (Khoshelham &
-/// Oude Elberink 2012).
+/// Standard deviation of a reading; it grows with the square of distance (Kinect: Khoshelham & Oude
+/// Elberink 2012).
 [[nodiscard]] constexpr float reading_sigma_m(float z_m) {
   return 0.002F + 0.0015F * z_m * z_m;
 }

@@ -34,7 +34,7 @@ Status FolderWriter::add(const FrameSet& set) {
   }
   ++totals_.sets;
   for (const SetFrame& frame : set.frames) {
-    if (last_[frame.sensor].pictures == frame.pictures) continue;  // it was late for this set
+    if (last_[frame.sensor].pictures == frame.pictures) continue;  // repeated frame
     last_[frame.sensor].pictures = frame.pictures;
     if (auto status = add_frame(frame); !status) return status;
   }

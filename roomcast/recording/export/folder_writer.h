@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frame sets into a rig folder (source/rig_json.h): what was recorded, as pictures, colour in the
-// depth grid. Timestamps are seconds since the recording began. On request each sensor's folder
-// also gets groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from camera).
+// Exports frame sets as a rig folder (dataset/rig_json.h) of picture files, colour in the depth
+// grid. Timestamps are seconds since the recording began. On request each sensor's folder also gets
+// groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from camera).
 // Single-threaded.
 #pragma once
 
@@ -23,7 +23,7 @@ class FolderWriter final : public SetWriter {
         last_(sensors_.size()),
         groundtruth_(groundtruth) {}
 
-  /// The first makes the folder's files: sensors have the poses they have then.
+  /// The first call creates the folder's files with the sensors' poses in that set.
   Status add(const FrameSet& set) override;
   Status finish() override;
   ExportTotals totals() const override { return totals_; }

@@ -39,7 +39,7 @@ void write_rotation(const Eigen::Matrix3d& rotation, foxglove::Quaternion& out) 
   out.set_w(quaternion.w());
 }
 
-/// The definition of a message and of all that it uses, in the order in which files need them.
+/// Collects a message's file descriptor and its dependencies, dependencies first.
 void collect(const google::protobuf::FileDescriptor& file,
              google::protobuf::FileDescriptorSet& out) {
   for (int i = 0; i < file.dependency_count(); ++i) collect(*file.dependency(i), out);
@@ -157,7 +157,7 @@ Status FoxgloveWriter::add(const FrameSet& set, const PointCloud& cloud) {
 
 Status FoxgloveWriter::add_sensor(const SetFrame& frame) {
   SensorChannels& channels = sensors_[frame.sensor];
-  if (channels.last == frame.pictures) return {};  // it was late for this set
+  if (channels.last == frame.pictures) return {};  // frame repeated from an earlier set
   channels.last = frame.pictures;
   const std::string& name = channels.sensor.name;
   if (frame.world_from_depth) {
@@ -195,8 +195,8 @@ Status FoxgloveWriter::add_video(SensorChannels& channels, const SetFrame& frame
   return write(channels.video, message, frame.time);
 }
 
-Status FoxgloveWriter::write(recording::mcap::ChannelId channel, const google::protobuf::Message& message,
-                             nanoseconds time) {
+Status FoxgloveWriter::write(recording::mcap::ChannelId channel,
+                             const google::protobuf::Message& message, nanoseconds time) {
   const std::string bytes = message.SerializeAsString();
   return writer_.add_message(
       {.channel = channel,

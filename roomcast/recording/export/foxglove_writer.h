@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recorded room for Foxglove, Lichtblick and Rerun: an MCAP file of messages whose names those
-// programs know (https://docs.foxglove.dev/docs/visualization/message-schemas), in Protobuf:
+// Exports a recorded room for Foxglove, Lichtblick and Rerun: an MCAP file of their well-known
+// messages (https://docs.foxglove.dev/docs/visualization/message-schemas), in Protobuf:
 //   /points          foxglove.PointCloud         merged, in `world`
 //   /NAME/color      foxglove.CompressedVideo    VP9, in the depth grid
 //   /NAME/camera     foxglove.CameraCalibration
 //   /tf              foxglove.FrameTransform     world -> NAME, an optical frame
-// World is as everywhere here: y up, metres. Single-threaded.
+// World frame: y up, metres. Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ class FoxgloveWriter {
   static Result<FoxgloveWriter> create(const std::filesystem::path& path,
                                        const std::vector<SetSensor>& sensors);
 
-  /// `cloud` is that of the set.
+  /// `cloud`: merged cloud of `set`.
   [[nodiscard]] Status add(const FrameSet& set, const PointCloud& cloud);
   [[nodiscard]] Status finish() { return writer_.finish(); }
 
@@ -37,7 +37,7 @@ class FoxgloveWriter {
   struct SensorChannels {
     SetSensor sensor;
     recording::mcap::ChannelId video{}, camera{};
-    std::unique_ptr<codec::Vp9ColorEncoder> encoder;  // made with its first colour picture
+    std::unique_ptr<codec::Vp9ColorEncoder> encoder;  // created on first use
     std::uint32_t pictures = 0;
     std::shared_ptr<const codec::DecodedFrame> last;
   };
@@ -46,8 +46,8 @@ class FoxgloveWriter {
   void add_channels(const std::vector<SetSensor>& sensors);
   [[nodiscard]] Status add_sensor(const SetFrame& frame);
   [[nodiscard]] Status add_video(SensorChannels& channels, const SetFrame& frame);
-  [[nodiscard]] Status write(recording::mcap::ChannelId channel, const google::protobuf::Message& message,
-                             nanoseconds time);
+  [[nodiscard]] Status write(recording::mcap::ChannelId channel,
+                             const google::protobuf::Message& message, nanoseconds time);
 
   recording::mcap::Writer writer_;
   std::vector<SensorChannels> sensors_;

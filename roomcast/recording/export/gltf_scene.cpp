@@ -30,7 +30,7 @@ void pad(std::vector<std::uint8_t>& bytes, std::uint8_t with) {
   while (bytes.size() % 4 != 0) bytes.push_back(with);
 }
 
-/// The JSON and the binary part of a GLB file while it grows.
+/// JSON and binary part of a GLB file under construction.
 struct Document {
   json root = {{"asset", {{"version", "2.0"}, {"generator", "roomcast"}}},
                {"extensionsUsed", {"KHR_materials_unlit"}},
@@ -47,7 +47,7 @@ struct Document {
                {"bufferViews", json::array()}};
   std::vector<std::uint8_t> binary;
 
-  /// A view of what was appended to `binary` since `begin`.
+  /// Adds a buffer view of the bytes appended to `binary` since `begin`.
   int view(std::size_t begin, int target) {
     json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}};
     if (target != 0) view["target"] = target;
@@ -80,7 +80,7 @@ bool is_one_surface(const DepthPoints& points, const std::array<Eigen::Vector2i,
   return least > 0 && most - least < largest_step_m(least);
 }
 
-/// A vertex for every reading that a triangle uses, triangles between neighbours of one surface.
+/// One vertex per reading used by a triangle; triangles connect neighbours of one surface.
 Mesh mesh_of(const DepthPoints& points) {
   const int width = points.camera().width, height = points.camera().height;
   Mesh mesh;
@@ -101,7 +101,7 @@ Mesh mesh_of(const DepthPoints& points) {
   };
   for (int y = 0; y + 1 < height; ++y) {
     for (int x = 0; x + 1 < width; ++x) {
-      // Counter-clockwise as the sensor sees them, whose y points down.
+      // Counter-clockwise as seen by the sensor, whose y points down.
       add({Eigen::Vector2i(x, y), {x, y + 1}, {x + 1, y}});
       add({Eigen::Vector2i(x + 1, y), {x, y + 1}, {x + 1, y + 1}});
     }
@@ -181,7 +181,7 @@ void add_node(const std::string& name, const RigidTransform& world_from_depth, c
   document.root["scenes"][0]["nodes"].push_back(document.root["nodes"].size() - 1);
 }
 
-/// Lists that stay empty are not allowed.
+/// glTF does not allow empty lists.
 void drop_empty_lists(json& root) {
   for (auto entry = root.begin(); entry != root.end();) {
     entry = entry->is_array() && entry->empty() ? root.erase(entry) : ++entry;

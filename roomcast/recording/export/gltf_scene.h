@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame set as a glTF 2.0 binary file (GLB; Khronos glTF 2.0 specification): for each sensor a
-// textured mesh of its surface, unlit, with a node that puts it where the sensor stood. Metres,
-// y up, as glTF asks for. Single-threaded; keeps its memory from set to set.
+// Encodes a frame set as a glTF 2.0 binary file (GLB; Khronos glTF 2.0 specification): per sensor,
+// an unlit textured mesh of its surface in a node with the sensor's pose. Metres, y up, as glTF
+// requires. Single-threaded; reuses its memory.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace roomcast::recording {
 
-inline constexpr int kTextureQuality = 90;  // of JPEG
+inline constexpr int kTextureQuality = 90;  // JPEG quality
 
 class GltfScene {
  public:
   explicit GltfScene(const std::vector<SetSensor>& sensors);
 
-  /// Appends the file to `out`. Sensors that nobody has placed are left out, unless there is but
-  /// one. kMalformed when a texture cannot be made.
+  /// Appends the file to `out`. Unplaced sensors are left out, unless there is only one sensor.
+  /// kMalformed if a texture cannot be encoded.
   [[nodiscard]] Status append(const FrameSet& set, std::vector<std::uint8_t>& out);
 
  private:

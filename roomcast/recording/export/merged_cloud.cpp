@@ -16,13 +16,13 @@ Eigen::Isometry3f isometry(const RigidTransform& transform) {
   return result;
 }
 
-/// How well a sensor sees a surface: more when it looks straight at it, and from near.
+/// Weight of an observation: higher for frontal and near views.
 float view_quality(const Eigen::Vector3f& point_m, const Eigen::Vector3f& normal) {
   const float distance = point_m.norm();
   return -normal.dot(point_m) / (distance * distance * distance);
 }
 
-/// Colour where the sensor has one, else grey.
+/// The pixel's colour if the sensor has one, else grey.
 Rgb8 color_at(const codec::DecodedFrame& pictures, int x, int y) {
   if (pictures.color.empty()) return {128, 128, 128};
   return pictures.color.at(x, y);
@@ -98,7 +98,7 @@ void MergedCloud::add_points(std::size_t sensor, PointCloud& cloud) const {
       const Eigen::Vector3f world_m = seen.world_from_depth * points.point_m(x, y);
       if (options_.crop_m && !options_.crop_m->contains(world_m)) continue;
       const Eigen::Vector3f normal = seen.world_from_depth.linear() * points.normal(x, y);
-      // Whoever sees a surface without its colour leaves it to others, if there are any.
+      // Observations without colour get a lower quality, so that coloured ones are preferred.
       const float quality = view_quality(points.point_m(x, y), points.normal(x, y)) *
                             (has_color(*seen.frame->pictures, x, y) ? 1.0F : 0.01F);
       if (!options_.keep_doubles && another_sees_it_better(sensor, world_m, normal, quality))
@@ -121,7 +121,7 @@ bool MergedCloud::another_sees_it_better(std::size_t sensor, const Eigen::Vector
     const CameraIntrinsics& camera = other.points->camera();
     if (x < 0 || y < 0 || x >= camera.width || y >= camera.height) continue;
     if (!other.points->has(x, y)) continue;
-    // Of one surface: as far apart as noise of both, and a slant within a pixel, can make them.
+    // Maximum distance within one surface: noise of both readings, plus slant within a pixel.
     const float limit = 3 * reading_sigma_m(point_m.z()) + 0.02F;
     if (std::abs(other.points->z_m(x, y) - point_m.z()) > limit) continue;
     const Eigen::Vector3f there = other.depth_from_world.linear() * normal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One point cloud of all sensors of a frame set. Where several see the same surface the one that
-// sees it best gives the points (straightest, nearest), so that nothing is there twice. World
-// frame, metres; a set of a single sensor that nobody has placed is in that sensor's frame.
-// Single-threaded; keeps its memory from set to set.
+// Merges all sensors of a frame set into one point cloud. If several sensors see the same surface,
+// the points come from the sensor with the best view (most frontal, nearest), so no surface appears
+// twice. World frame, metres; a set of a single unplaced sensor is in that sensor's frame.
+// Single-threaded; reuses its memory.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@
 namespace roomcast::recording {
 
 struct MergedCloudOptions {
-  std::optional<Eigen::AlignedBox3f> crop_m;  // what is outside is left out
-  float voxel_m = 0;          // more than 0: one point for each cube of this size, their mean
-  bool keep_doubles = false;  // every sensor's every point
+  std::optional<Eigen::AlignedBox3f> crop_m;  // points outside are left out
+  float voxel_m = 0;          // > 0: one point per cube of this size, the mean of its points
+  bool keep_doubles = false;  // keep all points of all sensors
 
   /// kInvalidArgument for an empty box, or a voxel that is negative or above 1 m.
   [[nodiscard]] Status check() const;
@@ -31,7 +31,7 @@ class MergedCloud {
  public:
   MergedCloud(const std::vector<SetSensor>& sensors, MergedCloudOptions options);
 
-  /// Replaces `cloud`. Sensors that nobody has placed are left out, unless there is but one.
+  /// Replaces `cloud`. Unplaced sensors are left out, unless there is only one sensor.
   void merge(const FrameSet& set, PointCloud& cloud);
 
  private:
@@ -52,7 +52,7 @@ class MergedCloud {
   std::vector<Seen> seen_;  // of the current set
 };
 
-/// One point for each cube that has any: the mean of place, normal and colour.
+/// Replaces the points in each cube by one: the mean of position, normal and colour.
 void thin_out(PointCloud& cloud, float voxel_m);
 
 }  // namespace roomcast::recording

@@ -10,7 +10,7 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr std::size_t kOfOneSensor = 62 * 46;  // all but the picture's border
+constexpr std::size_t kOfOneSensor = 62 * 46;  // all pixels but the picture's border
 
 PointCloud merged(const MergedCloudOptions& options) {
   MergedCloud merge(wall_sensors(), options);
@@ -27,7 +27,7 @@ TEST(MergedCloud, what_both_see_is_there_once_from_the_one_that_sees_it_better) 
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     EXPECT_NEAR(cloud.points_m[i].z(), -2, 1e-5);
     EXPECT_NEAR(cloud.normals[i].z(), 1, 1e-4);
-    // The near sensor sees a metre to each side of x = 0, 0.77 m up and down of y = 1.
+    // The near sensor sees a metre to each side of x = 0, and 0.77 m above and below y = 1.
     if (cloud.colors[i].g == 0) continue;
     const bool inside =
         std::abs(cloud.points_m[i].x()) < 0.95F && std::abs(cloud.points_m[i].y() - 1) < 0.7F;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A coloured point cloud with normals. Metres, in one frame of reference. Plain data: all three
-// lists are of one length.
+// PointCloud: a coloured point cloud with normals. Metres, in one frame of reference. Plain data:
+// all three lists have the same length.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ std::string numbered(std::uint64_t set, const char* ending) {
   return name;
 }
 
-/// A file for each set.
+/// Base of the formats with one file per set.
 class SetFiles : public SetWriter {
  public:
   SetFiles(std::filesystem::path folder, const char* ending)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SetWriter: where exported frame sets go; one for each format. Files of single sets are written
-// whole or not at all, so an export that was interrupted can go on: what is there stays.
-// Single-threaded.
+// SetWriter: writes exported frame sets; one implementation per format. Files of single sets are
+// written completely or not at all, so an interrupted export can be resumed: existing files are
+// kept. Single-threaded.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class ExportFormat {
   kGltf,      // set_NNNNNN.glb: a textured mesh for each sensor
   kRig,       // a rig folder
   kTum,       // a rig folder whose sensors also have groundtruth.txt: each is a TUM recording
-  kFoxglove,  // room.mcap of messages that Foxglove, Lichtblick and Rerun know
+  kFoxglove,  // room.mcap of messages for Foxglove, Lichtblick and Rerun
 };
 inline constexpr std::array kExportFormats = {ExportFormat::kPly,  ExportFormat::kPcd,
                                               ExportFormat::kGltf, ExportFormat::kRig,
@@ -33,7 +33,7 @@ inline constexpr std::array kExportFormats = {ExportFormat::kPly,  ExportFormat:
 
 struct ExportTotals {
   std::uint64_t sets = 0;      // written
-  std::uint64_t kept = 0;      // that were there already
+  std::uint64_t kept = 0;      // existed already
   std::uint64_t points = 0;    // of clouds
   std::uint64_t pictures = 0;  // of a film
 };
@@ -41,14 +41,14 @@ struct ExportTotals {
 class SetWriter {
  public:
   virtual ~SetWriter() = default;
-  /// kUnavailable when the disk fails.
+  /// kUnavailable on a disk error.
   [[nodiscard]] virtual Status add(const FrameSet& set) = 0;
   [[nodiscard]] virtual Status finish() = 0;
   [[nodiscard]] virtual ExportTotals totals() const = 0;
 };
 
-/// Makes the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable when it
-/// cannot be written, or holds something where the format needs a new one.
+/// Creates the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable if it
+/// cannot be written, or is not empty although the format needs a new folder.
 [[nodiscard]] Result<std::unique_ptr<SetWriter>> make_set_writer(
     ExportFormat format, const std::filesystem::path& out, const std::vector<SetSensor>& sensors,
     const MergedCloudOptions& cloud);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// That files are there, whole, and again what they were made of; tests/cli reads each of them with
-// readers by others.
+// Checks that the exported files exist, are complete and decode to the input; tests/cli reads each
+// format with third-party readers.
 #include "roomcast/recording/export/set_writer.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ Rgb8 shade(std::uint16_t depth_mm) {
   return {grey, grey, grey};
 }
 
-/// Nearest pixels: it is to be recognised, not to be measured in.
+/// Nearest-neighbour sampling: a thumbnail needs no accuracy.
 ColorImage thumbnail(const codec::DecodedFrame& pictures, int width, int height) {
   ColorImage small(width, height);
   const int from_width = pictures.depth_mm.width(), from_height = pictures.depth_mm.height();

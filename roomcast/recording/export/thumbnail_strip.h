@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording at a glance: a row for each sensor, a few instants from its beginning to its end. A
-// sensor without colour shows its depth, near things bright. Single-threaded; memory for twice as
-// many instants as are shown.
+// ThumbnailStrip: an overview picture of a recording: a row per sensor, a few instants from
+// beginning to end. A sensor without colour shows its depth, near objects bright. Single-threaded;
+// memory for twice as many instants as are shown.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,19 @@ namespace roomcast::recording {
 class ThumbnailStrip {
  public:
   static constexpr std::size_t kInstants = 8;
-  static constexpr int kWidth = 160;  // of a thumbnail; as high as the first sensor's is wide
+  static constexpr int kWidth = 160;  // pixels; height: aspect ratio of the first sensor
   static constexpr int kGap = 4;
 
   explicit ThumbnailStrip(const std::vector<SetSensor>& sensors);
 
-  /// The sets of a recording, all of them or some, in order.
+  /// Adds a set; all sets of a recording, or some of them, in order.
   void add(const FrameSet& set);
 
-  /// At most kInstants columns, evenly spread over what was added; empty when nothing was.
+  /// At most kInstants columns, evenly spaced over the added sets; empty if there were none.
   [[nodiscard]] ColorImage picture() const;
 
  private:
-  using Column = std::vector<ColorImage>;  // by sensor; empty: it had no frame
+  using Column = std::vector<ColorImage>;  // by sensor; empty picture: no frame
 
   int height_ = 0;
   std::size_t sensor_count_;

@@ -8,7 +8,7 @@
 namespace roomcast::recording {
 namespace {
 
-/// The second sensor has no colour; it comes nearer from set to set.
+/// The second sensor has no colour; its depth decreases from set to set.
 FrameSet set_number(std::uint64_t number) {
   FrameSet set = wall_set();
   auto pictures = std::make_shared<codec::DecodedFrame>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: two sensors before a wall at z = -2 m of the world, the second twice as far away and
-// half a metre to the right, one red, the other green.
+// For tests: two sensors facing a wall at world z = -2 m; the second is twice as far away and half
+// a metre to the right. One sees red, the other green.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,7 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr double kSwing_rad = 25 * std::numbers::pi / 180;  // to either side
+constexpr double kSwing_rad = 25 * std::numbers::pi / 180;  // to each side
 constexpr double kSwingPeriod_s = 12;
 constexpr double kSwingKeyEvery_s = 1;
 
@@ -25,14 +25,14 @@ Error refused(std::size_t key, const std::string& what) {
 
 using Place = Eigen::Vector3d CameraKey::*;
 
-/// How a place moves at a key, per second: towards the next from the one before.
+/// Velocity at a key, per second, from the neighbouring keys.
 Eigen::Vector3d tangent(const std::vector<CameraKey>& keys, std::size_t key, Place place) {
   const CameraKey& before = keys[key == 0 ? 0 : key - 1];
   const CameraKey& after = keys[std::min(key + 1, keys.size() - 1)];
   return (after.*place - before.*place) / (after.time_s - before.time_s);
 }
 
-/// Between `key` and the one after it; `u` from 0 to 1.
+/// Position between `key` and the next key; `u` from 0 to 1.
 Eigen::Vector3d hermite(const std::vector<CameraKey>& keys, std::size_t key, double u,
                         Place place) {
   const double span_s = keys[key + 1].time_s - keys[key].time_s;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a camera through a room: places and what is looked at, at some moments; a smooth curve
-// in between. World frame, metres, seconds since the film began. Immutable.
-// Method: cubic Hermite curves through the keys, tangents from their neighbours (Catmull & Rom
-// 1974, "A Class of Local Interpolating Splines"), for moments that are not evenly spaced.
+// CameraPath: a camera's path through a room: a smooth curve through keys of time, eye and target.
+// World frame, metres, seconds since the film began. Immutable. Method: cubic Hermite curves
+// through the keys, with tangents from their neighbours (Catmull & Rom 1974, "A Class of Local
+// Interpolating Splines"), for unevenly spaced keys.
 #pragma once
 
 #include <filesystem>
@@ -24,15 +24,14 @@ struct CameraKey {
 class CameraPath {
  public:
   static constexpr std::size_t kMaxKeys = 100'000;
-  /// What is looked at has to be farther away than this.
+  /// Minimum distance from eye to target.
   static constexpr double kNearestTarget_m = 0.01;
 
-  /// kInvalidArgument, naming the key: none, too many, times that do not grow, numbers that are not
-  /// finite, a target where the eye is.
+  /// kInvalidArgument, naming the key: no keys, too many, times that do not increase, numbers that
+  /// are not finite, a target at the eye.
   static Result<CameraPath> create(std::vector<CameraKey> keys);
 
-  /// View frame: x right, y up, -z forward. It stands still before the first key and after the
-  /// last.
+  /// View frame: x right, y up, -z forward. Constant before the first key and after the last.
   [[nodiscard]] RigidTransform world_from_view(double time_s) const;
 
  private:
@@ -40,12 +39,12 @@ class CameraPath {
   std::vector<CameraKey> keys_;
 };
 
-/// {"keys": [{"time_s": 0, "at": [x, y, z], "look": [x, y, z]}, ...]}. Errors as read_json_object
-/// and CameraPath::create.
+/// File: {"keys": [{"time_s": 0, "at": [x, y, z], "look": [x, y, z]}, ...]}. Errors as
+/// read_json_object and CameraPath::create.
 [[nodiscard]] Result<CameraPath> read_camera_path(const std::filesystem::path& file);
 
-/// A slow swing to both sides about the vertical through `pivot_m`, from `eye_m`.
-[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& viewer::pivot_m,
-                                       double length_s);
+/// A slow swing from `eye_m` to both sides about the vertical axis through `pivot_m`.
+[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m,
+                                       const Eigen::Vector3d& viewer::pivot_m, double length_s);
 
 }  // namespace roomcast::recording

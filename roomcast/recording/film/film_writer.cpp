@@ -9,7 +9,7 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr double kUsualDistance_m = 2.5;  // of what a sensor that sees nothing would see
+constexpr double kUsualDistance_m = 2.5;  // assumed if the sensor has no depth readings
 
 SensorId id_of(std::size_t sensor) {
   return SensorId{static_cast<std::uint16_t>(sensor + 1)};
@@ -25,7 +25,7 @@ double median_depth_m(const DepthImage& depth_mm) {
   return 0.001 * *middle;
 }
 
-/// About what the first sensor that has a place sees.
+/// A swing about the centre of the view of the first placed sensor.
 CameraPath swing_before(const FrameSet& set, double length_s) {
   const auto frame = std::ranges::find_if(
       set.frames, [](const SetFrame& f) { return f.world_from_depth.has_value(); });
@@ -43,9 +43,9 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSens
                                                        FilmOptions options,
                                                        std::unique_ptr<viewer::VideoSink> sink) {
   const render::ViewCamera camera{.world_from_view = {},
-                          .vertical_fov_rad = options.vertical_fov_rad,
-                          .width = options.size.width,
-                          .height = options.size.height};
+                                  .vertical_fov_rad = options.vertical_fov_rad,
+                                  .width = options.size.width,
+                                  .height = options.size.height};
   if (auto status = camera.check(); !status) return status.error();
   auto context = render::EglContext::create();
   if (!context) return context.error();
@@ -62,7 +62,8 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSens
 }
 
 FilmWriter::FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options,
-                       render::ViewCamera camera, Stage stage, std::unique_ptr<viewer::VideoSink> sink)
+                       render::ViewCamera camera, Stage stage,
+                       std::unique_ptr<viewer::VideoSink> sink)
     : sensors_(sensors),
       options_(std::move(options)),
       camera_(camera),
@@ -90,7 +91,7 @@ Status FilmWriter::finish() {
   return sink_->finish();
 }
 
-/// The pictures until then still show what was there before.
+/// Draws the pictures before `time_s`, which still show the previous set.
 Status FilmWriter::draw_before(double time_s) {
   while (static_cast<double>(totals_.pictures) < time_s * options_.fps) {
     if (auto status = draw(); !status) return status;
@@ -129,7 +130,7 @@ Status FilmWriter::show(const FrameSet& set) {
 
 namespace {
 
-/// A file that gets its name when it is whole.
+/// A video file that is renamed to its final name when it is complete.
 class NamedWhenWhole final : public viewer::VideoSink {
  public:
   NamedWhenWhole(std::unique_ptr<viewer::VideoSink> inner, std::filesystem::path part,
@@ -152,7 +153,7 @@ class NamedWhenWhole final : public viewer::VideoSink {
 };
 
 Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path& out,
-                                             const FilmOptions& options) {
+                                                     const FilmOptions& options) {
   const auto file = out / "film.mp4", part = out / "film.part.mp4", folder = out / "film";
   std::error_code error;
   std::filesystem::create_directories(out, error);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// FilmWriter: a recorded room as the film of a camera that goes its way through it. Pictures come
-// at an even rate; each shows the newest frame set of its moment. Drawn without a window.
-// Single-threaded; has a GL context of its own, current on the thread that made it.
+// FilmWriter: renders a recorded room as a film from a moving camera. Pictures are at a constant
+// rate; each shows the newest frame set of its time. Rendered without a window. Single-threaded;
+// has its own GL context, current on the thread that created it.
 #pragma once
 
 #include <filesystem>
@@ -24,19 +24,19 @@ struct FilmOptions {
   int fps = 30;
   double vertical_fov_rad = 1.047;
   render::RenderMode mode = render::RenderMode::kBlend;
-  std::optional<CameraPath> path;  // nothing: a slow swing before what the first sensor sees
+  std::optional<CameraPath> path;  // nothing: a slow swing about the first sensor's view
   double length_s = 0;             // of the film, for the swing
 };
 
 class FilmWriter final : public SetWriter {
  public:
-  /// kInvalidArgument for a size or an angle that is none; kUnavailable where there is no GL.
+  /// kInvalidArgument for an invalid size or angle; kUnavailable without GL.
   static Result<std::unique_ptr<FilmWriter>> create(const std::vector<SetSensor>& sensors,
                                                     FilmOptions options,
                                                     std::unique_ptr<viewer::VideoSink> sink);
 
   Status add(const FrameSet& set) override;
-  /// Shows the last set for one picture, and ends the file.
+  /// Shows the last set for one picture and closes the file.
   Status finish() override;
   [[nodiscard]] ExportTotals totals() const override { return totals_; }
 
@@ -59,12 +59,13 @@ class FilmWriter final : public SetWriter {
   Stage stage_;
   std::unique_ptr<viewer::VideoSink> sink_;
   std::optional<CameraPath> path_;
-  nanoseconds begin_{};  // of the film, in the recording
+  nanoseconds begin_{};  // start of the film, in the recording
   ExportTotals totals_;
 };
 
-/// OUT/film.mp4 by ffmpeg, or where that is not installed OUT/film/frame-NNNNNN.png. The file gets
-/// its name when it is whole. Makes the folder. kUnavailable when there is such a film already.
+/// Writes OUT/film.mp4 with ffmpeg, or OUT/film/frame-NNNNNN.png if ffmpeg is not installed. The
+/// file gets its final name when it is complete. Creates the folder. kUnavailable if the film
+/// exists already.
 [[nodiscard]] Result<std::unique_ptr<SetWriter>> make_film(const std::filesystem::path& out,
                                                            const std::vector<SetSensor>& sensors,
                                                            FilmOptions options);

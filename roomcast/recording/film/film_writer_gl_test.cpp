@@ -28,7 +28,7 @@ class KeepingSink final : public viewer::VideoSink {
   std::vector<ColorImage>& pictures_;
 };
 
-/// What the near sensor sees, all of it in one colour.
+/// A set in which the near sensor's view has one colour.
 FrameSet set_at(nanoseconds time, Rgb8 color) {
   FrameSet set = wall_set();
   set.time = time;

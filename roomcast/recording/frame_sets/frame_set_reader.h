@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameSetReader: a recorded room instant by instant: depth and colour in its grid of every sensor,
-// and where it stood. The same whether the room was kept by `roomcast record` or lies in a rig or
-// TUM folder. Metres, millimetres in pictures. Single-threaded.
+// FrameSetReader: reads a recorded room set by set: each sensor's depth, its colour in the depth
+// grid, and its pose. The same interface for files of `roomcast record`, rig folders and TUM
+// folders. Poses in metres, depth in millimetres. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -24,41 +24,42 @@ struct SetSensor {
   std::string name;
   CameraIntrinsics depth;  // also of the colour, which is in the depth grid
   double fps = 30;
-  double expected_error_m = 0;  // of a place that was found, 2.5 m in front of it; 0: not known
+  double expected_error_m = 0;  // of an estimated pose, 2.5 m in front of the sensor; 0: unknown
 };
 
-/// One sensor's part of a set.
+/// One sensor's part of a frame set.
 struct SetFrame {
-  std::size_t sensor = 0;                               // in FrameSetReader::sensors()
+  std::size_t sensor = 0;                               // index into FrameSetReader::sensors()
   std::shared_ptr<const codec::DecodedFrame> pictures;  // never null
-  std::optional<RigidTransform> world_from_depth;       // nothing: nobody knows where it stood
+  std::optional<RigidTransform> world_from_depth;       // nothing: the sensor is unplaced
   nanoseconds time{};                                   // as FrameSet::time
 };
 
 struct FrameSet {
-  std::uint64_t number = 0;      // counts the sets of the recording that were read
-  nanoseconds time{};            // since the recording began, of its newest frame
-  std::vector<SetFrame> frames;  // by sensor; one that has just missed this set has its last frame
+  std::uint64_t number = 0;      // running number of the sets returned by next()
+  nanoseconds time{};            // capture time of the newest frame, since the recording began
+  std::vector<SetFrame> frames;  // by sensor; one that missed this set has its last frame
 };
 
-/// A frame that is older is not part of the room any more.
+/// Maximum age of a frame in a set; older frames are left out.
 inline constexpr nanoseconds kOldestInSet{500'000'000};
 
 class FrameSetReader {
  public:
   virtual ~FrameSetReader() = default;
   [[nodiscard]] virtual const std::vector<SetSensor>& sensors() const = 0;
-  /// For people who wait.
+  /// Duration of the recording; 0: unknown.
   [[nodiscard]] virtual nanoseconds length() const = 0;
-  /// False: the room's owner did not let who recorded it.
+  /// False if the recorder was not permitted to export the room.
   [[nodiscard]] virtual bool may_be_exported() const { return true; }
-  /// False at the end. An error of a damaged place; the next call goes on behind it where that can
-  /// be.
+  /// Returns false at the end. An error describes a damaged place; if possible, the next call
+  /// continues after it.
   [[nodiscard]] virtual Result<bool> next(FrameSet& set) = 0;
 };
 
-/// `path`: FILE.mcap of `roomcast record`, or the folder of a rig or of a TUM recording. From the
-/// set at `from` on. kNotFound where it is none of these; else the kinds' own errors.
+/// `path`: FILE.mcap of `roomcast record`, or the folder of a rig or of a TUM recording. Starts
+/// with the set at `from`. kNotFound if `path` is none of these; otherwise the errors of the
+/// respective reader.
 [[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_frame_sets(
     const std::filesystem::path& path, nanoseconds from = {});
 

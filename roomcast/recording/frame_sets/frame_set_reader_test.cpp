@@ -55,7 +55,8 @@ TEST(FrameSetReader, begins_where_it_is_told_to) {
   EXPECT_EQ(set.frames[0].pictures->depth_mm, RecordingFixtureRoom::depth(28));
 }
 
-/// Two sensors of which the second's clock is 3 s ahead; its second frame was lost.
+/// Writes a rig of two sensors. The second one's clock is 3 s ahead, and its second frame is
+/// dropped.
 void write_rig(const std::filesystem::path& folder) {
   std::vector<RigSensor> sensors(2);
   for (int i = 0; i < 2; ++i) {
@@ -92,7 +93,7 @@ TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
     ASSERT_TRUE(*(*reader)->next(set));
     ASSERT_EQ(set.frames.size(), 2u);
     EXPECT_EQ(set.frames[0].pictures->depth_mm, RecordingFixtureRoom::depth(instant));
-    const int shown = instant == 1 ? 0 : instant;  // its last one, where it has lost one
+    const int shown = instant == 1 ? 0 : instant;  // a dropped frame is replaced by the one before
     EXPECT_EQ(set.frames[1].pictures->depth_mm, RecordingFixtureRoom::depth(shown));
     EXPECT_NEAR(set.frames[1].pictures->color.at(30, 20).r, 160, 4);
   }

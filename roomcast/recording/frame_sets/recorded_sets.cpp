@@ -52,7 +52,7 @@ class RecordedSets final : public FrameSetReader {
   }
 
  private:
-  /// True when that made a set complete.
+  /// Returns true if the message completed a set.
   bool take(const RecordedMessage& recorded, FrameSet& set) {
     if (recorded.kind == MessageKind::kRoster)
       (void)state_.roster(recording_.roster_at(recorded.message.log_time));
@@ -98,11 +98,11 @@ class RecordedSets final : public FrameSetReader {
   const nanoseconds from_;
   std::map<std::string, std::size_t> index_of_;
   RecordingCursor cursor_;
-  SteadyClock clock_;  // when a picture was read, which nobody asks
+  SteadyClock clock_;  // RoomState needs one; the arrival times are not used
   client::RoomState state_{clock_};
   nanoseconds unix_minus_room_{};
   SetId open_set_{};
-  bool has_frames_ = false;  // of the open set
+  bool has_frames_ = false;  // in the open set
   std::uint64_t count_ = 0;
 };
 

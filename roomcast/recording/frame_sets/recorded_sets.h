@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame sets of a recording of `roomcast record`, as the hub sent them.
+// Reads the frame sets of a file of `roomcast record`, as the hub sent them.
 #pragma once
 
 #include "roomcast/recording/frame_sets/frame_set_reader.h"

@@ -13,7 +13,7 @@
 namespace roomcast::recording {
 namespace {
 
-/// One sensor's frames, the next one read ahead.
+/// The frames of one sensor, with the next one read ahead.
 class Track {
  public:
   static Result<Track> open(Result<std::unique_ptr<source::FrameSource>> source) {
@@ -25,11 +25,13 @@ class Track {
     return track;
   }
 
-  [[nodiscard]] const source::SensorDescription& description() const { return source_->description(); }
+  [[nodiscard]] const source::SensorDescription& description() const {
+    return source_->description();
+  }
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
 
-  /// The frame that was read ahead, and reads the next.
+  /// Returns the frame that was read ahead, and reads the next.
   Result<std::shared_ptr<const codec::DecodedFrame>> take() {
     auto frame = std::make_shared<codec::DecodedFrame>();
     if (!captured_.color.empty()) {
@@ -96,7 +98,7 @@ class FolderSets final : public FrameSetReader {
     return std::llround(std::chrono::duration<double>(track.time()).count() * fps_);
   }
 
-  /// Reads the frames of the next instant; its time.
+  /// Reads the frames of the next instant into `newest_`; returns the newest capture time.
   Result<nanoseconds> take_instant() {
     std::int64_t instant = std::numeric_limits<std::int64_t>::max();
     for (const Track& track : tracks_) {

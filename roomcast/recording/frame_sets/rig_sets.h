@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame sets of a rig folder or a TUM recording: frames of the same instant by true time,
-// colour resampled into the depth grid.
+// Reads the frame sets of a rig folder or a TUM recording: groups frames by true capture time and
+// resamples colour into the depth grid.
 #pragma once
 
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
 namespace roomcast::recording {
 
-/// kNotFound where the folder holds neither; errors of the sources.
+/// kNotFound if the folder contains neither; otherwise the errors of the sources.
 [[nodiscard]] Result<std::unique_ptr<FrameSetReader>> open_folder_sets(
     const std::filesystem::path& folder, nanoseconds from);
 

@@ -11,7 +11,7 @@
 namespace roomcast::recording::mcap {
 namespace {
 
-/// Replaces the compressed records in `chunk`, which lie in `bytes`, by what they were.
+/// Decompresses the records in `chunk`, which point into `bytes`, and replaces both.
 Status decompress(StoredChunk& chunk, Bytes& bytes) {
   if (chunk.uncompressed_size > kMaxChunkBytes)
     return Error{ErrorCode::kTooLarge, "a chunk in it is too large"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inside of a chunk: decompressed (none or zstd), its CRC-32 checked, its records found.
+// Opens a chunk: decompresses it (none or zstd), checks its CRC-32 and locates its records.
 // Thread-safe (no state).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace roomcast::recording::mcap {
 
-/// Moved, not copied: `messages` refer to `bytes`.
+/// Move-only, because `messages` refer to `bytes`.
 struct ChunkContents {
   ChunkContents() = default;
   ChunkContents(ChunkContents&&) = default;
@@ -19,11 +19,11 @@ struct ChunkContents {
   Bytes bytes;
   std::vector<Schema> schemas;
   std::vector<Channel> channels;
-  std::vector<Message> messages;  // in the order of the file
+  std::vector<Message> messages;  // in file order
 };
 
-/// `record` is the content of a chunk record, whose memory is used. kMalformed when anything in it
-/// is wrong, kTooLarge above kMaxChunkBytes, kUnsupported for another compression.
+/// `record`: content of a chunk record, whose memory is taken over. kMalformed if any part is
+/// invalid, kTooLarge above kMaxChunkBytes, kUnsupported for another compression.
 [[nodiscard]] Result<ChunkContents> open_chunk(Bytes record);
 
 }  // namespace roomcast::recording::mcap

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of MCAP records <-> bytes: little-endian integers, strings and maps with their length
-// in front. Reading never leaves the given bytes: the first field that does not fit makes all that
-// follow zero or empty, and ok() says so.
+// Reads and writes the fields of MCAP records: little-endian integers, and strings and maps
+// prefixed with their length. Reading never leaves the given bytes: after the first field that does
+// not fit, all fields read as zero or empty, and ok() returns false.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class FieldWriter {
   std::vector<std::uint8_t>& out_;
 };
 
-/// Appends a record: `write_fields(FieldWriter&)` between its opcode and its end.
+/// Appends a record; `write_fields(FieldWriter&)` writes its content.
 template <class WriteFields>
 void append_record(std::vector<std::uint8_t>& out, Opcode opcode, WriteFields write_fields) {
   FieldWriter fields(out);

@@ -17,7 +17,7 @@ struct Place {
   std::uint64_t offset = 0, length = 0;  // of the whole record
 };
 
-/// The record at `offset`, if the file goes on to its end.
+/// The record at `offset`, if the file contains all of it.
 std::optional<Place> record_at(const ByteSource& source, std::uint64_t offset) {
   std::array<std::uint8_t, kRecordHeaderBytes> start{};
   if (!source.read(offset, start)) return std::nullopt;

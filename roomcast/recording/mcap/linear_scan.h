@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads an MCAP file from its beginning as far as it is sound, for files that end without a
-// summary. Every chunk is read, one at a time. Thread-safe (no state).
+// Reads an MCAP file from its beginning up to the first damage, for files without a summary. Reads
+// every chunk, one at a time. Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace roomcast::recording::mcap {
 
 struct LinearScan {
   Summary summary;
-  std::uint64_t sound_bytes = 0;  // where the last sound record ends
+  std::uint64_t sound_bytes = 0;  // end of the last valid record
 };
 
-/// The source begins with kMagic.
+/// Requires that the source begins with kMagic.
 [[nodiscard]] LinearScan scan_from_start(const ByteSource& source);
 
 }  // namespace roomcast::recording::mcap

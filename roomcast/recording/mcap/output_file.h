@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OutputFile: a file that only grows, by whole pieces: a piece that the disk has no room for leaves
-// no trace. What append() has taken survives the end of this program, also a sudden one.
-// Single-threaded.
+// OutputFile: an append-only file. A piece that does not fit on the disk is removed completely.
+// Appended data survives a crash of this program. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +14,15 @@ namespace roomcast::recording::mcap {
 
 class OutputFile {
  public:
-  /// kUnavailable when there is such a file already (nothing is overwritten) or it cannot be made.
+  /// kUnavailable if the file exists already (nothing is overwritten) or cannot be created.
   static Result<OutputFile> create(const std::filesystem::path& path);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  /// kUnavailable with the reason, a full disk for instance; the file then ends where it ended
-  /// before.
+  /// kUnavailable with the reason, for instance a full disk; the file then keeps its previous size.
   [[nodiscard]] Status append(std::span<const std::uint8_t> piece);
-  /// The same for two pieces that belong together.
+  /// Appends two pieces as one.
   [[nodiscard]] Status append(std::span<const std::uint8_t> first,
                               std::span<const std::uint8_t> second);
 

@@ -27,7 +27,7 @@ TEST(OutputFile, says_where_it_cannot_be_made) {
   EXPECT_NE(file.error().message.find("/no/such/folder/a.mcap"), std::string::npos);
 }
 
-/// A limit on the size of files stands in for a disk that is full.
+/// Simulates a full disk by a limit on the file size.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reader: reads MCAP files (https://mcap.dev/spec) whose messages are in chunks. A file without a
-// sound summary, of a recorder that was stopped by force for instance, is read from its beginning
-// up to the damage. Files are hostile: sizes are checked before anything is allocated.
-// Any number of threads may read.
+// valid summary, for instance of a killed recorder, is read from its beginning up to the damage.
+// Files are untrusted: sizes are checked before anything is allocated. Any number of threads may
+// read.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,21 @@ namespace roomcast::recording::mcap {
 
 class Reader {
  public:
-  /// kNotFound; kMalformed when it is no MCAP file. Sentences name the file.
+  /// kNotFound; kMalformed if the file is not MCAP. Messages name the file.
   static Result<Reader> open(const std::filesystem::path& path);
-  /// `name` is for sentences.
+  /// `name` is used in error messages.
   static Result<Reader> read(std::unique_ptr<ByteSource> source, std::string name);
 
   [[nodiscard]] const Summary& summary() const { return summary_; }
-  /// Why the file's end is not to be had, in a sentence; nothing when the file is whole.
+  /// Reason why the end of the file cannot be read, as a sentence; nothing if the file is complete.
   [[nodiscard]] const std::optional<std::string>& damage() const { return damage_; }
-  /// Where what can be read of a damaged file ends.
+  /// End of the readable part of a damaged file.
   [[nodiscard]] std::uint64_t sound_bytes() const { return sound_bytes_; }
 
-  /// `number` is below summary().chunks.size(). kMalformed where the chunk is damaged: others may
-  /// be sound. kUnsupported, kTooLarge as open_chunk.
+  /// `number` is below summary().chunks.size(). kMalformed if this chunk is damaged; others may be
+  /// valid. kUnsupported, kTooLarge as open_chunk.
   [[nodiscard]] Result<ChunkContents> chunk(std::size_t number) const;
-  /// Of all metadata records of that name the last. kNotFound, kMalformed.
+  /// The last metadata record of that name. kNotFound, kMalformed.
   [[nodiscard]] Result<StringMap> metadata(const std::string& name) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writer and Reader against each other; tests/cli does it against a reader by others.
+// Round trips through Writer and Reader; tests/cli checks the files with a third-party reader.
 #include "roomcast/recording/mcap/reader.h"
 
 #include <fstream>
@@ -27,7 +27,7 @@ Bytes payload(std::size_t size, std::uint8_t seed) {
   return bytes;
 }
 
-/// Two channels of which each says something every 10 ms, in chunks of about 4 messages.
+/// Two channels with a message each every 10 ms, in chunks of about 4 messages.
 class WrittenFile {
  public:
   explicit WrittenFile(bool finish, int messages = 20) {

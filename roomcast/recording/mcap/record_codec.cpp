@@ -97,7 +97,7 @@ void append_statistics(Bytes& out, const Summary& summary) {
     fields.u64(summary.statistics.message_count);
     fields.u16(static_cast<std::uint16_t>(summary.schemas.size()));
     fields.u32(static_cast<std::uint32_t>(summary.channels.size()));
-    fields.u32(0);  // attachments
+    fields.u32(0);  // attachment count
     fields.u32(static_cast<std::uint32_t>(summary.metadata.size()));
     fields.u32(static_cast<std::uint32_t>(summary.chunks.size()));
     fields.time(summary.statistics.start_time);
@@ -108,7 +108,7 @@ void append_statistics(Bytes& out, const Summary& summary) {
 
 void append_data_end(Bytes& out) {
   append_record(out, Opcode::kDataEnd, [](FieldWriter& fields) {
-    fields.u32(0);  // no CRC of all data: each chunk has its own
+    fields.u32(0);  // no CRC of the data section: each chunk has its own
   });
 }
 
@@ -187,7 +187,7 @@ std::optional<Statistics> read_statistics(ByteView content) {
   FieldReader fields(content);
   Statistics statistics;
   statistics.message_count = fields.u64();
-  fields.bytes(2 + 4 * 4);  // counts of what the summary lists
+  fields.bytes(2 + 4 * 4);  // counts, which can be derived from the summary
   statistics.start_time = fields.time();
   statistics.end_time = fields.time();
   statistics.channel_message_counts = fields.channel_map();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// MCAP records <-> bytes, one pair of functions for each kind. `append_*` writes whole records,
-// `read_*` takes a record's content (what follows opcode and length); nothing where that is
-// damaged. Thread-safe (no state).
+// Encodes and decodes MCAP records, one pair of functions per kind. `append_*` writes a whole
+// record. `read_*` takes a record's content (without opcode and length) and returns nothing if it
+// is damaged. Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ void append_metadata_index(Bytes& out, const MetadataIndex& index);
 void append_statistics(Bytes& out, const Summary& summary);
 void append_data_end(Bytes& out);
 
-/// Opcode, length and fields of a chunk record in front of its `records`. Uncompressed.
+/// Appends opcode, length and fields of an uncompressed chunk record, up to its `records`.
 void append_chunk_start(Bytes& out, nanoseconds start_time, nanoseconds end_time, ByteView records);
 
 [[nodiscard]] std::optional<Schema> read_schema(ByteView content);
@@ -49,7 +49,7 @@ struct NamedMetadata {
 struct StoredChunk {
   nanoseconds start_time{}, end_time{};
   std::uint64_t uncompressed_size = 0;
-  std::uint32_t uncompressed_crc = 0;  // 0: not given
+  std::uint32_t uncompressed_crc = 0;  // 0: not available
   std::string compression;
   ByteView records;  // compressed
 };
@@ -59,8 +59,8 @@ struct Record {
   Opcode opcode{};
   ByteView content;
 };
-/// Takes the next record off the front of `bytes`; nothing, and `bytes` stays, where it is not
-/// whole.
+/// Removes the next record from the front of `bytes`. Returns nothing and leaves `bytes` unchanged
+/// if the record is incomplete.
 [[nodiscard]] std::optional<Record> take_record(ByteView& bytes);
 
 }  // namespace roomcast::recording::mcap

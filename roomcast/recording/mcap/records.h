@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The records of an MCAP file as plain data, after the MCAP specification, version 0
-// (https://mcap.dev/spec). Times are nanoseconds since an epoch that the file's author chooses.
+// (https://mcap.dev/spec). Times are nanoseconds since an epoch that the writing program chooses.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ enum class Opcode : std::uint8_t {
 inline constexpr std::size_t kRecordHeaderBytes = 9;  // opcode and length
 inline constexpr std::size_t kFooterBytes = kRecordHeaderBytes + 20;
 
-// What a reader takes from a file. A hostile one cannot make it allocate more.
+// Limits of a reader, so that an untrusted file cannot make it allocate more.
 inline constexpr std::size_t kMaxChunkBytes = 64U << 20U;     // as stored, and uncompressed
 inline constexpr std::size_t kMaxSummaryBytes = 256U << 20U;  // a recording of many days
 inline constexpr std::size_t kMaxMetadataBytes = 1U << 20U;
@@ -61,7 +61,7 @@ struct Channel {
   StringMap metadata;
 };
 
-/// `data` lies in the chunk that the message was read from.
+/// `data` points into the chunk that the message was read from.
 struct Message {
   ChannelId channel{};
   std::uint32_t sequence = 0;
@@ -74,8 +74,8 @@ struct ChunkIndex {
   nanoseconds start_time{}, end_time{};  // of its messages' log times
   std::uint64_t offset = 0;              // of the chunk record, from the start of the file
   std::uint64_t length = 0;              // of the whole record
-  /// Of the index record of each channel that the chunk has messages of; empty where a writer left
-  /// that out, offsets 0 where the file was read from its beginning.
+  /// Offset of the index record of each channel with messages in the chunk. Empty if the writer
+  /// omitted them; offsets are 0 if the file was read from its beginning.
   std::map<ChannelId, std::uint64_t> message_index_offsets;
   std::uint64_t message_index_length = 0;
   std::string compression;
@@ -94,7 +94,7 @@ struct Statistics {
   std::map<ChannelId, std::uint64_t> channel_message_counts;
 };
 
-/// What a reader wants to know of a file before it reads a message.
+/// The file's index: everything a reader needs before it reads a message.
 struct Summary {
   std::map<SchemaId, Schema> schemas;
   std::map<ChannelId, Channel> channels;

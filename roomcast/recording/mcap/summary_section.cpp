@@ -21,7 +21,7 @@ class SummaryWriter {
  public:
   SummaryWriter(Bytes& out, std::uint64_t offset) : out_(out), shift_(offset - out.size()) {}
 
-  /// Where in the file the next byte goes.
+  /// File offset of the next byte.
   [[nodiscard]] std::uint64_t position() const { return out_.size() + shift_; }
 
   template <class Append>
@@ -46,7 +46,7 @@ class SummaryWriter {
   std::vector<Group> groups_;
 };
 
-/// Takes what the reader has use for; false when the record is damaged.
+/// Adds the record to `summary` if it is of a kind that the reader uses; false if it is damaged.
 bool take_summary_record(const Record& record, Summary& summary) {
   const auto put = [](auto& map, auto read) {
     if (read) map[read->id] = std::move(*read);
@@ -102,7 +102,7 @@ void append_end(Bytes& out, const Summary& summary, std::uint64_t offset) {
   footer.u64(kFooterBytes - kRecordHeaderBytes);
   footer.u64(summary_start);
   footer.u64(offsets_start);
-  footer.u32(crc32(std::as_bytes(std::span(out).subspan(first))));  // of all up to here
+  footer.u32(crc32(std::as_bytes(std::span(out).subspan(first))));  // of all bytes up to here
   out.insert(out.end(), kMagic.begin(), kMagic.end());
 }
 
@@ -131,7 +131,7 @@ Result<Footer> read_footer(ByteView last_bytes) {
   const bool is_footer = Opcode{fields.u8()} == Opcode::kFooter && fields.u64() == 20;
   Footer footer;
   footer.summary_start = fields.u64();
-  fields.u64();  // where the summary's offsets start: we read the summary from end to end
+  fields.u64();  // start of the summary offsets: unused, because the whole summary is read
   footer.summary_crc = fields.u32();
   if (!is_footer) return malformed("its last record is no footer");
   return footer;

@@ -35,7 +35,7 @@ ChannelId Writer::add_channel(SchemaId schema, std::string_view topic,
   return id;
 }
 
-/// Channels and their schemas stand in the chunk of their first message.
+/// Writes a channel's schema and channel records into the chunk of its first message.
 void Writer::announce(ChannelId id) {
   if (!announced_.insert(id).second) return;
   const auto channel = summary_.channels.find(id);
@@ -86,7 +86,8 @@ Status Writer::write_chunk() {
   }
   index.message_index_length = scratch_.size() - start_bytes;
   const ByteView written(scratch_);
-  // The chunk comes whole or not at all; its message indexes may be missing, as the spec allows.
+  // The chunk is written completely or not at all; its message indexes may be missing, as the spec
+  // allows.
   if (auto status = file_.append(written.first(start_bytes), chunk_); !status) return status;
   if (!file_.append(written.subspan(start_bytes))) {
     index.message_index_offsets.clear();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writer: writes an MCAP file (https://mcap.dev/spec): messages in uncompressed chunks, each with
-// its CRC-32 and the index of its messages, and at the end a summary with which readers find them.
-// Until then the file can be read from its beginning up to the last chunk that was closed.
-// Memory: one chunk, and some 150 bytes for each chunk there is. Single-threaded.
+// its CRC-32 and message index, and at the end a summary for random access. Until the summary is
+// written, the file can be read from its beginning up to the last closed chunk. Memory: one chunk,
+// plus some 150 bytes per chunk written. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@
 namespace roomcast::recording::mcap {
 
 struct WriterOptions {
-  std::string profile;                  // of the MCAP registry, may be empty
-  std::string library = "roomcast";     // what wrote the file
-  std::size_t chunk_bytes = 1U << 20U;  // a chunk is closed when it has grown beyond
+  std::string profile;                  // from the MCAP registry; may be empty
+  std::string library = "roomcast";     // name of the writing program
+  std::size_t chunk_bytes = 1U << 20U;  // a chunk is closed when it exceeds this size
 };
 
 class Writer {
  public:
-  /// Errors as OutputFile's.
+  /// Errors as OutputFile::create.
   static Result<Writer> create(const std::filesystem::path& path,
                                const WriterOptions& options = {});
 
@@ -36,19 +36,18 @@ class Writer {
   ChannelId add_channel(SchemaId schema, std::string_view topic, std::string_view message_encoding,
                         StringMap metadata = {});
 
-  /// `message.channel` as returned by add_channel. Closes the chunk when it is large enough. After
-  /// an error, which is that of OutputFile::append, the chunk that was open is lost and writing may
-  /// go on.
+  /// `message.channel`: as returned by add_channel. Closes the chunk when it is large enough. After
+  /// an error, which is that of OutputFile::append, the open chunk is lost; writing may continue.
   [[nodiscard]] Status add_message(const Message& message);
   [[nodiscard]] Status add_metadata(std::string_view name, const StringMap& metadata);
 
-  /// Closes the chunk: what was added is safe from the end of this program.
+  /// Closes the chunk: messages added so far survive a crash of this program.
   [[nodiscard]] Status close_chunk();
-  /// Closes the chunk and writes summary and end. Nothing may be added afterwards.
+  /// Closes the chunk and writes summary and footer. Nothing may be added afterwards.
   [[nodiscard]] Status finish();
 
   [[nodiscard]] bool chunk_is_empty() const { return chunk_.empty(); }
-  /// On disk and in the open chunk.
+  /// Bytes on disk plus those in the open chunk.
   [[nodiscard]] std::uint64_t bytes() const { return file_.size() + chunk_.size(); }
   [[nodiscard]] const Summary& summary() const { return summary_; }
 
@@ -61,13 +60,13 @@ class Writer {
 
   OutputFile file_;
   WriterOptions options_;
-  Summary summary_;  // of what is on disk; schemas and channels: all that were added
+  Summary summary_;  // of the chunks on disk; schemas and channels: all that were added
 
   // The open chunk.
   Bytes chunk_;
   std::map<ChannelId, MessageOffsets> offsets_;
   nanoseconds start_time_{}, end_time_{};
-  std::set<ChannelId> announced_;  // whose records are in the file, or in the open chunk
+  std::set<ChannelId> announced_;  // their records are in the file or in the open chunk
   std::set<ChannelId> announced_before_chunk_;
   Bytes scratch_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: an empty room of 4 m x 5 m x 3 m with the origin in the middle of its floor, seen
+// For tests: an empty room of 4 m x 5 m x 3 m with the origin at the centre of its floor, seen
 // without error by sensors in its corners.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace roomcast::recording {
 
 inline const Eigen::Vector3d kBoxRoom_m(4, 3, 5);
 
-/// From inside the room to its walls, floor or ceiling.
+/// Depth of a ray from inside the room to its walls, floor or ceiling.
 inline double box_room_z_m(const RigidTransform& world_from_depth, const Eigen::Vector3d& ray) {
   const Eigen::Vector3d way = world_from_depth.rotation * ray;
   const Eigen::Vector3d& from = world_from_depth.translation_m;

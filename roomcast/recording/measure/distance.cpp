@@ -15,9 +15,9 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr int kAround_px = 3;  // readings around a place, to each side
+constexpr int kAround_px = 3;  // window half-size around a place, pixels
 constexpr std::size_t kFewestAround = 6;
-constexpr double kBias_m = 0.002, kBiasPerMetre = 0.002;  // that averaging does not take away
+constexpr double kBias_m = 0.002, kBiasPerMetre = 0.002;  // not reduced by averaging
 
 Error not_found(const std::string& what) {
   return {ErrorCode::kNotFound, what};
@@ -38,13 +38,13 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
-/// The plane through a place's surroundings.
+/// The plane through the points around a place.
 struct Surroundings {
   Eigen::Vector3d middle_m, normal;
   std::size_t count = 0;
 };
 
-/// Points around `pixel` that are of its surface: within a step of the median depth.
+/// Fits the points around `pixel` that belong to its surface: within one step of the median depth.
 std::optional<Surroundings> surroundings_of(const StaticSensor& sensor,
                                             const Eigen::Vector2d& pixel) {
   const int cx = static_cast<int>(std::lround(pixel.x()));
@@ -75,13 +75,13 @@ std::optional<Surroundings> surroundings_of(const StaticSensor& sensor,
   return around;
 }
 
-/// Where the ray of a pixel meets the plane around it.
+/// Intersects the ray of a pixel with the plane around it.
 std::optional<Eigen::Vector3d> on_plane(const StaticSensor& sensor, const Eigen::Vector2d& pixel,
                                         const Surroundings& around) {
   const auto ray = unproject(sensor.depth, pixel, 1);
   if (!ray) return std::nullopt;
   const double slant = around.normal.dot(*ray);
-  // A plane that the ray only grazes says nothing: then the middle's depth does.
+  // At grazing incidence the intersection is ill-conditioned: use the centre's depth instead.
   if (std::abs(slant) < 0.2 * ray->norm()) return *ray * around.middle_m.z();
   return *ray * (around.normal.dot(around.middle_m) / slant);
 }
@@ -115,7 +115,7 @@ Result<MeasuredPlace> place_of_pixel(std::span<const StaticSensor> room,
   return not_found("sensor " + picked.sensor + " has no depth there; pick a place beside it");
 }
 
-/// Of the surfaces near a point that which a sensor sees best.
+/// Of the surfaces near a point, the one with the smallest expected error.
 Result<MeasuredPlace> place_near(std::span<const StaticSensor> room,
                                  const Eigen::Vector3d& world_m) {
   std::optional<MeasuredPlace> best;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance between two places of a room, and how far off it may be. A place is a pixel of a
-// sensor, or a point of the world on a surface that a sensor sees. It is taken from the plane
-// through the readings around it, so noise hardly counts; what stays is the bias of depth cameras
-// and, between two sensors, the error of their places. Metres. Thread-safe (no state).
+// Measures the distance between two places in a room, with its expected error. A place is a pixel
+// of a sensor, or a world point on a surface that a sensor sees. Its position comes from a plane
+// fitted to the readings around it, so noise has little effect; the bias of depth cameras remains
+// and, between two sensors, the error of their poses. Metres. Thread-safe (no state).
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@
 
 namespace roomcast::recording {
 
-/// A place to measure from, as a person gives it.
+/// A place to measure from, as entered by the user: sensor and pixel, or a world point.
 struct PickedPlace {
   std::string sensor;  // with `pixel`
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  std::optional<Eigen::Vector3d> world_m;  // instead of those
+  std::optional<Eigen::Vector3d> world_m;  // instead of sensor and pixel
 };
 
 struct MeasuredPlace {
   Eigen::Vector3d world_m = Eigen::Vector3d::Zero();
-  std::string sensor;           // that sees it
-  double expected_error_m = 0;  // standard deviation, without that of the sensor's own place
+  std::string sensor;           // the sensor that sees the place
+  double expected_error_m = 0;  // standard deviation, without the error of the sensor's pose
 };
 
 struct MeasuredDistance {
@@ -35,13 +35,13 @@ struct MeasuredDistance {
   double expected_error_m = 0;  // standard deviation
 };
 
-/// A point of the world that is farther from every surface is none of a surface.
+/// Maximum distance of a world point from a surface to count as on it.
 inline constexpr double kNearSurface_m = 0.05;
 
 /// "s0:320,240" or "1.2,0.8,-0.4". kInvalidArgument for anything else.
 [[nodiscard]] Result<PickedPlace> parse_place(const std::string& text);
 
-/// kNotFound: no such sensor, no reading there, no surface near the point.
+/// kNotFound: unknown sensor, no reading at the pixel, or no surface near the point.
 [[nodiscard]] Result<MeasuredPlace> measure_place(std::span<const StaticSensor> room,
                                                   const PickedPlace& place);
 [[nodiscard]] Result<MeasuredDistance> measure_distance(std::span<const StaticSensor> room,

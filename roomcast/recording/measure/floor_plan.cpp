@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kUnitsPerMetre = 100;
 constexpr double kMargin_m = 0.7;
-constexpr int kFewestPoints = 4;       // in a cell, to count as taken
+constexpr int kFewestPoints = 4;       // minimum per occupied cell
 constexpr double kTakenFrom_m = 0.12;  // above the floor
 constexpr double kTakenTo_m = 2.0;
 
@@ -90,12 +90,12 @@ std::string taken_svg(const FloorPlan& plan, const Eigen::AlignedBox2d& box) {
   return path + "\"/>\n";
 }
 
-/// A line with its length beside it, on the side of the room.
+/// A line with its length written next to it, on the side of the room.
 std::string wall_svg(const Wall& wall) {
   const Eigen::Vector2d middle = (wall.from_m + wall.to_m) / 2 + 0.22 * wall.normal;
   const Eigen::Vector2d along = wall.to_m - wall.from_m;
   double angle = std::atan2(along.y(), along.x()) * 180 / 3.14159265358979323846;
-  if (angle > 90 || angle <= -90) angle += angle > 0 ? -180 : 180;  // to be read from below
+  if (angle > 90 || angle <= -90) angle += angle > 0 ? -180 : 180;  // keeps the text upright
   return text("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", units(wall.from_m.x()),
               units(wall.from_m.y()), units(wall.to_m.x()), units(wall.to_m.y())) +
          text("<text x=\"%.1f\" y=\"%.1f\" transform=\"rotate(%.1f %.1f %.1f)\">%.2f m</text>\n",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A room from above: its walls, what stands in it, and its sensors, as a picture with a scale (SVG
-// 1.1; 1 unit is 1 cm). World frame seen from +y: x to the right, z down. Thread-safe (no state).
+// Draws a room from above: its walls, its furniture (occupied cells) and its sensors, as a picture
+// with a scale (SVG 1.1; 1 unit is 1 cm). World frame seen from +y: x to the right, z down.
+// Thread-safe (no state).
 #pragma once
 
 #include <span>
@@ -17,12 +18,12 @@ namespace roomcast::recording {
 
 struct FloorPlan {
   std::vector<Wall> walls;
-  std::vector<Eigen::Vector2i> taken_cells;  // kPlanCell_m wide, by x and z
+  std::vector<Eigen::Vector2i> taken_cells;  // kPlanCell_m wide, indexed by x and z
   std::vector<StaticSensor> sensors;         // without their pictures
 };
 inline constexpr double kPlanCell_m = 0.04;
 
-/// kNotFound when no wall can be seen.
+/// kNotFound if no wall is found.
 [[nodiscard]] Result<FloorPlan> draw_floor_plan(std::span<const StaticSensor> room);
 
 [[nodiscard]] std::string floor_plan_svg(const FloorPlan& plan, const std::string& title);

@@ -21,7 +21,7 @@ TEST(FloorPlan, an_empty_room_has_its_four_walls_with_corners) {
 
 TEST(FloorPlan, a_cupboard_is_no_wall) {
   auto room = box_room();
-  // A plane 0.6 m before the wall at z = 2.5, 1 m wide and 2 m high, as sensor a sees it.
+  // A plane 0.6 m in front of the wall at z = 2.5, 1 m wide and 2 m high, as seen by sensor a.
   for (StaticSensor& sensor : room) {
     for (int y = 0; y < sensor.depth.height; ++y) {
       for (int x = 0; x < sensor.depth.width; ++x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls and distances against the truth of simulated rooms, seen by sensors with noise, bias and
-// lenses that are not quite what they say.
+// Compares walls and distances with the truth of simulated rooms, whose simulated sensors have
+// noise, bias and slightly wrong lens calibration.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -46,8 +46,8 @@ SeenRoom look_at(std::string_view scene, std::uint64_t seed) {
       sensor->read_depth(static_cast<std::uint64_t>(f), moment,
                          depths_mm[static_cast<std::size_t>(f)]);
     seen.sensors.push_back({"s" + std::to_string(i), sensor->calibration().depth,
-                            sensor->world_from_depth(), 0, alignment::steady_depth(depths_mm).depth_mm,
-                            kFrames});
+                            sensor->world_from_depth(), 0,
+                            alignment::steady_depth(depths_mm).depth_mm, kFrames});
     const auto& exact = sensor->exact_calibration().depth;
     const DepthImage& clean_mm = sensor->clean_depth_mm(moment);
     Image<Eigen::Vector3f> points_m(exact.width, exact.height, Eigen::Vector3f::Constant(NAN));
@@ -63,7 +63,7 @@ SeenRoom look_at(std::string_view scene, std::uint64_t seed) {
   return seen;
 }
 
-/// By how much a wall lies beside the nearest true one: the worse of its ends.
+/// Distance of a wall from the nearest true wall: the larger of its two ends.
 double wall_error_m(const Wall& wall, const Eigen::Vector3d& size_m) {
   const bool across = std::abs(wall.normal.x()) > std::abs(wall.normal.y());
   const double half = (across ? size_m.x() : size_m.z()) / 2;
@@ -78,7 +78,7 @@ struct Pixel {
   int x = 0, y = 0;
 };
 
-/// Beside a rim a pixel may lie on either surface: nobody picks such places.
+/// At an edge a pixel may be on either surface; users do not pick such places.
 bool is_rim(const SeenRoom& seen, const Pixel& pixel) {
   const auto& points_m = seen.true_points_m[pixel.sensor];
   const Eigen::Vector3f middle = points_m.at(pixel.x, pixel.y);
@@ -94,7 +94,7 @@ bool is_rim(const SeenRoom& seen, const Pixel& pixel) {
 
 struct CheckedDistance {
   double error_m = 0, share = 0, expected_error_m = 0;
-  double farthest_m = 0;  // of its two places from the sensor that sees it
+  double farthest_m = 0;  // larger distance of the two places from the sensors that see them
 };
 
 std::optional<CheckedDistance> check_distance(const SeenRoom& seen, const Pixel& a,
@@ -116,7 +116,7 @@ std::optional<CheckedDistance> check_distance(const SeenRoom& seen, const Pixel&
                          std::max(range_m(a), range_m(b))};
 }
 
-/// Of about 3 m, between any two pixels of any two sensors.
+/// Distances of about 3 m between any two pixels of any two sensors.
 std::vector<CheckedDistance> check_distances(const SeenRoom& seen) {
   std::mt19937 random(7);
   const auto pick = [&] {
@@ -156,7 +156,7 @@ TEST_P(SimulatedRooms, have_their_walls_within_2_cm) {
   }
 }
 
-/// Of distances in the order of their shares.
+/// The relative error that `percent` of the distances do not exceed; `distances` are sorted by it.
 double share_of(int percent, const std::vector<CheckedDistance>& distances) {
   return distances[distances.size() * static_cast<std::size_t>(percent) / 100].share;
 }
@@ -170,8 +170,8 @@ void print(const char* scene, const char* which, const std::vector<CheckedDistan
       100 * share_of(90, distances), 100 * share_of(99, distances), 100 * distances.back().share);
 }
 
-// Corners that are farther away than 4 m are another matter: there the simulator's light takes
-// detours, as that of such sensors does, and a wall seems to be up to 9 cm behind its place.
+// The 99 % bound excludes places more than 4 m away: in corners there, simulated multipath (as in
+// real time-of-flight sensors) puts a wall up to 9 cm behind its true position.
 TEST_P(SimulatedRooms, distances_of_3_m_are_within_1_percent) {
   auto distances = check_distances(seen_);
   ASSERT_GT(distances.size(), 500u);

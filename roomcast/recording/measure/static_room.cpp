@@ -10,7 +10,7 @@
 namespace roomcast::recording {
 namespace {
 
-/// The frames of one sensor that its median is made of.
+/// The frames of one sensor over which the median is taken.
 struct Gathered {
   std::vector<DepthImage> depths_mm;
   std::optional<RigidTransform> world_from_depth;
@@ -23,7 +23,7 @@ void gather(const FrameSet& set, std::vector<Gathered>& sensors) {
     const bool moved = gathered.world_from_depth && frame.world_from_depth &&
                        !gathered.world_from_depth->translation_m.isApprox(
                            frame.world_from_depth->translation_m, 1e-9);
-    if (moved) gathered.depths_mm.clear();  // what it saw from elsewhere is of another picture
+    if (moved) gathered.depths_mm.clear();  // frames from the previous pose show another view
     gathered.seen = true;
     if (frame.world_from_depth) gathered.world_from_depth = frame.world_from_depth;
     gathered.depths_mm.push_back(frame.pictures->depth_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands still in a recorded room: for each sensor the median of its depth over many frames.
-// Measured in are these, not single noisy frames. Metres, millimetres in pictures; world frame.
+// Gathers the static part of a recorded room: for each sensor the median of its depth over many
+// frames. Measurements use these pictures instead of single noisy frames. Metres, pictures in
+// millimetres; world frame.
 #pragma once
 
 #include <cstddef>
@@ -20,18 +21,18 @@ struct StaticSensor {
   std::string name;
   CameraIntrinsics depth;
   RigidTransform world_from_depth;
-  double expected_error_m = 0;  // of that place, 2.5 m in front of it; 0 where it was given
+  double expected_error_m = 0;  // of the pose, 2.5 m in front of it; 0 if the pose was given
   DepthImage depth_mm;
-  std::size_t frame_count = 0;  // of which that is the median
+  std::size_t frame_count = 0;  // frames in the median
 };
 
-/// More frames than this say nothing new.
+/// More frames do not improve the median noticeably.
 inline constexpr std::size_t kMaxStaticFrames = 30;
 
-/// Reads up to kMaxStaticFrames sets, evenly spread as far as the reader knows its length. Sensors
-/// that nobody has placed are left out, unless there is but one, which then is the world's origin.
-/// `progress` (may be empty) after each set. kNotFound when nothing can be measured in; kMalformed
-/// when the recording is damaged from its beginning.
+/// Reads up to kMaxStaticFrames sets, evenly spaced if the reader knows its length. Unplaced
+/// sensors are left out, unless there is only one sensor, whose frame is then the world frame.
+/// `progress` (may be empty) is called after each set. kNotFound if there is nothing to measure;
+/// kMalformed if the recording is damaged from its beginning.
 [[nodiscard]] Result<std::vector<StaticSensor>> gather_static_room(
     FrameSetReader& reader, const std::function<void(std::size_t sets)>& progress = {});
 

@@ -6,7 +6,7 @@
 namespace roomcast::recording {
 namespace {
 
-/// A wall 2 m away before which somebody stands in two of five frames.
+/// A wall 2 m away; in two of five frames a person is in front of it.
 class PassedBy final : public FrameSetReader {
  public:
   explicit PassedBy(std::vector<bool> placed) : placed_(std::move(placed)) {

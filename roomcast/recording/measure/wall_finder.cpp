@@ -16,19 +16,19 @@ namespace roomcast::recording {
 namespace {
 
 constexpr double kMaxTilt = 0.2;   // of an upright surface's normal: some 12 degrees
-constexpr double kNear_m = 0.05;   // of a line: noise and bias of readings
+constexpr double kNear_m = 0.05;   // distance from a line: noise and bias of readings
 constexpr double kSameWay = 0.94;  // cosine of 20 degrees
-constexpr double kCell_m = 0.1;    // of the grid on a wall that area is counted in
+constexpr double kCell_m = 0.1;    // grid on a wall by which area is counted
 constexpr double kSmallestWall_m2 = 0.6;
 constexpr double kShortestWall_m = 0.4;
-constexpr double kTallEnough_m = 1.2;  // above the floor; what ends below is furniture
+constexpr double kTallEnough_m = 1.2;  // above the floor; lower surfaces are furniture
 constexpr double kBehind_m = 0.15;
-constexpr double kMaxBehind = 0.12;      // share of a wall's cells with something seen behind
+constexpr double kMaxBehind = 0.12;      // maximum share of a wall's length with surface behind
 constexpr double kNearlySquare = 0.985;  // cosine of 10 degrees
-constexpr double kSquareShare = 0.8;     // of its area, for a line that is made square
-constexpr double kBefore_m = 0.6;        // what stands before a wall
+constexpr double kSquareShare = 0.8;     // of its area, for a line that is made perpendicular
+constexpr double kBefore_m = 0.6;        // depth of objects in front of a wall
 constexpr double kCornerGap_m = 0.6;
-constexpr int kTriedLines = 400;  // for each wall
+constexpr int kTriedLines = 400;  // per wall
 constexpr std::size_t kMaxWalls = 24;
 
 /// normal . p == offset_m
@@ -70,7 +70,7 @@ double area_m2(const Line& line, const Points& points) {
   return kCell_m * kCell_m * static_cast<double>(cells.size());
 }
 
-/// Every n-th point, for the many lines that are tried.
+/// Every n-th point, to speed up the many tried lines.
 Points thinned(const Points& points, std::size_t count) {
   const std::size_t step = std::max<std::size_t>(1, points.size() / count);
   Points few;
@@ -95,7 +95,7 @@ std::optional<Line> largest_line(const Points& points) {
 }
 
 /// Weighted total least squares over the points on the line; Tukey's weights (Beaton & Tukey 1974)
-/// keep what stands a little before the wall from pulling it.
+/// limit the influence of objects just in front of the wall.
 Line fitted(Line line, const Points& points) {
   for (int round = 0; round < 8; ++round) {
     const double width_m = round < 3 ? kNear_m : 0.6 * kNear_m;
@@ -122,7 +122,7 @@ Line fitted(Line line, const Points& points) {
   return line;
 }
 
-/// Least squares again with the direction given.
+/// Refits by least squares with the direction fixed.
 Line fitted_along(const Eigen::Vector2d& normal, const Line& line, const Points& points) {
   double sum = 0, offsets = 0;
   for (const auto& point : points) {
@@ -146,9 +146,9 @@ Line fitted_along(const Eigen::Vector2d& normal, const Line& line, const Points&
   return square;
 }
 
-/// Walls are square to each other more often than not: a line that nearly is so to the largest wall
-/// is made so, where it covers about as much. That keeps one line from joining a wall with what
-/// stands before it.
+/// Makes a line perpendicular or parallel to the largest wall if it nearly is and the change keeps
+/// most of its covered area. Most walls are at right angles; this prevents a line from joining a
+/// wall with objects in front of it.
 Line squared(const Line& line, const Eigen::Vector2d& main_normal, const Points& points) {
   const Eigen::Vector2d aside(-main_normal.y(), main_normal.x());
   for (const Eigen::Vector2d& normal :
@@ -160,7 +160,7 @@ Line squared(const Line& line, const Eigen::Vector2d& main_normal, const Points&
   return line;
 }
 
-/// The front of something flat before a wall: a larger wall of its direction lies close behind it.
+/// True if `front` is a flat object in front of a wall: a larger parallel wall is close behind it.
 bool stands_before(const Wall& front, const Wall& wall) {
   if (front.area_m2 >= wall.area_m2) return false;
   if (front.normal.dot(wall.normal) < kSameWay) return false;
@@ -172,7 +172,8 @@ bool stands_before(const Wall& front, const Wall& wall) {
   return place_m > 0 && place_m < wall.length_m();
 }
 
-/// Its stretch between the outermost columns that hold a good part of its points.
+/// The wall on a line: the segment between its outermost points, with outliers trimmed; nothing if
+/// the area is too small, the top too low or the segment too short.
 std::optional<Wall> wall_on(const Line& line, const Points& points) {
   std::vector<double> along_m;
   Cells cells;
@@ -186,14 +187,14 @@ std::optional<Wall> wall_on(const Line& line, const Points& points) {
   const double seen_m2 = kCell_m * kCell_m * static_cast<double>(cells.size());
   if (seen_m2 < kSmallestWall_m2 || top_m < kTallEnough_m) return std::nullopt;
   std::ranges::sort(along_m);
-  const std::size_t cut = along_m.size() / 200;  // strays at its ends
+  const std::size_t cut = along_m.size() / 200;  // trims outliers at the ends
   const Wall wall{line.at(along_m[cut]), line.at(along_m[along_m.size() - 1 - cut]), line.normal,
                   seen_m2};
   if (wall.length_m() < kShortestWall_m) return std::nullopt;
   return wall;
 }
 
-/// Somebody saw past it: in a good part of its length something is behind.
+/// True if surface was seen behind the wall over a large part of its length.
 bool has_things_behind(const Wall& wall, const Line& line, std::span<const UprightPoint> all) {
   const double begin_m = line.along_m(wall.from_m), end_m = line.along_m(wall.to_m);
   Cells columns;
@@ -213,7 +214,7 @@ std::optional<Eigen::Vector2d> corner_of(const Wall& a, const Wall& b) {
   return normals.inverse() * Eigen::Vector2d(a.offset_m(), b.offset_m());
 }
 
-/// Leads the end of a wall that lies near a corner there.
+/// Extends or trims the wall's end near `corner` to the corner.
 void lead_to(const Eigen::Vector2d& corner, Wall& wall) {
   Eigen::Vector2d& end =
       (wall.from_m - corner).norm() < (wall.to_m - corner).norm() ? wall.from_m : wall.to_m;

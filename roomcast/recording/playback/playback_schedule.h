@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frame of a recording comes next, and when. Arithmetic only: the caller has the clock.
-//
+// PlaybackSchedule: determines which frame of a recording comes next, and when. Arithmetic only:
+// the caller supplies the time.
 // A looping recording is played as if it had begun when the host's clock began: the frame at
-// position p is due at p + k * loop_duration for every whole k. So sources that are opened at
-// different times, in different processes, show the same instants of the room. Played once, a
-// recording begins when it is opened. As fast as possible, it begins at host time 0 and every frame
-// comes. Single-threaded.
+// position p is due at p + k * loop_duration for every whole k. So sources opened at different
+// times, in different processes, show the same instants of the room. Played once, a recording
+// begins when it is opened. As fast as possible, it begins at host time 0 and no frame is skipped.
+// Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ namespace roomcast::recording {
 
 class PlaybackSchedule {
  public:
-  /// `positions`: when each frame comes after the start of the loop, growing, spread over less than
-  /// `loop_duration`; one at least. `opened`: now.
+  /// `positions`: time of each frame after the start of the loop; at least one, increasing,
+  /// spanning less than `loop_duration`. `opened`: now.
   PlaybackSchedule(std::vector<nanoseconds> positions, nanoseconds loop_duration, source::Pace pace,
                    bool loop, HostTime opened);
 
@@ -29,8 +29,8 @@ class PlaybackSchedule {
     std::size_t frame;
     HostTime when;
   };
-  /// The frame after the one given last. In real time, frames that a late caller missed are
-  /// skipped: of those that are due already, the newest comes. Nothing at the end.
+  /// Returns the frame after the previous one; nothing at the end. In real time, frames that a late
+  /// caller missed are skipped: of the frames already due, the newest is returned.
   [[nodiscard]] std::optional<Due> next(HostTime now);
 
  private:
@@ -42,7 +42,7 @@ class PlaybackSchedule {
   source::Pace pace_;
   bool loop_;
   HostTime origin_;                   // when position 0 of round 0 is due
-  std::optional<std::int64_t> last_;  // frames are numbered on from round to round
+  std::optional<std::int64_t> last_;  // frame numbers continue from round to round
 };
 
 }  // namespace roomcast::recording

@@ -56,9 +56,9 @@ TEST(PlaybackSchedule, a_frame_that_is_due_now_is_given_now) {
 TEST(PlaybackSchedule, a_late_caller_gets_the_newest_frame_that_is_due) {
   PlaybackSchedule schedule(positions({0, 30, 60}), kLoop, source::Pace::kRealTime, true, at(0));
   expect_due(schedule, 1000, 0, 1000);
-  expect_due(schedule, 1065, 2, 1060);  // frame 1 is lost
+  expect_due(schedule, 1065, 2, 1060);  // frame 1 is skipped
   expect_due(schedule, 1066, 0, 1100);
-  expect_due(schedule, 1555, 1, 1530);  // whole rounds are lost
+  expect_due(schedule, 1555, 1, 1530);  // whole rounds are skipped
 }
 
 TEST(PlaybackSchedule, a_gap_in_the_recording_stays_a_gap) {
@@ -91,7 +91,8 @@ TEST(PlaybackSchedule, played_once_a_very_late_caller_still_gets_the_last_frame)
 }
 
 TEST(PlaybackSchedule, as_fast_as_possible_gives_every_frame_in_order) {
-  PlaybackSchedule schedule(positions({0, 30, 60}), kLoop, source::Pace::kAsFastAsPossible, true, at(500));
+  PlaybackSchedule schedule(positions({0, 30, 60}), kLoop, source::Pace::kAsFastAsPossible, true,
+                            at(500));
   expect_due(schedule, 5000, 0, 0);
   expect_due(schedule, 9000, 1, 30);
   expect_due(schedule, 9000, 2, 60);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RecordingSource: plays a recorded sensor as if it were a live one. `device_time` is the
-// recording's own stamp; `capture_time` is when the frame is due on this host's clock
-// (playback_schedule.h). Pictures are decoded before they are due, then held until they are.
+// RecordingSource: plays a recorded sensor as if it were a live one. `device_time` is the recorded
+// timestamp; `capture_time` is the time at which the frame is due on this host's clock
+// (playback_schedule.h). Pictures are decoded ahead and returned when they are due.
 // Single-threaded.
 #pragma once
 
@@ -27,7 +27,7 @@ class RecordingSource final : public source::FrameSource {
     return recording_.description;
   }
   /// After an error (kNotFound, kMalformed, kTooLarge: a picture file is missing or damaged)
-  /// playback goes on with the next frame.
+  /// playback continues with the next frame.
   [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override;
 
  private:
@@ -40,12 +40,12 @@ class RecordingSource final : public source::FrameSource {
   io::DepthValues depth_values_;
 };
 
-/// A sensor of a rig folder. Errors of read_rig_recording.
-[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_rig_source(const std::string& directory,
-                                                                   const std::string& sensor,
-                                                                   const source::PlaybackOptions& options);
-/// A folder in TUM RGB-D layout. Errors of read_tum_recording.
-[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_tum_source(const std::string& directory,
-                                                                   const source::PlaybackOptions& options);
+/// Opens a sensor of a rig folder. Errors of read_rig_recording.
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_rig_source(
+    const std::string& directory, const std::string& sensor,
+    const source::PlaybackOptions& options);
+/// Opens a folder in TUM RGB-D layout. Errors of read_tum_recording.
+[[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_tum_source(
+    const std::string& directory, const source::PlaybackOptions& options);
 
 }  // namespace roomcast::recording

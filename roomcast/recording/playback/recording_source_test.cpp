@@ -16,8 +16,9 @@ using std::chrono::milliseconds;
 const source::PlaybackOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 const source::PlaybackOptions kFastLoop{.pace = source::Pace::kAsFastAsPossible, .loop = true};
 
-std::unique_ptr<source::FrameSource> open_rig(const std::filesystem::path& rig, const std::string& sensor,
-                                      const source::PlaybackOptions& options) {
+std::unique_ptr<source::FrameSource> open_rig(const std::filesystem::path& rig,
+                                              const std::string& sensor,
+                                              const source::PlaybackOptions& options) {
   auto source = open_rig_source(rig.string(), sensor, options);
   EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
   return source.ok() ? std::move(*source) : nullptr;
@@ -50,7 +51,7 @@ TEST(RigSource, loops_with_the_same_frames_later) {
   for (int i = 0; i < 12; ++i) {
     ASSERT_TRUE(*source->next(frame, {}));
     EXPECT_EQ(frame.index, static_cast<std::uint64_t>(i % 5));
-    EXPECT_EQ(frame.capture_time, HostTime(milliseconds(20 * i)));  // 5 frames of 20 ms a round
+    EXPECT_EQ(frame.capture_time, HostTime(milliseconds(20 * i)));  // a round: 5 frames of 20 ms
   }
 }
 
@@ -88,8 +89,8 @@ TEST(RigSource, two_sources_play_the_same_instants_in_real_time) {
   ASSERT_TRUE(*a->next(from_a, {}));
   const auto b = open_rig(rig, "s1", {});  // opened later
   ASSERT_TRUE(*b->next(from_b, {}));
-  // Whatever the two read, the distance of capture times is that of the recorded true times, modulo
-  // the loop.
+  // Whichever frames the two sources return, their capture times differ by the same amount as the
+  // recorded true times, modulo the loop.
   const auto recorded =
       milliseconds(20) * (int(from_b.index) - int(from_a.index)) + milliseconds(3);
   const auto played = from_b.capture_time - from_a.capture_time;
@@ -212,7 +213,7 @@ TEST(TumSource, plays_a_folder_without_colour) {
   for (std::uint64_t i = 0; i < 3; ++i) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
     EXPECT_EQ(frame.index, i);
-    EXPECT_EQ(frame.depth_mm.at(0, 0), 1000);  // 5000 in fifths of a millimetre
+    EXPECT_EQ(frame.depth_mm.at(0, 0), 1000);  // 5000 units of 0.2 mm
     EXPECT_TRUE(frame.color.empty());
   }
   EXPECT_FALSE(*(*source)->next(frame, {}));
@@ -231,7 +232,7 @@ TEST(TumSource, takes_the_colour_nearest_in_time) {
   ASSERT_TRUE(*(*source)->next(frame, {}));
   EXPECT_EQ(frame.color.at(0, 0), (Rgb8{0, 255, 0}));
   ASSERT_TRUE(*(*source)->next(frame, {}));
-  EXPECT_TRUE(frame.color.empty());  // 60 ms away, half a frame is 50
+  EXPECT_TRUE(frame.color.empty());  // nearest is 60 ms away; half a frame is 50 ms
   ASSERT_TRUE(*(*source)->next(frame, {}));
   EXPECT_EQ(frame.color.at(0, 0), (Rgb8{0, 0, 255}));
 }
@@ -268,7 +269,7 @@ TEST(Recording, no_sensor_of_a_rig_begins_again_before_all_have_ended) {
   }
   auto writer = RigWriter::create(folder / "rig", kSmallFps, sensors);
   ASSERT_TRUE(writer.ok());
-  for (int i = 0; i < 5; ++i) {  // the second one was switched on three frames later
+  for (int i = 0; i < 5; ++i) {  // the second sensor was switched on three frames later
     const auto index = static_cast<std::uint64_t>(i);
     ASSERT_TRUE(writer->add(0, small_frame(0, index), milliseconds(20 * i)).ok());
     ASSERT_TRUE(writer->add(1, small_frame(1, index), milliseconds(20 * (i + 3))).ok());

@@ -22,8 +22,9 @@ using recording::RecordedSensor;
 using recording::RecordingCursor;
 using recording::RoomRecording;
 
-/// What was recorded is in the depth grid already, whatever the sensor's colour camera was.
-Result<source::SensorDescription> describe(const RoomRecording& recording, const RecordedSensor& sensor) {
+/// Recorded colour is in the depth grid, so the depth camera is described as the colour camera too.
+Result<source::SensorDescription> describe(const RoomRecording& recording,
+                                           const RecordedSensor& sensor) {
   auto calibration = client::calibration_from_message(sensor.entry.calibration());
   if (!calibration) return calibration.error();
   source::SensorDescription description;
@@ -43,7 +44,7 @@ nanoseconds period_of(double fps) {
   return nanoseconds(static_cast<std::int64_t>(1e9 / fps));
 }
 
-/// Of all its sensors: each plays its part by itself, and all have to begin again together.
+/// Over all sensors: each source plays its sensor separately, and all must restart together.
 nanoseconds longest_period(const RoomRecording& recording) {
   nanoseconds longest{};
   for (const RecordedSensor& sensor : recording.sensors()) {
@@ -54,8 +55,9 @@ nanoseconds longest_period(const RoomRecording& recording) {
 
 class ReplaySource final : public source::FrameSource {
  public:
-  ReplaySource(RoomRecording recording, const RecordedSensor& sensor, source::SensorDescription description,
-               std::unique_ptr<codec::FrameDecoder> decoder, const source::PlaybackOptions& options)
+  ReplaySource(RoomRecording recording, const RecordedSensor& sensor,
+               source::SensorDescription description, std::unique_ptr<codec::FrameDecoder> decoder,
+               const source::PlaybackOptions& options)
       : recording_(std::move(recording)),
         sensor_(sensor),
         description_(std::move(description)),
@@ -83,7 +85,8 @@ class ReplaySource final : public source::FrameSource {
       if (!decode(recorded.message.data, frame)) continue;
       frame.capture_time = due(recorded.message.publish_time);
       if (options_.pace == source::Pace::kAsFastAsPossible) return true;
-      // Who comes late decodes on, as later frames need it, and shows the one that is due.
+      // Late frames are still decoded, because later frames need them, but only the due one is
+      // returned.
       if (SteadyClock().now() - frame.capture_time > period_) continue;
       return wait_until(frame.capture_time, stop);
     }
@@ -110,7 +113,7 @@ class ReplaySource final : public source::FrameSource {
 
   HostTime due(nanoseconds taken) const { return round_began_ + (taken - recording_.origin()); }
 
-  /// False where it cannot be decoded: after damage, until the next key frame.
+  /// False if the message cannot be decoded: after damage, until the next key frame.
   bool decode(std::span<const std::uint8_t> message, source::CapturedFrame& frame) {
     const auto header = wire::parse_frame(message);
     if (!header || !chain_.may_decode(*header)) return false;
@@ -153,9 +156,9 @@ Error no_such_sensor(const RoomRecording& recording, const std::string& sensor) 
 
 }  // namespace
 
-Result<std::unique_ptr<source::FrameSource>> open_replay_source(const std::filesystem::path& file,
-                                                        const std::string& sensor,
-                                                        const source::PlaybackOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_replay_source(
+    const std::filesystem::path& file, const std::string& sensor,
+    const source::PlaybackOptions& options) {
   auto recording = RoomRecording::open(file);
   if (!recording) return recording.error();
   const auto& sensors = recording->sensors();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor of a recorded room (roomcast record) as a FrameSource: its frames decoded, colour in the
-// depth grid. To be encoded anew, so that whoever joins sees it at once; `roomcast play` sends the
-// recorded bytes themselves. A looping recording is played as if it had begun when the host's clock
-// began, so sensors in different processes show the same instants. Single-threaded.
+// Opens a sensor of a recorded room (roomcast record) as a FrameSource with decoded frames, colour
+// in the depth grid. The frames are meant to be encoded again, so that a viewer that joins gets a
+// key frame at once; `roomcast play` sends the recorded bytes themselves. A looping recording is
+// played as if it had begun when the host's clock began, so sensors in different processes show the
+// same instants. Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +16,13 @@
 
 namespace roomcast::recording {
 
-/// `sensor` by name; empty: the first. Errors as RoomRecording::open; kNotFound for a sensor that
-/// sent nothing (the message lists those that did).
+/// `sensor`: name; empty: the first one. Errors as RoomRecording::open; kNotFound for a sensor that
+/// sent no frames (the message lists those that did).
 [[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_replay_source(
-    const std::filesystem::path& file, const std::string& sensor, const source::PlaybackOptions& options);
+    const std::filesystem::path& file, const std::string& sensor,
+    const source::PlaybackOptions& options);
 
-/// Those that sent frames, by name. Errors as RoomRecording::open.
+/// Names of the sensors that sent frames, sorted. Errors as RoomRecording::open.
 [[nodiscard]] Result<std::vector<std::string>> replay_sensor_names(
     const std::filesystem::path& file);
 

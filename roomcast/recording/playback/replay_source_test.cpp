@@ -13,8 +13,9 @@ using recording::RecordingFixtureRoom;
 
 class ReplaySourceTest : public testing::Test {
  protected:
-  Result<std::unique_ptr<source::FrameSource>> open(const std::string& sensor, bool loop = false,
-                                            source::Pace pace = source::Pace::kAsFastAsPossible) const {
+  Result<std::unique_ptr<source::FrameSource>> open(
+      const std::string& sensor, bool loop = false,
+      source::Pace pace = source::Pace::kAsFastAsPossible) const {
     source::PlaybackOptions options;
     options.pace = pace;
     options.loop = loop;
@@ -61,7 +62,7 @@ TEST_F(ReplaySourceTest, starts_again_at_the_end) {
     ASSERT_TRUE(*(*source)->next(frame, {}));
     EXPECT_EQ(frame.depth_mm, RecordingFixtureRoom::depth(i % 3));
     if (!times.empty()) {
-      // At the border the way of the last message, 20 ms, comes on top.
+      // At the loop's end, the 20 ms between capture and arrival of the last message are added.
       EXPECT_GE(frame.capture_time - times.back(), RecordingFixtureRoom::kPeriod);
       EXPECT_LE(frame.capture_time - times.back(),
                 RecordingFixtureRoom::kPeriod + nanoseconds(20'000'000));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// BundleLink: listens to the calibration bundles of a room's sensors, which a hub gives to aligners
-// only: joins as one, which takes an admin's token, and says nothing. Threading: lives on one
-// io_context.
+// BundleLink: receives the calibration bundles of a room's sensors. A hub sends them only to
+// aligners, so BundleLink joins as one, which needs an admin token; it sends nothing. Threading:
+// used on one io_context only.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ class BundleLink final : private client::HubLinkEvents {
   ~BundleLink() override { link_.stop(); }
 
  private:
-  static wire::pb::Join join_message(const std::string& room, const client::Credential& credential) {
+  static wire::pb::Join join_message(const std::string& room,
+                                     const client::Credential& credential) {
     wire::pb::Join join;
     join.set_room(room);
     join.set_name("recorder");

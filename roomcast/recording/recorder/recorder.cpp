@@ -22,7 +22,7 @@ namespace {
 
 namespace pb = wire::pb;
 
-/// Until room time is known, which takes one round trip.
+/// Buffer until room time is known, which takes one round trip.
 constexpr std::size_t kMaxHeldMessages = 256;
 constexpr auto kLookAfterChunk = recording::RoomRecordingWriter::kLongestChunk / 2;
 
@@ -52,7 +52,7 @@ class Recorder::Link final : public client::HubLinkEvents {
   }
   ~Link() override { (void)finish(); }
 
-  /// Waits until there is a file, or a reason why there is none.
+  /// Waits until the file has been created or opening has failed.
   Status wait_for_file() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return has_file_ || down_ || failure_; });
@@ -69,7 +69,7 @@ class Recorder::Link final : public client::HubLinkEvents {
     });
     if (failure_) return *failure_;
     if (!writer_) return {};
-    Status finished = writer_->finish();  // the network's thread has ended
+    Status finished = writer_->finish();  // the network thread has ended
     count();
     return finished;
   }
@@ -89,7 +89,7 @@ class Recorder::Link final : public client::HubLinkEvents {
 
   void on_welcome(const pb::Welcome& welcome) override {
     const client::ViewerRights rights{.may_record = welcome.may_record(),
-                              .may_export = welcome.may_export()};
+                                      .may_export = welcome.may_export()};
     if (auto may = client::check_may_record(rights); !may) return fail(may.error());
     clock_is_known_ = false;
     held_.clear();
@@ -123,7 +123,7 @@ class Recorder::Link final : public client::HubLinkEvents {
   Status write(const pb::Control& message, nanoseconds log_time);
   void count();
   void look_after_chunk();
-  /// After an error there is nothing more to be recorded.
+  /// Stops recording after an error.
   void check(const Status& status);
   void fail(const Error& reason);
 
@@ -137,9 +137,9 @@ class Recorder::Link final : public client::HubLinkEvents {
   std::optional<Error> down_, failure_;
   RecorderStats stats_;
 
-  // The network thread's own.
+  // Used by the network thread only.
   std::optional<recording::RoomRecordingWriter> writer_;
-  bool clock_is_known_ = false;  // of this connection
+  bool clock_is_known_ = false;  // in this connection
   bool roster_is_known_ = false;
   std::deque<Held> held_;                                        // until the clock is known
   std::map<std::uint32_t, pb::CalibrationBundle> held_bundles_;  // until the roster is known
@@ -230,7 +230,7 @@ void Recorder::Link::check(const Status& status) {
 }
 
 void Recorder::Link::fail(const Error& reason) {
-  if (writer_) (void)writer_->finish();  // as far as there is room for it
+  if (writer_) (void)writer_->finish();  // as far as the disk has space
   writer_.reset();
   chunk_timer_.cancel();
   {
@@ -245,7 +245,7 @@ void Recorder::Link::on_down(const Error& reason, bool final) {
   bool is_news = false;
   {
     std::lock_guard lock(mutex_);
-    is_news = has_file_ && !down_;  // before that, open() says it
+    is_news = has_file_ && !down_;  // before that, open() reports the error
     down_ = reason;
     if (final && !failure_) failure_ = reason;
   }

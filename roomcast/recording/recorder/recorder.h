@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorder: keeps what a hub sends its viewers, the same bytes, in a file
-// (docs/spec/recording.md). A client of the hub like any other. Frames are written on the network's
-// thread: a disk that is too slow reads more slowly, and the hub then leaves out whole sets for it;
-// one that is full ends the recording, not the room. Memory: one chunk.
+// Recorder: joins a hub as a viewer and writes the messages it receives, byte for byte, to a file
+// (docs/spec/recording.md). Frames are written on the network thread: a slow disk slows down
+// reading, and the hub then skips whole sets for this client; a full disk ends the recording, but
+// does not affect the room. Memory: one chunk.
 // Threading: thread-safe.
 #pragma once
 
@@ -20,9 +20,9 @@ namespace roomcast::recording {
 
 struct RecorderOptions {
   std::string hub_url;
-  std::string room;  // empty: the hub's only one
+  std::string room;  // empty: the hub's only room
   client::Credential credential = {};
-  bool bundles = false;  // kept, too: what sensors can be placed by; takes an admin's token
+  bool bundles = false;  // also record calibration bundles, for placing; needs an admin token
   std::filesystem::path path;
   LogSink log;
 };
@@ -35,19 +35,19 @@ struct RecorderStats {
 
 class Recorder {
  public:
-  /// Joins, then makes the file, which says so where the room may not be exported.
-  /// kInvalidArgument: not a hub's address. kUnavailable, kNotFound,
-  /// kUnsupported, kClosed: why there is no connection, why the hub refuses, or why the file cannot
-  /// be made.
+  /// Joins, then creates the file, which is marked if the room may not be exported.
+  /// kInvalidArgument: not a hub's address. kUnavailable, kNotFound, kUnsupported, kClosed: the
+  /// connection failed, the hub refused, or the file cannot be created.
   static Result<std::unique_ptr<Recorder>> open(RecorderOptions options);
-  /// As finish(), for what that has not done.
+  /// Calls finish() unless it was called already.
   ~Recorder();
 
-  /// Leaves the room and writes the file's end; once. The error of the disk, if it had one.
+  /// Leaves the room and writes the end of the file; call once. Returns the disk error, if there
+  /// was one.
   Status finish();
 
-  /// Why it is over before finish(), once it is: a full disk, or the hub's refusal. A hub that is
-  /// away for a while is no reason.
+  /// Reason why recording ended before finish(): a full disk, or the hub's refusal. A hub that is
+  /// temporarily unreachable does not end it.
   [[nodiscard]] std::optional<Error> failure() const;
   [[nodiscard]] RecorderStats stats() const;
   [[nodiscard]] std::string room() const;

@@ -158,7 +158,7 @@ TEST_F(RecorderTest, a_full_disk_ends_the_recording_with_a_sentence_and_the_file
   say_roster();
   say_frame(0, 0);
   EXPECT_TRUE(within_5_s([&] { return std::filesystem::file_size(path) > 1000; }));
-  // A limit on the size of files stands in for the disk's.
+  // A limit on the file size simulates a full disk.
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);

@@ -19,10 +19,10 @@ using recording::RecordedMessage;
 using recording::RecordingCursor;
 
 constexpr auto kLookForTurn = 2ms;
-constexpr auto kGiveUpTurn = 2s;  // the hub is away: what is due now is left out
+constexpr auto kGiveUpTurn = 2s;  // while the hub is unreachable, messages due are skipped
 
 Result<client::PublisherOptions> publisher_options(const wire::pb::SensorEntry& entry,
-                                           const RoomPlayerOptions& options) {
+                                                   const RoomPlayerOptions& options) {
   auto calibration = client::calibration_from_message(entry.calibration());
   if (!calibration) return calibration.error();
   client::PublisherOptions publisher;
@@ -75,7 +75,7 @@ Status RoomPlayer::join() {
   return {};
 }
 
-/// What each sensor saw while nothing moved, where that was recorded.
+/// Sends each sensor's recorded calibration bundle (its view while nothing moved), if there is one.
 void RoomPlayer::send_bundles() {
   RecordingCursor cursor(recording_);
   RecordedMessage recorded;
@@ -132,8 +132,8 @@ Result<bool> RoomPlayer::play_from(nanoseconds from, const std::stop_token& stop
   }
 }
 
-Status RoomPlayer::send(Sensor& sensor, const recording::mcap::Message& message, HostTime capture_time,
-                        const std::stop_token& stop) {
+Status RoomPlayer::send(Sensor& sensor, const recording::mcap::Message& message,
+                        HostTime capture_time, const std::stop_token& stop) {
   const auto header = wire::parse_frame(message.data);
   if (!header || !sensor.chain.may_decode(*header)) return {};
   auto turn = sensor.publisher->next_turn();
@@ -160,7 +160,7 @@ Status RoomPlayer::send(Sensor& sensor, const recording::mcap::Message& message,
   return {};
 }
 
-/// What was published last is on its way, before the sensors leave.
+/// Lets the last published messages go out before the sensors leave.
 void RoomPlayer::wait_until_sent(const std::stop_token& stop) const {
   const auto sent = [this] {
     std::uint64_t frames = 0;

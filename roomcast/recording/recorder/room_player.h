@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomPlayer: makes a recording a room again: joins a hub as the sensors that were recorded and
-// sends their frames, payloads bit for bit, at the distances at which they were taken. Recorded
-// frames cannot be made key frames: who joins sees a sensor from its next recorded one on, which
-// come every few seconds. Threading: run() on one thread; progress() from any.
+// RoomPlayer: plays a recording into a hub. It joins as each recorded sensor and sends the recorded
+// payloads unchanged, at the recorded capture intervals. Recorded frames cannot be turned into key
+// frames: a viewer that joins sees a sensor from its next recorded key frame on, which come every
+// few seconds. Threading: run() on one thread; progress() from any.
 #pragma once
 
 #include <atomic>
@@ -23,10 +23,10 @@ namespace roomcast::recording {
 
 struct RoomPlayerOptions {
   std::string hub_url;
-  std::string room;            // empty: the hub's only one
-  client::Credential credential = {};  // shown by every sensor
-  double from_s = 0;           // where in the recording to begin: with the key frames before that
-  double speed = 1;            // 2: twice as fast
+  std::string room;                    // empty: the hub's only room
+  client::Credential credential = {};  // used by every sensor
+  double from_s = 0;  // start in the recording; decoding begins at the key frames before
+  double speed = 1;   // 2: twice as fast
   bool loop = false;
   LogSink log;
 
@@ -41,11 +41,12 @@ struct PlayProgress {
 
 class RoomPlayer {
  public:
-  /// Joins as every sensor of the recording, which outlives this. Errors as Publisher::open.
+  /// Joins as every sensor of `recording`, which must outlive this object. Errors as
+  /// Publisher::open.
   static Result<std::unique_ptr<RoomPlayer>> open(const recording::RoomRecording& recording,
                                                   RoomPlayerOptions options);
 
-  /// Until the end, or `stop`. kMalformed at a place where the recording is damaged is only logged;
+  /// Plays until the end or `stop`. Damage in the recording (kMalformed) is only logged; returned
   /// errors are those of the hub.
   Status run(std::stop_token stop);
 
@@ -54,7 +55,7 @@ class RoomPlayer {
  private:
   struct Sensor {
     std::unique_ptr<client::Publisher> publisher;
-    client::FrameChain chain;  // of what was sent
+    client::FrameChain chain;  // of the frames sent
     std::uint64_t session = 0;
   };
 
@@ -62,7 +63,7 @@ class RoomPlayer {
       : recording_(recording), options_(std::move(options)) {}
   Status join();
   void send_bundles();
-  /// Once from `from` to the end. False when stopped.
+  /// Plays once from `from` to the end. Returns false when stopped.
   Result<bool> play_from(nanoseconds from, const std::stop_token& stop);
   Status send(Sensor& sensor, const recording::mcap::Message& message, HostTime capture_time,
               const std::stop_token& stop);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time of day as this program believes it to be: read once, then it goes on evenly, whatever
-// happens to the machine's clock. Recordings are stamped with it. Thread-safe.
+// UnixClock: time of day for stamping recordings. It is read once and then advances with the steady
+// clock, so later changes of the machine's clock have no effect. Thread-safe.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace roomcast::recording {
 
 class UnixClock {
  public:
-  /// Since 1970-01-01 00:00 UTC.
+  /// Time since 1970-01-01 00:00 UTC.
   [[nodiscard]] nanoseconds at(HostTime host) const {
     return host.time_since_epoch() + unix_minus_host_;
   }

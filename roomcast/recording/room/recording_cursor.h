@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RecordingCursor: the messages of a recording, one after the other, in the order in which they
-// were recorded. Memory: one chunk. Single-threaded.
+// RecordingCursor: iterates over the messages of a recording in the order in which they were
+// recorded. Memory: one chunk. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 namespace roomcast::recording {
 
 struct RecordedMessage {
-  /// kFrame only where wire::parse_frame takes it and its times are plausible.
+  /// kFrame only if wire::parse_frame accepts the message and its times are plausible.
   MessageKind kind = MessageKind::kOther;
-  recording::mcap::Message message;  // its data is valid until the next call of next()
+  recording::mcap::Message message;  // data is valid until the next call of next()
 };
 
 class RecordingCursor {
  public:
-  /// Begins with the first message of this chunk. `recording` outlives it.
+  /// Starts with the first message of `chunk`. `recording` must outlive the cursor.
   explicit RecordingCursor(const RoomRecording& recording, std::size_t chunk = 0)
       : recording_(&recording), next_chunk_(chunk) {}
 
-  /// False at the end. An error says what is wrong with a chunk; the call after that goes on with
-  /// the next one.
+  /// Returns false at the end. An error describes a damaged chunk; the following call continues
+  /// with the next chunk.
   [[nodiscard]] Result<bool> next(RecordedMessage& out);
 
  private:

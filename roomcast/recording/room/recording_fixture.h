@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a short recording of a synthetic room: sensors that send lossless depth and colour of a
-// slanted wall that comes nearer, a key frame every five.
+// For tests: a short recording of a synthetic room. The sensors send lossless depth and colour of a
+// slanted wall that approaches; every fifth frame is a key frame.
 #pragma once
 
 #include <filesystem>
@@ -35,7 +35,8 @@ class RecordingFixtureRoom {
     }
   }
 
-  /// What the last sensor says of its rate; what it sends comes as that of the others.
+  /// Sets the frame rate that the last sensor reports; its frames still arrive at the rate of the
+  /// others.
   RecordingFixtureRoom& with_last_fps(double fps) {
     last_fps_ = fps;
     return *this;
@@ -43,7 +44,7 @@ class RecordingFixtureRoom {
 
   static std::string name(int sensor) { return "s" + std::to_string(sensor); }
 
-  /// Side by side, half a metre apart, all looking along world -z.
+  /// The sensors are half a metre apart along x; all look along world -z.
   static RigidTransform world_from_depth(int sensor) {
     RigidTransform pose;
     pose.rotation = Eigen::Vector3d(1, -1, -1).asDiagonal();
@@ -83,12 +84,12 @@ class RecordingFixtureRoom {
       entry.set_placement(placed ? wire::pb::PLACEMENT_ALIGNED : wire::pb::PLACEMENT_UNPLACED);
       *entry.mutable_calibration() = client::message_from_calibration(calibration());
       client::write_transform(placed ? world_from_depth(i) : RigidTransform(),
-                      *entry.mutable_world_from_depth());
+                              *entry.mutable_world_from_depth());
     }
     return roster;
   }
 
-  /// Header and payload, as a hub forwards them. Instants have to grow.
+  /// Returns header and payload as a hub forwards them. `instant` must increase from call to call.
   std::vector<std::uint8_t> frame(int sensor, int instant) {
     std::vector<std::uint8_t> bytes(wire::kFrameHeaderBytes);
     const MaskImage seen(kWidth, kHeight, 255);
@@ -111,12 +112,12 @@ class RecordingFixtureRoom {
   }
 
   static nanoseconds capture(int instant) { return nanoseconds(5'000'000'000) + instant * kPeriod; }
-  /// 20 ms later.
+  /// Arrival time: 20 ms after capture.
   static nanoseconds came(int instant) {
     return capture(instant) + kUnixMinusRoom + nanoseconds(20'000'000);
   }
 
-  /// Placed from the instant `placed_at` on. Returns all frame messages in their order.
+  /// Sensors are placed from instant `placed_at` on. Returns all frame messages in order.
   std::vector<std::vector<std::uint8_t>> record(const std::filesystem::path& path, int instants,
                                                 bool finish = true, int placed_at = 0) {
     std::vector<std::vector<std::uint8_t>> frames;

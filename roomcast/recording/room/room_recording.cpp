@@ -13,7 +13,7 @@
 namespace roomcast::recording {
 namespace {
 
-/// Nothing in a file is believed before the wire's own rules have been applied.
+/// Applies the wire format's validation: the file's contents are untrusted.
 std::optional<wire::pb::Roster> parse_roster(std::span<const std::uint8_t> bytes) {
   wire::pb::Control control;
   const bool parsed =
@@ -72,8 +72,9 @@ Status RoomRecording::check_times() const {
 void RoomRecording::find_origin() {
   constexpr nanoseconds kLongestWay = std::chrono::seconds(10);  // from a sensor to the recorder
   origin_ = start();
-  const auto first =
-      file_.summary().chunks.empty() ? Result<recording::mcap::ChunkContents>(Error()) : file_.chunk(0);
+  const auto first = file_.summary().chunks.empty()
+                         ? Result<recording::mcap::ChunkContents>(Error())
+                         : file_.chunk(0);
   if (!first) return;
   for (const recording::mcap::Message& message : first->messages) {
     if (kind_of(message.channel) == MessageKind::kFrame && is_plausible(message.publish_time))
@@ -100,12 +101,13 @@ Status RoomRecording::read_rosters() {
     if (kind_of(id) == MessageKind::kRoster) channels.insert(id);
   }
   const auto has_roster = [&](const recording::mcap::ChunkIndex& chunk) {
-    return std::ranges::any_of(channels, [&](recording::mcap::ChannelId id) { return holds(chunk, id); });
+    return std::ranges::any_of(channels,
+                               [&](recording::mcap::ChannelId id) { return holds(chunk, id); });
   };
   for (std::size_t i = 0; i < file_.summary().chunks.size(); ++i) {
     if (!has_roster(file_.summary().chunks[i])) continue;
     const auto chunk = file_.chunk(i);
-    if (!chunk) continue;  // damaged: who plays it will hear of that
+    if (!chunk) continue;  // damaged: RecordingCursor reports it on playback
     for (const recording::mcap::Message& message : chunk->messages) {
       if (!channels.contains(message.channel)) continue;
       if (auto roster = parse_roster(message.data))
@@ -137,7 +139,7 @@ void RoomRecording::find_sensors() {
   std::ranges::sort(sensors_, {}, &RecordedSensor::name);
 }
 
-/// A sensor is placed some seconds after it has joined, but it stood there all the time.
+/// A sensor is placed some seconds after it joins, but its pose was the same from the start.
 void RoomRecording::place_from_the_beginning() {
   std::map<std::string, wire::pb::SensorEntry> later;
   for (auto moment = rosters_.rbegin(); moment != rosters_.rend(); ++moment) {

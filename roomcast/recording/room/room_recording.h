@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRecording: a recording of a room, opened: which sensors it has, where they stood, how long it
-// is (docs/spec/recording.md). A damaged one is read up to the damage. Times are nanoseconds since
+// RoomRecording: an opened recording of a room: its sensors, their poses and its duration
+// (docs/spec/recording.md). A damaged file is read up to the damage. Times are nanoseconds since
 // 1970, as recorded. Immutable: any number of threads may read.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace roomcast::recording {
 
-/// What the room was from a moment on.
+/// The roster that is in effect from `time` on.
 struct RecordedRoster {
   nanoseconds time{};
   wire::pb::Roster roster;
@@ -28,11 +28,11 @@ struct RecordedSensor {
   std::string name;
   recording::mcap::ChannelId frames_channel{};
   std::uint64_t frame_count = 0;
-  wire::pb::SensorEntry entry;  // of the last roster that has it
+  wire::pb::SensorEntry entry;  // from the last roster that contains the sensor
 };
 
-/// Times that can be added and subtracted without harm: until 2043, or as long after a machine's
-/// start.
+/// True for times that can be added and subtracted without overflow: up to the year 2043, or
+/// equally long after a machine's start.
 [[nodiscard]] constexpr bool is_plausible(nanoseconds time) {
   constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
   return time.count() > -kFarthest && time.count() < kFarthest;
@@ -42,34 +42,34 @@ enum class MessageKind { kFrame, kRoster, kPoses, kBundle, kClock, kOther };
 
 class RoomRecording {
  public:
-  /// kNotFound; kMalformed when it is no MCAP file; kUnsupported when it is one, but of no room, or
-  /// of a later version.
+  /// kNotFound; kMalformed if the file is not MCAP; kUnsupported if it is MCAP but not a recorded
+  /// room, or is of a later version.
   static Result<RoomRecording> open(const std::filesystem::path& path);
   static Result<RoomRecording> from(recording::mcap::Reader reader);
 
   [[nodiscard]] const std::string& room() const { return room_; }
   [[nodiscard]] nanoseconds start() const { return file_.summary().statistics.start_time; }
   [[nodiscard]] nanoseconds end() const { return file_.summary().statistics.end_time; }
-  /// When the first frame was taken: a little before start(), when it came.
+  /// Capture time of the first frame: slightly before start(), which is its arrival time.
   [[nodiscard]] nanoseconds origin() const { return origin_; }
-  /// Those that sent frames, by name.
+  /// The sensors that sent frames, sorted by name.
   [[nodiscard]] const std::vector<RecordedSensor>& sensors() const { return sensors_; }
-  /// Null when there is none of that name.
+  /// Null if no sensor has that name.
   [[nodiscard]] const RecordedSensor* sensor(const std::string& name) const;
-  /// In order. A sensor that was placed later on has its pose here from the beginning.
+  /// In order of time. A sensor that was placed later has its pose here from the beginning.
   [[nodiscard]] const std::vector<RecordedRoster>& rosters() const { return rosters_; }
-  /// That of a moment; before all, the first. At least one is there.
+  /// The roster in effect at `time`; before the first one, the first. There is at least one.
   [[nodiscard]] const wire::pb::Roster& roster_at(nanoseconds time) const;
-  /// False: who recorded it was not let export the room.
+  /// False if the recorder was not permitted to export the room.
   [[nodiscard]] bool may_be_exported() const { return may_be_exported_; }
-  /// Why its end is missing, in a sentence; nothing when it is whole.
+  /// Reason why the end of the file is missing, as a sentence; nothing if the file is complete.
   [[nodiscard]] const std::optional<std::string>& damage() const { return file_.damage(); }
 
   [[nodiscard]] const recording::mcap::Reader& file() const { return file_; }
   [[nodiscard]] MessageKind kind_of(recording::mcap::ChannelId channel) const;
 
-  /// From which chunk on one has to read to decode these sensors' frames at `time`: the one with
-  /// the last key frame before, of the sensor whose key frame is oldest.
+  /// Index of the chunk to start reading at in order to decode these sensors' frames at `time`: the
+  /// chunk with the last key frame before `time` of the sensor whose key frame is oldest.
   [[nodiscard]] std::size_t chunk_to_decode_from(nanoseconds time,
                                                  std::span<const RecordedSensor> sensors) const;
 

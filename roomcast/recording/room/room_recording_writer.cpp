@@ -12,8 +12,9 @@
 namespace roomcast::recording {
 namespace {
 
-/// With this any reader of Protobuf schemas understands the messages.
-recording::mcap::SchemaId add_schema(recording::mcap::Writer& writer, const google::protobuf::Descriptor& message) {
+/// Embeds the descriptors, so that any reader of Protobuf schemas understands the messages.
+recording::mcap::SchemaId add_schema(recording::mcap::Writer& writer,
+                                     const google::protobuf::Descriptor& message) {
   google::protobuf::FileDescriptorSet files;
   message.file()->CopyTo(files.add_file());
   const std::string bytes = files.SerializeAsString();
@@ -55,7 +56,7 @@ Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::p
   return recording;
 }
 
-/// Of several such records the last one holds.
+/// If there are several such records, the last one takes effect.
 Status RoomRecordingWriter::forbid_export() {
   const auto [known, is_new] = about_.insert_or_assign(std::string(kExportKey), kForbidden);
   return is_new ? writer_.add_metadata(kMetadataName, about_) : Status();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRecordingWriter: what a hub sends its viewers -> an MCAP file, the same bytes
-// (docs/spec/recording.md). Log times are when a message came, publish times when a frame was
-// taken, both in nanoseconds since 1970 as far as the caller knows. A chunk is closed after
-// kLongestChunk at the latest, so a program that is killed loses no more than that.
-// Memory: one chunk. Single-threaded.
+// RoomRecordingWriter: writes the messages that a hub sends its viewers, byte for byte, to an MCAP
+// file (docs/spec/recording.md). Log times are arrival times, publish times are capture times, both
+// in nanoseconds since 1970 as far as the caller knows. A chunk is closed after kLongestChunk at
+// the latest, so a killed program loses no more than that. Memory: one chunk. Single-threaded.
 #pragma once
 
 #include <chrono>
@@ -20,33 +19,34 @@
 
 namespace roomcast::recording {
 
-/// How a room's clock stands against the time of day.
+/// Offset of a room's clock from the time of day.
 struct RoomClock {
   nanoseconds unix_minus_room{};
-  nanoseconds error{};  // of the recorder's idea of room time
+  nanoseconds error{};  // of the recorder's estimate of room time
 };
 
 class RoomRecordingWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
 
-  /// kUnavailable when there is such a file already or it cannot be made.
+  /// kUnavailable if the file exists already or cannot be created.
   static Result<RoomRecordingWriter> create(const std::filesystem::path& path,
                                             const std::string& room);
 
-  /// The file says that it is not to be exported; also later on, of all that is in it.
+  /// Marks the whole file as not to be exported, including messages added earlier.
   [[nodiscard]] Status forbid_export();
 
-  // Each fails with kUnavailable when the disk does: see recording::mcap::Writer::add_message.
+  // Each of these fails with kUnavailable on a disk error: see
+  // recording::mcap::Writer::add_message.
   [[nodiscard]] Status add_clock(const RoomClock& clock, nanoseconds log_time);
   [[nodiscard]] Status add_roster(const wire::pb::Roster& roster, nanoseconds log_time);
   [[nodiscard]] Status add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time);
-  /// Of a sensor that is in the last roster; others are left out.
+  /// Bundles of sensors that are not in the last roster are ignored.
   [[nodiscard]] Status add_bundle(const wire::pb::CalibrationBundle& bundle, nanoseconds log_time);
-  /// A frame message with its header, of such a sensor, too.
+  /// `message`: frame message with header. Frames of sensors not in the last roster are ignored.
   [[nodiscard]] Status add_frame(std::span<const std::uint8_t> message, nanoseconds log_time);
 
-  /// To be called every now and then also when no message comes.
+  /// Must be called regularly, also while no messages arrive.
   [[nodiscard]] Status close_old_chunk(nanoseconds now);
   [[nodiscard]] Status finish();
 
@@ -64,8 +64,8 @@ class RoomRecordingWriter {
   };
 
   RoomRecordingWriter(recording::mcap::Writer writer, std::string room);
-  Stream& stream(std::string_view topic, recording::mcap::SchemaId schema, std::string_view encoding,
-                 recording::mcap::StringMap metadata = {});
+  Stream& stream(std::string_view topic, recording::mcap::SchemaId schema,
+                 std::string_view encoding, recording::mcap::StringMap metadata = {});
   Status add(Stream& stream, std::span<const std::uint8_t> data, nanoseconds log_time,
              nanoseconds publish_time);
   Status add(Stream& stream, const google::protobuf::MessageLite& message, nanoseconds log_time);

@@ -22,7 +22,7 @@ float wave(double time_s, double per_second, double shift) {
   return static_cast<float>(std::sin(time_s * per_second + shift));
 }
 
-/// Talking comes in bursts: 0..1.
+/// Intensity of talking gestures, which come in bursts: 0..1.
 float burst(double time_s, double shift) {
   const float slow = wave(time_s, 0.9, shift) + 0.6F * wave(time_s, 0.41, 2.0 * shift);
   return std::clamp(0.45F + 0.9F * slow, 0.0F, 1.0F);
@@ -36,14 +36,14 @@ bool sits(Activity activity) {
 Lean seated_lean(Activity activity, float depth) {
   Lean lean;
   lean.seated = depth;
-  const float moving = std::sin(kPi * depth);  // the trunk comes forward on the way down and up
+  const float moving = std::sin(kPi * depth);  // the trunk leans forward on the way down and up
   const float resting = activity == Activity::kType ? 0.10F : -0.13F;
   lean.pelvis_pitch = 0.28F * moving + 0.6F * resting * depth;
   lean.chest_pitch = 0.40F * moving + (resting + 0.12F) * depth;
   return lean;
 }
 
-/// Wander of a talking hand about its place before the chest, in the body's frame.
+/// Offset of a gesturing hand from its base position in front of the chest, in the body frame.
 Vector3f gesture(Side side, double time_s) {
   const double own = side == Side::kLeft ? 0.0 : 1.9;
   return {0.07F * wave(time_s, 3.1, own) + 0.04F * wave(time_s, 5.3, own),
@@ -62,7 +62,7 @@ HandTarget gesturing(Side side, double time_s, const Isometry3f& body, const Mea
   return wish;
 }
 
-/// A hand that lies on the thigh of somebody who sits.
+/// A hand that rests on the thigh of a seated person.
 HandTarget on_thigh(Side side, const Isometry3f& body, const Measures& m, float depth) {
   HandTarget wish;
   wish.palm_m = body * Vector3f(sign_of(side) * 0.12F * m.scale, 0.10F * m.scale, 0.27F * m.scale);
@@ -71,8 +71,7 @@ HandTarget on_thigh(Side side, const Isometry3f& body, const Measures& m, float 
   return wish;
 }
 
-/// Arms swung through a circle about the shoulders: 0 hanging, a quarter turn ahead, half a turn
-/// up.
+/// Straight arms, rotated about the shoulders: 0 hanging, a quarter turn forward, half a turn up.
 HandTarget swung(Side side, const Isometry3f& body, const Measures& m, float raised_rad,
                  float out_m) {
   const float arm = 0.85F * (m.upper_arm + m.forearm + m.palm);
@@ -84,7 +83,7 @@ HandTarget swung(Side side, const Isometry3f& body, const Measures& m, float rai
   return wish;
 }
 
-/// How far down an exercise is, 0..1 and back.
+/// Depth of the exercise movement: 0..1 and back.
 float dip(double time_s) {
   return 0.5F - 0.5F * wave(time_s, kExercise_rad_s, 0.5 * std::numbers::pi);
 }
@@ -125,7 +124,7 @@ HandTarget at_target(const Vector3f& palm_m, const Quaternionf& turned, float sh
   return {palm_m, turned, share};
 }
 
-/// Lines of writing: quick strokes on a slow way across and down.
+/// Writing motion: fast strokes on a slow path across and down.
 Vector3f pen(const Isometry3f& body, double time_s) {
   const float across = 0.14F * wave(time_s, 0.8, 0.0);
   const float down = 0.06F * wave(time_s, 0.23, 1.0);
@@ -232,7 +231,7 @@ HandTarget palm_wish(const Waypoint& stop, const Itinerary::Stay& stay, Side sid
 }
 
 Quaternionf palms_inward(const Isometry3f& body, float up_rad) {
-  Eigen::Matrix3f axes;  // fingers run along -y of the hand, the thumb along z
+  Eigen::Matrix3f axes;  // fingers along -y of the hand, thumb along z
   axes << Vector3f::UnitX(), -Vector3f::UnitZ(), Vector3f::UnitY();
   const AngleAxisf raised(-up_rad, Vector3f::UnitX());
   return Quaternionf(Eigen::Matrix3f(body.linear() * raised.toRotationMatrix() * axes));

@@ -16,10 +16,10 @@ using Eigen::Isometry3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Bones that share one cloth, in a line with one another in the cutting pose: a leg, an arm.
+/// Bones that share one cloth and are collinear in the cutting pose, such as a leg or an arm.
 struct Roll {
-  Bone first;      // its frame is the cloth's
-  float radius_m;  // that the cloth is rolled up with
+  Bone first;      // the cloth uses its frame
+  float radius_m;  // radius of the cylinder that the cloth is wrapped around
 };
 
 Roll roll_of(Bone bone) {
@@ -87,13 +87,13 @@ float distance_to_bone(const Vector3f& at, Bone bone, const Pose& cutting, const
   return (local - Vector3f(0, along, 0)).norm();
 }
 
-/// Trunk bones are thick: their own skin is farther from them than an arm's is from its bone.
+/// Relative thickness of a bone: a trunk bone is farther from its skin than an arm bone.
 float thickness(Bone bone) {
   return bone == Bone::kPelvis || bone == Bone::kChest ? 2.0F : 1.0F;
 }
 
-/// How much of its surroundings a point sees past the body itself: how fast the distance to the
-/// body grows along the normal (Evans 2006).
+/// Share of the surroundings that the body itself does not hide from a point: growth of the
+/// distance to the body along the normal (Evans 2006).
 float openness_at(const std::vector<BodyPiece>& pieces, const Vector3f& at,
                   const Vector3f& normal) {
   float hidden = 0.0F, weight = 1.0F;
@@ -152,7 +152,7 @@ void BodySkin::add_piece(const BodyPiece& piece, const std::vector<BodyPiece>& a
   part.first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
   part.first_triangle = static_cast<std::uint32_t>(mesh_.triangles.size());
 
-  // A vertex is there once for each cloth it belongs to and each side of that cloth's seam.
+  // A vertex is copied for each cloth it belongs to and each side of that cloth's seam.
   std::map<std::tuple<std::uint32_t, Bone, int>, std::uint32_t> copies;
   const auto vertex = [&](std::uint32_t number, const Roll& roll, float middle_angle) {
     const Vector3f local = cutting.of(roll.first).inverse() * net.positions[number];

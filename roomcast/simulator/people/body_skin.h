@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody's surface: modelled once in the cutting pose, then bent with the bones: every vertex
-// follows up to three of them (linear blend skinning: Magnenat-Thalmann et al. 1988). Pieces are
-// runs of vertices and triangles of one mesh. Metres.
+// BodySkin: the surface mesh of a person: modelled once in the cutting pose, then deformed with the
+// bones. Every vertex follows up to three bones (linear blend skinning: Magnenat-Thalmann et al.
+// 1988). Pieces are runs of vertices and triangles of one mesh. Metres.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ class BodySkin {
  public:
   BodySkin(const Build& build, const Outfit& outfit, const Measures& measures);
 
-  /// In the cutting pose.
+  /// The mesh in the cutting pose.
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<float>& openness() const { return openness_; }
   [[nodiscard]] const std::vector<MovingPart>& pieces() const { return pieces_; }
 
-  /// Positions and normals in a pose, written from vertex `first` of `out` on.
+  /// Writes the positions and normals of a pose to `out`, starting at vertex `first`.
   void bend(const Pose& pose, TriangleMesh& out, std::size_t first) const;
 
  private:

@@ -11,7 +11,7 @@ using Eigen::Isometry3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Adds bars that are given for a person of 1.80 m, in bones' frames.
+/// Adds bars in bone frames; dimensions are those of a person of 1.80 m and are scaled.
 class BodyMesher {
  public:
   BodyMesher(BodyPiece& piece, const Pose& pose, const Measures& measures)
@@ -22,7 +22,7 @@ class BodyMesher {
     piece_.solid.add(pose_.of(bone),
                      {s_ * from, s_ * to, s_ * radii.x(), s_ * radii.y(), flat, s_ * melt_m});
   }
-  /// Along a limb's bone, from one share of its length to another.
+  /// A bar along a limb's bone, between two fractions of the bone's length.
   void sleeve(Bone bone, float length_m, Vector2f shares, Vector2f radii, float melt_m = 0.03F) {
     const Vector3f down(0, -length_m, 0);
     piece_.solid.add(pose_.of(bone), {down * shares.x(),
@@ -32,7 +32,7 @@ class BodyMesher {
                                       {1.0F, 1.0F},
                                       s_ * melt_m});
   }
-  /// Ends the cloth at a point down a bone; keeps what is nearer the bone's joint.
+  /// Cuts the cloth at a point along a bone; keeps the part nearer to the bone's joint.
   void cut_across(Bone bone, float down_m, float reach_m) {
     const Isometry3f& frame = pose_.of(bone);
     piece_.solid.cut(frame * Vector3f(0, -down_m, 0), -frame.linear().col(1), reach_m);
@@ -83,7 +83,7 @@ BodyPiece shirt(const Build& build, const Outfit& outfit, const Pose& pose, cons
       t.cut_across(upper, (1.0F + build.sleeve) * m.upper_arm, 0.25F);
     }
   }
-  for (const Side side : kSides) {  // the hem moves with what is under it
+  for (const Side side : kSides) {  // the hem moves with the thighs below it
     const Bone thigh = on_side(Bone::kLeftThigh, side);
     piece.bones.push_back(thigh);
     if (build.hem_m > 0.2F)
@@ -189,7 +189,7 @@ BodyPiece hand(Side side, const Build& build, const Outfit& outfit, const Pose& 
   const Bone bone = on_side(Bone::kLeftHand, side);
   piece.bones = {bone};
   BodyMesher t(piece, pose, m);
-  const float in = -sign_of(side);  // the palm's side
+  const float in = -sign_of(side);  // side of the palm
   t.bar(bone, {0, -0.035F, 0}, {0, -0.080F, 0.002F}, {0.030F, 0.036F}, {0.48F, 1.0F}, 0.012F);
   for (int i = 0; i < 4; ++i) {
     const float z = 0.027F - 0.018F * static_cast<float>(i);

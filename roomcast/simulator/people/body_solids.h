@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes of somebody's clothes, head, hair, hands and shoes about the bones of the cutting
-// pose. Each piece is worn over what is under it, so hems and cuffs are where a cloth ends. Metres.
+// The shapes of a person's clothes, head, hair, hands and shoes around the bones of the cutting
+// pose. Each piece covers the pieces under it, so hems and cuffs are where a cloth ends. Metres.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ namespace roomcast::simulator {
 struct BodyPiece {
   Solid solid;
   SurfaceIndex surface = 0;
-  float cell_m = 0.02F;     // of the net it is meshed with
-  std::vector<Bone> bones;  // that it follows
+  float cell_m = 0.02F;     // of the grid it is meshed with
+  std::vector<Bone> bones;  // bones that it follows
 };
 
-/// From the outside in.
+/// Ordered from the outermost piece inwards.
 [[nodiscard]] std::vector<BodyPiece> body_pieces(const Build& build, const Outfit& outfit,
                                                  const Pose& cutting, const Measures& measures);
 

@@ -13,24 +13,24 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kReach_m = 1.1F;   // beyond the balls
-constexpr float kUnseen = 0.997F;  // less than a grey level is taken
+constexpr float kUnseen = 0.997F;  // shading below one grey level is ignored
 
 float brightness(const Vector3f& light) {
   return light.sum() / 3.0F;
 }
 
-/// Share of the sky over a floor point that a ball hides.
+/// Share of the sky above a floor point that a ball hides.
 float sky_hidden(const ShadeBall& ball, const Vector3f& floor_m) {
   const Vector3f way = ball.centre_m - floor_m;
   const float squared = std::max(way.squaredNorm(), ball.radius_m * ball.radius_m);
   return std::max(0.0F, way.y()) / std::sqrt(squared) * ball.radius_m * ball.radius_m / squared;
 }
 
-/// The way from a floor point to a lamp.
+/// Direction and distance from a floor point to a lamp.
 struct WayToLamp {
   Vector3f towards;
   float distance_m;
-  float blur;  // of a shadow's edge, per metre between the ball and the point
+  float blur;  // blur of a shadow's edge, per metre between the ball and the point
 };
 
 WayToLamp way_to(const Light& lamp, const Vector3f& floor_m) {
@@ -39,7 +39,8 @@ WayToLamp way_to(const Light& lamp, const Vector3f& floor_m) {
   return {way / distance, distance, lamp.radius_m / distance};
 }
 
-/// Share of a lamp that a ball hides from a point: by how near the ball's rim the ray passes.
+/// Share of a lamp that a ball hides from a point, from the distance between the ray and the ball's
+/// rim.
 float lamp_hidden(const ShadeBall& ball, const Vector3f& floor_m, const WayToLamp& lamp) {
   const Vector3f way = ball.centre_m - floor_m;
   const float along = way.dot(lamp.towards);
@@ -92,7 +93,7 @@ void FloorShade::work_out(std::span<const ShadeBall> balls, const Room& room) {
     for (int i = 0; i < width; ++i) {
       const Vector2f at =
           map_.min() + kCell_m * Vector2f(static_cast<float>(i), static_cast<float>(j));
-      // Display values are about the square root of light.
+      // Display values are approximately the square root of light.
       const float left = std::sqrt(light_left_at(balls, room, {at.x(), 0.0F, at.y()}));
       left_.at(i, j) = left;
       if (left > kUnseen) continue;

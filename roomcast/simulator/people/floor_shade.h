@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light people take from the floor: a coarse map of the floor about them, from the balls
-// that stand for their bodies. A ball hides part of the sky over a point, and of each lamp it is in
-// the way of. Reused from frame to frame. Metres; the map's cells are a few centimetres wide.
-// Occlusion by balls: Quilez, "Sphere ambient occlusion" and "Sphere soft shadow".
+// FloorShade: shading of the floor by people: a coarse map of the floor around them, computed from
+// balls that approximate their bodies. A ball hides part of the sky above a point, and part of each
+// lamp that it occludes. Reused from frame to frame. Metres; the map's cells are a few centimetres
+// wide. Occlusion by balls: Quilez, "Sphere ambient occlusion" and "Sphere soft shadow".
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ class FloorShade {
  public:
   void work_out(std::span<const ShadeBall> balls, const Room& room);
 
-  /// The part of the floor that is visibly shaded; x, z.
+  /// The visibly shaded part of the floor; x, z.
   [[nodiscard]] const Eigen::AlignedBox2f& area_m() const { return area_; }
-  /// Share of a display value that is left at a point of that part, by the nearest four cells.
+  /// Remaining share of a display value at a point of that part, interpolated from four cells.
   [[nodiscard]] float display_left(float x_m, float z_m) const {
     const float x = std::clamp((x_m - map_.min().x()) / kCell_m, 0.0F,
                                static_cast<float>(left_.width() - 1) - 0.001F);
@@ -41,7 +41,7 @@ class FloorShade {
   static constexpr float kCell_m = 0.07F;
 
   Image<float> left_;
-  Eigen::AlignedBox2f map_, area_;  // what the cells cover; what is visibly shaded of that
+  Eigen::AlignedBox2f map_, area_;  // extent of the cells; its visibly shaded part
 };
 
 }  // namespace roomcast::simulator

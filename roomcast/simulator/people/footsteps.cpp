@@ -15,10 +15,10 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kBeat_s = 0.54F;
-constexpr float kSwing = 0.78F;                       // share of a beat that the foot is in the air
-constexpr float kMidStance = 0.5F * (2.0F + kSwing);  // beats after being lifted
-constexpr float kFlat_s = 0.10F;                      // from the heel's touch to the whole sole
-constexpr float kHeelOff_s = 0.22F;                   // before being lifted
+constexpr float kSwing = 0.78F;                       // share of a beat, foot in the air
+constexpr float kMidStance = 0.5F * (2.0F + kSwing);  // in beats after being lifted
+constexpr float kFlat_s = 0.10F;                      // from heel contact to the whole sole
+constexpr float kHeelOff_s = 0.22F;                   // time before being lifted
 constexpr float kPushOff_rad = 0.62F, kHeelFirst_rad = -0.26F;
 constexpr float kLift_m = 0.055F;
 constexpr float kNear_m = 0.03F, kNear_rad = 0.12F;
@@ -32,7 +32,7 @@ Footsteps::Footsteps(const Itinerary& itinerary, const Measures& measures)
   beat_s_ = period_s_ / static_cast<float>(steps_.size());
   std::array<Placement, 2> stands = {wanted(itinerary, 0, Side::kLeft),
                                      wanted(itinerary, 0, Side::kRight)};
-  for (int round = 0; round < 2; ++round) {  // the second begins as the first ended: it repeats
+  for (int round = 0; round < 2; ++round) {  // the second round makes it periodic
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const Side side = kSides[i % 2];
       const float middle = (static_cast<float>(i) + kMidStance) * beat_s_;

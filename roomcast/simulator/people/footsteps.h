@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which foot stands where, and when each is lifted and set down, so that feet never slide: planned
-// once for a whole round of an itinerary. Steps alternate at a steady beat; a foot is set down
-// where the body will be above it half-way through its stance, and stays down where it is near that
-// already. Metres, seconds.
+// Footsteps: foot placements and the times of lifting and setting down, planned once for a whole
+// round of an itinerary so that feet never slide. Steps alternate at a constant beat; a foot is set
+// down below the body's position half-way through its stance, and is not lifted if it is already
+// near that. Metres, seconds.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ class Footsteps {
 
   struct Foot {
     Eigen::Isometry3f ankle;  // world_from_foot
-    bool planted;             // heel or ball is on the floor and stays where it is
-    Eigen::Vector3f pivot_m;  // the point of the sole, in the foot's frame, that it rolls about
+    bool planted;             // heel or ball is fixed on the floor
+    Eigen::Vector3f pivot_m;  // point of the sole, in the foot's frame, about which it rolls
   };
   [[nodiscard]] Foot foot_at(float time_s, Side side) const;
 
-  /// Where the beat is: a turn per two steps, 0 when the left foot is lifted.
+  /// Phase of the gait: one turn per two steps, 0 when the left foot is lifted.
   [[nodiscard]] float phase_at(float time_s) const;
 
  private:
@@ -47,7 +47,7 @@ class Footsteps {
   Measures measures_;
   float period_s_;
   float beat_s_;
-  std::vector<Step> steps_;  // even ones are the left foot's
+  std::vector<Step> steps_;  // even indices: left foot
 };
 
 }  // namespace roomcast::simulator

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2f;
 
 constexpr float kTurn_rad_s = 1.5F;
-constexpr float kRamp_s = 0.7F;  // to full pace, and to a stand
+constexpr float kRamp_s = 0.7F;  // acceleration to full pace, and deceleration
 constexpr float kForEver_s = 1e6F;
 
 float heading_of(const Vector2f& way) {
@@ -46,9 +46,9 @@ float length_of(const std::vector<Vector2f>& path) {
   return length;
 }
 
-/// Share of a way done after `share` of its time: ramps at both ends, even pace between.
+/// Share of a path covered after a share of its time: ramps at both ends, constant pace between.
 struct Progress {
-  float done, rate;  // rate: per share of the time
+  float done, rate;  // rate: derivative with respect to the share of the time
 };
 Progress ramped(float share, float ramp_share) {
   const float full = 1.0F / (1.0F - ramp_share);
@@ -61,9 +61,9 @@ Progress ramped(float share, float ramp_share) {
   return {full * (share - 0.5F * ramp_share), full};
 }
 
-/// Point and heading of a path with points about evenly spaced, at a share of its length.
+/// Point and heading at a share of the length of a path with nearly equidistant points.
 Itinerary::Place along(const std::vector<Vector2f>& path, float share) {
-  constexpr float kLook = 4.0F;  // points: headings are taken over a span, not a corner
+  constexpr float kLook = 4.0F;  // points; the heading is taken over this span to smooth corners
   const auto last = static_cast<float>(path.size() - 1);
   const auto point = [&](float index) -> Vector2f {
     const float at = std::clamp(index, 0.0F, last);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where somebody is on the floor at any time: they turn on the spot, walk along a smooth path,
-// turn, stay, and so on round all stops for ever. Speeds ramp up and down. A function of time
-// alone. Metres, seconds, radians.
+// Itinerary: a person's position on the floor at any time. The person turns on the spot, walks
+// along a smooth path, turns, stays, and repeats this for all waypoints in a cycle. Speeds ramp up
+// and down. A function of time alone. Metres, seconds, radians.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace roomcast::simulator {
 
 class Itinerary {
  public:
-  /// Needs at least one stop.
+  /// Needs at least one waypoint.
   Itinerary(std::span<const Waypoint> stops, float pace_m_s);
 
   struct Place {
@@ -24,10 +24,11 @@ class Itinerary {
     float heading_rad;
     float speed_m_s;
   };
-  /// Any time; repeats with the period.
+  /// Any time is allowed; repeats with the period.
   [[nodiscard]] Place place_at(float time_s) const;
 
-  /// A stop and how much of it is over; both large for somebody who has one stop only.
+  /// A waypoint with the elapsed and remaining time of the stay; both are large if there is only
+  /// one.
   struct Stay {
     std::size_t stop;
     float since_s, left_s;
@@ -35,7 +36,7 @@ class Itinerary {
   /// Nothing while turning or walking.
   [[nodiscard]] std::optional<Stay> stay_at(float time_s) const;
 
-  /// The last stop that they have left, or are at.
+  /// The waypoint of the current stay, or the last one before.
   [[nodiscard]] std::size_t last_stop(float time_s) const;
 
   [[nodiscard]] float period_s() const { return period_s_; }
@@ -43,9 +44,9 @@ class Itinerary {
  private:
   struct Leg {
     float begin_s = 0, end_s = 0;
-    std::size_t stop = 0;  // that it belongs to: the one before, for the way to the next
+    std::size_t stop = 0;  // its waypoint; for the path to the next one, the one before
     bool is_stay = false;
-    std::vector<Eigen::Vector2f> path;  // points close together; one: turning on the spot
+    std::vector<Eigen::Vector2f> path;  // closely spaced points; a single one: turning on the spot
     float length_m = 0;
     float turn_from_rad = 0, turn_to_rad = 0;
   };
@@ -58,7 +59,7 @@ class Itinerary {
 
   std::vector<Leg> legs_;
   float period_s_ = 0;
-  float heading_rad_ = 0;  // while being built
+  float heading_rad_ = 0;  // used during construction only
   bool rests_for_ever_ = false;
 };
 

@@ -17,7 +17,7 @@ using Eigen::Vector3f;
 constexpr float kNowhere_m = std::numeric_limits<float>::infinity();
 constexpr float kNearest_m = 0.05F;
 
-/// Neighbouring pixels of a row that are looked at together.
+/// Number of neighbouring pixels of a row that are processed together.
 constexpr int kLanes = 4;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
@@ -37,8 +37,8 @@ PixelBox common(const PixelBox& a, const PixelBox& b) {
           std::min(a.bottom, b.bottom)};
 }
 
-/// Whether all points (of the optical frame) lie beyond one and the same side of what a camera with
-/// these rays looks at, or too near: then nothing between them is in its picture.
+/// True if all points (in the optical frame) are outside the same side of the view frustum of a
+/// camera with these rays, or too near: then nothing between them is visible.
 template <std::size_t kCount>
 bool beyond_a_side(const std::array<Vector3f, kCount>& points, const Eigen::AlignedBox2f& rays) {
   const auto all = [&points](const auto& is_beyond) {
@@ -121,15 +121,15 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
   const Seen& c = vertices_[corner[2]];
   const Vector3f normal = (b.in_camera_m - a.in_camera_m).cross(c.in_camera_m - a.in_camera_m);
   const float plane = normal.dot(a.in_camera_m);
-  if (plane >= 0.0F) return;  // seen from behind
+  if (plane >= 0.0F) return;  // back face
   for (const std::uint32_t vertex : corner) project_vertex(vertex, camera);
   PixelBox box = limits;
   if (a.has_pixel && b.has_pixel && c.has_pixel) {
     const Vector2f low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
     const Vector2f high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
-    // The lens bends edges: less than a hundredth of their length, as long as they fit a picture.
+    // The lens bends edges by less than a hundredth of their length, if they fit a picture.
     const float bulge = 0.05F + 0.01F * (high - low).maxCoeff();
-    const auto whole = [](float value) {  // rounded down, without a call
+    const auto whole = [](float value) {  // rounds down without a function call
       constexpr int kFar = 30000;
       return static_cast<int>(std::clamp(value, -1.0F * kFar, 1.0F * kFar) + kFar) - kFar;
     };
@@ -137,7 +137,7 @@ void MovingLayer::draw_triangle(const TriangleMesh& mesh, std::uint32_t number,
                           whole(high.x() + bulge) + 1, whole(high.y() + bulge) + 1});
   } else if (beyond_a_side(std::array{a.in_camera_m, b.in_camera_m, c.in_camera_m},
                            camera.ray_bounds())) {
-    return;  // without a pixel to bound it, a triangle would be looked for in the whole picture
+    return;  // skipped: without pixel bounds the whole picture would have to be searched
   }
   if (box.empty() || (wanted_ != nullptr && !wanted_->any_in(box))) return;
   // Signed volumes of the ray with the edges; the ray is inside where all have the same sign.

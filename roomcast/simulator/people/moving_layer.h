@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves, as one camera sees it: for each pixel the triangle in front, where on it, and how far
-// away. Every pixel's ray is intersected with the triangles' planes, so depths are those of a ray
-// caster, lens distortion included; only the pixels that a triangle may cover are looked at. Reused
-// from frame to frame; allocates when it meets a new crowd only. Depth z in metres along the
-// optical axis. Single-threaded. Ray-triangle test by signed volumes: Segura & Feito 2001.
+// MovingLayer: the moving things as seen by one camera: for each pixel the front-most triangle, the
+// position on it and its depth. Every pixel's ray is intersected with the triangles, so depths
+// equal those of a ray caster, including lens distortion; only pixels that a triangle may cover are
+// tested. Reused from frame to frame; allocates only for a new set of things. Depth z in metres
+// along the optical axis. Single-threaded. Ray-triangle test by signed volumes: Segura & Feito
+// 2001.
 #pragma once
 
 #include <algorithm>
@@ -24,15 +25,15 @@ class MovingLayer {
 
   MovingLayer(int width, int height);
 
-  /// With `wanted`: only what lies in those tiles is sure to be drawn.
+  /// With `wanted`, only these tiles are guaranteed to be drawn.
   void draw(const MovingThings& things, const PlacedCamera& camera,
             const PictureTiles* wanted = nullptr);
 
-  /// Holds every pixel that shows something moving.
+  /// Contains every pixel that shows a moving thing.
   [[nodiscard]] const PixelBox& box() const { return box_; }
   [[nodiscard]] ImageView<const float> z_m() const { return z_m_.view(); }  // infinity: nothing
   [[nodiscard]] ImageView<const std::uint32_t> triangle() const { return triangle_.view(); }
-  /// Share of the triangle's second and third corner; the first has the rest.
+  /// Barycentric weights of the triangle's second and third corner; the first has the remainder.
   [[nodiscard]] ImageView<const Eigen::Vector2f> corner_shares() const { return shares_.view(); }
 
  private:
@@ -45,29 +46,29 @@ class MovingLayer {
   Image<std::uint32_t> triangle_;
   Image<Eigen::Vector2f> shares_;
   PixelBox box_;
-  const PictureTiles* wanted_ = nullptr;  // of the draw that is going on
+  const PictureTiles* wanted_ = nullptr;  // only during draw()
   struct Seen {
     Eigen::Vector3f in_camera_m;
     Eigen::Vector2f pixel;
-    bool is_projected;  // whether has_pixel and pixel are known: only front faces ask for them
-    bool has_pixel;     // in front of the camera, where its lens is defined
+    bool is_projected;  // has_pixel and pixel are valid; computed for front faces only
+    bool has_pixel;     // in front of the camera, and inside the lens model's domain
   };
   void project_vertex(std::uint32_t vertex, const PlacedCamera& camera);
   std::vector<Seen> vertices_;
 };
 
-/// The surface point that pixel (x, y) of the layer sees.
+/// The surface point seen at pixel (x, y) of the layer.
 struct MovingPoint {
   Eigen::Vector3f position_m;
   Eigen::Vector3f normal;  // unit length
   Eigen::Vector2f uv_m;
   SurfaceIndex surface;
-  float facing;  // cosine between the normal and the way back to the camera
+  float facing;  // cosine between the normal and the direction to the camera
 };
-/// The layer has to show something there.
+/// Requires that the layer has a surface at the pixel.
 [[nodiscard]] MovingPoint moving_point(const MovingThings& things, const MovingLayer& layer,
                                        const PlacedCamera& camera, int x, int y);
-/// The cosine alone.
+/// Only MovingPoint::facing.
 [[nodiscard]] inline float facing_at(const MovingThings& things, const MovingLayer& layer,
                                      const PlacedCamera& camera, int x, int y) {
   const auto& corner = things.mesh().triangles[layer.triangle().at(x, y)];

@@ -31,7 +31,7 @@ void MovingOutline::gather_row(const MovingLayer& layer, const Image<float>& pla
     return in_box && is_in_front(layer, plate_z_m, x, y) ? layer.z_m().at(x, y) : 0.0F;
   };
   float left = 0.0F, here = moving_z(box_.left);
-  if (box_.left == 0) left = here;  // the picture's edge is no outline
+  if (box_.left == 0) left = here;  // the picture's edge is not an outline
   for (int x = box_.left; x < box_.right; ++x) {
     const float right = x + 1 < plate_z_m.width() ? moving_z(x + 1) : here;
     row[static_cast<std::size_t>(x - box_.left)] = {std::min({left, here, right}),

@@ -12,7 +12,7 @@ namespace {
 
 using Sees = MovingOutline::Sees;
 
-/// People of a room before a wall far behind them.
+/// The people of a room in front of a distant wall.
 class Outline : public testing::Test {
  protected:
   Outline() {

@@ -13,7 +13,7 @@ using Eigen::Array4f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// What a pixel's colour is worked out from: linear over its triangle.
+/// The values that determine a pixel's colour: linear over its triangle.
 struct OverTriangle {
   std::uint32_t number = MovingLayer::kNoTriangle;
   SurfaceIndex surface = 0;
@@ -63,7 +63,7 @@ const Array4f& MovingColors::light_at(const MovingThings& things, std::uint32_t 
   const LitPoint at{things.mesh().positions[vertex], things.mesh().normals[vertex]};
   const float open = things.openness()[vertex];
   Vector3f light = ambient_light(*room_, at, open);
-  constexpr float kGlare = 1.1F;  // heads come near to lamps
+  constexpr float kGlare = 1.1F;  // limit per lamp: heads come close to lamps
   for (const Light& lamp : room_->lights)
     light += (0.3F + 0.7F * open) * light_from(lamp, at).cwiseMin(kGlare);
   return light_[vertex] = {light.x(), light.y(), light.z(), 0.0F};
@@ -71,7 +71,7 @@ const Array4f& MovingColors::light_at(const MovingThings& things, std::uint32_t 
 
 void MovingColors::put_shade(const Room& room, const PlacedCamera& camera, const ColorPlate& plate,
                              ImageView<Rgb8> color) const {
-  constexpr float kFloor_m = 0.03F;  // rugs too
+  constexpr float kFloor_m = 0.03F;  // maximum height of floor surfaces, including rugs
   const Eigen::AlignedBox2f& area = shade_.area_m();
   if (area.isEmpty() || room.people.empty()) return;
   const PixelBox box =
@@ -94,7 +94,7 @@ void MovingColors::find_front(const MovingLayer& layer, const Image<float>& plat
     std::uint8_t* front = front_.view().row(y - box.top + 1) + 1;
     for (int x = box.left; x < box.right; ++x)
       front[x - box.left] = is_in_front(layer, plate_z_m, x, y) ? 1 : 0;
-    // Beyond the picture's edge things go on.
+    // Treats the surface as continuing beyond the picture's edge.
     if (box.left == 0) front[-1] = front[0];
     if (box.right == plate_z_m.width()) front[width] = front[width - 1];
   }
@@ -136,7 +136,7 @@ void MovingColors::put(const MovingThings& things, const MovingLayer& layer,
       const Array4f light =
           over.light + share.x() * over.light_to_second + share.y() * over.light_to_third;
       const Array4f srgb = srgb_from_linear(Array4f(texels.at(over.surface, uv) * light));
-      // Share of the pixel that is covered, from how many of its neighbours are covered too.
+      // Coverage of the pixel, estimated from the number of covered neighbours.
       const int covered = front[x - 1] + front[x + 1] + front[x - stride] + front[x + stride];
       Rgb8& pixel = color.at(x, y);
       pixel = blended(pixel, srgb, 0.5F + 0.125F * static_cast<float>(covered));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts what moves into the pictures of the empty room: depth, colours, and the shade on the floor.
+// Composites moving things into pictures of the empty room: depth, colours and shade on the floor.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace roomcast::simulator {
 
-/// Whether the layer shows something nearer than the plate at a pixel.
+/// True if the layer has a surface nearer than the plate at a pixel.
 [[nodiscard]] inline bool is_in_front(const MovingLayer& layer, const Image<float>& plate_z_m,
                                       int x, int y) {
   const float behind = plate_z_m.at(x, y);
@@ -22,35 +22,36 @@ namespace roomcast::simulator {
   return z < (behind == 0.0F ? std::numeric_limits<float>::max() : behind);
 }
 
-/// Depth in millimetres, rounded, where something moving is nearer than the plate.
+/// Writes depth in millimetres, rounded, where a moving thing is nearer than the plate.
 void put_moving_depth(const MovingLayer& layer, const DepthPlate& plate,
                       ImageView<std::uint16_t> depth_mm);
 
-/// Colours of what moves: light is worked out per vertex that is seen, so that a pixel costs a
-/// look-up. Reused from frame to frame. Single-threaded.
+/// MovingColors: colours of moving things. Light is computed per visible vertex, so a pixel costs
+/// only a look-up. Reused from frame to frame. Single-threaded.
 class MovingColors {
  public:
-  /// To be called for each instant before the others. Keeps a reference to the room until then.
+  /// Must be called before the other calls for each instant. Keeps a reference to the room until
+  /// the next call.
   void light(const MovingThings& things, const Room& room);
 
-  /// Darkens the floor under and around what moves.
+  /// Darkens the floor below and around moving things.
   void put_shade(const Room& room, const PlacedCamera& camera, const ColorPlate& plate,
                  ImageView<Rgb8> color) const;
 
-  /// Lit cloth and skin where something moving is nearer than the plate; half-covered pixels of the
-  /// outline are blended.
+  /// Draws lit cloth and skin where a moving thing is nearer than the plate; partly covered pixels
+  /// of the outline are blended.
   void put(const MovingThings& things, const MovingLayer& layer, const ColorPlate& plate,
            const SurfaceTexels& texels, ImageView<Rgb8> color);
 
  private:
-  /// Where the layer shows something nearer than the plate: its box and a rim of one pixel.
+  /// Finds where the layer is nearer than the plate, in its box plus a rim of one pixel.
   void find_front(const MovingLayer& layer, const Image<float>& plate_z_m);
-  /// Linear, of one vertex; worked out when it is first asked for.
+  /// Linear light at a vertex, computed on first use.
   const Eigen::Array4f& light_at(const MovingThings& things, std::uint32_t vertex);
 
   const Room* room_ = nullptr;
   std::vector<Eigen::Array4f> light_;    // per vertex
-  std::vector<std::uint32_t> lit_when_;  // instant_ when it was worked out
+  std::vector<std::uint32_t> lit_when_;  // instant_ of the computation
   std::uint32_t instant_ = 0;
   FloorShade shade_;
   Image<std::uint8_t> front_;

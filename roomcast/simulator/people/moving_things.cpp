@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Appends a mesh; returns the run it became.
+/// Appends a mesh; returns its run of vertices and triangles.
 MovingPart appended(TriangleMesh& all, const TriangleMesh& more) {
   MovingPart part;
   part.first_vertex = static_cast<std::uint32_t>(all.positions.size());
@@ -40,7 +40,7 @@ struct BallOnBone {
   float down_m, radius_m;
 };
 
-/// What blocks light: balls along the bones, for a person of 1.80 m.
+/// Occluders for shading: balls along the bones of a person of 1.80 m.
 constexpr std::array<BallOnBone, 15> kBalls = {{{Bone::kPelvis, -0.03F, 0.15F},
                                                 {Bone::kChest, -0.15F, 0.15F},
                                                 {Bone::kChest, -0.34F, 0.16F},

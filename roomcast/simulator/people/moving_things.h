@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that moves in a room at one instant: people and what they carry, as triangles in the
-// world frame. Which triangles there are, their surfaces and their texture coordinates never
-// change; positions and normals are a function of the scene time alone. So a picture of an instant
-// is the same whatever was asked before, and a full trace of the room at that instant is a trace of
-// its mesh and this one together. Single-threaded; `move_to` does not allocate.
+// MovingThings: all moving things in a room at one instant (people and the objects they carry) as
+// triangles in the world frame. Triangles, surfaces and texture coordinates never change; positions
+// and normals are a function of the scene time alone. So the picture of an instant does not depend
+// on earlier calls, and a full trace of the room at that instant is a trace of the room's mesh and
+// this one together. Single-threaded; `move_to` does not allocate.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,14 @@
 
 namespace roomcast::simulator {
 
-/// One piece of somebody, or a thing: a run of triangles (and of vertices) and the box about it.
+/// A body part or an object: a run of triangles and of vertices, and its bounding box.
 struct MovingPart {
   std::uint32_t first_vertex = 0, vertex_count = 0;
   std::uint32_t first_triangle = 0, triangle_count = 0;
   Eigen::AlignedBox3f box_m;
 };
 
-/// A ball inside somebody: what takes light away from the floor.
+/// A ball that approximates part of a body when shading the floor.
 struct ShadeBall {
   Eigen::Vector3f centre_m;
   float radius_m;
@@ -31,19 +31,18 @@ struct ShadeBall {
 
 class MovingThings {
  public:
-  /// `speed`: 1 as in life, 0.05 slow motion, 0: nothing ever moves. Keeps no reference to the
-  /// room.
+  /// `speed`: 1: real speed, 0.05: slow motion, 0: nothing moves. Keeps no reference to the room.
   explicit MovingThings(const Room& room, double speed = 1.0);
   ~MovingThings();
   MovingThings(MovingThings&&) noexcept;
   MovingThings& operator=(MovingThings&&) noexcept;
 
-  /// Any scene time, of any sign.
+  /// Any scene time, also negative.
   void move_to(nanoseconds scene_time);
 
   /// Surfaces are indices into Room::surfaces. Closed, front faces counter-clockwise.
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-  /// Per vertex: how much of the surroundings is not hidden by the body itself, 0..1.
+  /// Per vertex: share of the surroundings that the body itself does not hide, 0..1.
   [[nodiscard]] std::span<const float> openness() const { return openness_; }
   [[nodiscard]] std::span<const MovingPart> parts() const { return parts_; }
   [[nodiscard]] std::span<const ShadeBall> shade_balls() const { return shade_balls_; }

@@ -14,7 +14,7 @@ using Eigen::Isometry3f;
 using Eigen::Quaternionf;
 using Eigen::Vector3f;
 
-constexpr float kGrasped = 0.35F, kLifted = 0.85F;  // shares of a stay that takes or leaves
+constexpr float kGrasped = 0.35F, kLifted = 0.85F;  // shares of a kTakeUp or kPutDown stay
 
 AngleAxisf pitched(float forward_rad) {
   return {forward_rad, Vector3f::UnitX()};
@@ -39,18 +39,18 @@ Isometry3f between(const Isometry3f& a, const Isometry3f& b, float share) {
 }  // namespace
 
 struct Performance::Moment {
-  double time_s;  // for what never repeats: swaying, talking
+  double time_s;  // for motions that never repeat: swaying, talking
   float round_s;  // time within the round
   Itinerary::Place place;
   std::optional<Itinerary::Stay> stay;
-  const Waypoint* stop;  // of the stay, or the last one
+  const Waypoint* stop;  // of the current stay, or the last one
   std::array<Footsteps::Foot, 2> feet;
-  float walking;    // 0: still, 1: at full pace
+  float walking;    // 0: not walking, 1: at full pace
   float phase_rad;  // of the gait
   Lean lean;
-  float taken = 0;  // of the burden: 0 at rest, 1 carried
+  float taken = 0;  // of the burden: 0 resting, 1 carried
   float held = 0;
-  const Waypoint* rest = nullptr;  // where the burden rests or rested last
+  const Waypoint* rest = nullptr;  // waypoint at which the burden rests or rested last
   Quaternionf chest_in_pelvis;
   Isometry3f body, pelvis, chest, burden;
 };
@@ -114,7 +114,7 @@ void Performance::place_trunk(Moment& now) const {
   now.burden = between(resting(*now.rest), carried, now.taken);
 }
 
-/// Arms are only so long: the trunk comes forward until both hands are in reach.
+/// Bends the trunk forward until both hands can reach their targets.
 void Performance::bend_to_reach(Moment& now) const {
   constexpr int kSteps = 6;
   const float arm = 0.985F * (measures_.upper_arm + measures_.forearm);
@@ -138,7 +138,7 @@ Isometry3f Performance::resting(const Waypoint& stop) const {
 void Performance::place_burden(Moment& now) const {
   const std::size_t count = stops_.size();
   const auto here = static_cast<std::size_t>(now.stop - stops_.data());
-  const Waypoint* last = nullptr;  // that took it or left it, this one included
+  const Waypoint* last = nullptr;  // that took or left it, including the current one
   for (std::size_t back = 0; back < count && last == nullptr; ++back) {
     const Waypoint& stop = stops_[(here + count - back) % count];
     if (stop.activity == Activity::kTakeUp || stop.activity == Activity::kPutDown) last = &stop;
@@ -183,7 +183,7 @@ Isometry3f Performance::pelvis_at(const Moment& now) const {
 
   const float yaw = now.place.heading_rad - 0.09F * now.walking * std::cos(now.phase_rad);
   Isometry3f pelvis(Eigen::Translation3f(at) * yawed(yaw) * pitched(lean.pelvis_pitch));
-  // Legs are only so long: the hips come down until both feet are in reach.
+  // Lowers the hips until both feet are within reach of the legs.
   const float reach = 0.998F * measures_.leg();
   float too_high = 0.0F;
   for (const Side side : kSides) {
@@ -216,7 +216,7 @@ Quaternionf Performance::head_at(const Moment& now) const {
 
 HandGoal Performance::hanging(const Moment& now, Side side) const {
   const float side_sign = sign_of(side);
-  // The left foot goes ahead in the first half of the turn; its arm goes back.
+  // In the first half of the gait cycle the left foot moves forward and the left arm backward.
   const float swing = side_sign * 0.40F * now.walking * std::cos(now.phase_rad) * 0.9F;
   const float bend = 0.22F + 0.30F * std::max(0.0F, swing) + 0.12F * now.walking;
   const Isometry3f upright =
@@ -235,7 +235,7 @@ HandGoal Performance::hanging(const Moment& now, Side side) const {
 }
 
 Vector3f Performance::grip(const Burden& burden, Side side) {
-  // The burden faces its carrier: their left hand is at its -x side.
+  // The burden's front faces its carrier, so the left hand is at its -x side.
   return {-sign_of(side) * burden.half_size_m.x(), -0.25F * burden.half_size_m.y(),
           0.2F * burden.half_size_m.z()};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What somebody does, worked out once, and their pose and burden at any time: the itinerary says
-// where they are, the footsteps where their feet are, the activities what else they do. Hips are as
-// high as lets both feet stay where they are planned. A function of time alone. Metres, seconds.
+// Performance: a person's motion, planned once: pose and burden at any time. The itinerary gives
+// the position, the footsteps the feet, and the activities the posture. The hips are as high as the
+// planned foot positions allow. A function of time alone. Metres, seconds.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class Performance {
   struct Instant {
     Pose pose;
     Eigen::Isometry3f world_from_burden = Eigen::Isometry3f::Identity();
-    float held = 0;  // share in which the hands are at the burden: 1 while it is carried
+    float held = 0;  // weight of the grip as hand target: 1 while the burden is carried
   };
   [[nodiscard]] Instant at(double time_s) const;
 
@@ -29,11 +29,11 @@ class Performance {
   [[nodiscard]] const Itinerary& itinerary() const { return itinerary_; }
   [[nodiscard]] float round_time(double time_s) const;
 
-  /// Where the palms hold a burden, in its frame.
+  /// Palm position on a burden, in its frame.
   [[nodiscard]] static Eigen::Vector3f grip(const Burden& burden, Side side);
 
  private:
-  struct Moment;  // what is known about an instant on the way to its pose
+  struct Moment;  // intermediate values of an instant from which the pose is computed
   [[nodiscard]] Lean lean_at(const Moment& moment) const;
   [[nodiscard]] Eigen::Isometry3f pelvis_at(const Moment& moment) const;
   void place_burden(Moment& moment) const;

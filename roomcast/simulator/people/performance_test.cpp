@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 constexpr float kSlide_m = 0.01F;
 constexpr double kFrame_s = 1.0 / 30.0;
 
-/// Walks between a shelf and a bench, turning round at both, and carries a box there and back.
+/// Walks between a shelf and a bench, turns at both, and carries a box there and back.
 Person carrier() {
   Person person;
   person.burden.emplace();
@@ -165,7 +165,7 @@ TEST(Performance, the_burden_rests_where_it_was_put_and_never_jumps) {
 }
 
 TEST(Performance, nothing_jumps_from_frame_to_frame_nor_where_the_round_begins_again) {
-  constexpr float kFastest_m = 0.16F;  // a swinging foot or hand in 1/30 s
+  constexpr float kFastest_m = 0.16F;  // limit for a swinging foot or hand in 1/30 s
   for (const Person& person : {carrier(), sitter(), exerciser()}) {
     const Performance performance(person);
     Pose last = performance.at(-kFrame_s).pose;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some parts of a picture, as squares of pixels. Single-threaded.
+// PictureTiles: a selection of square tiles of a picture. Single-threaded.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@ namespace roomcast::simulator {
 
 class PictureTiles {
  public:
-  /// None of a picture of this size, in squares of `side` pixels.
+  /// Starts with no tile selected; tiles are `side` pixels wide.
   PictureTiles(int width, int height, int side)
       : side_(side), wanted_((width + side - 1) / side, (height + side - 1) / side) {}
 
   void clear() { std::fill_n(wanted_.data(), wanted_.view().pixel_count(), std::uint8_t{0}); }
-  /// The tile that this pixel is in.
+  /// Selects the tile that contains this pixel.
   void want(int x, int y) { wanted_.at(x / side_, y / side_) = 1; }
 
-  /// The box is not empty, and inside the picture.
+  /// Requires a box that is not empty and inside the picture.
   [[nodiscard]] bool any_in(const PixelBox& box) const {
     for (int y = box.top / side_; y <= (box.bottom - 1) / side_; ++y) {
       for (int x = box.left / side_; x <= (box.right - 1) / side_; ++x) {

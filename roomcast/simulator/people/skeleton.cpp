@@ -25,13 +25,13 @@ struct Limb {
   Vector3f end;
 };
 
-/// The part of `way` that is orthogonal to the unit vector `along`, unit length.
+/// The unit vector of the part of `way` that is orthogonal to the unit vector `along`.
 Vector3f across(const Vector3f& way, const Vector3f& along) {
   const Vector3f part = way - way.dot(along) * along;
   return part.norm() > 1e-4F ? Vector3f(part.normalized()) : along.unitOrthogonal();
 }
 
-/// Axes of a bone that runs from `from` to `to`, whose z lies in the plane of bending.
+/// Axes of a bone from `from` to `to` whose z axis is in the plane of bending.
 Matrix3f bone_axes(const Vector3f& from, const Vector3f& to, const Vector3f& ahead) {
   const Vector3f up = (from - to).normalized();
   const Vector3f z = across(ahead, up);
@@ -40,8 +40,8 @@ Matrix3f bone_axes(const Vector3f& from, const Vector3f& to, const Vector3f& ahe
   return axes;
 }
 
-/// Two bones from `root` to `target`; the joint between them points along `joint_way`. Knees point
-/// ahead of the leg, elbows behind the arm: `z_sign`.
+/// Bends two bones from `root` to `target`; their joint points along `joint_way`. `z_sign`: knees
+/// point ahead of the leg, elbows behind the arm.
 Limb bent(const Vector3f& root, const Vector3f& target, float upper, float lower,
           const Vector3f& joint_way, float z_sign) {
   const Vector3f way = target - root;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bones: how long they are, and where each lies when a body's joints are told where to be. A bone's
-// frame has its origin in the joint nearer to the pelvis; x to the body's left, y up, z ahead as
-// the bone is while standing at attention, arms hanging: limbs run along -y. Metres, radians.
-// Two-bone limbs are bent in closed form (law of cosines), so every length is kept exactly.
+// Bone lengths, and bone poses from the wanted joint positions (inverse kinematics). A bone's frame
+// has its origin at the joint nearer to the pelvis; in the rest pose, standing with hanging arms, x
+// points to the body's left, y up and z forward, so limbs run along -y. Metres, radians. Two-bone
+// limbs are solved in closed form (law of cosines), so all lengths are exact.
 #pragma once
 
 #include <array>
@@ -47,18 +47,18 @@ inline constexpr std::size_t kBoneCount = 15;
   return static_cast<Bone>(static_cast<std::uint8_t>(left) + static_cast<std::uint8_t>(side));
 }
 
-/// Lengths of somebody's bones.
+/// Bone lengths of a person.
 struct Measures {
-  float scale;  // of everything that is not named here; 1: a person of 1.80 m
+  float scale;  // scale of all lengths not listed here; 1: a person of 1.80 m
   float girth;
   float hip_half, thigh, shin;
   float ankle;     // height of the ankle above the sole
-  float waist;     // from the line of the hips up to where the back bends
-  float shoulder;  // from there up to the shoulders
+  float waist;     // from the hip line up to the bend of the back
+  float shoulder;  // from the bend of the back up to the shoulders
   float shoulder_half;
-  float neck;  // from where the back bends up to where the head turns
+  float neck;  // from the bend of the back up to the head's pivot
   float upper_arm, forearm;
-  float palm;  // from the wrist to the middle of the palm
+  float palm;  // from the wrist to the centre of the palm
 
   [[nodiscard]] float leg() const { return thigh + shin; }
   [[nodiscard]] float hips_standing() const { return leg() + ankle; }
@@ -73,20 +73,20 @@ struct Pose {
   Eigen::Isometry3f& of(Bone bone) { return world_from_bone[static_cast<std::size_t>(bone)]; }
 };
 
-/// Where a hand is wanted.
+/// Target of a hand.
 struct HandGoal {
   Eigen::Vector3f wrist_m = Eigen::Vector3f::Zero();
-  Eigen::Vector3f elbow_way = -Eigen::Vector3f::UnitZ();       // which way the elbow points
-  Eigen::Quaternionf turned = Eigen::Quaternionf::Identity();  // world_from_hand wanted ...
-  float turned_share = 0;  // ... by this share; 0: straight on from the forearm
+  Eigen::Vector3f elbow_way = -Eigen::Vector3f::UnitZ();       // direction of the elbow
+  Eigen::Quaternionf turned = Eigen::Quaternionf::Identity();  // wanted world_from_hand
+  float turned_share = 0;  // weight of `turned`; 0: the hand continues the forearm
 };
 
-/// Where a body's ends are wanted, in the world. What is out of reach is reached for.
+/// Targets of the pelvis, hands and feet in the world. Limbs stretch towards targets out of reach.
 struct PoseGoals {
   Eigen::Isometry3f pelvis = Eigen::Isometry3f::Identity();
   Eigen::Quaternionf chest_in_pelvis = Eigen::Quaternionf::Identity();
   Eigen::Quaternionf head_in_chest = Eigen::Quaternionf::Identity();
-  std::array<Eigen::Isometry3f, 2> feet;  // frames of the ankles
+  std::array<Eigen::Isometry3f, 2> feet;  // frames at the ankles
   std::array<HandGoal, 2> hands;
 };
 
@@ -97,12 +97,12 @@ struct PoseGoals {
                                           const Measures& measures);
 [[nodiscard]] Eigen::Vector3f hip_of(const Eigen::Isometry3f& pelvis, Side side,
                                      const Measures& measures);
-/// The middle of a palm in the hand's frame; the palm faces the body's middle.
+/// Centre of a palm in the hand's frame; the palm faces the body's centre.
 [[nodiscard]] Eigen::Vector3f palm_in_hand(Side side, const Measures& measures);
 
 [[nodiscard]] Pose solve_pose(const PoseGoals& goals, const Measures& measures);
 
-/// Legs straight and a little apart, arms hanging away from the body: where skins are cut.
+/// Legs straight and slightly apart, arms away from the body: the pose in which skins are modelled.
 [[nodiscard]] Pose cutting_pose(const Measures& measures);
 
 }  // namespace roomcast::simulator

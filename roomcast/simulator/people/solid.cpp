@@ -14,7 +14,7 @@ using Eigen::Isometry3f;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-/// Minimum of two distances, rounded off where they are within `melt` of each other.
+/// Smooth minimum of two distances: rounded where they differ by less than `melt`.
 float melted(float a, float b, float melt) {
   const float h = std::max(0.0F, melt - std::abs(a - b)) / melt;
   return std::min(a, b) - 0.25F * h * h * melt;

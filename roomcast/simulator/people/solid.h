@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft shapes by their distance: hulls of two balls, possibly flattened, melted into one another,
-// and cut off by planes. What bodies and their clothes are modelled from. Metres.
-// Distance of a round cone and polynomial smooth minimum: Quilez, "Distance functions".
+// Solid: smooth shapes as signed distance functions, from which bodies and clothes are modelled:
+// hulls of two balls, optionally flattened, blended together, and cut by planes. Metres. Distance
+// of a round cone and polynomial smooth minimum: Quilez, "Distance functions".
 #pragma once
 
 #include <vector>
@@ -13,19 +13,19 @@ namespace roomcast::simulator {
 
 class Solid {
  public:
-  /// Two balls and their hull; the second argument pair is where they are.
+  /// Convex hull of two balls; `from` and `to` are their centres.
   struct Bar {
     Eigen::Vector3f from_m, to_m;
     float from_radius_m, to_radius_m;
-    /// Stretches the cross-section along x and z of the frame it is given in.
+    /// Scales the cross-section along x and z of the frame in which the bar is given.
     Eigen::Vector2f flat = {1.0F, 1.0F};
-    float melt_m = 0.02F;  // over how far it flows into what is there already
+    float melt_m = 0.02F;  // width of the blend with existing parts
   };
   void add(const Eigen::Isometry3f& frame, const Bar& bar);
-  /// Takes away what is within `reach_m` of `point` and on the side of it that `normal` points to.
+  /// Removes the parts within `reach_m` of `point` on the side that `normal` points to.
   void cut(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float reach_m);
 
-  /// About the distance; negative inside, exact in sign.
+  /// Approximate signed distance; negative inside, with exact sign.
   [[nodiscard]] float distance(const Eigen::Vector3f& at) const;
   [[nodiscard]] Eigen::Vector3f outward(const Eigen::Vector3f& at) const;  // unit length
   [[nodiscard]] Eigen::AlignedBox3f box() const { return box_; }

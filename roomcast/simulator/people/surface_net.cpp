@@ -11,7 +11,7 @@ using Eigen::Vector3i;
 
 constexpr std::uint32_t kNoVertex = ~0U;
 
-/// Distances at the corners of a grid about the solid.
+/// Distances at the corners of a grid around the solid.
 class Grid {
  public:
   Grid(const Solid& solid, float cell_m) : cell_m_(cell_m) {
@@ -44,7 +44,7 @@ Vector3i corner_of(const Vector3i& cell, int number) {
   return cell + Vector3i(number & 1, (number >> 1) & 1, number >> 2);
 }
 
-/// Mean of the points where the surface crosses the edges of a cell; false: it does not.
+/// Mean of the points at which the surface crosses the edges of a cell; false if it does not.
 bool crossing(const Grid& grid, const Vector3i& cell, Vector3f& mean) {
   Vector3f sum = Vector3f::Zero();
   int count = 0;
@@ -64,7 +64,7 @@ bool crossing(const Grid& grid, const Vector3i& cell, Vector3f& mean) {
   return true;
 }
 
-/// Pulls a vertex onto the surface, along the distance's slope.
+/// Moves a vertex onto the surface along the gradient of the distance.
 Vector3f settled(const Solid& solid, Vector3f at, float cell_m) {
   for (int i = 0; i < 2; ++i) {
     const float away = std::clamp(solid.distance(at), -0.5F * cell_m, 0.5F * cell_m);
@@ -98,7 +98,7 @@ SurfaceNet surface_net(const Solid& solid, float cell_m) {
           const bool in = grid.at(at) < 0.0F;
           const bool in_next = grid.at(at + Vector3i::Unit(axis)) < 0.0F;
           if (in == in_next) continue;
-          // The four cells round the edge from `at` along the axis, counter-clockwise about it.
+          // The four cells around the edge from `at` along the axis, counter-clockwise about it.
           const Vector3i u = Vector3i::Unit((axis + 1) % 3);
           const Vector3i v = Vector3i::Unit((axis + 2) % 3);
           std::array<std::uint32_t, 4> quad = {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface of a solid as quads: one vertex for each cell of a grid that the surface passes
-// through, in the middle of where it crosses the cell's edges. Closed, front faces
-// counter-clockwise. Metres.
-// Naive surface nets: after Gibson, "Constrained elastic surface nets", 1998.
+// Meshes the surface of a solid with quads: one vertex per grid cell that the surface passes
+// through, at the mean of its crossings with the cell's edges. Closed, front faces
+// counter-clockwise. Metres. Naive surface nets: after Gibson, "Constrained elastic surface nets",
+// 1998.
 #pragma once
 
 #include <array>

@@ -9,10 +9,10 @@ namespace {
 using Eigen::Array4f;
 using Eigen::Vector2f;
 
-/// Fine where the pattern is small, few where it is plain.
+/// Texel resolution: fine for detailed patterns, coarse for plain ones.
 struct Grain {
   int side;       // texels; a power of two, so that wrapping is a mask
-  float texel_m;  // about what a colour pixel sees from two metres
+  float texel_m;  // about the footprint of a colour pixel at two metres
 };
 
 Grain grain_of(Pattern pattern) {

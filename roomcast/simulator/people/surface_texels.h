@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The patterns of what moves, worked out once: clothes in motion are coloured by looking up texels,
-// some ten times cheaper than evaluating the patterns at every pixel. Immutable after construction.
+// SurfaceTexels: precomputed patterns of the moving surfaces. Looking up texels of moving clothes
+// is some ten times cheaper than evaluating the patterns at every pixel. Immutable after
+// construction.
 #pragma once
 
 #include <vector>
@@ -15,19 +16,18 @@ namespace roomcast::simulator {
 
 class SurfaceTexels {
  public:
-  /// Of the surfaces that the things' meshes name.
+  /// For the surfaces used by the meshes of `things`.
   SurfaceTexels(const Room& room, const MovingThings& things);
 
-  /// Albedo at a point of a surface (metres), bilinear, its fourth channel 0; what lies beyond the
-  /// texels continues at their other side.
+  /// Albedo at a point of a surface (metres), bilinear, fourth channel 0; coordinates wrap around.
   [[nodiscard]] Eigen::Array4f at(SurfaceIndex surface, const Eigen::Vector2f& uv_m) const;
 
  private:
   struct Sheet {
-    Image<Eigen::Array4f> texels;  // a power of two wide and high
+    Image<Eigen::Array4f> texels;  // width and height are powers of two
     float per_m = 1.0F;
   };
-  std::vector<Sheet> sheets_;  // by surface; without texels where nothing moving wears it
+  std::vector<Sheet> sheets_;  // by surface; empty if no moving thing uses it
 };
 
 }  // namespace roomcast::simulator

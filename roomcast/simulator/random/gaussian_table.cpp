@@ -9,7 +9,7 @@
 namespace roomcast::simulator {
 namespace {
 
-/// Where the upper tail of the normal distribution holds `tail`, by Newton's method from `start`.
+/// Quantile of the normal distribution with upper tail `tail`, by Newton's method from `start`.
 double upper_quantile(double tail, double start) {
   constexpr int kSteps = 6;
   double x = start;
@@ -26,7 +26,7 @@ double upper_quantile(double tail, double start) {
 
 GaussianTable::GaussianTable() : quantiles_(kSize), shuffled_(kSize + kRun) {
   double quantile = 0.0;
-  for (std::size_t i = kSize / 2; i < kSize; ++i) {  // from the median up, the other half mirrored
+  for (std::size_t i = kSize / 2; i < kSize; ++i) {  // from the median up; other half mirrored
     quantile = upper_quantile((static_cast<double>(kSize - i) - 0.5) / kSize, quantile);
     quantiles_[i] = static_cast<float>(quantile);
     quantiles_[kSize - 1 - i] = static_cast<float>(-quantile);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Throws that follow from a seed: the choices that make one room of a kind differ from the next.
+// Random: a pseudo-random sequence from a seed, for the choices that distinguish rooms of one kind.
 // Single-threaded.
 #pragma once
 
@@ -16,16 +16,16 @@ class Random {
  public:
   explicit Random(std::uint32_t seed) : seed_(seed) {}
 
-  /// Evenly between the two.
+  /// Uniform between the two.
   float between(float low, float high) { return low + (high - low) * unit_from_hash(throw_one()); }
-  /// 0 .. count - 1.
+  /// Uniform in 0 .. count - 1.
   int below(int count) { return static_cast<int>(throw_one() % static_cast<std::uint32_t>(count)); }
   bool chance(float probability) { return unit_from_hash(throw_one()) < probability; }
   template <class T, std::size_t N>
   const T& one_of(const std::array<T, N>& choices) {
     return choices[static_cast<std::size_t>(below(static_cast<int>(N)))];
   }
-  /// A seed for something that throws its own random, or for a pattern.
+  /// A seed for another generator or for a pattern.
   std::uint32_t seed() { return throw_one(); }
 
  private:

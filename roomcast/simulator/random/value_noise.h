@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Repeatable randomness: integer hashes and smooth noise made of them. The same arguments always
-// give the same value, on every thread and in every process. Lengths in metres. The bit mixer is
-// the finaliser of MurmurHash3 (public domain); value noise: Perlin 1985, with lattice values in
-// place of gradients.
+// Deterministic randomness: integer hashes, and smooth noise made from them. The same arguments
+// always give the same value, on every thread and in every process. Lengths in metres. The bit
+// mixer is the finaliser of MurmurHash3 (public domain); value noise: Perlin 1985, with lattice
+// values instead of gradients.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace roomcast::simulator {
   return x ^ (x >> 16);
 }
 
-/// One hash of two numbers; chain it for more.
+/// Hash of two numbers; chain calls for more.
 [[nodiscard]] constexpr std::uint32_t hash_of(std::uint32_t a, std::uint32_t b) {
   return mix_bits(a + 0x9e3779b9U * mix_bits(b + 0x7f4a7c15U));
 }
@@ -29,7 +29,7 @@ namespace roomcast::simulator {
   return static_cast<float>(hash >> 8) * (1.0F / 16777216.0F);
 }
 
-/// The n-th of any number of independent values, 0 <= value < 1, that belong to a hash.
+/// The n-th of the independent values, 0 <= value < 1, that are derived from a hash.
 [[nodiscard]] constexpr float nth_unit(std::uint32_t hash, std::uint32_t n) {
   return unit_from_hash(hash_of(hash, n));
 }
@@ -37,9 +37,9 @@ namespace roomcast::simulator {
 /// Smooth, -1..1, lattice spacing 1.
 [[nodiscard]] float value_noise(const Eigen::Vector2f& at, std::uint32_t seed);
 
-/// Octaves of value noise from `wavelength_m` down, each half as long and half as strong, about
-/// -1..1. Octaves finer than `footprint_m` (the width of what one pixel sees) are faded out, so
-/// that far surfaces do not shimmer.
+/// Octaves of value noise from `wavelength_m` down, each with half the wavelength and amplitude,
+/// about -1..1. Octaves finer than `footprint_m` (the width seen by one pixel) are faded out, so
+/// that distant surfaces do not shimmer.
 [[nodiscard]] float fractal_noise(const Eigen::Vector2f& at_m, float wavelength_m, int octaves,
                                   float footprint_m, std::uint32_t seed);
 

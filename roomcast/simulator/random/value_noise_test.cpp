@@ -30,7 +30,7 @@ TEST(ValueNoise, values_of_one_hash_are_independent) {
   for (std::uint32_t i = 0; i < kCount; ++i) {
     correlation += (nth_unit(i, 1) - 0.5) * (nth_unit(i, 2) - 0.5);
   }
-  // The mean of products of independent uniform numbers has deviation 1 / (12 sqrt(n)).
+  // The mean of products of independent uniform numbers has standard deviation 1 / (12 sqrt(n)).
   EXPECT_LT(std::abs(correlation / kCount), 4.0 / (12.0 * std::sqrt(kCount)));
 }
 

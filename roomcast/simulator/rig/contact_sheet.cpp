@@ -14,9 +14,9 @@ namespace roomcast::simulator {
 namespace {
 
 constexpr int kSensors = 4;
-constexpr double kSensorLens = 0.56;  // focal length over width: a Kinect's colour camera, about
+constexpr double kSensorLens = 0.56;  // focal length / width, about a Kinect's colour camera
 constexpr double kFreeLens = 0.52;
-constexpr int kScoutWidth = 128;  // of the small pictures that views are chosen with
+constexpr int kScoutWidth = 128;  // of the small pictures used to choose views
 
 int height_of(int width) {
   return width * 9 / 16;
@@ -36,7 +36,7 @@ RigidTransform pose_of(const simulator::SensorMount& stand) {
   return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
 }
 
-/// A room and who is in it, to be photographed.
+/// Renders pictures of a room with its people.
 class Studio {
  public:
   Studio(const SimulatedRoom& room, int threads)
@@ -44,8 +44,7 @@ class Studio {
 
   void pass_to(nanoseconds scene_time) { things_.move_to(scene_time); }
 
-  /// Share of the picture that shows people, those behind furniture left out; more than enough of
-  /// them counts as enough.
+  /// Share of the picture that shows people not hidden by furniture, limited to kEnough.
   [[nodiscard]] float people_in_view(const simulator::SensorMount& stand, double lens) {
     constexpr float kEnough = 0.05F;
     const simulator::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(stand));
@@ -76,7 +75,7 @@ class Studio {
     return picture;
   }
 
-  /// A corner at eye height or above from which most of the people can be seen.
+  /// The corner, at a height of 1.95 m, from which people cover the largest share of the picture.
   [[nodiscard]] simulator::SensorMount free_view() {
     const Eigen::Vector3f middle(0, 0.75F, 0);
     simulator::SensorMount best;
@@ -85,8 +84,8 @@ class Studio {
       const float x = (corner & 1) != 0 ? 1.0F : -1.0F;
       const float z = (corner & 2) != 0 ? 1.0F : -1.0F;
       const simulator::SensorMount stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
-                                    z * (0.5F * room_.room().size_m.z() - 0.3F)},
-                                   middle};
+                                          z * (0.5F * room_.room().size_m.z() - 0.3F)},
+                                         middle};
       const float seen = people_in_view(stand, kFreeLens);
       if (seen <= most) continue;
       most = seen;
@@ -95,7 +94,7 @@ class Studio {
     return best;
   }
 
-  /// The instant within the first half minute at which the sensors see the most of people.
+  /// The instant within 30 s at which the sensors see the most of the people.
   [[nodiscard]] nanoseconds lively_instant() {
     nanoseconds best{};
     float most = -1.0F;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What simulated rooms look like, on one picture each: a free view of the whole room beside what
-// the first four sensors see, at an instant when people are in sight. Colour without noise.
+// Overview pictures of the simulated rooms: per room one picture with a free view of the whole room
+// next to the views of the first four sensors, at an instant when people are visible. Colour
+// without noise.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +23,13 @@ struct ContactSheetOptions {
 inline constexpr int kContactSheetQuality = 74;  // of the JPEG files
 
 /// The free view on the left, the four sensors on the right: 4 cells wide, 2 high, 16:9 each.
-/// kNotFound for an unknown scene; kInvalidArgument for options out of range; kUnavailable when the
+/// kNotFound for an unknown scene; kInvalidArgument for options out of range; kUnavailable if the
 /// ray tracer does not start.
 [[nodiscard]] Result<ColorImage> contact_sheet(std::string_view scene,
                                                const ContactSheetOptions& options);
 
-/// FOLDER/<scene>.jpg for every scene there is. `done` (may be empty) is called after each. Errors
-/// as above; kUnavailable when the folder cannot be written.
+/// Writes FOLDER/<scene>.jpg for every scene. `done` (may be empty) is called after each. Errors as
+/// above; kUnavailable if the folder cannot be written.
 [[nodiscard]] Status write_contact_sheets(const std::filesystem::path& folder,
                                           const ContactSheetOptions& options,
                                           const std::function<void(int done, int total)>& done);

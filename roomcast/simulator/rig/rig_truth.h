@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RigTruth: writes what a simulated recording is to be judged by (layout: simulate_rig.h). Pictures
-// may be written by any threads, the rest by one.
+// RigTruth: writes the ground truth of a simulated recording (layout: simulate_rig.h). Pictures may
+// be written by any thread, everything else by one.
 #pragma once
 
 #include <array>
@@ -21,18 +21,18 @@ inline constexpr int kTruthJpegQuality = 97;
 
 class RigTruth {
  public:
-  /// Makes `directory` with the exact calibrations and poses of `sensors`. kUnavailable when the
-  /// disk fails.
+  /// Creates `directory` with the exact calibrations and poses of `sensors`. kUnavailable on a disk
+  /// error.
   static Result<RigTruth> create(const std::filesystem::path& directory, double fps,
-                                 std::span<const recording::RigSensor> sensors, const std::string& source,
-                                 bool with_color);
+                                 std::span<const recording::RigSensor> sensors,
+                                 const std::string& source, bool with_color);
 
   [[nodiscard]] Status write_depth(std::size_t sensor, std::uint64_t frame, DepthView depth_mm,
                                    MaskView moving) const;
   [[nodiscard]] Status write_color(std::size_t sensor, std::uint64_t frame, ColorView color) const;
 
-  /// When frame number `frame` was taken, and the gains of linear light, red first, that its colour
-  /// was taken with. In order.
+  /// Lists the capture time of frame number `frame` and the gains of linear light, red first, of
+  /// its colour. Call in order of frames.
   [[nodiscard]] Status list(std::size_t sensor, std::uint64_t frame, nanoseconds true_time,
                             const std::array<float, 3>& gains) const;
 

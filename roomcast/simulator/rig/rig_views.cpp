@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A person's wide gaze: 90 degrees.
+/// A field of view of 90 degrees, similar to a person's.
 CameraIntrinsics view_lens(int side_px) {
   CameraIntrinsics lens;
   lens.width = lens.height = side_px;
@@ -32,7 +32,7 @@ double seconds(nanoseconds time) {
   return std::chrono::duration<double>(time).count();
 }
 
-/// The recorded (not lost) frame of a sensor nearest to an instant.
+/// The recorded (not lost) frame of a sensor that is nearest in time.
 std::uint64_t nearest_frame(const simulator::FrameClock& clock, nanoseconds time, int frames) {
   std::uint64_t best = 0;
   for (std::uint64_t frame = 1; frame < static_cast<std::uint64_t>(frames); ++frame) {
@@ -44,7 +44,7 @@ std::uint64_t nearest_frame(const simulator::FrameClock& clock, nanoseconds time
   return best;
 }
 
-/// One instant: who is where, and what the sensors see of it.
+/// One instant: the moving things, and the sensors' clean depth.
 struct Instant {
   nanoseconds time;
   simulator::MovingThings things;
@@ -53,12 +53,14 @@ struct Instant {
 
 std::vector<Instant> instants_of(const SimulatedRoom& room,
                                  std::span<const SimulatedSensor* const> sensors,
-                                 const simulator::FrameClock& clock, const RigViewsOptions& options) {
+                                 const simulator::FrameClock& clock,
+                                 const RigViewsOptions& options) {
   std::vector<Instant> instants;
   for (const int third : {1, 2}) {
     if (options.frames < 3 && third == 2) break;
     const auto frame = static_cast<std::uint64_t>(third * options.frames / 3);
-    Instant instant{clock.true_time(frame), simulator::MovingThings(room.room(), options.speed), {}};
+    Instant instant{
+        clock.true_time(frame), simulator::MovingThings(room.room(), options.speed), {}};
     instant.things.move_to(instant.time);
     for (const SimulatedSensor* sensor : sensors) {
       auto moment = sensor->make_moment();
@@ -112,7 +114,8 @@ Status write_pictures(const fs::path& folder, const json& names, const FreeView&
                       const MaskImage& seen) {
   const auto path = [&](const char* which) { return folder / names[which].get<std::string>(); };
   if (Status written = io::write_color_png(path("color"), view.color()); !written) return written;
-  if (Status written = io::write_depth_png(path("depth"), view.depth_mm()); !written) return written;
+  if (Status written = io::write_depth_png(path("depth"), view.depth_mm()); !written)
+    return written;
   return io::write_mask_png(path("seen"), seen);
 }
 
@@ -120,7 +123,8 @@ Status write_pictures(const fs::path& folder, const json& names, const FreeView&
 
 Status write_rig_views(const fs::path& folder, const SimulatedRoom& room,
                        std::span<const SimulatedSensor* const> sensors,
-                       std::span<const simulator::FrameClock> clocks, const RigViewsOptions& options,
+                       std::span<const simulator::FrameClock> clocks,
+                       const RigViewsOptions& options,
                        const std::function<void(int done, int total)>& progress) {
   const CameraIntrinsics lens = view_lens(options.side_px);
   const auto places = free_viewpoints(room, sensors, options.count, options.seed);

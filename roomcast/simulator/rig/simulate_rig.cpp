@@ -42,7 +42,7 @@ Status check(const SimulateRigOptions& options) {
   return {};
 }
 
-/// One sensor of the recording: what it sees, when, and how its colour is exposed.
+/// One sensor of the recording with its clock and its exposure.
 struct Actor {
   std::unique_ptr<SimulatedSensor> sensor;
   simulator::FrameClock clock;
@@ -69,7 +69,8 @@ Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
   return actors;
 }
 
-/// Exposure follows from frame to frame, so it is worked out before frames go to many threads.
+/// Exposure depends on the previous frames, so it is computed before frames are rendered in
+/// parallel.
 Status meter(Actors& actors, int frames, int threads) {
   const auto meter_one = [&](int, int number) {
     Actor& actor = actors[static_cast<std::size_t>(number)];
@@ -109,7 +110,7 @@ std::string provenance(const SimulateRigOptions& options, const simulator::Room&
          (options.sensing.noise ? "" : ", without noise");
 }
 
-/// Renders frames and writes them. One thread's share of the memory is a Desk.
+/// Renders and writes frames. A Desk is the memory of one thread.
 class Production {
  public:
   Production(const SimulateRigOptions& options, const Actors& actors, recording::RigWriter& rig,
@@ -118,7 +119,7 @@ class Production {
     desks_.resize(static_cast<std::size_t>(threads));
   }
 
-  /// Tasks go through the sensors first, then on to the next frame.
+  /// Task order: all sensors of a frame, then the next frame.
   [[nodiscard]] std::size_t sensor_of(int task) const {
     return static_cast<std::size_t>(task) % actors_.size();
   }
@@ -189,8 +190,8 @@ class Production {
 };
 
 Status write_frames(const SimulateRigOptions& options, const Actors& actors, int frames,
-                    int threads, recording::RigWriter& rig, RigTruth& truth, const SimulateWatcher& watcher,
-                    const std::stop_token& stop) {
+                    int threads, recording::RigWriter& rig, RigTruth& truth,
+                    const SimulateWatcher& watcher, const std::stop_token& stop) {
   Production production(options, actors, rig, truth, threads);
   const int tasks = frames * static_cast<int>(actors.size());
   return run_in_order(
@@ -220,7 +221,7 @@ Status write_views(const fs::path& folder, const SimulateRigOptions& options,
       [&](int done, int total) { report(watcher, "drawing free views", done, total); });
 }
 
-/// Takes away what a failure leaves behind: never what was there before.
+/// Removes the files of a failed run; the folder was empty before.
 void remove_contents(const fs::path& directory) {
   std::error_code ignored;
   std::vector<fs::path> entries;
@@ -255,8 +256,9 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   if (!room) return std::move(room).error();
   auto actors = open_actors(*room, options, watcher);
   if (!actors) return std::move(actors).error();
-  auto rig = recording::RigWriter::create(directory, options.fps, rig_sensors(*actors, Calibration::kReported),
-                               {provenance(options, (*room)->room()), 90});
+  auto rig = recording::RigWriter::create(directory, options.fps,
+                                          rig_sensors(*actors, Calibration::kReported),
+                                          {provenance(options, (*room)->room()), 90});
   if (!rig) return std::move(rig).error();
   Status written = write_rig(directory, options, **room, *actors, *rig, watcher, stop);
   if (!written && written.error().code != ErrorCode::kClosed) remove_contents(directory);

@@ -61,11 +61,12 @@ TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
   options.timing = simulator::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
   const auto recorded =
-      recording::open_rig_source(folder_.string(), "s0", {.pace = source::Pace::kAsFastAsPossible, .loop = false})
+      recording::open_rig_source(folder_.string(), "s0",
+                                 {.pace = source::Pace::kAsFastAsPossible, .loop = false})
           .value();
-  const auto live =
-      open_simulated_source("office", 0, {.pace = source::Pace::kAsFastAsPossible, .sensor_count = 1})
-          .value();
+  const auto live = open_simulated_source(
+                        "office", 0, {.pace = source::Pace::kAsFastAsPossible, .sensor_count = 1})
+                        .value();
   const source::SensorDescription& description = recorded->description();
   EXPECT_EQ(description.name, "s0");
   EXPECT_EQ(description.calibration.depth, live->description().calibration.depth);
@@ -118,7 +119,7 @@ TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still)
     squares += error * error;
   }
   const double rms = std::sqrt(squares / static_cast<double>(clean.view().pixel_count()));
-  EXPECT_GT(rms, 0.5);  // grey levels: noise, and JPEG's
+  EXPECT_GT(rms, 0.5);  // grey levels: camera noise plus JPEG noise
   EXPECT_LT(rms, 4.0);
 }
 
@@ -180,7 +181,7 @@ TEST_F(SimulateRig, free_views_lie_in_the_truth_with_the_frames_nearest_to_them)
   EXPECT_GT(covered, 120 * 120 / 5);
 }
 
-/// Every file's name and contents.
+/// The name and contents of every file.
 std::map<std::string, std::string> contents_of(const fs::path& folder) {
   std::map<std::string, std::string> contents;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -236,7 +237,8 @@ TEST_F(SimulateRig, stopped_it_leaves_a_shorter_recording) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kClosed);
   EXPECT_EQ(lines_of(folder_ / "s0/depth.txt").size(), 2U);
-  EXPECT_EQ(recording::read_rig_json(folder_ / "rig.json")->source.find("not finished"), std::string::npos);
+  EXPECT_EQ(recording::read_rig_json(folder_ / "rig.json")->source.find("not finished"),
+            std::string::npos);
 }
 
 TEST_F(SimulateRig, a_failure_leaves_nothing_behind) {

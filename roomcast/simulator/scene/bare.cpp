@@ -7,7 +7,7 @@
 namespace roomcast::simulator {
 namespace {
 
-/// One paint for all walls and the ceiling, one even cover for the floor.
+/// One paint for all walls and the ceiling, one uniform surface for the floor.
 void add_empty_shell(Room& room, Random& random) {
   constexpr std::array<std::uint32_t, 4> kPaints = {0xdedcd6, 0xd2d6d8, 0xe2d9c8, 0xcdd2c8};
   constexpr std::array<std::uint32_t, 4> kFloors = {0x8a8d90, 0x9a8c78, 0x74808a, 0xb0aca4};

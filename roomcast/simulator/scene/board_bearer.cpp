@@ -14,15 +14,15 @@ using Eigen::Affine3f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kStill_s = 1.4F;                 // at every turn
-constexpr int kTurns = 10;                       // at every place
-constexpr float kTurned_rad = 0.63F;             // from one to the next
-constexpr float kArm_m = 0.45F, kRest_m = 0.9F;  // where the board rests at first: ahead, so high
-constexpr float kAboveHands_m = 0.17F;           // the panel's middle
+constexpr float kStill_s = 1.4F;                 // pause after each turn
+constexpr int kTurns = 10;                       // per place
+constexpr float kTurned_rad = 0.63F;             // angle between turns
+constexpr float kArm_m = 0.45F, kRest_m = 0.9F;  // initial place of the board: ahead, height
+constexpr float kAboveHands_m = 0.17F;           // centre of the panel
 constexpr float kPictureSide_m = kBoardTagSide_m * 10 / 8;  // with a white cell around
 
-/// An A3 panel; whoever carries it sees its back, and holds it by its lower corners: whatever
-/// covers a tag's corner from one side hides it from there.
+/// An A3 panel with its back towards the carrier, held by its lower corners: a hand on a corner of
+/// the tag would hide it from one side.
 Burden board(Room& room) {
   Burden burden;
   burden.half_size_m = {0.1485F, 0.21F, 0.008F};
@@ -40,7 +40,7 @@ Burden board(Room& room) {
   return burden;
 }
 
-/// Where somebody stops without touching anything, each place once.
+/// The places at which a person stops without touching anything, each once.
 std::vector<Vector2f> places_of(const Person& person) {
   std::vector<Vector2f> places;
   const auto add = [&](const Vector2f& at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How every scene begins: a room of some size, with its sensors, and nothing in it. Metres.
+// Starts a scene: a room of given size with its sensors and nothing else. Metres.
 #pragma once
 
 #include "roomcast/simulator/random/random.h"
@@ -20,7 +20,7 @@ using DrawStands = Stands(const Eigen::Vector3f& room_size_m, Random& random);
   return room;
 }
 
-/// Of the empty room, what its sensors look across kept free.
+/// Floor plan of the empty room, with the sensors' views kept free.
 [[nodiscard]] inline FloorPlan plan_of(const Room& room, Random& random) {
   FloorPlan plan(room.size_m, random.seed());
   for (const SensorMount& stand : room.sensor_mounts) plan.keep_view(stand);

@@ -17,7 +17,7 @@ using Eigen::Vector3f;
 constexpr int kTries = 60;
 constexpr float kGap_m = 0.06F;       // between pieces
 constexpr float kWallGap_m = 0.025F;  // skirting boards
-constexpr float kSide_m = 0.04F;      // between things on a wall
+constexpr float kSide_m = 0.04F;      // between objects on a wall
 
 float signed_angle_turn(int wall) {
   constexpr float kQuarter = 0.5F * std::numbers::pi_v<float>;

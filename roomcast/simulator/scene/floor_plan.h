@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has which place in a room: furniture on the floor, what hangs on the walls, the ways people
-// walk, what sensors look across. Places are drawn at random and taken when nothing is in the way,
-// so a seed makes a layout and nothing runs into anything. Metres, radians; world frame of room.h,
-// plan coordinates are (x, z). Single-threaded.
+// FloorPlan: allocates space in a room to furniture, wall objects, walking paths and sensor views.
+// Positions are drawn at random and accepted if they are free, so a seed determines a layout
+// without collisions. Metres, radians; world frame of room.h, plan coordinates are (x, z).
+// Single-threaded.
 #pragma once
 
 #include <optional>
@@ -23,27 +23,27 @@ class FloorPlan {
  public:
   FloorPlan(const Eigen::Vector3f& room_size_m, std::uint32_t seed);
 
-  /// Nothing will stand on the way between two points.
+  /// Keeps the strip between two points free of furniture.
   void keep_way(const Eigen::Vector2f& from_m, const Eigen::Vector2f& to_m, float half_width_m);
-  /// Nothing tall will stand about a sensor or close before it.
+  /// Keeps tall objects away from a sensor and from the space close in front of it.
   void keep_view(const SensorMount& stand);
 
-  /// A place of this size (width, height, depth), taken: a frame on the floor with its front
-  /// towards +z. `front_m`: what is kept free before it. Nothing when there is no room.
+  /// Allocates a place of this size (width, height, depth) and returns its frame on the floor, with
+  /// the front towards +z. `front_m`: depth kept free in front. Nothing if there is no space.
   std::optional<Eigen::Affine3f> against_wall(const Eigen::Vector3f& size_m, float front_m,
                                               int wall = kAnyWall);
   std::optional<Eigen::Affine3f> in_corner(const Eigen::Vector3f& size_m);
   std::optional<Eigen::Affine3f> in_the_open(const Eigen::Vector3f& size_m);
-  /// That very place, when it is free.
+  /// Allocates exactly this place if it is free.
   bool take(const Eigen::Affine3f& at, const Eigen::Vector3f& size_m);
   [[nodiscard]] bool is_free(const Footprint& footprint) const;
 
-  /// A piece of wall of this size (width, height, depth), taken; the frame of furniture.h's
-  /// on_wall.
+  /// Allocates a piece of wall of this size (width, height, depth); returns the frame of
+  /// furniture.h's on_wall.
   std::optional<Eigen::Affine3f> on_wall_at(const Eigen::Vector3f& size_m, float middle_height_m,
                                             int wall = kAnyWall);
 
-  /// Everything that stands on the floor.
+  /// The footprints of everything on the floor.
   [[nodiscard]] const std::vector<Footprint>& taken() const { return taken_; }
 
  private:
@@ -62,7 +62,7 @@ class FloorPlan {
   std::vector<Footprint> taken_, ways_;
   struct Clearing {
     Footprint area;
-    float lowest_m;  // what is lower does not matter
+    float lowest_m;  // lower objects do not conflict
   };
   std::vector<Clearing> views_;
   std::vector<WallPatch> wall_patches_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts pieces of furniture into a room where its floor plan has a place for them, in sizes and with
-// things on them drawn from random. What finds no place is left out. Metres; single-threaded.
+// Furnisher: adds furniture to a room where its floor plan has space, with sizes and accessories
+// drawn at random. Pieces without space are omitted. Metres; single-threaded.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,13 @@ class Furnisher {
  public:
   using Place = std::optional<Eigen::Affine3f>;
 
-  /// All three have to outlive it.
+  /// All three arguments must outlive the Furnisher.
   Furnisher(Room& room, FloorPlan& plan, Random& random)
       : room_(room), plan_(plan), random_(random), palette_(draw_palette(room, random)) {}
 
   [[nodiscard]] const Palette& palette() const { return palette_; }
 
-  // To live in. Frames are those of furniture.h.
+  // Living rooms. Frames are those of furniture.h.
   Place sofa(float front_m);
   Place coffee_table_before(const Eigen::Affine3f& sofa);
   void rug_under(const Eigen::Vector2f& middle_m, const Eigen::Vector2f& size_m);
@@ -36,26 +36,26 @@ class Furnisher {
   void floor_lamp();
   void odds_and_ends(int count);  // crates, stools, balls, bins, a bicycle
 
-  // To work at.
-  /// The desk's frame; its chair stands before it, turned away from it unless `pulled_up`.
+  // Offices and laboratories.
+  /// Returns the desk's frame; the chair in front of it is turned away unless `pulled_up`.
   Place desk(bool pulled_up, float front_m = 0.0F);
   Place rack();
   Place lab_bench(float front_m, bool equipped);
   Place cabinet();
 
-  // On walls and ceilings.
+  // Walls and ceilings.
   void window(int wall = kAnyWall);
   void door();
   void pictures(int count);
   void clock();
   Place whiteboard(float front_m);
   Place wall_screen();
-  /// A lamp in the middle of the ceiling.
+  /// A lamp at the centre of the ceiling.
   void pendant();
-  /// Glowing panels that light the room.
+  /// Luminous panels that light the room.
   void panels();
 
-  /// Things on a top of `size_m` (width, depth) whose middle is the frame's origin.
+  /// Puts objects on a top of `size_m` (width, depth) whose centre is the frame's origin.
   void set_out(const Eigen::Affine3f& on_top, const Eigen::Vector2f& size_m, int count);
   void monitor_and_keyboard(const Eigen::Affine3f& on_top);
 
@@ -69,7 +69,7 @@ class Furnisher {
   Palette palette_;
 };
 
-/// The middle of a sofa's seat and where one stands before sitting down.
+/// The centre of a sofa's seat, and the standing position in front of it.
 struct Seat {
   Eigen::Vector3f seat_m;
   Eigen::Vector2f stand_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people live with.
+// Furniture of living rooms.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -231,7 +231,7 @@ void Furnisher::odds_and_ends(int count) {
 void Furnisher::set_out(const Affine3f& on_top, const Vector2f& size_m, int count) {
   constexpr std::array<std::uint32_t, 5> kGlazes = {0xb83a30, 0x2f6f5a, 0xf0ede4, 0x2a4a8c,
                                                     0xd07a2a};
-  for (int i = 0; i < count; ++i) {  // side by side, so that nothing meets
+  for (int i = 0; i < count; ++i) {  // next to each other, so that they do not overlap
     const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;
     const Affine3f at =
         moved(on_top, {share * size_m.x(), 0, random_.between(-0.3F, 0.3F) * size_m.y()},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people work at, and what hangs on walls and ceilings.
+// Furniture of workplaces, and objects on walls and ceilings.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,7 +61,7 @@ Furnisher::Place Furnisher::lab_bench(float front_m, bool equipped) {
   add_lab_bench(room_, *at, palette_.white, palette_.metal, size, shelf);
   add_drawers(room_, moved(*at, {0.5F * size.x() - 0.33F, 0, -0.02F}), palette_.metal,
               palette_.dark, {0.42F, 0.78F, 0.55F});
-  // Left of the middle stays free for what is brought there.
+  // Left of the centre stays free for objects that people bring.
   const float right = 0.5F * size.x();
   add_instrument(room_, moved(*at, {right - 0.26F, size.y(), -0.08F}, -0.1F), {0.38F, 0.18F, 0.30F},
                  random_.seed());

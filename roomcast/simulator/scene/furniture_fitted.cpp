@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room's shell, and what hangs on its walls or stands on a desk.
+// The room's shell, and objects on walls or desks.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@ using Eigen::AngleAxisf;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Four bars round a rectangle about the local origin, on the wall.
+/// Four bars on the wall that form a rectangle around the local origin.
 void add_frame(Room& room, const Affine3f& at, SurfaceIndex surface, const Vector2f& inner_m,
                float bar_m, float thickness_m) {
   const float x = 0.5F * inner_m.x();

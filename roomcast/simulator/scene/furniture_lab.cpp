@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in laboratories and meeting rooms: benches with equipment, racks, cable trays,
-// boards.
+// Furniture of laboratories and meeting rooms: benches with equipment, racks, cable trays, boards.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -185,7 +184,7 @@ void add_whiteboard(Room& room, const Affine3f& on_wall, SurfaceIndex frame, con
                     std::uint32_t seed) {
   Surface board = painted(Pattern::kDrawings, 0xf4f5f4, 0x1f3f8c, 0xa03030, seed, 0.6F);
   board.size_m = size_m;
-  board.gloss = 0.04F;  // enamel, not as even as glass
+  board.gloss = 0.04F;  // enamel, less smooth than glass
   board.polish = 1200.0F;
   add_picture(room, on_wall, frame, board);
   const float y = -0.5F * size_m.y() - 0.03F;

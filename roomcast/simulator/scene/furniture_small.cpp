@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on tables, and light pieces: round tables, stools, lamps, cups, books,
-// laptops, bicycles.
+// Objects on tables, and light furniture: round tables, stools, lamps, cups, books, laptops,
+// bicycles.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -214,7 +214,7 @@ void add_bicycle(Room& room, const Affine3f& at, std::uint32_t seed) {
                 0.7F);
   add_cushion(room.mesh, rubber, at, seat + Vector3f(-0.03F, 0.16F, 0), {0.13F, 0.03F, 0.07F},
               0.8F);
-  bar(metal, pedals + Vector3f(0, 0, 0.05F), Vector3f(-0.16F, 0.0F, 0.22F), 0.008F);  // its stand
+  bar(metal, pedals + Vector3f(0, 0, 0.05F), Vector3f(-0.16F, 0.0F, 0.22F), 0.008F);  // kickstand
   add_ring(room, at, metal, pedals + Vector3f(0, 0, 0.05F), 0.08F, 0.006F);
 }
 

@@ -104,7 +104,7 @@ void add_book_row(Room& room, const Affine3f& at, float width_m, float height_m,
     const float thickness = std::min(0.018F + 0.035F * unit_from_hash(hash), width_m - x);
     const float height = height_m * (0.68F + 0.27F * nth_unit(hash, 3U));
     const float depth = 0.15F + 0.06F * nth_unit(hash, 5U);
-    if (hash % 11U != 0U) {  // now and then a gap
+    if (hash % 11U != 0U) {  // occasional gap
       Surface cover;
       cover.pattern = Pattern::kBookSpine;
       cover.base = linear_from_srgb(kCovers[hash % kCovers.size()]);

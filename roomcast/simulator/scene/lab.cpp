@@ -10,7 +10,7 @@ namespace {
 using Eigen::Affine3f;
 using Eigen::Vector3f;
 
-/// A monitor on its foot, with the middle of it at the origin.
+/// A monitor on its foot, with its centre at the origin.
 Burden monitor_to_carry(Room& room, const Palette& palette, Random& random) {
   Surface shown =
       glazed(painted(Pattern::kScreen, 0x20262e, 0x3a6a9a, 0x101418, random.seed(), 0.05F));

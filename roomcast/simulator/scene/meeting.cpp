@@ -16,7 +16,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kChairHeight_m = 0.47F;
-constexpr float kFromEdge_m = 0.30F;  // of the table to the middle of a chair
+constexpr float kFromEdge_m = 0.30F;  // of the table to the centre of a chair
 
 struct Table {
   Affine3f at;
@@ -24,7 +24,7 @@ struct Table {
   std::vector<Affine3f> chairs;
 };
 
-/// A table with rounded corners on two feet, and chairs along its long sides.
+/// A table on two feet with rounded corners, and chairs along its long sides.
 std::optional<Table> add_meeting_table(Room& room, FloorPlan& plan, const Palette& palette,
                                        const Vector2f& middle_m, float yaw_rad, Random& random) {
   Table table;
@@ -80,7 +80,7 @@ std::optional<Room> try_meeting(std::uint32_t seed) {
   add_plain_shell(room, random.chance(0.6F) ? FloorKind::kCarpet : FloorKind::kBoards, random);
   Furnisher furnisher(room, plan, random);
   furnisher.panels();
-  // The board is on a long wall; the table stands nearer to the other one.
+  // The board is on a long wall; the table is closer to the opposite wall.
   const bool flipped = random.chance(0.5F);
   const int board_wall = flipped ? 3 : 2;
   const float to_board = flipped ? 1.0F : -1.0F;
@@ -91,7 +91,7 @@ std::optional<Room> try_meeting(std::uint32_t seed) {
   if (!table || !board) return std::nullopt;
   add_whiteboard(room, *board, furnisher.palette().metal, {1.8F, 1.1F}, random.seed());
 
-  // Along the board, from writing to showing, and back.
+  // Path along the board, from writing to showing, and back.
   const float lane = to_board * (0.5F * room.size_m.z() - 0.58F);
   const float along = board->translation().x();
   Waypoint write, show, think;

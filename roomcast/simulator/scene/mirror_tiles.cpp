@@ -14,7 +14,7 @@ using Eigen::Affine3f;
 using Eigen::Vector2f;
 
 /// Tiles fit the room exactly: the floor looks the same when it is shifted by a tile, mirrored, or
-/// turned half round.
+/// rotated by 180 degrees.
 void add_tiled_shell(Room& room, float tile_m, Random& random) {
   constexpr std::array<std::array<std::uint32_t, 2>, 4> kTones = {
       {{0xe4e0d6, 0x3a4a5a}, {0xd8d4cc, 0x8a3a30}, {0xe8e6e0, 0x2f5f4a}, {0xd0d4d8, 0x5a4a3a}}};
@@ -29,7 +29,7 @@ void add_tiled_shell(Room& room, float tile_m, Random& random) {
   add_shell(room, shell);
 }
 
-/// The same poster again and again: three on each long wall, two on each short one.
+/// Identical posters: three on each long wall, two on each short one.
 void add_posters(Room& room, const Furnisher& furnisher, Random& random) {
   Surface poster = painted(Pattern::kPoster, 0xf0ece0, 0x2f4a6a, 0x202020, random.seed());
   const std::array<std::array<std::uint32_t, 2>, 3> tones = {
@@ -49,7 +49,7 @@ void add_posters(Room& room, const Furnisher& furnisher, Random& random) {
   }
 }
 
-/// Two rows of the same chair, back to the long walls.
+/// Two rows of identical chairs, backs to the long walls.
 void add_rows_of_chairs(Room& room, FloorPlan& plan, const Furnisher& furnisher, int per_row) {
   const float pitch = 0.72F;
   const float from_wall = 0.5F * room.size_m.z() - 0.36F;

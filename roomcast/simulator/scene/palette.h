@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours and cloths of one room, drawn from random: surfaces that many things share.
+// Palette: the surfaces that many objects of one room share, with colours and cloths drawn at
+// random.
 #pragma once
 
 #include "roomcast/simulator/random/random.h"
@@ -17,12 +18,12 @@ struct Palette {
 [[nodiscard]] Palette draw_palette(Room& room, Random& random);
 
 enum class FloorKind { kBoards, kCarpet, kTerrazzo, kConcrete };
-/// Floor, ceiling, skirting and walls with something to see in them: brick, wallpaper, plaster.
+/// Floor, ceiling, skirting and walls with texture: brick, wallpaper, plaster.
 void add_homely_shell(Room& room, FloorKind floor, Random& random);
 /// Painted walls, one of them in another colour.
 void add_plain_shell(Room& room, FloorKind floor, Random& random);
 
-/// A person in their own build, clothes, skin and hair, without anything to do yet.
+/// A person with random build, clothes, skin and hair, and no activities yet.
 [[nodiscard]] Person draw_person(Room& room, Random& random);
 
 }  // namespace roomcast::simulator

@@ -11,12 +11,12 @@
 
 namespace roomcast::simulator {
 
-/// Between two colours; the share is clamped to 0..1.
+/// Interpolates between two colours; the share is clamped to 0..1.
 inline Eigen::Vector3f mix(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float share_of_b) {
   return a + (b - a) * std::clamp(share_of_b, 0.0F, 1.0F);
 }
 
-// What rooms are built of.
+// Building materials.
 Eigen::Vector3f plain(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f plaster(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f planks(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
@@ -36,7 +36,7 @@ Eigen::Vector3f plaid(const Surface& s, const Eigen::Vector2f& at_m, float footp
 Eigen::Vector3f denim(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f stripes(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 
-// Pictures, and what is drawn like one.
+// Pictures and printed objects.
 Eigen::Vector3f book_spine(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f painting(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);
 Eigen::Vector3f garden(const Surface& s, const Eigen::Vector2f& at_m, float footprint_m);

@@ -16,7 +16,7 @@ std::uint32_t cell_hash(float column, float row, std::uint32_t seed) {
                  static_cast<std::uint32_t>(static_cast<int>(row)));
 }
 
-/// Fibres along u: noise that is long in u and thin in v.
+/// Fibres along u: noise with long wavelength in u and short in v.
 float grain(const Vector2f& at_m, float footprint_m, std::uint32_t seed) {
   const Vector2f stretched(at_m.x() * 0.12F, at_m.y());
   return fractal_noise(stretched, 0.03F, 3, footprint_m, seed);
@@ -32,13 +32,12 @@ float joint(float in_cell_m, float extent_m, float width_m, float footprint_m) {
 }
 
 struct Cell {
-  float column, row;  // which
-  Vector2f inside_m;  // where in it
+  float column, row;  // indices of the cell
+  Vector2f inside_m;  // position in the cell
   std::uint32_t hash;
 };
 
-/// Courses of `size_m` cells, every course shifted by its own amount (bricks: half, boards:
-/// anything).
+/// Courses of `size_m` cells, each shifted by its own offset (bricks: half a cell, boards: random).
 Cell course_cell(const Vector2f& at_m, const Vector2f& size_m, bool half_bond, std::uint32_t seed) {
   const float row = std::floor(at_m.y() / size_m.y());
   const float random_shift = unit_from_hash(cell_hash(0.0F, row, seed ^ 77U));

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Stripes of one direction of a tartan: 0..1, wide and thin ones that do not repeat for 5 periods.
+/// Stripes of one direction of a tartan: 0..1, wide and thin, without repetition for 5 periods.
 float tartan(float at_m, float period_m, float footprint_m, std::uint32_t seed) {
   const float stripe = std::floor(at_m / period_m);
   const float inside = at_m / period_m - stripe;
@@ -23,13 +23,13 @@ float tartan(float at_m, float period_m, float footprint_m, std::uint32_t seed) 
   return std::clamp(0.7F * band + 0.5F * thread, 0.0F, 1.0F);
 }
 
-/// Where in a rug: 0 at the centre, 1 at the rim.
+/// Relative position in a rug: 0 at the centre, 1 at the rim.
 float rim_distance(const Vector2f& centred_m, const Vector2f& size_m) {
   const Vector2f to_rim = 0.5F * size_m - centred_m.cwiseAbs();
   return 1.0F - 2.0F * std::min(to_rim.x(), to_rim.y()) / std::min(size_m.x(), size_m.y());
 }
 
-/// A flower-like ornament around a centre, its petals counted and turned by the hash.
+/// A flower-like ornament around a centre; the hash gives number and rotation of its petals.
 float ornament(const Vector2f& p, float radius, std::uint32_t hash) {
   const float petals = 4.0F + static_cast<float>(hash % 5U);
   const float wave =

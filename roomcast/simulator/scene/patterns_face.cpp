@@ -20,8 +20,8 @@ float oval(const Vector2f& at, const Vector2f& middle, const Array2f& half_size,
 
 }  // namespace
 
-/// u: metres round the head from the nose, v: metres above the neck's joint. The base is the skin,
-/// the accent the lips, the trim brows and eyes.
+/// u: metres around the head from the nose, v: metres above the neck's joint. Base colour: skin,
+/// accent: lips, trim: brows and eyes.
 Vector3f face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const Vector2f mirrored(std::abs(at_m.x()), at_m.y());
   const float blur = 0.25F + footprint_m / 0.008F;

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// A saturated colour of the given hue, 0..1 round the wheel.
+/// A saturated colour of the given hue, 0..1 around the colour wheel.
 Vector3f hue(float turn) {
   const Vector3f phase(0.0F, 0.33F, 0.67F);
   const Vector3f wave = ((phase.array() + turn) * 6.2832F).cos();
@@ -22,7 +22,7 @@ float disc(const Vector2f& p, const Vector2f& centre, float radius) {
   return std::clamp((radius - (p - centre).norm()) / 0.012F, 0.0F, 1.0F);
 }
 
-/// Hills behind hills under a sky with a sun. `p` is 0..1 in the picture, y up.
+/// Several ranges of hills under a sky with a sun. `p` is 0..1 in the picture, y up.
 Vector3f landscape(const Surface& s, const Vector2f& p, float footprint) {
   Vector3f color = mix(linear_from_srgb(0xf2d3a8), linear_from_srgb(0x5f8fc4), p.y() * 1.2F - 0.2F);
   const float clouds = fractal_noise({p.x(), p.y() * 2.5F}, 0.4F, 4, footprint, s.seed);
@@ -40,7 +40,7 @@ Vector3f landscape(const Surface& s, const Vector2f& p, float footprint) {
   return color;
 }
 
-/// Overlapping discs and bars on a ground.
+/// Overlapping discs and bars on a background.
 Vector3f abstract(const Surface& s, const Vector2f& p, float footprint) {
   Vector3f color = s.base * (1.0F + 0.3F * fractal_noise(p, 0.3F, 5, footprint, s.seed));
   for (std::uint32_t i = 0; i < 14U; ++i) {
@@ -57,7 +57,7 @@ Vector3f abstract(const Surface& s, const Vector2f& p, float footprint) {
   return color * (1.0F + 0.12F * fractal_noise(p, 0.02F, 3, footprint, s.seed + 6U));
 }
 
-/// 1 on the strokes of something like handwriting in lines of the given height.
+/// 1 on strokes that resemble handwriting, in lines of the given height.
 float handwriting(const Vector2f& at_m, float line_m, float footprint_m, std::uint32_t seed) {
   const float line = std::floor(at_m.y() / line_m);
   const auto line_seed = hash_of(seed, static_cast<std::uint32_t>(static_cast<int>(line)));

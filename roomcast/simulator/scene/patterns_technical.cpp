@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Floors and faces of places where people work: tiles, concrete, racks, keyboards; and paint with
-// next to nothing to see in it.
+// Floors and equipment of workplaces: tiles, concrete, racks, keyboards; and paint with almost no
+// texture.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ std::uint32_t hash_of_cell(const Vector2f& cell, std::uint32_t seed) {
                  static_cast<std::uint32_t>(static_cast<int>(cell.y())));
 }
 
-/// 0..1 across an edge at 0 that is `blur` wide.
+/// 0..1 across an edge at 0 of width `blur`.
 float step(float beyond, float blur) {
   return std::clamp(beyond / blur + 0.5F, 0.0F, 1.0F);
 }
@@ -31,7 +31,7 @@ Vector3f tiles(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const Vector2f inside = (turns.array() - turns.array().floor()).matrix();
   const Vector2f from_middle = (inside.array() - 0.5F).abs().matrix();  // mirrored: 0 .. 0.5
   const float blur = std::max(0.012F, footprint_m / s.size_m.minCoeff());
-  const float fade = std::min(1.0F, 0.35F / blur);  // far tiles turn into their mean
+  const float fade = std::min(1.0F, 0.35F / blur);  // distant tiles fade to their mean
   const float sum = from_middle.x() + from_middle.y();
   float motif = 0.0F;
   switch (s.seed % 3U) {
@@ -100,7 +100,7 @@ Vector3f rack_face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   const float edge = std::min(at_m.y(), s.size_m.y() - at_m.y());
   if (edge < 0.006F || at_m.x() < 0.02F || at_m.x() > s.size_m.x() - 0.02F) return s.base * 1.15F;
   if (block % 3U == 0U) return mix(s.base, s.accent, 0.15F + 0.5F * hole);  // a grille
-  if (block % 3U == 1U) {  // ports, some with a light
+  if (block % 3U == 1U) {  // ports, some with an indicator light
     const Vector3f light =
         (hash & 1U) != 0U ? Vector3f(0.1F, 0.7F, 0.2F) : Vector3f(0.8F, 0.45F, 0.1F);
     const Vector3f port = mix(s.base, s.trim, hole);
@@ -109,7 +109,7 @@ Vector3f rack_face(const Surface& s, const Vector2f& at_m, float footprint_m) {
   return s.base * (1.0F + 0.1F * fractal_noise(at_m, 0.05F, 2, footprint_m, s.seed));
 }
 
-/// Rows from the top, a bit for each cell, the left one highest; 1: white.
+/// Rows from the top, one bit per cell, the leftmost is the most significant; 1: white.
 constexpr std::array<unsigned, 10> kTagRows = {0x3ff, 0x201, 0x2d5, 0x275, 0x261,
                                                0x2a1, 0x259, 0x211, 0x201, 0x3ff};
 

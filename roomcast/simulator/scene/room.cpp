@@ -17,7 +17,7 @@ constexpr std::array<TryBuild, kSceneNames.size()> kTryBuild = {
     try_livingroom, try_office, try_lab,          try_meeting,
     try_studio,     try_bare,   try_mirror_tiles, try_corners};
 
-/// One throw in a few leaves no place for what a scene needs; the next one is another room.
+/// Some seeds leave no space for an object that a scene requires; then a derived seed is tried.
 Room first_that_fits(TryBuild try_build, std::uint32_t seed) {
   constexpr std::uint32_t kMaxThrows = 200;
   for (std::uint32_t i = 0; i < kMaxThrows; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A furnished room: what stands still in it, how it is lit, where sensors stand, and who is
-// in it. World frame: metres, y up, floor at y = 0, the origin in the middle of the floor.
+// Room: a furnished room: its static mesh, lights, sensor mounts and people. World frame: metres, y
+// up, floor at y = 0, origin at the centre of the floor.
 #pragma once
 
 #include <array>
@@ -21,12 +21,12 @@ namespace roomcast::simulator {
 
 struct Light {
   Eigen::Vector3f position_m;
-  Eigen::Vector3f power;   // linear light per channel that one square metre gets at one metre
-  Eigen::Vector3f facing;  // a window lights one side only; zero: every direction
-  float radius_m = 0.1F;   // size of what glows: makes shadows soft
+  Eigen::Vector3f power;   // linear light per channel received by one square metre at one metre
+  Eigen::Vector3f facing;  // a window lights one side only; zero: all directions
+  float radius_m = 0.1F;   // size of the luminous part: makes shadows soft
 };
 
-/// Where a sensor stands and what it looks at.
+/// Position of a sensor and the point it looks at.
 struct SensorMount {
   Eigen::Vector3f eye_m;
   Eigen::Vector3f target_m;
@@ -39,12 +39,12 @@ struct Room {
   TriangleMesh mesh;
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
-  Eigen::Vector3f ambient;  // light from everywhere, linear
+  Eigen::Vector3f ambient;  // linear light from all directions
   std::array<SensorMount, kMaxSimulatedSensors>
-      sensor_mounts;  // any first few of them see the whole room
+      sensor_mounts;  // any prefix of them covers the whole room
   std::vector<Person> people;
-  int unique_things = -1;  // of a room made of repetitions: what is there once; -1: no such room
-  std::vector<Footprint> footprints;  // of what stands on the floor
+  int unique_things = -1;  // number of unique objects in a room of repetitions; -1: not such a room
+  std::vector<Footprint> footprints;  // of the objects on the floor
 
   SurfaceIndex add(const Surface& surface) {
     surfaces.push_back(surface);
@@ -52,14 +52,14 @@ struct Room {
   }
 };
 
-/// The default comes first.
+/// The default scene is the first.
 inline constexpr std::array<std::string_view, 8> kSceneNames = {
     "livingroom", "office", "lab", "meeting", "studio", "bare", "mirror-tiles", "corners"};
-/// Their names as part of a sentence.
+/// The scene names as a list for messages.
 [[nodiscard]] std::string scene_list();
 
-/// A room of one kind ("": the default), another one for every seed. kNotFound, listing the scenes,
-/// for another name.
+/// Builds a room of one kind ("": the default); each seed gives another room. kNotFound, listing
+/// the scenes, for an unknown name.
 [[nodiscard]] Result<Room> build_room(std::string_view scene, std::uint64_t seed);
 
 }  // namespace roomcast::simulator

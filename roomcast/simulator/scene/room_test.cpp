@@ -37,7 +37,7 @@ TEST_P(Rooms, triangles_name_vertices_and_surfaces_that_exist) {
 }
 
 TEST_P(Rooms, everything_is_inside_the_walls) {
-  constexpr float kSlack_m = 0.06F;    // lamps go into the ceiling
+  constexpr float kSlack_m = 0.06F;    // lamps extend into the ceiling
   constexpr float kTilted_m = 0.008F;  // ends of slanted bars
   const Eigen::Vector3f half = 0.5F * room_.size_m + Eigen::Vector3f::Constant(kSlack_m);
   for (const auto& point : room_.mesh.positions) {
@@ -49,7 +49,7 @@ TEST_P(Rooms, everything_is_inside_the_walls) {
   }
 }
 
-/// Whether a point is near a seat that the person sits down on.
+/// True if a point is near a seat on which the person sits down.
 bool near_own_seat(const Person& person, const Eigen::Vector3f& point) {
   return std::any_of(person.stops.begin(), person.stops.end(), [&](const Waypoint& stop) {
     return stop.activity == Activity::kSit && (stop.seat_m - point).norm() < 1.3F;
@@ -62,7 +62,7 @@ TEST_P(Rooms, people_keep_clear_of_the_furniture) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Room room = build_room(GetParam(), seed).value();
     for (const Person& person : room.people) {
-      if (person.stops.size() == 1) continue;  // they are where they are: on their chair
+      if (person.stops.size() == 1) continue;  // seated permanently on their chair
       const Itinerary itinerary(person.stops, person.pace_m_s);
       for (float time_s = 0; time_s < itinerary.period_s(); time_s += 0.25F) {
         const Eigen::Vector2f at = itinerary.place_at(time_s).at_m;
@@ -101,7 +101,7 @@ TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
     const Eigen::Vector2f moved = room_.footprints[i].centre_m - other.footprints[i].centre_m;
     elsewhere += moved.norm() > 0.1F ? 1 : 0;
   }
-  const bool rows = GetParam() == "mirror-tiles";  // chairs in rows stay in their rows
+  const bool rows = GetParam() == "mirror-tiles";  // chairs in rows are placed as rows
   EXPECT_GE(elsewhere, rows ? 0 : 3);
 }
 

@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kShoulders_m = 0.34F;  // half the width of a way
-constexpr float kArm_m = 0.52F;        // from between the feet to what a hand goes to
+constexpr float kShoulders_m = 0.34F;  // half the width of a path
+constexpr float kArm_m = 0.52F;        // from between the feet to the target of a hand
 
 float heading_to(const Vector2f& from_m, const Vector2f& to_m) {
   return std::atan2(to_m.x() - from_m.x(), to_m.y() - from_m.y());
@@ -58,7 +58,7 @@ bool Route::to_reach(const Eigen::Affine3f& piece, const Vector3f& point_m, Acti
   stop.target_m = piece * point_m;
   const Vector3f front = piece.linear().col(2);
   const Vector2f out(front.x(), front.z());
-  // The right hand works a little to the right of the middle.
+  // The right hand works slightly to the right of the centre.
   const Vector2f left(-out.y(), out.x());
   const bool one_handed = activity != Activity::kTakeUp && activity != Activity::kPutDown;
   stop.at_m = Vector2f(stop.target_m.x(), stop.target_m.z()) + kArm_m * out -

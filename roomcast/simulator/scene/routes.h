@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What somebody does in a room in turn, and the ways between: all start from a free place in the
-// room's middle, and are kept free of furniture. Metres, seconds; single-threaded.
+// Route: builds a person's waypoints and the paths between them. All paths start at a free place
+// near the room's centre and are kept free of furniture. Metres, seconds; single-threaded.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ namespace roomcast::simulator {
 
 class Route {
  public:
-  /// Draws the free place and keeps it free. All three have to outlive it.
+  /// Draws the free place and keeps it free. All three arguments must outlive the Route.
   Route(Room& room, FloorPlan& plan, Random& random);
 
   [[nodiscard]] const Eigen::Vector2f& plaza() const { return plaza_m_; }
 
-  /// Each adds a stop, or says that something stands in the way.
+  /// Each call adds a waypoint; false if the path is blocked.
   [[nodiscard]] bool to_sit(const Seat& seat);
-  /// A point in the frame of a piece that one stands before.
+  /// `point_m`: in the frame of the piece of furniture; the person stands in front of it.
   [[nodiscard]] bool to_reach(const Eigen::Affine3f& piece, const Eigen::Vector3f& point_m,
                               Activity activity = Activity::kReach, float stay_s = 4.0F);
-  /// The same stop again, doing something else.
+  /// Adds the same waypoint again with another activity.
   void then(Activity activity, float stay_s);
 
-  /// Whoever goes round these stops, looking about in the middle of the room between them.
+  /// A person who visits these waypoints and looks around at the room's centre between them.
   [[nodiscard]] Person walker();
-  /// Somebody else, if there is place: they stand, or talk with whoever is in the middle.
+  /// A second person, if there is space: stands, or talks to a person at the centre.
   [[nodiscard]] std::optional<Person> bystander();
 
  private:
@@ -43,10 +43,10 @@ class Route {
   std::vector<Waypoint> stops_;
 };
 
-/// The person works at a desk of Furnisher::desk that is pulled up.
+/// A person working at a desk of Furnisher::desk with `pulled_up`.
 [[nodiscard]] Waypoint typing_at(const Eigen::Affine3f& desk);
 
-/// A mesh built by a function that adds to a room, apart from the room's own.
+/// Builds a mesh with a function that adds to a room, separate from the room's own mesh.
 template <class Build>
 [[nodiscard]] TriangleMesh built_apart(Room& room, const Build& build) {
   TriangleMesh apart;

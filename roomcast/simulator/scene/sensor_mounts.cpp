@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// At a share of the room's half size from its middle, as near to the wall as a bracket allows.
+/// At a share of the room's half size from its centre, as near to the wall as a bracket allows.
 SensorMount stand_at(const Vector3f& room_size_m, const Vector2f& share, float height_m,
                      const Vector2f& looks_past_middle_m, Random& random) {
   const float bracket_m = random.between(0.30F, 0.38F);

@@ -16,12 +16,12 @@ namespace {
 using Cell = std::tuple<int, int, int>;
 
 struct Sight {
-  std::set<Cell> cells;  // of a quarter metre, whose surface is seen
+  std::set<Cell> cells;  // seen surface cells of a quarter metre
   int rays = 0;
-  int near_rays = 0;  // that end within 80 cm of the sensor
+  int near_rays = 0;  // rays that end within 80 cm of the sensor
 };
 
-/// What a camera with a Kinect's field of view sees.
+/// The view of a camera with a Kinect's field of view.
 Sight look_from(const SensorMount& stand, const RayScene& scene) {
   CameraIntrinsics lens;
   lens.width = 64;

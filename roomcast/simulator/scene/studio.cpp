@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2f;
 
-/// Under the first sensors, as low as their cables need.
+/// Adds tripods below the first sensors, with space for the cables.
 void set_up_tripods(Room& room, FloorPlan& plan, SurfaceIndex metal) {
   constexpr float kBelowEye_m = 0.16F;
   for (int i = 0; i < kTripods; ++i) {
@@ -30,7 +30,7 @@ Waypoint doing(Activity activity, const Vector2f& at_m, float heading_rad, float
   return stop;
 }
 
-/// Shows exercises towards the first sensor, walks up and down, stretches slowly, pauses.
+/// Shows exercises to the first sensor, walks up and down, stretches slowly, pauses.
 Person demonstrator(Room& room, float x, Random& random) {
   const float back_m = random.between(-0.5F, -0.4F), front_m = random.between(0.25F, 0.35F);
   const auto askew = [&] { return random.between(-0.25F, 0.25F); };

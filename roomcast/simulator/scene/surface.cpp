@@ -15,12 +15,12 @@ float linear_from_srgb_byte(std::uint32_t byte) {
 }
 
 constexpr float kBrightest = 4.0F;
-constexpr std::size_t kCurveSize = 2048;  // a fifth of a grey level; stays in the cache
+constexpr std::size_t kCurveSize = 2048;  // steps of a fifth of a grey level; fits into the cache
 constexpr float kCurveScale =
-    static_cast<float>(kCurveSize) / 2.0F;  // over the square root of kBrightest
+    static_cast<float>(kCurveSize) / 2.0F;  // 2 is the square root of kBrightest
 using ToneCurve = std::array<float, kCurveSize + 1>;
 
-/// Display values over the square root of the light: even steps for the eye.
+/// Display values as a function of the square root of light, whose steps are perceptually even.
 ToneCurve tone_curve() {
   ToneCurve curve{};
   for (std::size_t i = 0; i < curve.size(); ++i) {

@@ -33,8 +33,7 @@ struct GridPoint {
   Vector2f uv_m;
 };
 
-/// A grid of points over (columns+1) x (rows+1), smooth: normals from the differences of
-/// neighbours.
+/// A smooth grid of (columns+1) x (rows+1) points: normals from the differences of neighbours.
 template <class PointAt>
 void add_smooth_grid(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_from_local,
                      int columns, int rows, const PointAt& point_at) {
@@ -130,7 +129,7 @@ void add_tube(TriangleMesh& mesh, SurfaceIndex surface, const Affine3f& world_fr
     const Vector3f before = line[i > 0 ? i - 1 : i];
     const Vector3f after = line[std::min(i + 1, line.size() - 1)];
     const Vector3f way = (after - before).normalized();
-    side = (side - side.dot(way) * way).normalized();  // turns no more than the line does
+    side = (side - side.dot(way) * way).normalized();  // rotates no more than the line does
     const Vector3f other = way.cross(side);
     if (i > 0) along += (line[i] - line[i - 1]).norm();
     for (int k = 0; k <= kSides; ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles, and the few shapes that furniture is made of. Metres; `u`, `v` are metres along the
-// surface, so that patterns have their true size everywhere. Shapes are added in a local frame (y
-// up) through `world_from_local`.
+// TriangleMesh, and the basic shapes of furniture. Metres; `u`, `v` are metres along the surface,
+// so that patterns have their true size. Shapes are added in a local frame (y up) through
+// `world_from_local`.
 #pragma once
 
 #include <array>
@@ -30,17 +30,16 @@ void add_quad(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& w
               const Eigen::Vector3f& corner, const Eigen::Vector3f& edge_u,
               const Eigen::Vector3f& edge_v);
 
-/// A box with its faces along the local axes. On every face u runs along the longer side (grain of
-/// wood).
+/// A box with faces along the local axes. On every face u runs along the longer side (wood grain).
 void add_box(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
              const Eigen::Vector3f& low, const Eigen::Vector3f& high);
 
-/// A surface of revolution about local y through (radius, height) points, from bottom to top; flat
-/// at its corners, round about the axis. Ends with radius 0 are closed.
+/// A surface of revolution about local y through (radius, height) points, from bottom to top; sharp
+/// at these points, smooth about the axis. Ends with radius 0 are closed.
 void add_turned(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                 std::span<const Eigen::Vector2f> radius_and_height);
 
-/// A round bar along a bent line, its ends open; u runs round it, v along it.
+/// A round tube along a polyline, its ends open; u runs around it, v along it.
 void add_tube(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
               std::span<const Eigen::Vector3f> line, float radius_m);
 
@@ -49,12 +48,12 @@ void add_tube(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& w
 void add_cushion(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                  const Eigen::Vector3f& centre, const Eigen::Vector3f& half_size, float roundness);
 
-/// A leaf that leaves the local origin along +z, rises and droops; u across from the rib, v along
-/// it.
+/// A leaf that starts at the local origin along +z, rises and droops; u across from the midrib, v
+/// along it.
 void add_leaf(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
               float length_m, float width_m, float rise);
 
-/// A hanging cloth in the local xy plane with upright folds in z.
+/// A hanging cloth in the local xy plane with vertical folds in z.
 void add_curtain(TriangleMesh& mesh, SurfaceIndex surface, const Eigen::Affine3f& world_from_local,
                  const Eigen::Vector2f& size_m, float fold_depth_m, int fold_count);
 

@@ -12,7 +12,7 @@ using Eigen::Vector2f;
 
 constexpr float kSamePlace_m = 0.4F;
 constexpr float kPause_s = 0.6F;     // at every turn
-constexpr float kTurned_rad = 1.9F;  // from one to the next
+constexpr float kTurned_rad = 1.9F;  // angle between turns
 
 bool goes_somewhere(const Person& person) {
   return std::ranges::any_of(person.stops, [&](const Waypoint& stop) {

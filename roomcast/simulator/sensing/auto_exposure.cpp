@@ -24,7 +24,7 @@ bool AutoExposure::is_due(nanoseconds scene_time) const {
 }
 
 void AutoExposure::meter(nanoseconds scene_time, float brightness) {
-  constexpr float kLargest = 0.7F;  // one stop
+  constexpr float kLargest = 0.7F;  // one f-stop
   has_metered_ = true;
   metered_ = scene_time;
   log_aim_ = std::clamp(std::log(wanted_ / std::max(brightness, 1e-4F)), -kLargest, kLargest);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exposure control of a colour camera: it wants the picture as bright as the empty room looks,
-// and gets there with a lag. A first-order loop on the logarithm of the gain, as simple controls
-// are; time constant and limits are ours. Linear light. Single-threaded: a sensor's frames go
-// through it in order.
+// AutoExposure: exposure control of a colour camera: approaches the brightness of the empty room
+// with a lag. A first-order loop on the logarithm of the gain, as in simple controls; time constant
+// and limits are ours. Linear light. Single-threaded: a sensor's frames must be passed in order.
 #pragma once
 
 #include "roomcast/core/clock.h"
@@ -11,15 +10,16 @@ namespace roomcast::simulator {
 
 class AutoExposure {
  public:
-  /// `wanted`: the mean brightness of the picture that it steers for.
+  /// `wanted`: target mean brightness of the picture.
   explicit AutoExposure(float wanted) : wanted_(wanted) {}
 
-  /// The gain of the frame at `scene_time`: answers to what was metered before.
+  /// The gain of the frame at `scene_time`, from earlier metering.
   float next(nanoseconds scene_time);
 
-  /// Whether the light is to be metered at `scene_time`: five times a second is enough for the lag.
+  /// True if the light has to be metered at `scene_time`: five times per second is enough for the
+  /// lag.
   [[nodiscard]] bool is_due(nanoseconds scene_time) const;
-  /// The mean linear light of the picture before any gain.
+  /// `brightness`: mean linear light of the picture before any gain.
   void meter(nanoseconds scene_time, float brightness);
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The gains of frames 33 ms apart that all see the same light.
+/// The gains of frames 33 ms apart under constant light.
 std::vector<float> gains(float brightness, int frames) {
   AutoExposure control(0.3F);
   std::vector<float> gains;
@@ -30,7 +30,7 @@ TEST(AutoExposure, leaves_the_empty_room_alone) {
 
 TEST(AutoExposure, brightens_a_darker_picture_with_a_lag) {
   const std::vector<float> seen = gains(0.2F, 200);
-  EXPECT_EQ(seen[0], 1.0F);  // knows of it only then
+  EXPECT_EQ(seen[0], 1.0F);  // metering takes effect on the next frame
   for (std::size_t i = 1; i < 60; ++i) EXPECT_GT(seen[i], seen[i - 1]);
   const float after_lag = std::log(seen[12]) / std::log(1.5F);  // 0.4 s
   EXPECT_NEAR(after_lag, 1.0F - std::exp(-1.0F), 0.01F);

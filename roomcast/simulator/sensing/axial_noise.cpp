@@ -11,7 +11,7 @@ namespace {
 constexpr float kRightAngle = 0.5F * std::numbers::pi_v<float>;
 constexpr float kSlantest = 72.0F / 90.0F * kRightAngle;
 
-/// What slant adds.
+/// The additional error at oblique incidence.
 float slant_sigma_mm(float z_m, float theta) {
   const float bounded = std::clamp(theta, 0.0F, kSlantest);
   const float slant = bounded / (kRightAngle - bounded);

@@ -10,7 +10,7 @@
 namespace roomcast::simulator {
 namespace {
 
-constexpr float kReadSigma = 0.0004F;   // of full scale, linear
+constexpr float kReadSigma = 0.0004F;   // share of full scale, linear
 constexpr float kShotVariance = 7e-5F;  // per unit of signal
 constexpr float kFine = 256.0F;         // steps per grey level
 

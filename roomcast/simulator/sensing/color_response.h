@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a colour camera makes of the light that reaches it: gain per channel (exposure and white
+// ColorResponse: the response of a colour camera to light: gain per channel (exposure and white
 // balance), and noise whose variance is a constant plus a share of the signal (read and shot noise:
 // EMVA Standard 1288, the photon transfer model). The amounts are ours, about one grey level. A
 // function of (key, pixel). Const calls are thread-safe.
@@ -15,10 +15,10 @@ namespace roomcast::simulator {
 
 class ColorResponse {
  public:
-  /// `gain` of linear light, red first.
+  /// `gain`: per channel of linear light, red first.
   ColorResponse(const std::array<float, 3>& gain, bool noise);
 
-  /// `light` as it would be at gain 1, without noise -> `out`, of the same size.
+  /// `light`: picture at gain 1, without noise -> `out`, of the same size.
   void expose(ColorView light, std::uint32_t key, const GaussianTable& gaussians,
               ImageView<Rgb8> out) const;
 
@@ -26,13 +26,13 @@ class ColorResponse {
   [[nodiscard]] static float sigma_at_level(float level);
 
  private:
-  struct Level {  // of the output, in 1/256 grey levels
+  struct Level {  // output level, in 1/256 grey levels
     std::int32_t mean, sigma;
   };
   std::array<std::array<Level, 256>, 3> levels_;
 };
 
-/// Linear light 0..1 of an sRGB level 0..255, and back (IEC 61966-2-1).
+/// Linear light 0..1 from an sRGB level 0..255, and the inverse (IEC 61966-2-1).
 [[nodiscard]] float linear_from_level(float level);
 [[nodiscard]] float level_from_linear(float linear);
 

@@ -17,7 +17,7 @@ float signed_unit(std::uint32_t key, std::uint32_t trait) {
   return 2.0F * nth_unit(key, trait) - 1.0F;
 }
 
-/// Smooth over the picture, about two waves across.
+/// Smooth error over the picture, about two waves across.
 Image<float> wave_over_picture(int width, int height, float amplitude, std::uint32_t key) {
   Image<float> wave(width, height);
   const float scale = 2.0F / static_cast<float>(width);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error of one depth camera that stays from frame to frame. Time of flight: a constant offset
-// of the unit and a smooth one over the picture (Wasenmueller & Stricker, "Comparison of Kinect v1
-// and v2 depth images in terms of accuracy and precision", ACCV workshops 2016), and a periodic one
-// over range because the light is not modulated by a pure sine ("wiggling": Lindner & Kolb,
-// "Lateral and depth calibration of PMD-distance sensors", ISVC 2006). Stereo: a smooth error of
-// the disparity, so that the error of depth grows with z^2 (Grunnet-Jepsen et al., Intel). The
-// amounts are the profile's; each unit draws its own. Immutable.
+// DepthBias: the systematic error of one depth camera. Time of flight: a constant offset of the
+// unit and a smooth one over the picture (Wasenmueller & Stricker, "Comparison of Kinect v1 and v2
+// depth images in terms of accuracy and precision", ACCV workshops 2016), and a periodic one over
+// range because the modulation is not a pure sine ("wiggling": Lindner & Kolb, "Lateral and depth
+// calibration of PMD-distance sensors", ISVC 2006). Stereo: a smooth error of the disparity, so
+// that the depth error grows with z^2 (Grunnet-Jepsen et al., Intel). The amounts are the
+// profile's; each unit draws its own. Immutable.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace roomcast::simulator {
 
 class DepthBias {
  public:
-  /// None.
+  /// No error.
   DepthBias() = default;
   DepthBias(const SensorProfile& profile, std::uint32_t unit_key);
 
-  /// Millimetres too far.
+  /// Error in millimetres; positive: too far.
   [[nodiscard]] float at(int x, int y, float z_m) const {
     if (wave_.empty()) return 0.0F;
     return stereo_mm_ > 0.0F ? wave_.at(x, y) * z_m * z_m * stereo_mm_

@@ -27,7 +27,7 @@ TEST(DepthBias, of_time_of_flight_stays_within_the_profiles_amounts_and_is_smoot
     }
   }
   EXPECT_LE(largest, most);
-  constexpr float kMeasured_mm = 10.0F;  // of a lone wall, up to 4.5 m: Brogli 2016
+  constexpr float kMeasured_mm = 10.0F;  // for a lone wall, up to 4.5 m: Brogli 2016
   EXPECT_LE(most, kMeasured_mm);
   EXPECT_GT(largest, 0.3F * most);
 }

@@ -16,7 +16,7 @@ std::uint16_t to_mm(float value_mm) {
   return static_cast<std::uint16_t>(std::clamp(value_mm + 0.5F, 0.0F, 65535.0F));
 }
 
-/// About Gaussian, -2..2, deviation 1 (Irwin-Hall of three).
+/// Approximately Gaussian, -2..2, standard deviation 1 (Irwin-Hall of three).
 float wander(std::uint32_t hash) {
   return 2.0F * (nth_unit(hash, 1) + nth_unit(hash, 2) + nth_unit(hash, 3) - 1.5F);
 }

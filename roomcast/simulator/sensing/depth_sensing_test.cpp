@@ -20,7 +20,7 @@ struct Readings {
   double mean_mm = 0, sigma_mm = 0, missing = 0;
 };
 
-/// Frame after frame of a wall that every pixel sees alike.
+/// Successive frames of a wall that looks the same to every pixel.
 class Wall {
  public:
   Wall(CameraModel model, const DepthReading& reading)
@@ -70,7 +70,7 @@ DepthReading wall_at(float z_m, float theta = 0.0F, float infrared = kReferenceR
   return {z_m, std::cos(theta), infrared, 0.0F, {}};
 }
 
-/// What a published deviation becomes in whole millimetres.
+/// The standard deviation after rounding to whole millimetres.
 double with_rounding(double sigma_mm) {
   return std::sqrt(sigma_mm * sigma_mm + 1.0 / 12.0);
 }
@@ -121,7 +121,7 @@ TEST(DepthSensing, glass_over_black_is_lost_head_on_and_aslant_and_what_is_matt_
   EXPECT_EQ(lost(screen, 0.02F), 0.0F);  // the rim of the highlight
   EXPECT_GT(lost(screen, 0.3F), 0.2F);   // mirrors the light away
   for (const float theta : {0.0F, 0.02F, 0.3F, 1.0F}) EXPECT_EQ(lost(matt, theta), 0.0F);
-  // A picture behind glass has a hole where it is met head-on only.
+  // A picture behind glass gives no reading at normal incidence only.
   EXPECT_EQ(lost(glazed(matt), 0.0F), 1.0F);
   EXPECT_EQ(lost(glazed(matt), 0.3F), 0.0F);
 }
@@ -170,16 +170,16 @@ AtEdge fates(CameraModel model, float share) {
 
 TEST(DepthSensing, time_of_flight_mixes_the_two_surfaces_of_an_edge) {
   const AtEdge half = fates(CameraModel::kKinect2, 0.5F);
-  // The gaze wanders by 1.6 mm of 5.5 mm per pixel: off the edge in 9 % of the readings.
+  // The lateral noise is 1.6 mm at 5.5 mm per pixel: off the edge in 9 % of the readings.
   EXPECT_NEAR(half.lost, 0.45 * 0.91, 0.02);
   EXPECT_GT(half.between, 0.40);
   const AtEdge sliver = fates(CameraModel::kKinect2, 0.25F);
-  EXPECT_GT(sliver.near, half.near);  // the lateral noise takes the gaze off the edge at times
+  EXPECT_GT(sliver.near, half.near);  // the lateral noise sometimes moves the sample off the edge
 }
 
 TEST(DepthSensing, stereo_takes_one_surface_of_an_edge) {
   const AtEdge sliver = fates(CameraModel::kD435, 0.25F);
-  // 2 mm of 4.7 mm per pixel: off the edge in 28 % on this side, in 4 % on the other.
+  // 2 mm at 4.7 mm per pixel: off the edge in 28 % on this side, in 4 % on the other.
   EXPECT_NEAR(sliver.lost, 0.30 * 0.68, 0.02);
   EXPECT_GT(sliver.near, 0.55);
   EXPECT_LT(sliver.between, 0.02);

@@ -26,7 +26,7 @@ nanoseconds rounded(double seconds) {
   return nanoseconds(std::llround(seconds * 1e9));
 }
 
-/// Box and Muller 1958, cut off at two deviations.
+/// Box and Muller 1958, truncated at two standard deviations.
 double bounded_gaussian(std::uint32_t hash) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - unit(hash, 0)));
   return std::clamp(radius * std::cos(2.0 * std::numbers::pi * unit(hash, 1)), -2.0, 2.0);

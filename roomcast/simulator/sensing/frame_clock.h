@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a sensor takes its frames, what its own clock says of them, and which of them are lost.
+// FrameClock: true capture times and timestamps of a sensor's frames, and which frames are lost.
 //   true time of frame k   phase + k / (fps * (1 + rate_ppm * 1e-6))
 //   stamp                  true time + clock offset + jitter of that frame
-// Losses come singly and in bursts of 2 to 6 frames, half of the lost frames each. Everything is a
+// Frames are lost singly or in bursts of 2 to 6, half of the lost frames each. Everything is a
 // function of (unit, frame). Immutable.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace roomcast::simulator {
 
-/// Largest values; each sensor draws its own between minus and plus. All zero: a perfect clock.
+/// Maximum values; each sensor draws its own between minus and plus. All zero: a perfect clock.
 struct TimingOptions {
   double clock_offset_s = 2.0;  // between a sensor's clock and true time
   double rate_ppm = 20.0;       // of the frame rate
-  double jitter_s = 0.001;      // standard deviation of a stamp, at most twice that
+  double jitter_s = 0.001;      // standard deviation of a timestamp; at most twice that
   double lost_share = 0.005;    // of the frames
-  bool same_instants = false;   // frames of all sensors at the same instants
+  bool same_instants = false;   // all sensors capture at the same instants
 
   [[nodiscard]] static TimingOptions perfect() { return {0, 0, 0, 0, true}; }
 };
@@ -29,7 +29,7 @@ class FrameClock {
 
   [[nodiscard]] nanoseconds true_time(std::uint64_t frame) const;
   [[nodiscard]] nanoseconds stamp(std::uint64_t frame) const;
-  /// Never the first frame.
+  /// Never true for the first frame.
   [[nodiscard]] bool is_lost(std::uint64_t frame) const;
 
   [[nodiscard]] double clock_offset_s() const { return offset_s_; }

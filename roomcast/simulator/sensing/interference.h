@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bursts in which another sensor's infrared light disturbs this one's depth. Kinect v2 units
-// disturb each other irregularly and mostly not at all (Brogli, "Multiple Kinect v2 interference",
-// ETH Zurich 2016), so this is off unless asked for. The model is ours: in every second of scene
-// time a burst starts with probability rate / 60 and lasts 0.2 to 0.7 s; noise is up to three times
-// as strong in it, and a ripple of up to 8 mm lies over the picture. Immutable; a function of the
-// time alone.
+// Interference: bursts in which another sensor's infrared light disturbs this sensor's depth.
+// Kinect v2 units disturb each other irregularly and mostly not at all (Brogli, "Multiple Kinect v2
+// interference", ETH Zurich 2016), so this is off by default. The model is ours: in every second of
+// scene time a burst starts with probability rate / 60 and lasts 0.2 to 0.7 s; it raises the noise
+// up to threefold and adds a ripple of up to 8 mm to the picture. Immutable; a function of time
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct InterferenceBurst {
   std::uint32_t key = 0;
 
   [[nodiscard]] float sigma_factor() const { return 1.0F + 2.0F * strength; }
-  /// Of the ripple at a pixel, in millimetres.
+  /// The ripple at a pixel, in millimetres.
   [[nodiscard]] float ripple_mm(int x, int y) const;
 };
 
@@ -29,7 +29,7 @@ class Interference {
   Interference(double bursts_per_minute, std::uint32_t unit_key)
       : per_second_(bursts_per_minute / 60.0), key_(unit_key) {}
 
-  /// The burst that is on at an instant.
+  /// The burst that is active at an instant.
   [[nodiscard]] std::optional<InterferenceBurst> at(nanoseconds scene_time) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulated sensor is and which of its flaws are on. Plain data; the flaws themselves are
-// described where they are made (docs/simulator.md lists them with their sources).
+// Camera model of a simulated sensor, and which of its errors are simulated. Plain data; the errors
+// are described where they are implemented (docs/simulator.md lists them with their sources).
 #pragma once
 
 #include <optional>
@@ -21,13 +21,13 @@ inline constexpr std::string_view kCameraModelNames = "kinect2, azure or d435";
 
 struct SensingOptions {
   CameraModel camera = CameraModel::kKinect2;
-  bool half_color = false;             // 960x540: what live use can afford
-  bool noise = true;                   // all of depth's and colour's errors
-  bool calibration_error = true;       // what the sensor says of its lenses is a little wrong
+  bool half_color = false;             // 960x540, fast enough for live use
+  bool noise = true;                   // all depth and colour errors
+  bool calibration_error = true;       // the reported lens calibration is slightly wrong
   bool auto_exposure = true;           // exposure follows the scene; white balance differs per unit
   double interference_per_minute = 0;  // bursts of infrared interference between sensors
 
-  /// A perfect sensor of the same kind.
+  /// An error-free sensor of the same model.
   [[nodiscard]] SensingOptions clean() const {
     SensingOptions perfect = *this;
     perfect.noise = perfect.calibration_error = perfect.auto_exposure = false;

@@ -27,10 +27,10 @@ RigidTransform turned_and_shifted(double pitch, double yaw, double roll,
   return {rotation, shift_m};
 }
 
-/// Depth lens: fitted to the factory ray table of a real Kinect v2 (github.com/Vaufreyd/RGBDSyncSDK
-/// publishes it). Colour: the usual nominal focal length; 52 mm beside the depth camera. The depth
-/// picture (60 degrees) is taller than the colour picture (54), as in the device. Range: the maker
-/// promises 0.5 to 4.5 m, drivers report up to about 8 m.
+/// Depth lens: fitted to the factory ray table of a real Kinect v2 (published at
+/// github.com/Vaufreyd/RGBDSyncSDK). Colour: the usual nominal focal length, 52 mm from the depth
+/// camera. The depth picture (60 degrees) is taller than the colour picture (54), as in the device.
+/// Range: specified as 0.5 to 4.5 m; drivers report up to about 8 m.
 SensorProfile kinect2() {
   SensorProfile profile;
   profile.model = CameraModel::kKinect2;
@@ -47,10 +47,10 @@ SensorProfile kinect2() {
       turned_and_shifted(0.0026, 0.0051, -0.0022, {-0.052, 0.0002, -0.0005});
   profile.nearest_m = 0.5F;
   profile.farthest_m = 8.0F;
-  profile.lateral_sigma_mm = 1.6F;  // Fankhauser et al. 2015, indoors, about constant over range
+  profile.lateral_sigma_mm = 1.6F;  // Fankhauser et al. 2015, indoors, nearly constant over range
   profile.lost_signal = 0.0020F;    // ours, as are all shares of lost readings
   profile.safe_signal = 0.0060F;
-  // As much as a white wall returns at the nearest range: nearer is what the maker gives up on.
+  // The return of a white wall at the minimum specified range: matt surfaces saturate only nearer.
   profile.saturating_signal = 1.0F / (profile.nearest_m * profile.nearest_m);
   profile.lost_at_edge = 0.45F;
   profile.bias_offset_mm = 3.0F;
@@ -59,12 +59,12 @@ SensorProfile kinect2() {
   return profile;
 }
 
-/// Lenses: nominal focal lengths of the maker's field of view (75 x 65 degrees for the narrow mode,
-/// 90 x 59 for colour); Brown-Conrady terms in place of the device's rational model are ours, and
-/// so is a rectangular picture (the device's narrow mode is cut at the corners). Range and error
-/// bounds (17 mm random, 11 mm + 0.1 % systematic): Azure Kinect hardware specification; confirmed
-/// by Toelgyessy et al., Sensors 21(2), 2021. Orbbec's Femto Bolt has the same depth module and
-/// modes.
+/// Lenses: nominal focal lengths from the specified field of view (75 x 65 degrees for the narrow
+/// mode, 90 x 59 for colour); the Brown-Conrady terms, which replace the device's rational model,
+/// are ours, and so is the rectangular picture (the device's narrow mode is cut at the corners).
+/// Range and error bounds (17 mm random, 11 mm + 0.1 % systematic): Azure Kinect hardware
+/// specification; confirmed by Toelgyessy et al., Sensors 21(2), 2021. Orbbec's Femto Bolt has the
+/// same depth module and modes.
 SensorProfile azure() {
   SensorProfile profile = kinect2();
   profile.model = CameraModel::kAzure;
@@ -86,9 +86,9 @@ SensorProfile azure() {
 }
 
 /// Depth: rectified, so no distortion; 90 degrees at 848 pixels give f = 424; baseline 50 mm (Intel
-/// D400 series datasheet). Colour 69 degrees, 14 mm beside. A disparity error of 0.08 px is within
-/// what Intel's tuning paper calls well adjusted; 0.03 px of smooth error is about the 2 % at 2 m
-/// of the datasheet's accuracy, for most units much less.
+/// D400 series datasheet). Colour: 69 degrees, at a distance of 14 mm. A disparity error of 0.08 px
+/// is within the range that Intel's tuning paper calls well adjusted; 0.03 px of smooth error
+/// corresponds to the datasheet's accuracy of about 2 % at 2 m; most units have much less.
 SensorProfile d435() {
   SensorProfile profile;
   profile.model = CameraModel::kD435;
@@ -109,7 +109,7 @@ SensorProfile d435() {
   return profile;
 }
 
-/// Pixels binned two by two; centres are at integer coordinates.
+/// Bins pixels two by two; pixel centres are at integer coordinates.
 CameraIntrinsics halved(CameraIntrinsics camera) {
   camera.width /= 2;
   camera.height /= 2;

@@ -8,7 +8,7 @@
 namespace roomcast::simulator {
 namespace {
 
-/// Independent numbers -1..1, one after the other.
+/// A sequence of independent numbers in -1..1.
 class Deviations {
  public:
   explicit Deviations(std::uint32_t key) : key_(key) {}
@@ -27,9 +27,9 @@ RigidTransform nudged(RigidTransform transform, double angle_rad, double shift_m
   return transform;
 }
 
-/// A lens as it leaves the factory.
+/// A lens with manufacturing tolerances.
 CameraIntrinsics made(CameraIntrinsics lens, Deviations& by) {
-  const double scale = lens.width / 640.0;  // pixels mean less in larger pictures
+  const double scale = lens.width / 640.0;  // the tolerances are in pixels at a width of 640
   lens.fx *= 1.0 + 0.003 * by.next();
   lens.fy = lens.fx * (1.0 + 0.0005 * by.next());
   lens.cx += 2.5 * scale * by.next();

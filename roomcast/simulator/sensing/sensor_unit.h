@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One device: how its lenses differ from the model's nominal ones (as production does), what its
-// own calibration says of them (nearly the truth), and how its colours differ. All a function of
-// (seed, index). Plain data.
+// SensorUnit: one device: its true lenses, which differ from the nominal ones by manufacturing
+// tolerances; its reported calibration, which is close to the truth; and its white balance. All are
+// functions of (seed, index). Plain data.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace roomcast::simulator {
 
-/// Largest calibration errors; each is uniform between minus and plus this.
+/// Maximum calibration errors; each is uniform between minus and plus this.
 inline constexpr double kFocalError = 0.001;  // share of the focal length
 inline constexpr double kDepthCentreError_px = 0.3;
 inline constexpr double kColorCentreError_px = 0.6;     // at 1920 pixels
@@ -20,10 +20,10 @@ inline constexpr double kExtrinsicError_m = 0.0003;     // along each axis
 
 struct SensorUnit {
   SensorProfile profile;
-  SensorCalibration exact;                      // renders the pictures
-  SensorCalibration reported;                   // goes into camera.json
+  SensorCalibration exact;                      // used for rendering
+  SensorCalibration reported;                   // written to camera.json
   std::array<float, 3> color_gain = {1, 1, 1};  // of linear light, red first
-  std::uint32_t key = 0;                        // of all this unit's random numbers
+  std::uint32_t key = 0;                        // for all of this unit's random numbers
 };
 
 [[nodiscard]] SensorUnit make_unit(const SensingOptions& options, std::uint64_t seed, int index);

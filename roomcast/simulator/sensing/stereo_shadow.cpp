@@ -8,9 +8,9 @@ namespace roomcast::simulator {
 
 void take_stereo_shadow(DepthView clean_mm, float focal_px, float baseline_mm,
                         ImageView<std::uint16_t> depth_mm) {
-  constexpr float kTouching_px = 0.75F;  // surfaces without a step stay closer than this
+  constexpr float kTouching_px = 0.75F;  // neighbouring disparities without a step differ by less
   for (int y = 0; y < clean_mm.height; ++y) {
-    float leftmost = std::numeric_limits<float>::infinity();  // in the right picture, of all so far
+    float leftmost = std::numeric_limits<float>::infinity();  // in the right picture, so far
     for (int x = clean_mm.width - 1; x >= 0; --x) {
       const std::uint16_t z_mm = clean_mm.at(x, y);
       if (z_mm == 0) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What only the left camera of a stereo pair sees has no partner to be matched with: beside near
-// things lies a strip without depth. The left camera is the one that depth is given for; the pair
+// Stereo shadow: surfaces that only the left camera of a stereo pair sees cannot be matched, so
+// there is a strip without depth next to near objects. Depth is given for the left camera; the pair
 // is rectified. Pure function.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace roomcast::simulator {
 
-/// Zeroes the readings of every pixel whose surface (`clean_mm`: what is really there) is hidden
-/// from the right camera by something else in the picture.
+/// Zeroes the readings of every pixel whose surface is hidden from the right camera by another
+/// surface in the picture. `clean_mm`: true depth.
 void take_stereo_shadow(DepthView clean_mm, float focal_px, float baseline_mm,
                         ImageView<std::uint16_t> depth_mm);
 

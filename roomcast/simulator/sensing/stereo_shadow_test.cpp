@@ -14,7 +14,7 @@ TEST(StereoShadow, lies_left_of_near_things_as_wide_as_the_disparities_differ) {
   DepthImage depth = clean;
   take_stereo_shadow(clean, 424.0F, 50.0F, depth.view());
   for (int x = 20; x < 200; ++x) {
-    const bool hidden = x >= 85 && x < 100;  // 15.9 px before the thing
+    const bool hidden = x >= 85 && x < 100;  // shadow of 15.9 px next to the object
     EXPECT_EQ(depth.at(x, 1) == 0, hidden) << x;
   }
 }

@@ -21,7 +21,7 @@ void fill_independent(std::uint32_t key, const GaussianTable& gaussians, ImageVi
   }
 }
 
-/// Weights of two neighbouring nodes that keep the deviation of their sum at 1.
+/// Weights of two neighbouring nodes whose weighted sum has standard deviation 1.
 struct Blend {
   float first, second;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The random part of one depth frame, before it is scaled: a picture of numbers of mean 0 and
-// deviation 1. Time of flight: independent from pixel to pixel. Stereo: correlated over the
-// matching window, because neighbouring pixels are matched with much of the same data (window 4 px:
-// ours). A function of (key, pixel).
+// Unscaled random part of one depth frame: a picture of numbers with mean 0 and standard deviation
+// 1. Time of flight: independent from pixel to pixel. Stereo: correlated over the matching window,
+// because neighbouring pixels are matched with mostly the same data (window 4 px: ours). A function
+// of (key, pixel).
 #pragma once
 
 #include <cstdint>

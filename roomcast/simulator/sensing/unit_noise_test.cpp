@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 512, kHeight = 424;
 
-/// Mean of the products of pixels `dx` and `dy` apart.
+/// Mean of the products of pixels that are (`dx`, `dy`) apart.
 double correlation(const Image<float>& noise, int dx, int dy) {
   double sum = 0, count = 0;
   for (int y = 0; y + dy < kHeight; ++y) {

@@ -17,7 +17,7 @@ constexpr int kSpacing = 4;  // pixels
 constexpr int kNodeRays = 16, kPixelRays = 4;
 constexpr float kDisagreement = 0.3F;
 
-/// How much a node on the map tells about a point: near it, facing alike, on the same plane.
+/// Weight of a map node for a point: high if it is near, similarly oriented and on the same plane.
 float likeness(const LitPoint& node, const LitPoint& point) {
   const float same_way = std::max(0.0F, node.normal.dot(point.normal));
   const Vector3f way = node.position_m - point.position_m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadows and ambient occlusion of one picture. Both are worked out on every fourth pixel and
-// interpolated between those on the same surface; only where these disagree about a lamp, at the
-// edges of shadows, is it asked again for the pixel. Const calls are thread-safe.
+// LightMap: shadows and ambient occlusion of one picture. Both are computed on every fourth pixel
+// and interpolated between nodes on the same surface; where nodes disagree about a lamp (at shadow
+// edges), the lamp is sampled again for the pixel. Const calls are thread-safe.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ class LightMap {
     std::array<float, kMaxLights> lamp_seen{};
     bool is_surface = false;
   };
-  /// What the nodes around a pixel say together.
+  /// Weighted combination of the nodes around a pixel.
   struct Blend {
     float openness = 0.0F, weight = 0.0F;
     std::array<float, kMaxLights> lamp_seen{}, least_seen{}, most_seen{};

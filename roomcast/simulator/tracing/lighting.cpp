@@ -57,7 +57,7 @@ float share_of_lamp_seen(const RayScene& scene, const Light& light, const LitPoi
                          int ray_count, std::uint32_t dither) {
   constexpr int kFirstRays = 4;
   const Vector3f lifted = at.position_m + 0.003F * at.normal;
-  // Windows show their own plane; bulbs look like a disc from everywhere.
+  // A window's area is in its own plane; a bulb appears as a disc from every direction.
   const Vector3f axis = light.facing.isZero() ? Vector3f(light.position_m - lifted) : light.facing;
   const Tangents disc = tangents_of(axis.normalized());
   const float turn = 2.0F * std::numbers::pi_v<float> * unit_from_hash(mix_bits(dither));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light arrives at a point of the room. Linear light per channel; Lambert's cosine law,
-// inverse squares softened near the lamp, and an ambient term scaled by how open the surroundings
-// are. Thread-safe.
+// The light that arrives at a point of the room. Linear light per channel; Lambert's cosine law,
+// inverse squares softened near the lamp, and an ambient term scaled by ambient occlusion. Thread-
+// safe.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 
 namespace roomcast::simulator {
 
-/// A point that is being lit.
+/// A surface point to be lit.
 struct LitPoint {
   Eigen::Vector3f position_m = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::UnitY();
 };
 
-/// As if nothing stood in between.
+/// Light from a lamp without occlusion.
 [[nodiscard]] Eigen::Vector3f light_from(const Light& light, const LitPoint& at);
 [[nodiscard]] Eigen::Vector3f ambient_light(const Room& room, const LitPoint& at, float openness);
 
-/// Share of the lamp's face that can be seen from the point, by rays to `ray_count` places spread
-/// over it; the dither turns the spread. Asks fewer where the first four agree.
+/// Visible share of the lamp's face from the point, by rays to `ray_count` positions spread over
+/// it; the dither rotates the spread. Uses fewer rays if the first four agree.
 [[nodiscard]] float share_of_lamp_seen(const RayScene& scene, const Light& light,
                                        const LitPoint& at, int ray_count, std::uint32_t dither);
 
@@ -33,11 +33,11 @@ struct LitPoint {
 [[nodiscard]] Eigen::Vector3f cosine_direction(const Eigen::Vector3f& normal, int number,
                                                int count);
 
-/// Share of the directions around the normal, weighted by their cosine, that are free for the first
+/// Share of the directions around the normal, weighted by their cosine, that are free for one
 /// metre.
 [[nodiscard]] float openness_at(const RayScene& scene, const LitPoint& at);
 
-/// What leaves a surface that gets `arriving` light.
+/// Light that leaves a surface: its glow plus the reflection of `arriving`.
 [[nodiscard]] Eigen::Vector3f light_leaving(const Surface& surface, const Eigen::Vector3f& albedo,
                                             const Eigen::Vector3f& arriving);
 

@@ -21,12 +21,12 @@ constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
 constexpr std::array kHalfWaves_m = {1.875F, 1.25F};  // of light modulated at 80 and 120 MHz
 
 struct Node {
-  float z_m = 0;  // 0: nothing there
+  float z_m = 0;  // 0: no surface
   Vector3f normal = Vector3f::Zero();
   float detour_m = 0;  // along the ray
 };
 
-/// The camera lights what it looks at, not what is beside or behind it.
+/// The camera lights only what is inside its picture.
 bool in_picture(const PlacedCamera& camera, const Vector3f& point_m) {
   const auto pixel = camera.pixel_of(camera.axes().transpose() * (point_m - camera.eye_m()));
   return pixel && pixel->x() > -0.5F && pixel->y() > -0.5F &&
@@ -34,7 +34,7 @@ bool in_picture(const PlacedCamera& camera, const Vector3f& point_m) {
          pixel->y() < static_cast<float>(camera.height()) - 0.5F;
 }
 
-/// Light of the camera that a surface gets, up to a constant; 0 where it gets none.
+/// The camera's light on a surface, up to a constant factor; 0 in shadow or outside the picture.
 float lit_by_camera(const RayScene& scene, const PlacedCamera& camera, const LitPoint& at) {
   const Vector3f way = camera.eye_m() - at.position_m;
   const float distance = way.norm();
@@ -44,7 +44,7 @@ float lit_by_camera(const RayScene& scene, const PlacedCamera& camera, const Lit
   return cosine / (distance * distance);
 }
 
-/// How much too far P appears, along the ray: the phase of all light that comes back from it.
+/// Excess distance of P along the ray: from the phase of all light that returns from it.
 float detour_at(const Room& room, const RayScene& scene, const PlacedCamera& camera,
                 const LitPoint& at) {
   const float direct_way = (at.position_m - camera.eye_m()).norm();
@@ -76,7 +76,7 @@ Node node_at(const Room& room, const RayScene& scene, const PlacedCamera& camera
   return {hit->t, hit->normal, detour_at(room, scene, camera, at)};
 }
 
-/// Detour along the axis at a pixel, from the nodes around it that lie at about its depth.
+/// Detour along the axis at a pixel, from the surrounding nodes of similar depth.
 float blended(const Image<Node>& nodes, int x, int y, float z_m, float ray_length) {
   float sum = 0.0F, weights = 1e-6F;
   for (int corner = 0; corner < 4; ++corner) {

@@ -14,7 +14,7 @@
 namespace roomcast::simulator {
 namespace {
 
-/// Looks from 1 m above the origin towards -z.
+/// A camera 1 m above the origin, facing -z.
 PlacedCamera camera_at(double scale) {
   const CameraIntrinsics lens = make_unit({}, 1, 0).exact.depth;
   return {resampled(lens, scale), world_from_optical_looking_at({0, 1, 0}, {0, 1, -3})};
@@ -48,8 +48,8 @@ Room corner(float infrared) {
   return room;
 }
 
-/// How much too far a point of the far wall appears: light summed up over the side wall, square by
-/// square, instead of over rays from the point.
+/// Excess distance of a point of the far wall: sums light over squares of the side wall instead of
+/// over rays from the point.
 float summed_detour_m(const PlacedCamera& camera, const Eigen::Vector3f& point_m, float infrared) {
   constexpr float kSquare_m = 0.02F;
   constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
@@ -92,8 +92,7 @@ TEST(Multipath, a_corner_bends_by_what_light_from_all_of_its_other_wall_adds_up_
     EXPECT_NEAR(traced_m, summed_m, 0.2F * summed_m + 0.001F) << beside_m;
     most_m = std::max(most_m, traced_m);
   }
-  // Some millimetres to some centimetres: what corners in front of real time-of-flight cameras
-  // show.
+  // A few millimetres to a few centimetres, as real time-of-flight cameras show in corners.
   EXPECT_GT(most_m, 0.004F);
   EXPECT_LT(most_m, 0.06F);
 }

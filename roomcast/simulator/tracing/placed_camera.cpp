@@ -36,7 +36,7 @@ std::optional<Eigen::Vector2f> PlacedCamera::pixel_of(const Vector3f& in_camera_
 PixelBox PlacedCamera::pixels_of_box(const Eigen::Affine3f& world_from_local, const Vector3f& low,
                                      const Vector3f& high) const {
   constexpr double kNearest_m = 0.1;
-  constexpr double kBulge = 3.0;  // pixels: straight edges bend a little under the lens
+  constexpr double kBulge = 3.0;  // pixels: the lens bends straight edges slightly
   Vector2d least(width(), height());
   Vector2d most(-1, -1);
   for (int corner = 0; corner < 8; ++corner) {

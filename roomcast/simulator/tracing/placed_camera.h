@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera at its place in the world, with its lens worked out per pixel. Metres; directions have z
-// = 1 in the optical frame, so that a distance along one is the depth. Immutable.
+// PlacedCamera: a camera with its pose, and its lens model evaluated per pixel. Metres; directions
+// have z = 1 in the optical frame, so a distance along one is the depth. Immutable.
 #pragma once
 
 #include <optional>
@@ -33,32 +33,32 @@ class PlacedCamera {
   }  // of the optical frame in the world
   [[nodiscard]] float pixel_angle() const { return pixel_angle_; }  // radians per pixel, about
 
-  /// (x/z, y/z) of a pixel; rows of either.
+  /// (x/z, y/z) of a pixel, and rows of each component.
   [[nodiscard]] Eigen::Vector2f ray(int x, int y) const {
     return {ray_x_.at(x, y), ray_y_.at(x, y)};
   }
   [[nodiscard]] const float* ray_x_row(int y) const { return ray_x_.view().row(y); }
   [[nodiscard]] const float* ray_y_row(int y) const { return ray_y_.view().row(y); }
 
-  /// Holds the rays of all pixels.
+  /// Contains the rays of all pixels.
   [[nodiscard]] const Eigen::AlignedBox2f& ray_bounds() const { return ray_bounds_; }
 
-  /// In the world, of a ray.
+  /// A ray's direction in the world.
   [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector2f& ray) const {
     return axes_.col(0) * ray.x() + axes_.col(1) * ray.y() + axes_.col(2);
   }
   [[nodiscard]] Eigen::Vector3f direction(int x, int y) const { return direction(ray(x, y)); }
-  /// In the world, of what pixel (x, y) sees at depth z.
+  /// World point at pixel (x, y) and depth z.
   [[nodiscard]] Eigen::Vector3f point(int x, int y, float z_m) const {
     return eye_m_ + z_m * direction(x, y);
   }
 
-  /// Where a point of the optical frame appears; nothing behind the camera, nor where the lens
-  /// model folds over.
+  /// Projection of a point of the optical frame; nothing if it is behind the camera, or where the
+  /// lens model is not injective.
   [[nodiscard]] std::optional<Eigen::Vector2f> pixel_of(const Eigen::Vector3f& in_camera_m) const;
 
-  /// Smallest box of pixels that holds all of an axis-aligned box of a local frame; the whole
-  /// picture when part of it is behind the camera.
+  /// Smallest box of pixels that contains an axis-aligned box of a local frame; the whole picture
+  /// if part of the box is behind the camera.
   [[nodiscard]] PixelBox pixels_of_box(const Eigen::Affine3f& world_from_local,
                                        const Eigen::Vector3f& low,
                                        const Eigen::Vector3f& high) const;

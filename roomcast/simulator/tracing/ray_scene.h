@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against a triangle mesh, through Embree 3. Metres. After building, const calls are safe from
-// many threads.
+// RayScene: intersects rays with a triangle mesh, using Embree 3. Metres. After building, const
+// calls are thread-safe.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 namespace roomcast::simulator {
 
 struct RayHit {
-  float t = 0;  // in lengths of the direction given
+  float t = 0;  // in multiples of the given direction's length
   std::uint32_t triangle = 0;
   Eigen::Vector3f normal;  // interpolated, unit length, turned towards the ray's origin
   Eigen::Vector2f uv_m;
@@ -22,8 +22,8 @@ struct RayHit {
 
 class RayScene {
  public:
-  /// Keeps a reference to the mesh, which has to outlive it. kUnavailable when Embree cannot work
-  /// on this machine.
+  /// Keeps a reference to the mesh, which must outlive it. kUnavailable if Embree does not work on
+  /// this machine.
   static Result<std::unique_ptr<RayScene>> build(const TriangleMesh& mesh);
   ~RayScene();
   RayScene(const RayScene&) = delete;
@@ -31,7 +31,7 @@ class RayScene {
 
   [[nodiscard]] std::optional<RayHit> first_hit(const Eigen::Vector3f& origin_m,
                                                 const Eigen::Vector3f& direction) const;
-  /// Whether anything lies between the two points (a millimetre at both ends does not count).
+  /// True if a surface is between the two points (a millimetre at both ends is ignored).
   [[nodiscard]] bool blocked(const Eigen::Vector3f& from_m, const Eigen::Vector3f& to_m) const;
 
  private:

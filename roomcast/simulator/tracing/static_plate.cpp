@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Light that comes to the camera along rays, with all that is needed to follow them.
+/// Computes the light that reaches the camera along rays.
 class ColorTracer {
  public:
   ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads)
@@ -28,7 +28,7 @@ class ColorTracer {
     float z_m = 0.0F;
   };
 
-  /// At pixel (x, y) plus `offset` pixels.
+  /// Samples pixel (x, y) plus `offset` pixels.
   [[nodiscard]] Sample sample(int x, int y, const Vector2f& offset, std::uint32_t dither) const {
     const Vector3f direction =
         camera_.direction(camera_.ray(x, y) + camera_.pixel_angle() * offset);
@@ -83,7 +83,7 @@ Rgb8 smooth_pixel(const ColorTracer& tracer, int x, int y) {
   return rounded(sum / static_cast<float>(spread.size()));
 }
 
-/// What a depth camera sees through one pixel's centre; z 0: nothing.
+/// The surface at the centre of a depth pixel; z 0: none.
 struct StillPoint {
   float z_m = 0, facing = 1, infrared = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fixed camera sees of the empty room, traced once: everything that stands still costs
-// nothing per frame. z is along the optical axis in metres; pixels that see nothing have z = 0.
+// Static plates: the empty room as seen by a fixed camera, traced once, so that static surfaces
+// cost nothing per frame. z is along the optical axis in metres; pixels without a surface have z =
+// 0.
 #pragma once
 
 #include "roomcast/core/image.h"
@@ -11,11 +12,11 @@
 namespace roomcast::simulator {
 
 struct DepthPlate {
-  // Through the pixels' centres:
+  // At the pixels' centres:
   Image<float> z_m;
-  Image<float> facing;    // cosine between the surface's normal and the way back to the camera
-  Image<float> infrared;  // share of the camera's light that comes back (infrared_back)
-  Image<float> detour_m;  // how much too far light that was reflected twice makes it appear
+  Image<float> facing;    // cosine between the surface's normal and the direction to the camera
+  Image<float> infrared;  // share of the camera's light that returns (infrared_back)
+  Image<float> detour_m;  // excess distance caused by light that was reflected twice
   // Four samples per pixel, two by two:
   Image<float> fine_z_m;
   Image<float> fine_strength;  // signal_strength of sensing/depth_reading.h
@@ -26,13 +27,13 @@ struct ColorPlate {
   ColorImage color;
 };
 
-/// `fine`: the same camera with twice the pixels in each direction. Without `multipath` there are
-/// no detours.
+/// `fine`: the same camera with twice the pixels in each direction. Without `multipath` the detours
+/// are 0.
 [[nodiscard]] DepthPlate trace_depth_plate(const Room& room, const RayScene& scene,
                                            const PlacedCamera& camera, const PlacedCamera& fine,
                                            bool multipath, int threads);
 
-/// Lit, shadowed, and smoothed where the picture has edges.
+/// Lit, with shadows, and antialiased at edges.
 [[nodiscard]] ColorPlate trace_color_plate(const Room& room, const RayScene& scene,
                                            const PlacedCamera& camera, int threads);
 

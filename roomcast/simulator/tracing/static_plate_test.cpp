@@ -44,8 +44,7 @@ TEST(StaticPlate, floor_and_walls_lie_where_their_planes_are) {
         const Eigen::Vector3f direction = camera.direction(x, y);
         const float to_floor = -camera.eye_m().y() / direction.y();
         const float to_x_wall = (0.5F * view.room.size_m.x() - camera.eye_m().x()) / direction.x();
-        if (surface ==
-            0) {  // the room's first surface is its floor, then ceiling, skirting and walls
+        if (surface == 0) {  // order of the room's surfaces: floor, ceiling, skirting, walls
           EXPECT_NEAR(plate.z_m.at(x, y), to_floor, kTolerance_m);
           ++floor;
         } else if (surface == 4 && hit->normal.x() < -0.99F) {
@@ -81,7 +80,7 @@ TEST(StaticPlate, every_pixel_of_every_sensor_sees_something_near_enough) {
 
 using Cell = std::tuple<int, int, int>;
 
-/// Cells of 10 cm of the room whose surface the sensor sees.
+/// The room's surface cells of 10 cm that the sensor sees.
 std::set<Cell> cells_seen(const Room& room, const RayScene& scene, int sensor) {
   const PlacedCamera camera = depth_camera(room, sensor);
   std::set<Cell> cells;
