@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera driver of your own in one file: any program that writes frames to a pipe becomes a sensor
-// of a room. A frame is 320 x 240 depth values (16 bits, little endian, millimetres), followed by
-// 320 x 240 pixels of red, green, blue (8 bits each).
+// A camera driver of your own in one file: any program that writes frames to a pipe becomes a
+// sensor of a room. A frame is 320 x 240 depth values (16 bits, little endian, millimetres),
+// followed by 320 x 240 pixels of red, green, blue (8 bits each).
 //
 //   your_grabber | third_party_camera                           prints the frames' middle pixel
 //   your_grabber | third_party_camera ws://127.0.0.1:7600       sends the frames to a hub
@@ -40,9 +40,12 @@ class PipeCamera final : public source::Camera {
     cameras.color_is_registered = true;  // depth and colour share one pixel grid
   }
 
-  [[nodiscard]] const source::CameraDescription& description() const override { return description_; }
+  [[nodiscard]] const source::CameraDescription& description() const override {
+    return description_;
+  }
 
-  [[nodiscard]] Status wait(source::FramePairing& pictures, std::chrono::milliseconds patience) override {
+  [[nodiscard]] Status wait(source::FramePairing& pictures,
+                            std::chrono::milliseconds patience) override {
     pollfd readable{pipe_, POLLIN, 0};
     if (::poll(&readable, 1, static_cast<int>(patience.count())) == 0) return {};
     unsigned char* const to = reinterpret_cast<unsigned char*>(&frame_) + filled_;
@@ -87,8 +90,8 @@ class PipeBackend final : public source::CameraBackend {
   [[nodiscard]] Result<std::vector<source::CameraInfo>> list() override {
     return std::vector<source::CameraInfo>{{"stdin", "pictures from a pipe", "pipe"}};
   }
-  [[nodiscard]] Result<std::unique_ptr<source::Camera>> open(const source::CameraInfo&,
-                                                     const source::CameraSettings&) override {
+  [[nodiscard]] Result<std::unique_ptr<source::Camera>> open(
+      const source::CameraInfo&, const source::CameraSettings&) override {
     return std::unique_ptr<source::Camera>(std::make_unique<PipeCamera>(STDIN_FILENO));
   }
 };
@@ -112,9 +115,9 @@ int describe(source::FrameSource& source) {
 }
 
 int send(std::unique_ptr<source::FrameSource> source, const std::string& hub_url) {
-  cli::SensorFeedOptions options;
+  sensor::SensorFeedOptions options;
   options.hub_url = hub_url;
-  const auto feed = cli::SensorFeed::start(std::move(source), options);
+  const auto feed = sensor::SensorFeed::start(std::move(source), options);
   if (!feed) return fail(feed.error());
   while (!(*feed)->result()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const Status ended = *(*feed)->result();

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 namespace pb = wire::pb;
 
-net::HttpResponse no_such_room() {
+net::HttpResponse no_such_room_response() {
   return error_answer(404, "not_found",
                       "there is no such room on this hub, or it asks for a token that is for it");
 }
@@ -97,7 +97,8 @@ void AdminApi::apply(const Call& call) {
 void AdminApi::carry_out_in_room(const Call& call) {
   const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
-  if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
+  if (settings == nullptr || !may_know_of(*settings, claims))
+    return call.respond(no_such_room_response());
   if (!call.is_admin_of(settings->name)) return call.respond(not_yours());
   switch (call.match.route.call) {
     case AdminCall::kChangeRoom:
@@ -167,7 +168,8 @@ void AdminApi::list_rooms(const Call& call) const {
 void AdminApi::room(const Call& call) const {
   const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
-  if (settings == nullptr || !may_know_of(*settings, claims)) return call.respond(no_such_room());
+  if (settings == nullptr || !may_know_of(*settings, claims))
+    return call.respond(no_such_room_response());
   const RoomStats stats = *registry_.stats(settings->name);
   call.respond(json_answer(200, call.is_admin_of(settings->name) ? whole_room(*settings, stats)
                                                                  : brief_room(*settings, stats)));
@@ -208,7 +210,7 @@ void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is
       [this, call, settings, is_new](const Status& kept) {
         if (!kept) return call.respond(error_answer(kept.error()));
         const bool is_there = registry_.find(settings.name) != nullptr;
-        if (!is_there && !is_new) return call.respond(no_such_room());
+        if (!is_there && !is_new) return call.respond(no_such_room_response());
         if (is_there) {
           registry_.change(settings);
         } else {

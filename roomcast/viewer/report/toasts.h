@@ -29,7 +29,7 @@ class Toasts {
   /// Replaces the list of current problems.
   void problems_are(std::vector<RoomProblem> problems, HostTime now);
 
-  /// Problems before other sentences; at most kMost.
+  /// Problems before other sentences; at most kMax.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;
 
  private:

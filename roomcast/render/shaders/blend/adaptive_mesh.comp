@@ -4,7 +4,7 @@
 // in the order of its number, so the same surface always gives the same triangles.
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMostIndices per tile
+layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMaxIndices per tile
 layout(std430, binding = 1) writeonly buffer Counts { uint tile_counts[]; };
 layout(binding = 5) uniform sampler2D covering_depth_m;
 

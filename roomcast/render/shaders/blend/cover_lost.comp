@@ -11,7 +11,7 @@ layout(r32f, binding = 0) writeonly uniform image2D depth_out;
 layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is valid
 
 const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
-const int kAround = 2, kLeastOthers = 13;  // of 25 pixels; smaller areas flicker at every edge
+const int kAround = 2, kMinOthers = 13;  // of 25 pixels; smaller areas flicker at every edge
 const int kReach = 64;
 const float kBefore_m = 0.1, kBeforePer_m = 0.03;
 

@@ -10,7 +10,7 @@ out float counts;
 // test and are mixed: metres along the eye's axis, and metres per metre of distance.
 const float kMix_m = 0.02;
 const float kMixPer_m = 0.012;
-const float kLeastAgreement = 0.05;
+const float kMinAgreement = 0.05;
 const float kScale = 256.0;  // keeps small weights precise in half floats
 
 // 1: same direction; 0.5: right angle. The weight is its fourth power: a higher power is sharper, a lower hides seams.
