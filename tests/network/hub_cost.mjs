@@ -19,7 +19,7 @@ export const costRooms = Number(process.env.ROOMCAST_COST_ROOMS ?? (costRounds >
 /** What all rounds may take. */
 export const costTimeout_ms = costRounds * (40_000 + 6000 * costRooms);
 /**
- * Frames of a quiet room, of one with people exercising, and of lossless depth (docs/benchmarks.md says how many bytes these
+ * Frames of a quiet room, of one with people exercising, and of lossless depth (docs/benchmarks/codec.md says how many bytes these
  * have): what is spent on a message, and what on a byte. Several rounds tell of each.
  */
 export const costFrames_bytes = costRounds > 1 ? [1000, 8000, 40_000] : [8000];
