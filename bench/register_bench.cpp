@@ -20,7 +20,8 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Calls `run(i)` for inputs 0, 1, ... `count` - 1 over and over; the median of what a call takes.
+/// Calls `run(i)` for inputs 0, 1, ... `count` - 1 repeatedly and returns the median time of a
+/// call.
 double median_cpu_ms(std::size_t count, double budget_s,
                      const std::function<void(std::size_t)>& run) {
   std::vector<double> times_ms;
@@ -78,7 +79,7 @@ Result<std::vector<RegisterBenchRow>> measure(const RegisterBenchInput& input, d
   return rows;
 }
 
-/// Boxes before a wall and a floor: steps, slopes and occlusion in every part of the picture.
+/// Boxes in front of a wall and a floor: steps, slopes and occlusion in every part of the picture.
 std::uint16_t invented_depth_mm(int x, int y) {
   const bool box = (x / 60 + y / 50) % 4 == 0;
   if (box) return static_cast<std::uint16_t>(1200 + x / 8);
@@ -112,7 +113,8 @@ RegisterBenchInput synthetic_kinect_v2_input() {
 }
 
 Result<RegisterBenchInput> recorded_input(const std::string& source_spec, int most_frames) {
-  auto source = sensor::open_source(source_spec, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
+  auto source =
+      sensor::open_source(source_spec, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   if (!source.ok()) return source.error();
   RegisterBenchInput input{source_spec, (*source)->description().calibration, {}};
   source::CapturedFrame frame;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `roomcast bench register`: how many frames a second one core registers (geometry/registration.h),
-// beside the same method written to be read (geometry/registration_reference.h). Times are CPU
-// milliseconds of the calling thread per frame, medians, so that other programs on the machine
-// count little.
+// `roomcast bench register`: frames per second that one core registers (geometry/registration.h),
+// compared with a reference written for readability (geometry/registration_reference.h). Times are
+// CPU milliseconds of the calling thread per frame. Medians limit the influence of other programs.
 #pragma once
 
 #include <iosfwd>
@@ -29,7 +28,7 @@ struct RegisterBenchRow {
   std::string version;  // "fast" or "reference"
   double cpu_ms = 0;    // per frame, median
   double frames_per_cpu_s = 0;
-  double times_reference = 0;  // frames_per_cpu_s against that of the reference on the same input
+  double times_reference = 0;  // frames_per_cpu_s relative to the reference on the same input
   double seen_share = 0;       // of pixels with depth
 };
 
@@ -38,8 +37,8 @@ struct RegisterBenchReport {
   std::vector<RegisterBenchRow> rows;
 };
 
-/// One synthetic frame of Kinect v2 size (512x424 from 1920x1080, lens distortion, several surfaces,
-/// textured).
+/// One synthetic frame of Kinect v2 size (512x424 from 1920x1080, lens distortion, several
+/// surfaces, textured).
 [[nodiscard]] RegisterBenchInput synthetic_kinect_v2_input();
 
 /// Up to `most_frames` frames with colour from the start of a recording. Errors of open_source and
@@ -47,8 +46,8 @@ struct RegisterBenchReport {
 [[nodiscard]] Result<RegisterBenchInput> recorded_input(const std::string& source_spec,
                                                         int most_frames);
 
-/// Two rows for each input. kInvalidArgument for an input without frames or of other sizes than the
-/// first; errors of Registration.
+/// Two rows per input. kInvalidArgument: an input has no frames, or sizes differ within an input.
+/// Errors of Registration.
 [[nodiscard]] Result<RegisterBenchReport> run_register_bench(
     const std::vector<RegisterBenchInput>& inputs, const RegisterBenchOptions& options = {});
 

@@ -39,7 +39,7 @@ TEST(RegisterBench, refuses_inputs_without_frames_or_of_mixed_sizes) {
   RegisterBenchInput other = synthetic_kinect_v2_input();
   other.calibration.depth.width = 500;
   EXPECT_FALSE(run_register_bench({synthetic_kinect_v2_input(), other}, kShort).ok());
-  EXPECT_FALSE(run_register_bench({other}, kShort).ok());  // not the size of its own calibration
+  EXPECT_FALSE(run_register_bench({other}, kShort).ok());  // not its calibration's size
 }
 
 TEST(RegisterBench, a_recording_that_is_not_there_is_refused) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor that nobody looks through: what it says on joining, for benches of the way and not of
-// the pictures. A Kinect v2 that stands somewhere.
+// The join message of a sensor for transport benchmarks, whose frames are never decoded: a Kinect
+// v2 at an arbitrary pose.
 #pragma once
 
 #include <string>

@@ -1,10 +1,10 @@
-# Which kinds of cameras are built in. Each has a switch ROOMCAST_WITH_X: AUTO takes the library where it is installed, ON
-# insists on it, OFF leaves it out. What was found and what not is printed at the end.
+# Selects the camera drivers to build. Each has an option ROOMCAST_WITH_X: AUTO builds the driver if its library is
+# installed, ON requires the library, OFF leaves the driver out. Prints the result for each driver.
 #
 #   roomcast_camera_backend(freenect FREENECT PKG libfreenect>=0.5)
 #   roomcast_camera_backend(k4a K4A PACKAGE k4a TARGET k4a::k4a)
 #
-# adds the folder of that name when its library is there, links it to `roomcast_cameras`, and defines ROOMCAST_HAS_X for it.
+# adds the folder of that name if its library is installed, links it to `roomcast_cameras`, and defines ROOMCAST_HAS_X.
 
 add_library(roomcast_cameras INTERFACE)
 add_library(roomcast::cameras ALIAS roomcast_cameras)

@@ -1,5 +1,5 @@
-# Debian's package of a single OpenCV module has headers and library but no CMake configuration: that comes with the
-# package of all modules, which is several hundred megabytes larger. So the modules are looked for one by one.
+# Finds single OpenCV modules. Debian's package of a single module has headers and library but no CMake configuration,
+# which is in the package of all modules, several hundred megabytes larger.
 #
 #   roomcast_opencv_modules(core imgproc ...)      # -> opencv::core, opencv::imgproc, ...
 

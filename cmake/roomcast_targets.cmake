@@ -1,4 +1,4 @@
-# One function for every folder under roomcast/: a static library, and the tests that sit beside its sources.
+# One function for every folder under roomcast/: a static library, and the tests next to its sources.
 #
 #   roomcast_library(codec
 #     SOURCES depth_encoder.cpp ...        # headers need not be listed
@@ -8,16 +8,16 @@
 #
 # Tests named *_gl_test.cpp need a GL 4.5 context; they get a program and the CTest label "gl" of their own.
 #
-# Sources of a library are compiled several at a time (ROOMCAST_UNITY_BUILD): most of a file's time is its headers'. So names in
-# their anonymous namespaces differ from file to file. SEPARATE leaves a library out of that.
+# Several sources of a library are compiled together (ROOMCAST_UNITY_BUILD), because most of a file's compile time is
+# spent on headers. Names in anonymous namespaces must therefore differ from file to file. SEPARATE excludes a library.
 
 add_library(roomcast_flags INTERFACE)
 target_include_directories(roomcast_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(roomcast_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-  # Where we build; another compiler's warnings must not keep anybody from building.
+  # For our own builds; warnings of other compilers must not break users' builds.
   $<$<BOOL:${ROOMCAST_WARNINGS_ARE_ERRORS}>:-Werror>
-  # GCC 12 at -O3 sees overlaps and short regions that are not there (its bug 105651 and kin).
+  # GCC 12 at -O3 wrongly reports overlaps and short regions (its bug 105651 and related ones).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict;-Wno-stringop-overread>)
 set(ROOMCAST_TEST_TIMEOUT_S 60)
 if(ROOMCAST_SANITIZE)
@@ -28,7 +28,7 @@ if(ROOMCAST_SANITIZE)
 endif()
 
 set(ROOMCAST_SOURCES_AT_A_TIME 10)
-set(ROOMCAST_TESTS_FOR_A_PRECOMPILED_HEADER 3)  # with fewer it costs more than it saves
+set(ROOMCAST_TESTS_FOR_A_PRECOMPILED_HEADER 6)  # with fewer test files it costs more than it saves
 
 # roomcast_test(TARGET LABEL SOURCE... [PRECOMPILE HEADER...]): HEADERs of other libraries are parsed once for all sources.
 function(roomcast_test target label)

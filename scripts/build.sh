@@ -2,9 +2,9 @@
 # shellcheck shell=bash
 # Builds the three parts: native programs, the wasm decoder, the page. Sourced after steps.sh.
 
-readonly kib_per_job=$((1536 * 1024))  # what one compiler may need
+readonly kib_per_job=$((1536 * 1024))  # memory that one compiler may need
 
-# As many compilers at once as there are cores and as memory allows.
+# Number of parallel compilers: one per core, limited by memory.
 job_count() {
   local cores available_kib jobs
   cores=$(nproc)
@@ -25,7 +25,7 @@ build_preset() {
   cmake --build --preset "$preset" --parallel "$(job_count)" ${1:+--target "$@"}
 }
 
-# npm ci empties node_modules first, so it runs only when the lock file (or node) is not the one it last ran for.
+# npm ci empties node_modules first, so it runs only when the lock file (or node) has changed since its last run.
 install_web_packages() {
   local stamp=node_modules/.roomcast-installed wanted
   cd "$root/web"
@@ -38,7 +38,7 @@ install_web_packages() {
   printf '%s\n' "$wanted" >"$stamp"
 }
 
-# Whether anything that the page is made of is newer than the page. (Folders count: their time changes with a deletion.)
+# True if a source of the page is newer than the page. (Folders count: a deletion changes their time.)
 page_is_up_to_date() {
   local page=$root/build/web/index.html newer
   [[ -f $page ]] || return 1

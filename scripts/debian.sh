@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Installs what is missing, with apt, from the list in scripts/packages. Sourced after steps.sh.
-# When nothing is missing no apt command runs, so a second run costs nothing and needs no rights.
+# Installs missing packages of the list in scripts/packages with apt. Sourced after steps.sh.
+# If no package is missing, no apt command runs, so a second run is fast and needs no root rights.
 
 readonly oldest_node=18          # Debian 12's
-readonly apt_lock_seconds=600    # another apt (unattended-upgrades, say) may be at work
+readonly apt_lock_seconds=600    # another apt (for example unattended-upgrades) may be running
 
 as_root() {
   if ((EUID == 0)); then "$@"; else sudo "$@"; fi
@@ -30,7 +30,7 @@ node_major() {
   printf '%s\n' "${version%%.*}"
 }
 
-# Debian's nodejs is taken only where there is no node at all: a newer one is kept, an older one never replaced.
+# Debian's nodejs is installed only if there is no node: a newer node is kept, an older one never replaced.
 missing_node_packages() {
   command -v node >/dev/null || printf 'nodejs\n'
   command -v npm >/dev/null || printf 'npm\n'
@@ -62,7 +62,7 @@ require_root() {
   sudo -v || fail "packages have to be installed and sudo said no; run scripts/setup as root once."
 }
 
-# apt-get update does not wait for its lock by itself.
+# Waits for the lock, because apt-get update does not.
 update_package_lists() {
   local waited=0 output
   until output=$(as_root apt-get -o Acquire::Retries=3 update 2>&1); do

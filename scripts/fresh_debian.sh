@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# A Debian 12 in a folder, with nothing in it that a minimal system lacks. Sourced after steps.sh and debian.sh.
+# A minimal Debian 12 in a folder. Sourced after steps.sh and debian.sh.
 
 readonly fresh_limit_seconds=900
 
@@ -28,7 +28,7 @@ remove_fresh_debian() {
   rm -rf --one-file-system "$1"
 }
 
-# in_fresh COMMANDS: runs them in the Debian in $fresh.
+# in_fresh COMMANDS: runs the commands in the Debian in $fresh.
 in_fresh() {
   timeout "$fresh_limit_seconds" chroot "$fresh" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
     DEBIAN_FRONTEND=noninteractive LC_ALL=C bash -euo pipefail -c "$1"

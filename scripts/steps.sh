@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Says what a script is doing while it works. Sourced by scripts/setup, demo, test and format.
+# Progress reports for scripts. Sourced by scripts/setup, demo, test and format.
 #
 #   plan 3                               three steps will follow
-#   step "Build the hub" make hub        runs it, its output goes to a log, one line says what and how long
+#   step "Build the hub" make hub        runs the command, logs its output, prints one line with name and duration
 #   fail "One sentence."                 ends the script with that sentence
 #
 # A step that fails ends the script with one sentence, the path of its log and the log's last lines.
@@ -14,7 +14,7 @@ script_name=scripts/$(basename "$0")
 step_count=0
 step_number=0
 
-readonly quiet_seconds=20    # without a terminal, a line this often shows that the step is alive
+readonly quiet_seconds=20    # without a terminal: interval of the lines that show that the step is running
 readonly shown_log_lines=25  # of a step that failed
 
 plan() {
@@ -29,7 +29,7 @@ fail() {
 
 say() { printf '      %s\n' "$*"; }
 
-# Repeats the elapsed time until it is killed or the script is gone. `read -t` on a pipe that stays silent waits
+# Prints the elapsed time repeatedly until it is killed or the script has ended. `read -t` on a pipe without data waits
 # without a child process.
 show_elapsed() {
   local title=$1 log=$2 pause=$quiet_seconds silent
@@ -45,8 +45,8 @@ show_elapsed() {
 }
 
 # run_step NAME COMMAND...: leaves the command's status in $step_status and the path of its log in $step_log.
-# The command may be a function; it runs in a subshell under `set -e`. (Were this function's own status the result, it
-# would be called in an `if`, and there bash ignores `set -e` all the way down.)
+# The command may be a function; it runs in a subshell under `set -e`. (Returning the status instead
+# would require a call in an `if`, where bash ignores `set -e` in all nested commands.)
 run_step() {
   local name=$1 started=$SECONDS ticker title
   shift

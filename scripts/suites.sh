@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Runs test suites one after the other, counts what each of them says of itself, and sums up. Sourced after steps.sh.
+# Runs test suites one after the other, adds up their reports, and prints a summary. Sourced after steps.sh.
 
 passed=0
 failed=0
@@ -8,7 +8,7 @@ skipped=0
 skipped_tests=()
 readonly shown_failure_lines=100
 
-# Each reader turns a suite's own report into: passed failed skipped.
+# Each reader converts a suite's report to: passed failed skipped.
 read_junit() {
   awk -F '"' '
     /^[ \t]*tests="/ {tests = $2} /^[ \t]*failures="/ {failures = $2}
@@ -39,7 +39,7 @@ skipped_in_tap() {
 # The end of CTest's log lists what failed.
 failed_in_junit() { :; }
 
-# Each failed test with what it says of why, but for those that failed only since tests in them did.
+# Each failed test with its message, except for those that failed only because of nested tests.
 failed_in_tap() {
   awk '
     /^ *not ok / {block = ""; inside = 1}
@@ -47,8 +47,8 @@ failed_in_tap() {
     inside && /^ *\.\.\.$/ {inside = 0; if (block !~ /subtestsFailed/) printf "%s", block}' "$1"
 }
 
-# suite NAME KIND REPORT COMMAND...: KIND is junit or tap. An empty REPORT means that the suite prints it.
-# A suite that ends badly without a failed test of its own (it crashed, or never began) counts as one failure.
+# suite NAME KIND REPORT COMMAND...: KIND is junit or tap. An empty REPORT means that the suite prints its report.
+# A suite that fails without a failed test of its own (it crashed, or never began) counts as one failure.
 suite() {
   local name=$1 kind=$2 report=$3 counts=() lines=() why
   shift 3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras without hardware through everything: driver, library, sensor, hub and subscriber. They
-// are unplugged and plugged in again; the room keeps their place.
+// Simulated cameras through the whole chain: driver, library, sensor, hub and subscriber. The
+// cameras are unplugged and plugged in again; the room keeps their entries.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -46,7 +46,7 @@ class CameraInARoom : public testing::Test {
     viewer_ = *std::move(viewer);
   }
 
-  /// The first picture that the viewer decodes after `sets` frame sets.
+  /// The first snapshot with decoded pictures after `sets` frame sets.
   std::shared_ptr<const client::RoomSnapshot> room_after(std::uint64_t sets) {
     const auto give_up = std::chrono::steady_clock::now() + 20s;
     auto room = viewer_->snapshot();
@@ -131,7 +131,7 @@ TEST_F(CameraInARoom, a_recording_of_a_real_kinect_plays_round_and_round) {
   if (!fs::exists(file))
     GTEST_SKIP() << "no recording at " << file << "; set ROOMCAST_DATA to test with it";
   stream("openni2:" + file.string());
-  const auto room = room_after(16);  // it holds 12 frames
+  const auto room = room_after(16);  // the recording has 12 frames
   EXPECT_EQ(depth_in(*room).width(), 640);
   EXPECT_EQ(feed_->stats().source.disconnect_count, 0U);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does colour lie where depth says, on recordings of real Kinects? Where depth jumps, colour mostly
-// changes, too: the mean colour gradient under the depth edges, over that of the whole picture, is
-// largest where the cameras are right.
+// Registration accuracy on recordings of real Kinects. Colour mostly changes where depth jumps: the
+// mean colour gradient under the depth edges, relative to that of the whole picture, is largest
+// when the camera parameters are correct.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -24,10 +24,10 @@ fs::path recording(const char* name) {
   return fs::path(data != nullptr ? data : ROOMCAST_SOURCE_DIR "/../shared/data") / name;
 }
 
-/// Every tenth frame of a recording, up to eight.
+/// Every tenth frame of a recording, at most eight.
 std::vector<source::CapturedFrame> frames_of(const fs::path& folder) {
-  auto source =
-      sensor::open_source("tum:" + folder.string(), {.pace = source::Pace::kAsFastAsPossible, .loop = false});
+  auto source = sensor::open_source("tum:" + folder.string(),
+                                    {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   EXPECT_TRUE(source.ok()) << (source.ok() ? "" : source.error().message);
   std::vector<source::CapturedFrame> frames;
   source::CapturedFrame frame;
@@ -51,7 +51,7 @@ Image<float> gradient_of(ColorView color) {
   return gradient;
 }
 
-/// The nearer side of a jump.
+/// True on the nearer side of a depth jump.
 bool is_depth_edge(DepthView depth, int x, int y) {
   const int here = depth.at(x, y);
   const auto far_behind = [&](int there) { return there > here + 60 + here / 25; };
@@ -65,7 +65,8 @@ struct Sums {
   [[nodiscard]] double score() const { return (at_edges / edges) / (everywhere / pixels); }
 };
 
-void add(const source::CapturedFrame& frame, const SensorCalibration& cameras, int shift_px, Sums& sums) {
+void add(const source::CapturedFrame& frame, const SensorCalibration& cameras, int shift_px,
+         Sums& sums) {
   const Image<float> gradient = gradient_of(frame.color);
   for (std::size_t i = 0; i < gradient.view().pixel_count(); ++i)
     sums.everywhere += static_cast<double>(gradient.data()[i]);
@@ -85,15 +86,15 @@ void add(const source::CapturedFrame& frame, const SensorCalibration& cameras, i
   }
 }
 
-double edge_score(const std::vector<source::CapturedFrame>& frames, const SensorCalibration& cameras,
-                  int shift_px = 0) {
+double edge_score(const std::vector<source::CapturedFrame>& frames,
+                  const SensorCalibration& cameras, int shift_px = 0) {
   Sums sums;
   for (const source::CapturedFrame& frame : frames) add(frame, cameras, shift_px, sums);
   EXPECT_GT(sums.edges, 1000);
   return sums.score();
 }
 
-// The recording's own cameras were measured on it: this is how well it can be done.
+// The recording's own camera parameters were measured on it, so they give the attainable accuracy.
 TEST(KinectRegistration, a_typical_kinects_cameras_line_up_as_well_as_those_measured) {
   const fs::path folder = recording("redkitchen_moving");
   if (!fs::exists(folder))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// From sensors' clocks to frame sets: recorded sensors whose clocks are seconds apart, drift and
+// From sensor clocks to frame sets. Recorded sensors, whose clocks are seconds apart, drift and
 // lose frames, each behind a network of its own, stamp room time by ClockSync, and
-// FrameSynchronizer puts what belongs together into one set. Nothing waits here: events are worked
-// through in the order of true time.
+// FrameSynchronizer groups frames of the same time into one set. Nothing waits: events are
+// processed in the order of true time.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -25,10 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPeriod_s = 1.0 / 30;
-constexpr double kJitter_s = 0.002;  // of the recording's stamps, either way
+constexpr double kJitter_s = 0.002;  // of the recording's stamps, in either direction
 constexpr int kRounds = 20;
 constexpr double kStall_s = 0.1;
-// Of the 46 sets of a round four lack a frame that was dropped, and two a sensor that begins later
+// Of the 46 sets of a round, four lack a dropped frame, and two lack a sensor that begins later
 // than the others or has ended before them.
 constexpr double kWholeSets = 0.98 * 40 / 46;
 
@@ -42,7 +42,7 @@ double seconds(nanoseconds time) {
   return std::chrono::duration<double>(time).count();
 }
 
-/// A sensor's host and its way to the hub.
+/// A sensor's host and its network path to the hub.
 struct Host {
   client::SimulatedNetwork network;
   double clock_ahead_s = 0, drift = 0;
@@ -55,7 +55,7 @@ struct SentFrame {
   wire::FrameHeader header;
 };
 
-/// When a recorded sensor's frames were taken, played `kRounds` times, from true second 100 on.
+/// Capture times of a recorded sensor, played `kRounds` times, beginning at true second 100.
 std::vector<double> capture_times_s(const recording::Recording& recording) {
   std::vector<double> times;
   for (int round = 0; round < kRounds; ++round) {
@@ -67,7 +67,8 @@ std::vector<double> capture_times_s(const recording::Recording& recording) {
   return times;
 }
 
-/// What a sensor's host makes of them: it asks for the time all along, and stamps frames with it.
+/// The frames that a sensor's host sends: it pings the hub throughout, and stamps frames with room
+/// time.
 std::vector<SentFrame> send(SensorId sensor, const Host& host,
                             const std::vector<double>& captures) {
   client::SimulatedClocks clocks(host.network, -host.clock_ahead_s, host.drift);
@@ -85,7 +86,8 @@ std::vector<SentFrame> send(SensorId sensor, const Host& host,
     }
     wire::FrameHeader header{.key = true, .sensor = sensor};
     header.seq = header.base_seq = static_cast<std::uint32_t>(sent.size());
-    header.capture_time = sync.estimate()->room_time(client::SimulatedClocks::host(host_s(captured_s)));
+    header.capture_time =
+        sync.estimate()->room_time(client::SimulatedClocks::host(host_s(captured_s)));
     const double on_the_way_s = host.network.one_way_s + host.network.frame_on_the_way_s;
     sent.push_back({captured_s, captured_s + host.encode_s + on_the_way_s, header});
   }
@@ -103,7 +105,7 @@ struct ClosedSet {
   std::vector<SentFrame> frames;
 };
 
-/// Everything that was sent reaches a hub whose clock shows true time.
+/// A hub whose clock shows true time and which receives every sent frame.
 class Hub {
  public:
   std::vector<ClosedSet> run(std::vector<SentFrame> frames) {
@@ -143,7 +145,7 @@ double percentile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Of each set: between the oldest and the newest of the sensors' last frames, true time.
+/// For each complete set: true time between the oldest and the newest of the sensors' last frames.
 std::vector<double> skews_s(const std::vector<ClosedSet>& sets, std::size_t sensors) {
   std::vector<double> skews;
   for (const ClosedSet& set : sets) {

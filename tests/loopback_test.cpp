@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hub, publishers and subscriber over real loopback sockets, in one process: what was published is
-// what arrives.
+// Hub, publishers and subscriber over real loopback sockets, in one process: the subscriber
+// receives what was published.
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ DepthImage depth_picture(std::uint16_t number) {
   return depth;
 }
 
-/// A sensor of 20 frames a second that shows picture number N in its Nth frame.
+/// A sensor of 20 frames a second whose Nth frame shows picture number N.
 class TestSensor {
  public:
   TestSensor(const std::string& hub_url, const std::string& name) {
@@ -56,7 +56,7 @@ class TestSensor {
     encoder_ = std::move(*codec::FrameEncoder::create(encoding));
   }
 
-  /// Publishes one frame; false when it was not its turn.
+  /// Publishes one frame if it is due; else returns false.
   bool send(const DepthImage& depth, const ColorImage& color = {}) {
     const auto turn = publisher->next_turn();
     if (!turn) return false;
@@ -74,14 +74,17 @@ class TestSensor {
 };
 
 std::unique_ptr<client::Subscriber> watch(const std::string& hub_url) {
-  auto subscriber = client::Subscriber::open({.hub_url = hub_url, .room = {}, .name = "test", .log = {}});
+  auto subscriber =
+      client::Subscriber::open({.hub_url = hub_url, .room = {}, .name = "test", .log = {}});
   EXPECT_TRUE(subscriber.ok()) << subscriber.error().message;
   return std::move(*subscriber);
 }
 
-/// The first room as wanted; the sensors send what `send` says, at their pace, until then.
+/// Waits for the first room that satisfies `wanted`. Until then `send` lets the sensors send at
+/// their pace.
 template <class Wanted, class Send>
-std::shared_ptr<const client::RoomSnapshot> wait_for(const client::Subscriber& viewer, Send send, Wanted wanted) {
+std::shared_ptr<const client::RoomSnapshot> wait_for(const client::Subscriber& viewer, Send send,
+                                                     Wanted wanted) {
   const auto give_up = std::chrono::steady_clock::now() + 10s;
   auto room = viewer.snapshot();
   while (!wanted(*room)) {
@@ -177,8 +180,9 @@ TEST(Loopback, two_sensors_of_one_name_do_not_fight) {
 }
 
 TEST(Loopback, without_a_hub_open_fails_with_a_sentence) {
-  const std::string url = RunningHub().url();  // has gone by now
-  const auto subscriber = client::Subscriber::open({.hub_url = url, .room = {}, .name = {}, .log = {}});
+  const std::string url = RunningHub().url();  // the hub has stopped by now
+  const auto subscriber =
+      client::Subscriber::open({.hub_url = url, .room = {}, .name = {}, .log = {}});
   ASSERT_FALSE(subscriber.ok());
   EXPECT_EQ(subscriber.error().code, ErrorCode::kUnavailable);
   const auto elsewhere =

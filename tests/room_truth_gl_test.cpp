@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From files to pixels on recorded data: three sensors' frames are read, registered and drawn in
-// one world from viewpoints where no sensor stood, and compared with the true pictures from there.
-// Needs the data folder (ROOMCAST_DATA, or ../shared/data beside the source tree).
+// one world from viewpoints without a sensor, and compared with the true pictures from there. Needs
+// the data folder (ROOMCAST_DATA, or ../shared/data next to the source tree).
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -38,11 +38,11 @@ std::string numbered(std::uint64_t number, const char* ending) {
   return name;
 }
 
-// What was true: 2x2 pixels of the file make one here, to keep the test short.
+// A true view. 2x2 pixels of the file make one here, to keep the test short.
 struct TruthView {
   render::ViewCamera camera;
   ColorImage color;
-  MaskImage seen;  // by at least one sensor's depth, in all four pixels
+  MaskImage seen;  // by the depth camera of at least one sensor, in all four pixels
 };
 
 Rgb8 mean_of_four(const ColorImage& image, int x, int y) {
@@ -88,7 +88,7 @@ TruthView read_truth(const json& views, const json& view) {
   return truth;
 }
 
-// Sums over pixels; of several views when added to again and again.
+// Sums over pixels; of several views if they are added in turn.
 struct Comparison {
   double squared_error = 0;
   std::int64_t covered = 0, seen = 0, seen_but_not_covered = 0;
@@ -170,7 +170,7 @@ class RoomTruth : public ::testing::Test {
     }
   }
 
-  // Over the views of the recording's first instant.
+  // Compares the views of the recording's instant 0.
   Comparison compare(render::RenderMode mode) {
     Comparison sum;
     for (const json& view : views_.at("views")) {
@@ -191,9 +191,8 @@ class RoomTruth : public ::testing::Test {
   json views_;
 };
 
-// What prototypes of the same methods reached on this recording, at twice the resolution and
-// without a mask of unseen colour: the mesh 20.1 dB with 2.0 % holes, distance-scaled squares 19.1
-// dB.
+// Results of prototypes of the same methods on this recording, at twice the resolution and without
+// a mask of unseen colour: the mesh 20.1 dB with 2.0 % holes, distance-scaled squares 19.1 dB.
 constexpr double kMeshFloorDb = 20.0, kPointsFloorDb = 19.0, kMaxHoles = 0.02;
 
 TEST_F(RoomTruth, points_look_like_the_room_from_where_no_sensor_stood) {

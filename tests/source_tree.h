@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The project's own C++ files as text, for the tests that read it. Single-threaded.
+// Reads the project's own C++ files as text, for tests of the source code. Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ struct SourceFile {
   std::string text;
 };
 
-/// Every .h and .cpp under `folders` of the source tree at `root`, sorted by path. Folders that are
-/// not there are left out.
+/// Every .h and .cpp under `folders` of the source tree at `root`, sorted by path. Missing folders
+/// are left out.
 [[nodiscard]] std::vector<SourceFile> read_cpp_files(const std::filesystem::path& root,
                                                      const std::vector<std::string>& folders);
 
-/// What `text` includes in quotes, in order: "roomcast/core/result.h". Includes in <> are other
-/// people's.
+/// The quoted includes of `text`, in order: "roomcast/core/result.h". Includes in <> belong to
+/// other projects.
 [[nodiscard]] std::vector<std::string> quoted_includes(const std::string& text);
 
 }  // namespace roomcast::tests

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hub keeps (certificate, poses) is kept in a folder of this test run, not among the tester's own.
+// Keeps the hub's state (certificate, poses) in a folder of this test run, apart from the user's own state.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/threat-model.md names a test for each of its lines; here they are looked for.
+// Checks that every test named in docs/threat-model.md exists.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +28,7 @@ bool is_test(const fs::path& path) {
   return name.ends_with("_test.cpp") || name.ends_with(".test.mjs") || name.ends_with(".test.ts");
 }
 
-/// All tests of the tree, one after the other.
+/// The text of all tests of the source tree.
 std::string all_tests() {
   std::string text;
   for (const char* folder : {"roomcast", "tests", "web/src"}) {
@@ -65,7 +65,7 @@ std::vector<std::string> quoted_in(const std::string& cell) {
   return names;
 }
 
-/// The table's rows but its head, its rule and its headings.
+/// The rows of the table, without its header, its rule and its headings.
 std::vector<Line> threats() {
   std::vector<Line> lines;
   std::ifstream file(kRoot / "docs" / "threat-model.md");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A desktop viewer beside a real hub and real sensors, which are taken away from it and given back:
-// it goes on drawing, says what is missing, and resumes. The window needs no display.
+// A desktop viewer with a real hub and real sensors, which are stopped and started again: the
+// viewer keeps drawing, reports what is missing, and resumes. The window needs no display.
 #include <cstdlib>
 #include <thread>
 
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 constexpr int kSide = 64;
 constexpr Rgb8 kWall = {200, 60, 40};
 
-/// Sees a wall, from the world's origin.
+/// A sensor at the world's origin that sees a wall.
 class WallSensor {
  public:
   explicit WallSensor(const std::string& hub_url) {
@@ -42,7 +42,7 @@ class WallSensor {
     encoder_ = std::move(*codec::FrameEncoder::create(encoding));
   }
 
-  /// A frame, if it is its turn.
+  /// Sends a frame if one is due.
   void send() {
     const auto turn = publisher_->next_turn();
     if (!turn) return;
@@ -65,7 +65,8 @@ class ViewerResilience : public testing::Test {
   void SetUp() override {
     ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
     sensor.emplace(hub->url());
-    auto joined = client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = {}, .log = {}});
+    auto joined =
+        client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = {}, .log = {}});
     ASSERT_TRUE(joined.ok()) << joined.error().message;
     subscriber = std::move(*joined);
     viewer::DesktopViewerOptions options;
@@ -102,7 +103,7 @@ class ViewerResilience : public testing::Test {
     return false;
   }
 
-  /// It is alive: a person who turns the head sees another picture at once.
+  /// Expects a new picture at once when the user turns the head.
   void expect_goes_on_drawing() {
     const auto before = viewer->pictures_drawn();
     const auto begin = std::chrono::steady_clock::now();
@@ -111,7 +112,7 @@ class ViewerResilience : public testing::Test {
     motion.motion.state = SDL_BUTTON_LMASK;
     motion.motion.xrel = 4;
     SDL_PushEvent(&motion);
-    // SDL may hand out an event one look later.
+    // SDL may deliver an event one step later.
     for (int i = 0; i < 3 && viewer->pictures_drawn() == before; ++i) viewer->step();
     EXPECT_GT(viewer->pictures_drawn(), before);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s) << "it waited for somebody";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Kinect v1 that can be unplugged: stands in for libfreenect and hands every call on to the
-// library of Debian's that replays recordings (fakenect). That one cannot begin anew, so it is
-// loaded anew for every opening. What it lacks, a serial number and the calibration in the camera's
-// memory, is added here. It is plugged in while $FAKENECT_PATH has no file "unplugged" in it.
+// A Kinect v1 that can be unplugged. Replaces libfreenect and forwards every call to Debian's
+// library for replaying recordings (fakenect). fakenect cannot restart a recording, so it is loaded
+// again for every opening. This file adds the missing serial number and the calibration in the
+// camera's memory. The camera is plugged in while $FAKENECT_PATH contains no file "unplugged".
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -18,7 +18,7 @@ constexpr char kFakenect[] = "/usr/lib/x86_64-linux-gnu/fakenect/libfreenect.so.
 constexpr int kWidth = 640, kHeight = 480;
 char serial[] = "A00367813501053A";
 
-/// The replaying library, while a context is open; recordings are played by one thread.
+/// The replaying library, while a context is open. One thread plays recordings.
 void* replay = nullptr;
 int users = 0;
 

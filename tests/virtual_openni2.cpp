@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A camera without hardware: a driver that OpenNI loads like any other. Its depth is a slanted
-// plane, its colour tells the pixel. It is plugged in while $ROOMCAST_VIRTUAL_CAMERAS names a
-// folder that has no file "unplugged" in it.
+// plane, its colour encodes the pixel position. It is plugged in while $ROOMCAST_VIRTUAL_CAMERAS
+// names a folder that contains no file "unplugged".
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -52,7 +52,7 @@ class VirtualStream final : public oni::driver::StreamBase {
   void stop() override { thread_ = {}; }
 
   OniBool isPropertySupported(int property) override {
-    // Without the first two, recording and playing a file hang.
+    // Without the first two properties, recording and playing a file hang.
     return property == ONI_STREAM_PROPERTY_STRIDE || property == ONI_STREAM_PROPERTY_CROPPING ||
            property == ONI_STREAM_PROPERTY_VIDEO_MODE ||
            property == ONI_STREAM_PROPERTY_HORIZONTAL_FOV ||

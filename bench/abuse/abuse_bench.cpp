@@ -34,9 +34,9 @@ double megabytes(std::size_t bytes) {
   return static_cast<double>(bytes) / 1e6;
 }
 
-/// Until the attack is felt, and a little longer.
+/// Waits until the attack has begun, and a little longer.
 Status wait_for(const Attack& attack, Load& load, const AbuseBenchOptions& options) {
-  constexpr int kPatience = 20;  // looks
+  constexpr int kPatience = 20;  // measurements
   for (int look = 0; look < kPatience; ++look) {
     if (auto some = load.run_paced(kFps, options.duration / 8); !some) return some.error();
     if (look > 0 && attack.counts().tried > 0) return {};
@@ -46,10 +46,11 @@ Status wait_for(const Attack& attack, Load& load, const AbuseBenchOptions& optio
 
 struct Phase {
   std::vector<double> latencies_ms;
-  std::uint64_t tried = 0;  // connections of the attacker
+  std::uint64_t tried = 0;  // connections opened by the attacker
 };
 
-/// Viewers of their own each time: they do not answer pings, and a hub gives them up after 15 s.
+/// Connects new viewers for each phase, because these viewers do not answer pings and a hub
+/// disconnects them after 15 s.
 Result<std::unique_ptr<Load>> warm_load(const RunningEngine& hub, const FanoutRoom& room,
                                         const AbuseBenchOptions& options) {
   auto load = Load::connect(hub, room, kPublishers, options.viewers);

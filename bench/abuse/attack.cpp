@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kFromEach = 8;  // connections of one address: fewer than a hub bans or counts out
+constexpr int kFromEach = 8;  // connections per address, below the hub's limits
 constexpr auto kDripEvery = 100ms;
 constexpr std::string_view kGarbage = "\x16\x03\x01\xff\xff not a word of HTTP \r\n\r\n";
 constexpr timeval kPatience{.tv_sec = 1, .tv_usec = 0};
@@ -36,7 +36,7 @@ bool say(int fd, std::string_view text) {
          static_cast<ssize_t>(text.size());
 }
 
-/// The hub has not hung up.
+/// True while the hub has not closed the connection.
 bool is_there(int fd) {
   std::array<char, 4096> ignored{};
   const ssize_t got = ::recv(fd, ignored.data(), ignored.size(), MSG_DONTWAIT);
@@ -46,7 +46,7 @@ bool is_there(int fd) {
 void read_to_the_end(int fd) {
   std::array<char, 512> buffer{};
   while (::recv(fd, buffer.data(), buffer.size(), 0) > 0) {
-    ::shutdown(fd, SHUT_WR);  // we have said all we had to say
+    ::shutdown(fd, SHUT_WR);  // nothing more to send
   }
 }
 
@@ -84,7 +84,7 @@ Attack::Attack(AttackKind kind, std::uint16_t port, int connections)
         }
       }) {}
 
-/// -1: refused.
+/// Returns -1 if the connection was refused.
 int Attack::connect() {
   const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in from{};
@@ -102,7 +102,7 @@ int Attack::connect() {
   return -1;
 }
 
-/// Keeps so many connections open; those on which the hub hangs up are opened anew.
+/// Keeps `connections_` connections open and reopens those that the hub closes.
 void Attack::hold(const std::stop_token& stop, std::string_view first, std::string_view drip) {
   std::vector<int> held(static_cast<std::size_t>(connections_), -1);
   while (!stop.stop_requested()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attack: somebody who wants to be a burden to a hub on 127.0.0.1, from many addresses of this
-// machine (127.0.0.0/8), at the lowest priority: an attacker's own work is not the hub's.
+// Attack: an attacker of a hub on 127.0.0.1. It uses many source addresses of 127.0.0.0/8 and runs
+// at the lowest priority, because its own work is not part of the hub's cost.
 // Threading: a thread of its own until it is destroyed.
 #pragma once
 
@@ -14,25 +14,26 @@
 namespace roomcast::bench {
 
 enum class AttackKind {
-  kHalfOpen,   // connects and says nothing
-  kGarbage,    // connects, says what is nothing, and goes on
-  kSlowloris,  // a request header, a letter at a time
-  kBadTokens,  // joins with tokens that are none, as often as it can
+  kHalfOpen,   // connects and sends nothing
+  kGarbage,    // connects and keeps sending invalid bytes
+  kSlowloris,  // sends a request header one character at a time
+  kBadTokens,  // joins with invalid tokens as often as possible
 };
 
 [[nodiscard]] std::string_view name_of(AttackKind kind);
 
 class Attack {
  public:
-  /// `connections`: held open at once; of bad tokens: tried in all.
+  /// `connections`: open at the same time; for bad tokens: the total number of attempts.
   Attack(AttackKind kind, std::uint16_t port, int connections);
 
   struct Counts {
-    std::uint64_t tried = 0;   // connections
-    std::uint64_t served = 0;  // looks at which one was open; of bad tokens: that were answered
+    std::uint64_t tried = 0;  // connections
+    /// Checks that found a connection open; for bad tokens: answered connections.
+    std::uint64_t served = 0;
   };
   [[nodiscard]] Counts counts() const { return {tried_, served_}; }
-  /// All bad tokens were shown; other attacks go on.
+  /// True once all bad tokens were sent; other attacks run until destruction.
   [[nodiscard]] bool is_over() const { return over_; }
 
  private:
@@ -45,7 +46,7 @@ class Attack {
   const int connections_;
   std::atomic<std::uint64_t> tried_ = 0, served_ = 0;
   std::atomic<bool> over_ = false;
-  std::jthread thread_;  // last: uses all of the above
+  std::jthread thread_;  // last: uses all members above
 };
 
 }  // namespace roomcast::bench

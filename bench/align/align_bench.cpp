@@ -17,7 +17,8 @@ namespace {
 
 using alignment::SensorView;
 
-/// The methods of others accept whatever they find.
+/// The peer methods return a pose for every pair for which they find one; they have no acceptance
+/// test.
 using Answer = AlignAnswer;
 using Answers = std::vector<Answer>;
 using Method = std::function<Answers(const AlignInput&)>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alignment methods side by side on views whose true poses are known: how often each is right, how
-// often it claims to be and is not, how exact it is, and what it costs. Single-threaded.
+// Compares alignment methods on views with known poses: rate of correct poses, rate of accepted
+// wrong poses, accuracy and CPU cost. Single-threaded.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace roomcast::bench {
 
-/// Two of an input's views, and how they truly stand to each other.
+/// Two views of an input and their true relative pose.
 struct AlignCase {
   std::size_t a = 0, b = 0;
   RigidTransform a_from_b;
@@ -26,16 +26,16 @@ struct AlignInput {
   std::string name;
   std::vector<std::shared_ptr<const alignment::SensorView>> views;
   std::vector<AlignCase> cases;
-  bool whole_rig = false;  // the views are one rig's: they may be aligned together
+  bool whole_rig = false;  // the views belong to one rig and may be aligned together
 };
 
-/// An answer is right when rotation and translation are off by less than this.
+/// An answer is correct when its rotation and translation errors are below these limits.
 inline constexpr double kRightAngle_deg = 5, kRightDistance_m = 0.1;
 
 struct AlignRow {
   std::string input, method, overlap;  // overlap: ">60 %", "30-60 %", "10-30 %", "<10 %"
   int pairs = 0, right = 0, accepted = 0, accepted_wrong = 0;
-  double median_rotation_deg = 0, median_translation_mm = 0;  // of the right ones
+  double median_rotation_deg = 0, median_translation_mm = 0;  // of the correct answers
   double cpu_s_per_pair = 0;                                  // without making the views
 };
 

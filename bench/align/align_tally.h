@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers counted against the truth, by how much the views share. Single-threaded.
+// Counts answers against the ground truth, grouped by the overlap of the views. Single-threaded.
 #pragma once
 
 #include <map>
@@ -12,19 +12,19 @@
 
 namespace roomcast::bench {
 
-/// a_from_b, or that there is none.
+/// a_from_b, or nothing when the method finds no pose.
 using AlignAnswer = std::optional<RigidTransform>;
 
-/// Why a pair has no answer.
+/// The reason why a pair has no answer.
 enum class Unanswerable { kOtherRooms, kRoomsOfOneKind };
 
 class AlignTally {
  public:
   void add(const AlignCase& pair, const AlignAnswer& answer);
-  /// A pair that has no answer: right when none is given.
+  /// Counts a pair without a true answer: correct when the method gives none.
   void add_unanswerable(const AlignAnswer& answer, Unanswerable why);
 
-  /// One for each class of overlap that there is.
+  /// One row for each overlap class that occurs.
   [[nodiscard]] std::vector<AlignRow> rows(const std::string& input, const std::string& method,
                                            double cpu_s_per_pair) const;
 
@@ -36,7 +36,7 @@ class AlignTally {
   std::map<std::string, Class> classes_;
 };
 
-/// 0 of none.
+/// 0 for an empty list.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace roomcast::bench

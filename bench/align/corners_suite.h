@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How exactly four sensors in the corners of a room are placed: simulated rooms with the noise and
-// the smooth errors of a Kinect v2, against the truth. Single-threaded.
+// Pose accuracy of four sensors in the corners of a room: simulated rooms with the noise and the
+// smooth depth errors of a Kinect v2, compared with the ground truth. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace roomcast::bench {
 
 struct CornersSuiteOptions {
   int rooms = 3;
-  std::uint64_t seed = 1;  // of the first room; each has the next
-  int frames = 9;          // averaged for each sensor
+  std::uint64_t seed = 1;  // of the first room; increases by one per room
+  int frames = 9;          // averaged per sensor
   simulator::SensingOptions sensing;
 };
 
 struct CornersRoom {
   std::uint64_t seed = 0;
   std::size_t sensors = 0, placed = 0;
-  RigError error;          // of those that were placed
-  double expected_mm = 0;  // the largest of any sensor, 2.5 m ahead of it
+  RigError error;          // of the placed sensors
+  double expected_mm = 0;  // largest expected error of any sensor, 2.5 m in front of it
   double expected_deg = 0;
 };
 

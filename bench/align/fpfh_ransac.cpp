@@ -16,11 +16,12 @@ namespace {
 using alignment::PointMatch;
 
 constexpr int kTrials = 20'000;
-constexpr float kInlier_m = 0.09F;  // one and a half times what points are thinned to
-constexpr float kEdgeRatio = 0.9F;  // of the same edge in both views
+constexpr float kInlier_m = 0.09F;  // 1.5 times the point spacing
+constexpr float kEdgeRatio = 0.9F;  // minimum ratio of corresponding edge lengths
 constexpr std::size_t kMinInliers = 5;
 
-std::vector<PointMatch> shape_matches(const alignment::SensorView& a, const alignment::SensorView& b) {
+std::vector<PointMatch> shape_matches(const alignment::SensorView& a,
+                                      const alignment::SensorView& b) {
   const auto of_a = alignment::shape_features(a.surface.samples);
   const auto of_b = alignment::shape_features(b.surface.samples);
   std::vector<PointMatch> matches;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A peer to compare with that looks at shape alone: FPFH features (Rusu et al. 2009), the pose by
-// RANSAC over their matches with the edge-length check of Buch et al. (ICRA 2013), then
-// point-to-plane ICP. Metres. Thread-safe (no state).
+// A peer method that uses shape only: FPFH features (Rusu et al. 2009), the pose by RANSAC over
+// their matches with the edge-length check of Buch et al. (ICRA 2013), then point-to-plane ICP.
+// Metres. Thread-safe (no state).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace roomcast::bench {
 
-/// a_from_b. Nothing when hardly any feature matches.
+/// a_from_b. Nothing when too few features match.
 [[nodiscard]] std::optional<RigidTransform> fpfh_ransac_pose(const alignment::SensorView& a,
                                                              const alignment::SensorView& b);
 

@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kOverlapPoints = 4000;
 
-/// How far the seeds of rooms that may look alike are from those of the rooms themselves.
+/// Seed offset between a room and the room of the same kind that may look alike.
 constexpr std::uint64_t kAnotherRoom = 1'000'000;
 
 /// A sensor of the rig under test.
 struct Entry {
   const SimulatedView* seen;
-  bool native;  // of the room
+  bool native;  // belongs to the room
 };
 
 std::vector<Entry> entries_of(const FreshRig& rig) {
@@ -39,7 +39,7 @@ std::vector<Entry> entries_of(const FreshRig& rig) {
   return entries;
 }
 
-/// Under names that tell nothing.
+/// Aligns the sensors under names that reveal nothing about their rooms.
 alignment::AlignmentReport aligned(const std::vector<Entry>& entries) {
   alignment::RigAligner aligner;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -55,7 +55,7 @@ AlignCase case_of(const Entry& a, const Entry& b) {
   pair.a_from_b = a.seen->world_from_depth.inverse() * b.seen->world_from_depth;
   pair.overlap = alignment::check_free_space(a.seen->view->surface, b.seen->view->surface,
                                              pair.a_from_b, kOverlapPoints)
-                     .min_consistent;
+                     .consistent_least;
   return pair;
 }
 
@@ -72,7 +72,7 @@ void FreshSuite::add(const FreshRig& rig) {
   const alignment::AlignmentReport report = aligned(entries);
   cpu_s_ += double(std::clock() - start) / CLOCKS_PER_SEC;
   ++rooms_;
-  const Entry* origin = nullptr;  // the first that is placed
+  const Entry* origin = nullptr;  // the first placed sensor
   std::size_t origin_index = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (std::size_t j = i + 1; j < entries.size(); ++j) {
@@ -80,7 +80,7 @@ void FreshSuite::add(const FreshRig& rig) {
       if (entries[i].native && entries[j].native) {
         count(case_of(entries[i], entries[j]), rig.scene, found);
       } else if (entries[i].native || !rig.alike) {
-        count_unanswerable(rig, found);  // two strangers of one room: a pair of no interest
+        count_unanswerable(rig, found);  // not for two strangers of one room
       }
     }
     if (!report.sensors[i].placed || !entries[i].native) continue;
@@ -131,7 +131,7 @@ double ErrorRatios::within_twice() const {
 
 namespace {
 
-/// Makes the rigs, one after the other.
+/// Makes the rigs one after the other.
 class FreshRigs {
  public:
   explicit FreshRigs(const FreshSuiteOptions& options) : options_(options) {
@@ -162,7 +162,7 @@ class FreshRigs {
  private:
   [[nodiscard]] const std::string& scene() const { return scenes_[number_ % scenes_.size()]; }
   [[nodiscard]] std::uint64_t seed() const { return options_.seed + number_; }
-  /// Every second time that a scene's turn comes, beginning with the first.
+  /// True every second time that a scene is used, beginning with the first.
   [[nodiscard]] bool has_look_alikes() const { return number_ / scenes_.size() % 2 == 0; }
   [[nodiscard]] Result<std::vector<SimulatedView>> sensors_of(std::uint64_t seed,
                                                               std::size_t only_first) const {
@@ -172,7 +172,7 @@ class FreshRigs {
   FreshSuiteOptions options_;
   std::vector<std::string> scenes_;
   std::size_t number_ = 0;
-  std::deque<SimulatedView> before_;  // the first sensors of the rooms before
+  std::deque<SimulatedView> before_;  // the first sensors of the previous rooms
 };
 
 }  // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alignment of rooms that nobody has looked at: simulated rooms of every scene, each with a seed of
-// its own, whose sensors are aligned together with some of other rooms: of another room of the same
-// kind, which may look alike, or of the rooms before, in turn. So about half of the pairs have no
-// answer, and nothing tells the aligner which. Counts how many pairs are answered, how many of the
-// answers are wrong, and whether errors are as large as expected. Single-threaded.
+// Alignment on simulated rooms that were not inspected before: every scene, a new seed for each
+// room. The sensors of a room are aligned together with some sensors of other rooms: in turn of
+// another room of the same kind, which may look alike, and of previous rooms. About half of the
+// pairs therefore have no answer, and the aligner does not know which. Counts how many pairs are
+// answered, how many answers are wrong, and whether errors are as large as expected.
+// Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -21,29 +22,29 @@
 namespace roomcast::bench {
 
 struct FreshSuiteOptions {
-  int pairs = 1000;                 // at least so many are looked at
-  std::uint64_t seed = 1;           // of the first room; each has the next
-  int sensors = 5;                  // of a room
-  std::size_t strangers = 2;        // of other rooms
-  int frames = 3;                   // averaged for each sensor
-  std::vector<std::string> scenes;  // none: all
+  int pairs = 1000;                 // minimum number of evaluated pairs
+  std::uint64_t seed = 1;           // of the first room; increases by one per room
+  int sensors = 5;                  // per room
+  std::size_t strangers = 2;        // from other rooms
+  int frames = 3;                   // averaged per sensor
+  std::vector<std::string> scenes;  // empty: all
 };
 
-/// Sensors that are aligned together: those of a room, and some that are elsewhere.
+/// Sensors that are aligned together: those of a room and some of other rooms.
 struct FreshRig {
   std::string scene;
   std::vector<SimulatedView> room, strangers;
-  bool alike = false;  // the strangers are all of one other room, of the same kind
+  bool alike = false;  // the strangers all belong to one other room of the same kind
 };
 
-/// Of pairs whose views share more, in the smaller of both directions, most should be answered.
+/// Most pairs with a larger overlap, in the smaller of both directions, should be answered.
 inline constexpr double kSharesEnough = 0.08;
 
-/// Errors over what was expected of them.
+/// Ratios of actual to expected errors.
 struct ErrorRatios {
   std::vector<double> ratios;
 
-  /// The share that is at most twice what was expected.
+  /// The share of errors that are at most twice the expected error.
   [[nodiscard]] double within_twice() const;
 };
 
@@ -55,12 +56,13 @@ class FreshSuite {
   [[nodiscard]] int rooms() const { return rooms_; }
   /// By overlap; "none": sensors of different rooms, "alike": of rooms of the same kind.
   [[nodiscard]] std::vector<AlignRow> rows() const;
-  /// The same of each scene: of the pairs that share enough, and of those without an answer.
+  /// The same for each scene: for the pairs that share enough and for those without an answer.
   [[nodiscard]] std::vector<SceneRow> scenes() const { return scenes_.rows(); }
-  /// Of the pairs that share enough: how many there are, and were answered.
+  /// Number of pairs that share enough, and of those that were answered.
   [[nodiscard]] int sharing() const { return sharing_; }
   [[nodiscard]] int sharing_answered() const { return sharing_answered_; }
-  /// Of the placed sensors: errors 2.5 m ahead, and of the direction, over what was expected.
+  /// For the placed sensors: errors 2.5 m ahead, and of the direction, divided by the expected
+  /// errors.
   [[nodiscard]] const ErrorRatios& distance_ratios() const { return distance_ratios_; }
   [[nodiscard]] const ErrorRatios& angle_ratios() const { return angle_ratios_; }
 

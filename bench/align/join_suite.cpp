@@ -20,7 +20,7 @@ double cpu_s() {
   return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The last of these joins the others.
+/// The last view joins the others.
 JoinedRoom joined(const std::vector<SimulatedView>& views) {
   alignment::RigAligner aligner;
   for (std::size_t i = 0; i + 1 < views.size(); ++i) {

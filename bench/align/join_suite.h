@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs that a sensor joins a room of four: CPU time of looking at what it sent, and of
-// finding its place among sensors that are placed. Simulated rooms, Kinect v2. Single-threaded.
+// The cost of a sensor that joins a room of four: CPU time to process its bundle and to find its
+// pose relative to the placed sensors. Simulated rooms, Kinect v2. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 namespace roomcast::bench {
 
 struct JoinSuiteOptions {
-  int rooms = 3;  // scene after scene
+  int rooms = 3;  // cycles through the scenes
   std::uint64_t seed = 1;
-  int there = 4;   // sensors before
-  int frames = 3;  // averaged for each sensor
+  int there = 4;   // sensors before the join
+  int frames = 3;  // averaged per sensor
   simulator::SensingOptions sensing;
 };
 
 struct JoinedRoom {
   std::string scene;
   std::uint64_t seed = 0;
-  bool placed = false;     // the sensor that joined
-  double look_cpu_s = 0;   // surfaces and features of what it sent
-  double place_cpu_s = 0;  // against the four that were there
+  bool placed = false;     // the joining sensor
+  double look_cpu_s = 0;   // surfaces and features of its bundle
+  double place_cpu_s = 0;  // against the four present sensors
 };
 
 /// Errors of simulate_views.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers counted scene by scene: which kinds of room are refused, or answered wrongly.
+// Counts answers scene by scene, to show which kinds of room are refused or answered wrongly.
 // Single-threaded.
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace roomcast::bench {
 
-/// Pairs of one scene that share about as much.
+/// The pairs of one scene in one class of overlap.
 struct SceneRow {
   std::string scene, overlap;
-  int pairs = 0, right = 0, refused = 0, wrong = 0;  // refused may be right, see `overlap`
+  int pairs = 0, right = 0, refused = 0, wrong = 0;  // refused may be correct, see `overlap`
 };
 
 class SceneTally {
  public:
-  /// Scenes are kept in the order in which they came.
+  /// Scenes keep the order of their first use.
   [[nodiscard]] AlignTally& of(const std::string& scene);
   [[nodiscard]] std::vector<SceneRow> rows() const;
 

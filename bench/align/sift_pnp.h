@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A peer to compare with: SIFT features matched by Lowe's ratio test, those of one view lifted by
-// its depth, the pose by perspective-n-point RANSAC (OpenCV). Metres. Thread-safe (no state).
+// A peer method: SIFT features matched by Lowe's ratio test, the features of one view lifted to 3D
+// by its depth, the pose by perspective-n-point RANSAC (OpenCV). Metres. Thread-safe (no state).
 #pragma once
 
 #include <optional>

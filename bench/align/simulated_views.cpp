@@ -11,11 +11,12 @@
 namespace roomcast::bench {
 namespace {
 
-/// Between the frames of a bundle: long enough for whoever walks by to be gone in most of them.
+/// Interval between the frames of a bundle: long enough that a person who walks by has left most of
+/// them.
 constexpr nanoseconds kFrameGap = std::chrono::milliseconds(800);
 
-Result<alignment::CalibrationBundle> capture(const simulator::SimulatedSensor& sensor, const std::string& name,
-                                         int frames) {
+Result<alignment::CalibrationBundle> capture(const simulator::SimulatedSensor& sensor,
+                                             const std::string& name, int frames) {
   alignment::BundleCapture capture(name, sensor.calibration());
   auto moment = sensor.make_moment();
   auto exposure = sensor.auto_exposure();
@@ -35,8 +36,8 @@ Result<alignment::CalibrationBundle> capture(const simulator::SimulatedSensor& s
 
 Result<SimulatedView> simulate_view(const std::shared_ptr<const simulator::SimulatedRoom>& room,
                                     const SimulatedViewsOptions& options, int index) {
-  const auto sensor =
-      simulator::SimulatedSensor::open(room, {index, options.sensors, options.seed, 1.0, 1, options.sensing});
+  const auto sensor = simulator::SimulatedSensor::open(
+      room, {index, options.sensors, options.seed, 1.0, 1, options.sensing});
   if (!sensor) return sensor.error();
   SimulatedView seen{nullptr, (*sensor)->world_from_depth(), 0};
   const auto bundle = capture(**sensor, "s" + std::to_string(index), options.frames);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views of simulated rooms, for measuring alignment on rooms that nobody has looked at: what the
-// sensors of a room would send on joining, made in memory, with where they truly stand.
-// Single-threaded.
+// Views of simulated rooms for measuring alignment: the bundles that the sensors of a room would
+// send when joining, made in memory, with the true poses. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +21,17 @@ struct SimulatedViewsOptions {
   int sensors = 4;
   int frames = 5;  // averaged in each bundle
   simulator::SensingOptions sensing;
-  std::size_t only_first = std::numeric_limits<std::size_t>::max();  // of the sensors
+  std::size_t only_first = std::numeric_limits<std::size_t>::max();  // maximum number of sensors
 };
 
 struct SimulatedView {
-  std::shared_ptr<const alignment::SensorView> view;  // nothing when the sensor's view is of no use
-  RigidTransform world_from_depth;                // the truth
-  double look_cpu_s = 0;                          // CPU time of making the view
+  std::shared_ptr<const alignment::SensorView> view;  // null when the sensor's view cannot be used
+  RigidTransform world_from_depth;                    // ground truth
+  double look_cpu_s = 0;                              // CPU time of making the view
 };
 
-/// Errors of SimulatedRoom and SimulatedSensor; a sensor that is refused keeps its place, without a
-/// view.
+/// Errors of SimulatedRoom and SimulatedSensor. A sensor whose view is refused keeps its place in
+/// the list, without a view.
 [[nodiscard]] Result<std::vector<SimulatedView>> simulate_views(
     const SimulatedViewsOptions& options);
 

@@ -21,7 +21,7 @@ bool is_simulator(const std::string& input) {
   return input == "sim" || starts_with(input, "sim:") || starts_with(input, "sim#");
 }
 
-/// A folder as it is named on the command line -> the source that it holds.
+/// Maps a folder as given on the command line to the source in it.
 std::string source_of(const std::string& input) {
   std::error_code ignored;
   if (is_simulator(input) || !fs::is_directory(input, ignored)) return input;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `roomcast bench codec` measures on: the frames of one sensor with what is known of the
-// truth.
+// Inputs of `roomcast bench codec`: the frames of one sensor, with ground truth where it is known.
 //   rig:DIR#s0, tum:DIR, a folder   a recording; depth truth from DIR/truth/<sensor>/%06d.png where
 //                                   it is there, clean colour from
 //                                   DIR/truth/<sensor>/color/%06d.jpg likewise. A rig without
 //                                   #sensor: its first.
-//   sim[:scene][#n]                 the simulator; depth truth, and colour as a camera without
-//   noise
-//                                   would have seen it
-// Colour is registered to the depth grid, the truth's too, with the measured depth: the reference
-// is the clean colour of the surface point that the sensor believes in.
+//   sim[:scene][#n]                 the simulator; depth truth, and noise-free colour
+// Colour, including the true colour, is registered to the depth grid with the measured depth. The
+// reference is therefore the clean colour of the surface point at the measured depth.
 #pragma once
 
 #include <memory>
@@ -19,20 +16,20 @@
 
 namespace roomcast::bench {
 
-/// What a frame's colour is compared with.
+/// The reference for a frame's colour.
 enum class ColorReference {
   kInput,     // the input itself
-  kDenoised,  // the input with its noise taken out (measure/temporal_mean.h)
-  kClean,     // the truth
+  kDenoised,  // the input after denoising (measure/temporal_mean.h)
+  kClean,     // ground truth
 };
 
-/// The truth of one frame.
+/// Ground truth of one frame.
 struct BenchTruth {
-  DepthImage depth_mm;  // empty: not known
-  // What the sensor would have read without random noise, with its systematic errors; empty: not
-  // known. A codec can take noise out, but not these errors, which are the same in every frame.
+  DepthImage depth_mm;  // empty: unknown
+  // The sensor's reading without random noise but with its systematic errors; empty: unknown. A
+  // codec can remove noise, but not these errors, which are the same in every frame.
   DepthImage noise_free_mm;
-  ColorImage color;  // ColorReference says what it is; empty without colour
+  ColorImage color;  // see ColorReference; empty without colour
 };
 
 class BenchInput {
@@ -49,10 +46,10 @@ struct BenchInputOptions {
   double sim_fps = 30;
   int sim_sensor_count = 3;
   std::uint64_t sim_seed = 1;
-  double sim_speed = 1;  // of all motion: 0 stands still
+  double sim_speed = 1;  // speed factor of all motion; 0: static
 };
 
-/// kInvalidArgument for an INPUT that is none of the above; else errors of the source.
+/// kInvalidArgument: INPUT has none of the forms above. Errors of the source.
 [[nodiscard]] Result<std::unique_ptr<BenchInput>> open_bench_input(
     const std::string& input, const BenchInputOptions& options = {});
 

@@ -9,7 +9,7 @@
 namespace roomcast::bench {
 namespace {
 
-/// A rig of one simulated sensor with its truth, three frames long.
+/// A three-frame rig of one simulated sensor with ground truth.
 class SimulatedRig : public testing::Test {
  protected:
   void SetUp() override {

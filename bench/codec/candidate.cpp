@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kReportFps = 30;
 
-// As far apart as noise puts readings of one surface: 10 mm and 1/32 of the distance.
+// Noise on one surface stays below these differences: 10 mm and 1/32 of the distance.
 constexpr int kSurfaceReach_mm = 10, kSurfaceShare = 32;
 
 DepthQuality quality_of(const DepthError& error, double frames) {

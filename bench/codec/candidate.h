@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A codec in the running, and what was measured of it frame by frame.
+// A codec under test and its per-frame measurements.
 #pragma once
 
 #include <memory>
@@ -18,11 +18,13 @@ class Candidate {
   Candidate(CodecChoice choice, std::unique_ptr<CodecUnderTest> codec)
       : choice_(std::move(choice)), codec_(std::move(codec)) {}
 
-  /// One frame. kMalformed when what comes back breaks the codec's promise.
+  /// Encodes, decodes and measures one frame. kMalformed: the decoded frame breaks the codec's
+  /// promise.
   Status run(const BenchFrame& frame, const BenchTruth& truth, ImageView<const Motion> motion,
              bool key);
 
-  /// Over all frames from `first` on, in a stream with one key frame in `key_interval` frames.
+  /// Averages over all frames from `first` on, for a stream with one key frame in `key_interval`
+  /// frames.
   [[nodiscard]] CodecBenchRow row(int first, int key_interval) const;
 
  private:
@@ -34,11 +36,11 @@ class Candidate {
     std::int64_t color_lost = 0;
   };
   void compare_color(const BenchFrame& frame, const BenchTruth& truth, Measured& now);
-  /// Fills shown_ with what is seen in the input and shown by the decoder; counts what is not
-  /// shown.
+  /// Sets shown_ to the pixels that are seen in the input and shown by the decoder. Returns the
+  /// number of seen pixels that are not shown.
   std::int64_t find_shown(const MaskImage& seen, const MaskImage& decoded);
-  /// Of these leaves only pixels whose decoded depth is on the surface that was measured: the
-  /// reference is the colour of that one.
+  /// Keeps only those pixels of shown_ whose decoded depth is on the measured surface, because the
+  /// reference is the colour of that surface.
   void keep_measured_surface(DepthView measured_mm);
   [[nodiscard]] Status check_promise(const DepthImage& input_mm, const DepthError& error) const;
   void add_bytes(int first, int key_interval, CodecBenchRow& row) const;

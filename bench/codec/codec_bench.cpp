@@ -40,7 +40,7 @@ Status check_frame(const BenchFrame& frame, const CodecBenchReport& report) {
   return {};
 }
 
-/// How many of the pixels move.
+/// Measures the share of moving pixels.
 class MotionShare {
  public:
   void add(ImageView<const Motion> motion) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
 
-/// A synthetic sensor: `count` frames.
+/// A synthetic sensor with `count` frames.
 class InputFixture final : public BenchInput {
  public:
   explicit InputFixture(int count) : count_(count) {}
@@ -49,8 +49,8 @@ const CodecBenchRow& row_named(const CodecBenchReport& report, const std::string
   return report.rows.front();
 }
 
-/// Sends a fixed number of bytes for a key frame and another for the rest, and gives back all depth
-/// off by `error`.
+/// Uses a fixed size for key frames and another for all other frames. The decoded depth is off by
+/// `error` everywhere.
 class FixedCodec final : public CodecUnderTest {
  public:
   explicit FixedCodec(int error) : error_(error) {}
@@ -118,7 +118,7 @@ TEST(CodecBench, counts_what_each_codec_sends) {
 }
 
 TEST(CodecBench, colour_on_a_surface_that_was_not_measured_counts_apart) {
-  // Behind what one frame shows for a moment, live depth and colour go on with what was there.
+  // Where a surface appears in one frame only, the live codec keeps the previous depth and colour.
   InputFixture input(4);
   input.with_color = true;
   const auto report = run_codec_bench(input, {.only = "live+color"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The codecs that `roomcast bench codec` knows, in the order of its rows.
+// The codecs of `roomcast bench codec`, in the order of its rows.
 #pragma once
 
 #include <functional>
@@ -15,11 +15,11 @@ namespace roomcast::bench {
 struct CodecChoice {
   std::string codec, mode;
   bool needs_color = false;
-  std::optional<int> bound_mm;  // no pixel may be off by more, validity exact; 0: without loss
+  std::optional<int> bound_mm;  // maximum error of any pixel, with exact validity; 0: lossless
   std::function<Result<std::unique_ptr<CodecUnderTest>>(const BenchPicture&)> make;
 };
 
-/// All, or those whose codec or mode is `only`.
+/// All codecs, or those whose codec or mode is `only`.
 [[nodiscard]] std::vector<CodecChoice> codec_choices(const std::string& only = "");
 
 }  // namespace roomcast::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One codec as `roomcast bench codec` sees it.
+// Interface of a codec in `roomcast bench codec`.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace roomcast::bench {
 
-/// Depth, and colour in its grid with a mask; the latter two are empty or there both.
+/// Depth, and colour in its grid with a mask. Colour and mask are both present or both empty.
 struct BenchFrame {
   DepthImage depth_mm;
   ColorImage color;
   MaskImage seen;
 };
 
-/// What the frames of a run have in common.
+/// Properties shared by all frames of a run.
 struct BenchPicture {
   int width = 0, height = 0;
   double fps = 30;
@@ -33,8 +33,9 @@ struct FrameCost {
 class CodecUnderTest {
  public:
   virtual ~CodecUnderTest() = default;
-  /// Encodes and decodes one frame, on the calling thread alone. With `want_key` it must be
-  /// decodable without the frames before. What the codec does not carry is left empty in `decoded`.
+  /// Encodes and decodes one frame on the calling thread. With `want_key` the frame must be
+  /// decodable without earlier frames. Fields that the codec does not carry stay empty in
+  /// `decoded`.
   virtual Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of the calling thread: what other programs do on the machine does not count. Starts when
-// made.
+// Measures CPU time of the calling thread, so that other programs on the machine do not count.
+// Starts on construction.
 #pragma once
 
 #include <ctime>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth on recordings, where they are at hand (ROOMCAST_DATA): lossless is bit exact and smaller
-// than RVL on each; near-lossless is within its bound at every pixel.
+// Depth coding of recordings, where they are available (ROOMCAST_DATA): lossless is bit exact and
+// smaller than RVL on each; near-lossless is within its bound at every pixel.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -17,7 +17,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kMaxFrames = 4;  // of each recording; enough, and a second in all
+constexpr int kMaxFrames = 4;  // per recording; keeps the test to about a second
 
 std::filesystem::path data_folder() {
   const char* named = std::getenv("ROOMCAST_DATA");

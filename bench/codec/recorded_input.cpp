@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The truth of a recording, as it lies in a folder; any of it may be missing.
+/// The folder with a recording's ground truth; any part of it may be missing.
 class TruthFolder {
  public:
   TruthFolder(fs::path folder, const SensorCalibration& calibration)
@@ -25,7 +25,7 @@ class TruthFolder {
     std::error_code ignored;
     return !folder_.empty() && fs::is_directory(folder_ / "color", ignored);
   }
-  /// Empty where none lies.
+  /// Leaves the image empty where there is no file.
   Status read_depth(std::uint64_t index, DepthImage& depth_mm) {
     const fs::path file = folder_ / file_name(index, "png");
     depth_mm = {};
@@ -53,8 +53,8 @@ class TruthFolder {
 
 class RecordedInput final : public BenchInput {
  public:
-  RecordedInput(std::string name, std::unique_ptr<source::FrameSource> source, Registration registration,
-                const fs::path& truth)
+  RecordedInput(std::string name, std::unique_ptr<source::FrameSource> source,
+                Registration registration, const fs::path& truth)
       : name_(std::move(name)),
         source_(std::move(source)),
         registration_(std::move(registration)),
@@ -87,7 +87,7 @@ class RecordedInput final : public BenchInput {
     BenchFrame frame;
   };
 
-  /// Reads until kMeanReach frames after the next one are known, or the recording ends.
+  /// Reads until kMeanReach frames after the next one are available, or the recording ends.
   Status look_ahead() {
     while (!ended_ && frames_.size() <= at_ + kMeanReach) {
       auto more = source_->next(captured_, {});
@@ -135,8 +135,8 @@ class RecordedInput final : public BenchInput {
   source::CapturedFrame captured_;
   ColorImage clean_;
   RegisteredColor registered_;
-  std::deque<Recorded> frames_;  // up to kMeanReach before and after the next
-  std::size_t at_ = 0;           // the next one
+  std::deque<Recorded> frames_;  // up to kMeanReach before and after the next one
+  std::size_t at_ = 0;           // index of the next one
   bool ended_ = false;
 };
 
@@ -144,7 +144,8 @@ class RecordedInput final : public BenchInput {
 
 Result<std::unique_ptr<BenchInput>> open_recorded_input(const std::string& source,
                                                         const fs::path& truth) {
-  auto opened = sensor::open_source(source, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
+  auto opened =
+      sensor::open_source(source, {.pace = source::Pace::kAsFastAsPossible, .loop = false});
   if (!opened.ok()) return opened.error();
   auto registration = Registration::create((*opened)->description().calibration);
   if (!registration.ok()) return registration.error();

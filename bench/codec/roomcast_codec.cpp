@@ -53,7 +53,7 @@ class RoomcastFrames final : public CodecUnderTest {
   }
 
  private:
-  /// Colour's section is colour, all else is depth.
+  /// Splits the cost: the colour section counts as colour, everything else as depth.
   Result<FrameCost> share(const BenchFrame& frame, FrameCost cost) const {
     const auto sections =
         codec::parse_sections(payload_, frame.depth_mm.width(), frame.depth_mm.height());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The project's own codec in its modes, as `roomcast bench codec` sees it: whole payloads of
-// docs/spec/codec.md through FrameEncoder and FrameDecoder.
+// The project's own codec modes for `roomcast bench codec`: whole payloads of docs/spec/codec.md
+// through FrameEncoder and FrameDecoder.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,18 @@
 
 namespace roomcast::bench {
 
-// Depth alone.
+// Depth only.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_lossless(const BenchPicture& picture);
 /// No reading is off by more than `bound_mm`.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_near_lossless(const BenchPicture& picture,
                                                                     int bound_mm);
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& picture);
 
-/// What `roomcast sensor` sends by default: depth and colour in one payload, two temporal layers.
+/// The default of `roomcast sensor`: depth and colour in one payload, two temporal layers.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_with_color(const BenchPicture& picture);
 
-/// Colour alone, as a frame carries it: VP9 at the picture's rate. (The mask needs depth, and
-/// counts as depth where both are measured.)
+/// Colour only: VP9 at the picture's rate. (The mask needs depth, and counts as depth where both
+/// are measured.)
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture);
 
 }  // namespace roomcast::bench

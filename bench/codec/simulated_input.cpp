@@ -12,7 +12,7 @@
 namespace roomcast::bench {
 namespace {
 
-/// sim[:scene[,option...]][#n] -> what stands before '#', without "sim:", and n.
+/// Parses sim[:scene[,option...]][#n] into the part between "sim:" and '#', and n.
 struct Place {
   std::string spec;
   int index = 0;
@@ -32,7 +32,7 @@ std::optional<Place> parse(const std::string& source) {
 }
 
 Result<std::unique_ptr<simulator::SimulatedSensor>> open_sensor(const Place& place,
-                                                     const BenchInputOptions& options) {
+                                                                const BenchInputOptions& options) {
   const auto spec = simulator::parse_simulated_spec(place.spec);
   if (!spec) return spec.error();
   auto room = simulator::SimulatedRoom::build(spec->scene, options.sim_seed);

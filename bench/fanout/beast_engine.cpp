@@ -42,7 +42,7 @@ class Client : public std::enable_shared_from_this<Client> {
   std::deque<Message> waiting_;
 };
 
-/// Whoever sends large messages is a publisher; all others get them.
+/// Treats a client that sends a message of frame size as a publisher; all other clients receive it.
 class Room {
  public:
   explicit Room(std::size_t frame_bytes) : frame_bytes_(frame_bytes) {}

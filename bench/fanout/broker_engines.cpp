@@ -12,7 +12,7 @@ namespace roomcast::bench {
 
 namespace {
 
-/// A broker that is run with a command line, and speaks its own protocol.
+/// A broker that is started by a command line and has a protocol of its own.
 class Broker : public Engine {
  public:
   explicit Broker(std::string program) : program_(std::move(program)) {}
@@ -51,7 +51,7 @@ class Redis final : public Broker {
   Redis() : Broker("redis-server") {}
 
  private:
-  /// Nothing is stored, and slow viewers are not cut off.
+  /// Storage is off, and slow viewers are not disconnected.
   std::vector<std::string> command(const std::string& path, std::uint16_t port) const override {
     return {path,          "--bind", "127.0.0.1",    "--port", std::to_string(port),
             "--save",      "",       "--appendonly", "no",     "--client-output-buffer-limit",
@@ -65,7 +65,7 @@ class Mosquitto final : public Broker {
   Mosquitto() : Broker("mosquitto") {}
 
  private:
-  /// It takes its address from a file only.
+  /// This broker takes its address from a file only.
   std::vector<std::string> command(const std::string& path, std::uint16_t port) const override {
     const auto file = std::filesystem::temp_directory_path() /
                       fmt::format("roomcast-bench-mosquitto-{}.conf", ::getpid());

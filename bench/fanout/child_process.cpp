@@ -53,7 +53,7 @@ bool listens(std::uint16_t port) {
   ::_exit(127);
 }
 
-/// Also if the parent is killed.
+/// Ends the child with its parent, also if the parent is killed.
 void end_with_parent() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
@@ -77,7 +77,8 @@ Result<ChildProcess> ChildProcess::fork_off(const std::function<void(const PortR
   const pid_t pid = ::fork();
   if (pid == 0) {
     end_with_parent();
-    ::malloc_trim(0);  // what this program has freed would hide what the server takes
+    // Returns memory freed by this program, which would hide the server's allocations.
+    ::malloc_trim(0);
     ::close(ends[0]);
     serve([&](std::uint16_t port) {
       if (::write(ends[1], &port, sizeof(port)) != sizeof(port)) ::_exit(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ChildProcess: a server under test in a process of its own, so that its CPU time and memory are
-// its own. It ends with this object, and with its parent.
+// ChildProcess: a server under test in a separate process, so that its CPU time and memory can be
+// measured alone. The process ends with this object, and with its parent.
 #pragma once
 
 #include <chrono>
@@ -18,12 +18,12 @@ namespace roomcast::bench {
 
 class ChildProcess {
  public:
-  /// Runs `serve` in a fork of this program. It calls its argument with its port once it listens,
-  /// and never returns but to end. kUnavailable: no port came within 5 s.
+  /// Runs `serve` in a fork of this program. `serve` calls its argument with its port once it
+  /// listens, and returns only to end the process. kUnavailable: no port was reported within 5 s.
   using PortReport = std::function<void(std::uint16_t port)>;
   static Result<ChildProcess> fork_off(const std::function<void(const PortReport&)>& serve);
 
-  /// Runs a program that will listen on `port`, and waits until it does. kUnavailable: it does not.
+  /// Runs a program that will listen on `port` and waits until it does. kUnavailable: it does not.
   static Result<ChildProcess> execute(const std::vector<std::string>& command, std::uint16_t port);
 
   ChildProcess(ChildProcess&& other) noexcept;
@@ -31,9 +31,9 @@ class ChildProcess {
   ~ChildProcess();
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  /// Of all its threads so far.
+  /// CPU time of all threads of the process so far.
   [[nodiscard]] std::chrono::nanoseconds cpu_time() const;
-  /// What it has of its own in memory now.
+  /// Resident memory of the process that is not shared, now.
   [[nodiscard]] std::size_t resident_bytes() const;
 
  private:
@@ -43,9 +43,9 @@ class ChildProcess {
   std::uint16_t port_;
 };
 
-/// A port of 127.0.0.1 on which nobody listens just now.
+/// A port of 127.0.0.1 that is currently unused.
 [[nodiscard]] std::uint16_t free_port();
-/// Is there a program of this name in $PATH or where servers are installed? Empty: no.
+/// Path of the program of this name in $PATH or where servers are installed; empty: not found.
 [[nodiscard]] std::string find_program(const std::string& name);
 
 }  // namespace roomcast::bench

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRoomFps = 30;
 constexpr int kRoomSensors = 4, kRoomViewers = 50, kWindow = 2;
-/// Sensors that are asked for more than cameras give; the highest rate that a hub accepts.
+/// Announced rate of publishers that are faster than cameras; the highest rate that a hub accepts.
 constexpr double kMaxFps = 240;
 
 struct LoadCase {
@@ -66,7 +66,7 @@ double kb(std::size_t bytes) {
   return static_cast<double>(bytes) / 1024;
 }
 
-/// One engine under one load, once.
+/// Measures one engine under one load, once.
 Result<FanoutRow> measure(const Engine& engine, const LoadCase& load_case,
                           const FanoutBenchOptions& options) {
   FanoutRoom room;
@@ -121,7 +121,7 @@ FanoutRow median(const std::vector<FanoutRow>& rounds) {
   return row;
 }
 
-/// The engines of one load take turns, so that a busy moment hits them alike.
+/// Lets the engines of one load take turns, so that a busy moment affects all of them.
 class Rounds {
  public:
   explicit Rounds(const FanoutBenchOptions& options) : options_(options) {}
@@ -154,7 +154,7 @@ class Rounds {
   }
 
  private:
-  /// Others may be missing or fail; what is ours may not.
+  /// Skips an engine that is missing or failed. Fails if the engine is the hub or the limit.
   static Status leave_out(const Engine& engine, const LoadCase& load_case, const Error& why,
                           FanoutReport& report) {
     const bool ours = engine.name().starts_with("roomcast") || engine.name().starts_with("epoll");

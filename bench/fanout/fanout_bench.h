@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// `roomcast bench fanout`: what it costs a server to hand the same frames to many viewers, the hub
-// beside the least that is possible and beside what others use.
+// `roomcast bench fanout`: the cost of sending the same frames to many viewers. Compares the hub
+// with a minimal server and with message brokers.
 //   max     one publisher, as fast as all viewers take it, two frames on the way
 //   room    four publishers at 30 frames a second, 50 viewers
 //   stall   the same, and every tenth viewer never reads
 // CPU time is the server's alone; latency is from before a frame is sent to its last byte at a
-// viewer. Engines take turns within a round, and what is reported is the median of the rounds,
-// because the machine may be busy with other things.
+// viewer. Engines take turns within a round and the median of the rounds is reported, because the
+// machine may be busy with other work.
 #pragma once
 
 #include <chrono>
@@ -34,7 +34,7 @@ struct FanoutRow {
   int viewers = 0;
   bool tls = false;
   double deliveries_per_cpu_s = 0;
-  double ratio_to_limit = 0;  // of the same round, load and encryption; 0: the limit was not run
+  double ratio_to_limit = 0;  // in the same round, load and encryption; 0: no limit was measured
   double p50_ms = 0, p99_ms = 0;
   double rss_per_viewer_kb = 0;
   double rss_growth_kb_per_s = 0;
@@ -42,10 +42,11 @@ struct FanoutRow {
 
 struct FanoutReport {
   std::vector<FanoutRow> rows;
-  std::vector<std::string> left_out;  // why an engine is missing, a sentence each
+  std::vector<std::string> left_out;  // one sentence for each missing engine: the reason
 };
 
-/// `progress` is told what runs next. kUnavailable: the hub, or the limit, failed.
+/// `progress` is called with a description of the next run. kUnavailable: the hub, or the limit,
+/// failed.
 [[nodiscard]] Result<FanoutReport> run_fanout_bench(
     const FanoutBenchOptions& options,
     const std::function<void(const std::string&)>& progress = {});

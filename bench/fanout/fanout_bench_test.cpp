@@ -23,7 +23,7 @@ TEST(FanoutBench, hub_and_limit_deliver_under_every_load) {
   for (const std::string engine : {"roomcast hub", "epoll"}) {
     const auto report = run_fanout_bench(brief(engine));
     ASSERT_TRUE(report.ok()) << report.error().message;
-    ASSERT_EQ(report->rows.size(), 4U);  // two loads, plain and TLS
+    ASSERT_EQ(report->rows.size(), 4U);  // two loads, each plain and with TLS
     for (const FanoutRow& row : report->rows) {
       EXPECT_GT(row.deliveries_per_cpu_s, 0) << row.engine << " " << row.load;
       EXPECT_GT(row.p99_ms, 0) << row.engine << " " << row.load;

@@ -18,7 +18,7 @@ class HubEngine final : public Engine {
   Result<RunningEngine> start(const FanoutRoom& room) const override {
     hub::HubOptions options;
     options.port = 0;
-    // How fast it can be is what is measured.
+    // No sending limits: the benchmark measures the maximum speed.
     constexpr wire::SendingLimits kAnything{1e12, 1e12, 1e12, 1e12};
     options.limits.session = {kAnything, kAnything, kAnything, kAnything};
     std::optional<net::Fingerprint> fingerprint;

@@ -49,7 +49,7 @@ void wait_for(int fd, short events) {
   ::poll(&question, 1, 1000);
 }
 
-/// Waits as long as it takes, at most kAnswersWithin.
+/// Writes everything; waits at most kAnswersWithin.
 bool write_all(int fd, std::optional<net::TlsSession>& tls, std::string_view text) {
   const auto give_up = Load::Clock::now() + kAnswersWithin;
   while (!text.empty() && Load::Clock::now() < give_up) {
@@ -97,7 +97,7 @@ Status Load::open(int publishers, int viewers, int stalled) {
   for (int i = 0; i < publishers; ++i) {
     if (auto status = open_publisher(i); !status) return status;
   }
-  constexpr int kAtATime = 32;  // a server may limit how many are not in yet
+  constexpr int kAtATime = 32;  // a server may limit the number of clients that have not joined yet
   for (int i = 0; i < viewers; ++i) {
     if (auto status = open_viewer(i >= stalled); !status) return status;
     if (i % kAtATime == kAtATime - 1) {
@@ -136,7 +136,7 @@ Status Load::open_publisher(int index) {
   if (!write_all(opened.fd, opened.tls, engine_.protocol->publisher_greeting(index))) {
     return hung_up();
   }
-  std::this_thread::sleep_for(50ms);  // ids are given in the order of joining
+  std::this_thread::sleep_for(50ms);  // lets the server assign ids in the order of joining
   return {};
 }
 
@@ -179,7 +179,7 @@ RoomTime Load::capture_time(std::uint32_t number) const {
   return RoomTime(nanoseconds(std::llround(1e9 / room_.fps * number)));
 }
 
-/// What the server answers to a publisher is thrown away, or it would not read on.
+/// Discards the server's answers to a publisher; unread answers would block the server.
 void Load::flush(Publisher& publisher) {
   std::array<std::uint8_t, 4096> ignored{};
   if (publisher.tls) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Load: the clients of one server under test, all on one thread: publishers that send numbered
-// frames, and viewers that take note of which came when.
+// Load: the clients of one server under test: publishers that send numbered frames, and viewers
+// that record the arrival time of each frame.
 // Threading: one thread. Times are of the steady clock; both ends are in this process.
 #pragma once
 
@@ -19,24 +19,24 @@ namespace roomcast::bench {
 
 struct Traffic {
   std::uint64_t deliveries = 0;
-  std::vector<double> latencies_ms;  // from before the publisher's first byte to a viewer's last
+  std::vector<double> latencies_ms;  // from before the publisher's first byte to the viewer's last
 };
 
 class Load {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Connects publishers and viewers. `stalled` of the viewers subscribe, and never read.
-  /// kUnavailable: the server hung up.
+  /// Connects publishers and viewers. `stalled` of the viewers subscribe and never read.
+  /// kUnavailable: the server closed a connection.
   static Result<std::unique_ptr<Load>> connect(const RunningEngine& engine, const FanoutRoom& room,
                                                int publishers, int viewers, int stalled = 0);
   ~Load();
   Load(const Load&) = delete;
   Load& operator=(const Load&) = delete;
 
-  /// Sends until every reading viewer has had a frame. kUnavailable: that does not happen in 10 s.
+  /// Sends until every reading viewer has received a frame. kUnavailable: not reached within 10 s.
   [[nodiscard]] Status warm_up();
-  /// Each publisher keeps `window` frames on the way: sends the next when all viewers have one.
+  /// Each publisher keeps `window` frames on the way: it sends the next when all viewers have one.
   [[nodiscard]] Result<Traffic> run_closed(int window, Clock::duration duration);
   /// Each publisher sends `fps` frames a second, all at the same instants.
   [[nodiscard]] Result<Traffic> run_paced(double fps, Clock::duration duration);
@@ -46,7 +46,7 @@ class Load {
     int fd = -1;
     std::optional<net::TlsSession> tls;
     std::unique_ptr<MessageCounter> counter;
-    bool answered = false;       // something has come
+    bool answered = false;       // any byte received
     std::uint64_t received = 0;  // frames
   };
   struct Publisher {

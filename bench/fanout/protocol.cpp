@@ -24,7 +24,7 @@ std::string_view text(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Finds "\r\n" and gives the line before it.
+/// Returns the line before "\r\n", if there is one.
 std::optional<std::string_view> line_of(std::string_view front) {
   const auto end = front.find("\r\n");
   if (end == std::string_view::npos) return std::nullopt;
@@ -37,7 +37,7 @@ std::size_t number_in(std::string_view digits) {
   return number;
 }
 
-// ---- raw: one letter that says who one is, then frames of one size
+// ---- raw: one letter for the client's role, then frames of one size
 
 class RawCounter final : public UnitCounter {
  public:
@@ -109,7 +109,7 @@ class RoomcastCounter final : public UnitCounter {
 
   static constexpr std::size_t kNumberAfterPreamble = kNumberOffset - wire::kPreambleBytes;
   bool upgraded_ = false;
-  bool is_frame_ = false;  // the message that is coming in
+  bool is_frame_ = false;  // the current message is a frame
 };
 
 std::string upgrade() {
@@ -250,7 +250,7 @@ class MqttProtocol final : public Protocol {
   }
 
  private:
-  /// Clean session, no client id: the broker makes one up. No keep-alive.
+  /// Clean session and an empty client id, which the broker replaces. No keep-alive.
   static std::string connect() {
     using namespace std::string_literals;
     return "\x10\x0C\x00\x04MQTT\x04\x02\x00\x00\x00\x00"s;

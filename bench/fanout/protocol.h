@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a server under test speaks, seen from its clients: the bytes that subscribe and publish, and
-// where in the bytes that come back a message is. Every message is one roomcast frame of the same
-// size, whatever carries it, so that its number can be read.
+// Client side of a protocol under test: the bytes to subscribe and to publish, and a parser that
+// finds messages in the received bytes. Every message is one roomcast frame of the same size, in
+// any protocol, so that its number can be read.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace roomcast::bench {
 
-/// Finds messages in what one viewer receives. Keeps no payload.
+/// Finds messages in the bytes that one viewer receives. Keeps no payload.
 class MessageCounter {
  public:
   virtual ~MessageCounter() = default;
-  /// Appends the number of every message that has come to its end. False: these bytes are not what
-  /// was expected, the connection is of no use.
+  /// Appends the number of every completed message. False: the bytes violate the protocol, and the
+  /// connection cannot be used any more.
   [[nodiscard]] virtual bool take(std::span<const std::uint8_t> bytes,
                                   std::vector<std::uint32_t>& numbers) = 0;
 };
@@ -28,26 +28,26 @@ class Protocol {
  public:
   virtual ~Protocol() = default;
   [[nodiscard]] virtual std::string viewer_greeting() const = 0;
-  /// Whether a server says something to a viewer before it has a frame.
+  /// True if the server answers a viewer before it sends a frame.
   [[nodiscard]] virtual bool answers_greetings() const { return true; }
-  /// `index` tells several publishers apart.
+  /// `index` distinguishes several publishers.
   [[nodiscard]] virtual std::string publisher_greeting(int index) const = 0;
   [[nodiscard]] virtual std::unique_ptr<MessageCounter> make_counter() const = 0;
-  /// Appends what a publisher says to send `frame`.
+  /// Appends the bytes that publish `frame`.
   virtual void publish(std::span<const std::uint8_t> frame, std::string& out) const = 0;
 };
 
-/// `frame_bytes`: of every message. `fps`: the rate that sensors announce.
+/// `frame_bytes`: size of every message. `fps`: the rate announced by sensors.
 [[nodiscard]] std::unique_ptr<Protocol> raw_protocol(std::size_t frame_bytes);
 [[nodiscard]] std::unique_ptr<Protocol> roomcast_protocol(double fps);
 [[nodiscard]] std::unique_ptr<Protocol> nats_protocol();
 [[nodiscard]] std::unique_ptr<Protocol> redis_protocol();
 [[nodiscard]] std::unique_ptr<Protocol> mqtt_protocol();
 
-/// What a viewer says who shows this token.
+/// The first bytes of a viewer that presents this token.
 [[nodiscard]] std::string roomcast_greeting(const std::string& token);
 
-/// A roomcast frame message, a key frame. Publishers count from 0; so do a hub's sensor ids.
+/// A roomcast key frame message. Publishers count from 0, like a hub's sensor ids.
 [[nodiscard]] std::vector<std::uint8_t> make_frame(std::size_t bytes);
 void set_number(std::span<std::uint8_t> frame, int sensor, std::uint32_t number,
                 RoomTime capture_time);

@@ -27,7 +27,7 @@ std::string sealed(const std::string& payload) {
   return {message->wire_bytes().begin(), message->wire_bytes().end()};
 }
 
-/// A WebSocket message in two pieces.
+/// A WebSocket message in two fragments.
 std::string in_pieces(const std::string& payload) {
   std::string whole = sealed(payload.substr(0, 3000));
   whole[0] = 0x02;
@@ -36,7 +36,7 @@ std::string in_pieces(const std::string& payload) {
   return whole + rest;
 }
 
-/// What is counted when the bytes come in pieces of this size.
+/// The numbers counted when the bytes arrive in pieces of this size.
 Numbers counted(const Protocol& protocol, const std::string& bytes, std::size_t piece) {
   const auto counter = protocol.make_counter();
   Numbers numbers;
@@ -51,7 +51,7 @@ Numbers counted(const Protocol& protocol, const std::string& bytes, std::size_t 
 struct Stream {
   std::string name;
   std::function<std::unique_ptr<Protocol>()> protocol;
-  std::string bytes;  // with the frames 7 and 70000
+  std::string bytes;  // contains the frames 7 and 70000
 };
 
 std::vector<Stream> streams() {

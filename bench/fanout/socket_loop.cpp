@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least that a server can do for a fan-out: read a frame, write it to every socket.
+// A minimal fan-out server: reads a frame and writes it to every socket.
 #include <deque>
 #include <unordered_map>
 
@@ -24,10 +24,10 @@ using Frame = std::shared_ptr<const std::vector<std::uint8_t>>;
 struct Peer {
   int fd = -1;
   std::optional<net::TlsSession> tls;
-  char role = 0;  // 'V' or 'P' once it has said so
+  char role = 0;  // 'V' or 'P' after the first byte
   std::vector<std::uint8_t> incoming;
   std::deque<Frame> outgoing;
-  std::size_t written = 0;  // of the front
+  std::size_t written = 0;  // of the message at the front
   bool waits_to_write = false;
 };
 
@@ -101,7 +101,7 @@ class SocketLoop {
     }
   }
 
-  /// Bytes; 0: it has ended; -1: nothing now.
+  /// Number of bytes; 0: the connection ended; -1: no data now.
   long receive(Peer& peer) {
     if (!peer.tls) {
       const long size = ::recv(peer.fd, buffer_.data(), buffer_.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate for one run of a server under test, and how its clients know it.
+// A certificate for one run of a server under test, and the fingerprint for its clients.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ struct TlsIdentity {
   net::Fingerprint fingerprint;
 };
 
-/// Errors as of net::Certificate and net::TlsServerContext.
+/// Errors of net::Certificate and net::TlsServerContext.
 [[nodiscard]] inline Result<TlsIdentity> make_tls_identity() {
   const auto certificate = net::Certificate::make_self_signed({"localhost"});
   if (!certificate) return certificate.error();

@@ -16,7 +16,7 @@ bool UnitCounter::take(std::span<const std::uint8_t> bytes, std::vector<std::uin
   return false;
 }
 
-/// False: there is no whole header yet.
+/// False: the header is not complete yet.
 bool UnitCounter::take_header(std::span<const std::uint8_t>& bytes) {
   const std::size_t before = front_.size();
   const std::size_t size = std::min(bytes.size(), kLongestHeader - before);

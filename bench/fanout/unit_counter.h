@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// UnitCounter: what all the protocols have in common. A stream is a row of units: a short header,
-// then a body, which is a message or something else.
+// UnitCounter: the common part of all protocols. A stream is a sequence of units: a short header,
+// then a body, which is a message or other data.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ class UnitCounter : public MessageCounter {
   struct Unit {
     std::size_t header_bytes = 0;
     std::size_t body_bytes = 0;
-    bool is_message = false;     // the body is one, or the last piece of one
-    bool is_first_piece = true;  // the number is in here
+    bool is_message = false;     // the body is a message or its last piece
+    bool is_first_piece = true;  // the body contains the number
     std::size_t number_offset = kNumberOffset;
   };
 
   bool take(std::span<const std::uint8_t> bytes, std::vector<std::uint32_t>& numbers) final;
 
  protected:
-  /// What begins with these bytes; nothing when more of them are needed. Sets `broken`.
+  /// The unit that begins with these bytes; nothing when more bytes are needed. Sets `broken`.
   virtual std::optional<Unit> parse(std::string_view front) = 0;
   bool broken = false;
 
@@ -36,7 +36,7 @@ class UnitCounter : public MessageCounter {
   bool take_header(std::span<const std::uint8_t>& bytes);
   void take_body(std::span<const std::uint8_t>& bytes, std::vector<std::uint32_t>& numbers);
 
-  std::string front_;  // of a unit whose header is not complete
+  std::string front_;  // the unit whose header is not complete
   Unit unit_;
   bool in_body_ = false;
   std::size_t body_taken_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a hub that the bench itself has started.
+// Address of a hub that the bench itself has started.
 #pragma once
 
 #include <string>

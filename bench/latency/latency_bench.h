@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// `roomcast bench latency`: how long a picture is on its way, and what a bad network does to it.
+// `roomcast bench latency`: end-to-end latency, and the effect of a bad network on it.
 //
 //   room      three simulated sensors, real codec, loopback: by stage, capture to decoded
 //   internet  1 MB/s over an emulated 20 Mbit/s, 50 ms, 1 % loss
-//   narrow    2.5 MB/s over an emulated 10 Mbit/s, 50 ms: a viewer with half of what it needs,
-//             beside 20 that have enough
+//   narrow    2.5 MB/s over an emulated 10 Mbit/s, 50 ms: a viewer with half the needed rate,
+//             next to 20 viewers with enough
 //
-// The last two need root (EmulatedLink) and are left out, with a sentence, without it. Ages are
-// wall-clock times: on a busy machine they tell of the machine.
+// The last two need root (EmulatedLink); without it they are left out and reported in `left_out`.
+// Ages are wall-clock times: on a busy machine they include its load.
 #pragma once
 
 #include <chrono>
@@ -45,7 +45,7 @@ struct LatencyReport {
   std::vector<std::string> left_out;  // sentences
 };
 
-/// `progress` is told what is being measured.
+/// `progress` is called with a description of the current measurement.
 [[nodiscard]] Result<LatencyReport> run_latency_bench(
     const LatencyBenchOptions& options, const std::function<void(const std::string&)>& progress);
 

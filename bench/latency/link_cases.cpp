@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A viewer behind an emulated link; hub, sensors and other viewers in front of it.
+// Measures a viewer behind an emulated link, with hub, sensors and other viewers at the near end.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr double kFps = 30;
-constexpr auto kSettle = 2s;  // the congestion control has found its rate
+constexpr auto kSettle = 2s;  // time for congestion control to find its rate
 
 struct LinkCase {
   LinkSpec link;
@@ -29,12 +29,12 @@ struct LinkCase {
 struct LinkOutcome {
   Arrivals far;
   std::vector<double> near_ages_ms;
-  std::map<std::uint64_t, int> near_sets;  // as one of those with enough saw them
+  std::map<std::uint64_t, int> near_sets;  // as received by one of the near viewers
   double sets_sent = 0;
-  double link_bytes = 0;  // IP packets that crossed
+  double link_bytes = 0;  // IP packets carried by the link
 };
 
-/// Everybody who is there, and what has been seen of them.
+/// All clients of the room, and their measurements.
 class LinkRoom {
  public:
   static Result<std::unique_ptr<LinkRoom>> open(const LinkCase& link_case) {
@@ -113,8 +113,8 @@ Result<LinkOutcome> measure(const LinkCase& link_case, std::chrono::milliseconds
   return (*room)->measure(duration);
 }
 
-/// Of which the far viewer got less than the near one: a set may lack a sensor that was late
-/// itself. Without those at either end, which the measurement may have cut.
+/// Number of sets of which the far viewer received less than a near one: a set may lack a sensor
+/// that was late itself. Ignores the sets at either end, which the measurement may have cut off.
 int partial_sets(const LinkOutcome& outcome) {
   const std::map<std::uint64_t, int>& far = outcome.far.sets;
   if (far.size() < 3) return 0;

@@ -21,7 +21,8 @@ Result<std::vector<source::CapturedFrame>> capture(source::FrameSource& source, 
   return frames;
 }
 
-client::PublisherOptions publisher_options(const source::SensorDescription& sensor, const std::string& hub_url) {
+client::PublisherOptions publisher_options(const source::SensorDescription& sensor,
+                                           const std::string& hub_url) {
   client::PublisherOptions options;
   options.hub_url = hub_url;
   options.name = sensor.name;
@@ -84,7 +85,7 @@ void ReplayedSensor::play(const std::stop_token& stop) {
   const std::size_t last = frames_.size() - 1;
   auto due = Steady::now();
   for (std::size_t i = 0; !stop.stop_requested(); ++i, due += period) {
-    for (; due + period < Steady::now(); ++i) due += period;  // a camera does not wait either
+    for (; due + period < Steady::now(); ++i) due += period;  // skips frames, as a camera does
     std::this_thread::sleep_until(due);
     const std::size_t phase = last > 0 ? i % (2 * last) : 0;
     send(frames_[phase <= last ? phase : 2 * last - phase], HostTime(due.time_since_epoch()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ReplayedSensor: a few seconds of a simulated sensor, made beforehand and played to and fro in
-// real time, so that what is measured is our own work and not the simulator's. Registers, encodes
-// and publishes as `roomcast sensor` does. Threading: has a thread of its own.
+// ReplayedSensor: a few seconds of a simulated sensor, made beforehand and played forward and
+// backward in real time, so that the simulator's cost is not measured. Registers, encodes and
+// publishes as `roomcast sensor` does. Threading: has a thread of its own.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ class ReplayedSensor {
                                                        const std::string& hub_url, int frame_count);
   ~ReplayedSensor();
 
-  /// From capture to encoded, of all frames so far, milliseconds. Ends the replay.
+  /// Time from capture to encoded for each frame so far, milliseconds. Ends the replay.
   [[nodiscard]] std::vector<double> finish();
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three simulated sensors, a hub and a viewer on one machine: the age of a picture at every stage.
+// Measures the age of a picture at every stage, with three simulated sensors, a hub and a viewer on
+// one machine.
 #include <atomic>
 #include <map>
 #include <memory>
@@ -17,9 +18,9 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr int kSensors = 3, kSimulatedFrames = 45;
-constexpr auto kSettle = 3s;  // the codec has learned the room
+constexpr auto kSettle = 3s;  // time for the codec to adapt to the room
 
-/// How old pictures are when a viewer could draw them.
+/// The age of pictures when a viewer could draw them.
 class DecodedAges {
  public:
   explicit DecodedAges(const client::Subscriber& viewer)
@@ -69,7 +70,8 @@ Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
     if (!sensor) return sensor.error();
     sensors.push_back(*std::move(sensor));
   }
-  auto viewer = client::Subscriber::open({.hub_url = (*hub)->url(), .room = {}, .name = {}, .log = {}});
+  auto viewer =
+      client::Subscriber::open({.hub_url = (*hub)->url(), .room = {}, .name = {}, .log = {}});
   if (!viewer) return viewer.error();
   SetWatcher watcher((*hub)->url());
   DecodedAges decoded(**viewer);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SetWatcher: a viewer that looks at nothing but the clock: how old every frame is when it comes,
-// which frame sets come and whether whole, and how wrong its idea of room time is. The hub runs on
-// this machine's clock, so both are exact. Threading: as TimedSensor.
+// SetWatcher: a viewer that does not decode. It measures the age of every frame on arrival, the
+// completeness of frame sets, and the error of its room time estimate. The hub runs on this
+// machine's clock, so ages and clock errors are exact. Threading: as TimedSensor.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace roomcast::bench {
 
 struct Arrivals {
   std::vector<double> ages_ms;          // of all frames
-  std::map<std::uint64_t, int> sets;    // by id: how many of its frames have come
+  std::map<std::uint64_t, int> sets;    // number of frames that arrived, by set id
   std::vector<double> clock_errors_us;  // of the estimate, after each exchange
 };
 
@@ -23,9 +23,9 @@ class SetWatcher {
   explicit SetWatcher(const std::string& hub_url);
   ~SetWatcher();
 
-  /// Frames have come.
+  /// True once frames have arrived.
   [[nodiscard]] bool sees_something() const;
-  /// What has come since the last call.
+  /// Everything that arrived since the last call.
   [[nodiscard]] Arrivals take();
 
  private:

@@ -66,7 +66,7 @@ class TimedSensor::Link final : public client::HubLinkEvents {
     });
   }
 
-  // The hub runs on this machine's clock, so the stamp is exact whatever the clock sync believes.
+  // The hub runs on this machine's clock, so the stamp is exact without clock synchronisation.
   net::FramedMessagePtr make_frame() {
     std::vector<std::uint8_t> bytes(options_.frame_bytes);
     const wire::FrameHeader header{

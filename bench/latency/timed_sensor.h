@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// TimedSensor: a sensor that sends frames of a given size at a given rate, each stamped with the
-// moment at which it was made. There is nothing to decode in them: it measures the way, not the
-// codec. Threading: has a thread of its own; its socket is made on the constructing thread's
-// network.
+// TimedSensor: a sensor that sends frames of a given size at a given rate, each stamped with its
+// creation time. The frames cannot be decoded: the class measures transport, not the codec.
+// Threading: has a thread of its own; its socket is made in the network namespace of the
+// constructing thread.
 #pragma once
 
 #include <cstddef>

@@ -31,7 +31,7 @@ constexpr const char* kDevice = "roomcast0";
 constexpr const char* kOwnNetwork = "/proc/thread-self/ns/net";
 constexpr std::size_t kMaxPacket = 64 * 1024;
 
-/// Closed with its owner.
+/// Closes the file descriptor with its owner.
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) : fd_(fd) {}
@@ -78,7 +78,7 @@ bool bring_up(int socket, const char* device) {
   return ::ioctl(socket, SIOCSIFFLAGS, &request) == 0;
 }
 
-/// In the network of this thread.
+/// Opens a TUN device in the network namespace of this thread.
 Result<Descriptor> open_tun(const char* own_address) {
   Descriptor tun(::open("/dev/net/tun", O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!tun) return failed("/dev/net/tun");
@@ -100,7 +100,7 @@ struct Network {
   Descriptor handle, tun;
 };
 
-/// A network of its own, with one device and loopback. Leaves the calling thread in it.
+/// Makes a network namespace with one device and loopback. Leaves the calling thread in it.
 Result<Network> make_network(const char* address) {
   if (::unshare(CLONE_NEWNET) != 0) return failed("a network namespace");
   auto tun = open_tun(address);
@@ -112,7 +112,7 @@ Result<Network> make_network(const char* address) {
 
 }  // namespace
 
-/// Carries the packets.
+/// Carries packets between the two ends.
 class EmulatedLink::Pump {
  public:
   Pump(const LinkSpec& spec, Network near, Network far)
@@ -158,7 +158,7 @@ class EmulatedLink::Pump {
   }
 
   void take_in(int tun, LinkQueue& queue) {
-    constexpr int kAtATime = 64;  // the other direction has its turn too
+    constexpr int kAtATime = 64;  // then it is the other direction's turn
     for (int i = 0; i < kAtATime; ++i) {
       const auto size = ::read(tun, buffer_.data(), buffer_.size());
       if (size <= 0) return;
@@ -167,7 +167,7 @@ class EmulatedLink::Pump {
     }
   }
 
-  /// What the kernel does not take at once is lost, as on any link.
+  /// Packets that the kernel does not take at once are lost, as on any link.
   static void let_out(LinkQueue& queue, int tun) {
     while (const auto packet = queue.pop(std::chrono::steady_clock::now())) {
       [[maybe_unused]] const auto size = ::write(tun, packet->data(), packet->size());
@@ -179,7 +179,7 @@ class EmulatedLink::Pump {
   Descriptor timer_;
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(kMaxPacket);
   std::atomic<std::uint64_t> carried_bytes_ = 0;
-  std::jthread thread_;  // last: uses the others
+  std::jthread thread_;  // last: uses the members above
 };
 
 EmulatedLink::EmulatedLink(std::unique_ptr<Pump> pump) : pump_(std::move(pump)) {}
@@ -187,7 +187,7 @@ EmulatedLink::~EmulatedLink() = default;
 
 Result<std::unique_ptr<EmulatedLink>> EmulatedLink::open(const LinkSpec& spec) {
   Result<Network> near = Error{ErrorCode::kUnsupported, ""}, far = near.error();
-  // On a thread of its own, which ends: no other is ever moved to another network.
+  // On a temporary thread, because entering a namespace changes the calling thread.
   std::thread([&] {
     near = make_network(address(End::kNear));
     if (near) far = make_network(address(End::kFar));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// EmulatedLink: two network namespaces, joined by a link as slow, long and lossy as one likes. Real
+// EmulatedLink: two network namespaces, joined by a link of configurable rate, delay and loss. Real
 // TCP of this kernel runs over it. For kernels without netem; needs root (CAP_SYS_ADMIN and
 // CAP_NET_ADMIN) and /dev/net/tun.
 //
-// Threading: open() and the destructor on one thread; run() from any. A thread's sockets belong to
-// the end at which they were made.
+// Threading: open() and the destructor on one thread; run() from any. A socket belongs to the end
+// at which it was made.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +20,18 @@ class EmulatedLink {
  public:
   enum class End { kNear, kFar };
 
-  /// kUnsupported: not root, or no TUN devices here.
+  /// kUnsupported: not root, or no TUN devices.
   static Result<std::unique_ptr<EmulatedLink>> open(const LinkSpec& spec);
   ~EmulatedLink();
 
-  /// Calls `work` on a thread of its own at this end, and waits. Threads that it starts are there
+  /// Calls `work` on a new thread at this end, and waits. Threads started by `work` are at this end
   /// too.
   void run(End end, const std::function<void()>& work) const;
 
-  /// Under which the end is known at both ends.
+  /// The address of this end, valid at both ends.
   [[nodiscard]] static const char* address(End end);
 
-  /// Of IP packets that went from the near to the far end, lost ones left out.
+  /// Total IP packets from the near to the far end, without lost ones.
   [[nodiscard]] std::uint64_t carried_bytes() const;
 
  private:

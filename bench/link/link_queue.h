@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LinkQueue: one direction of an emulated link: packets leave at a given rate, are lost at random,
-// wait in a queue that drops what it cannot hold, and arrive after a delay. Pure; time comes in as
-// an argument. Source: the model of Linux netem and tbf, which many kernels come without.
+// LinkQueue: one direction of an emulated link. Packets leave at a given rate, are lost at random,
+// wait in a queue that drops packets when it is full, and arrive after a delay. Pure; time is an
+// argument. Source: the model of Linux netem and tbf.
 #pragma once
 
 #include <chrono>
@@ -18,8 +18,8 @@ namespace roomcast::bench {
 struct LinkSpec {
   double mbit_per_s = 20;
   std::chrono::milliseconds round_trip{50};  // half of it each way
-  double loss = 0;                           // share of packets, each by itself
-  std::chrono::milliseconds queue{100};      // longer than this nothing waits: it is dropped
+  double loss = 0;                           // probability of loss of each packet
+  std::chrono::milliseconds queue{100};      // packets that would wait longer are dropped
   std::uint32_t seed = 1;
 };
 
@@ -30,11 +30,11 @@ class LinkQueue {
 
   LinkQueue(const LinkSpec& spec, std::uint32_t seed);
 
-  /// A packet comes in: queued, or gone.
+  /// Queues or drops a packet.
   void push(Time now, std::span<const std::uint8_t> packet);
-  /// The next one that has arrived by `now`.
+  /// The next packet that has arrived by `now`.
   [[nodiscard]] std::optional<Packet> pop(Time now);
-  /// When pop() will next have something, if nothing else comes in.
+  /// The time at which pop() will next return a packet, if no packet is added.
   [[nodiscard]] std::optional<Time> next_arrival() const;
 
   [[nodiscard]] std::uint64_t carried_bytes() const { return carried_bytes_; }
@@ -46,7 +46,7 @@ class LinkQueue {
   };
   const LinkSpec spec_;
   std::minstd_rand random_;
-  Time free_at_{};  // when the last one in will have left
+  Time free_at_{};  // when the last queued packet will have left
   std::deque<Travelling> travelling_;
   std::uint64_t carried_bytes_ = 0;
 };

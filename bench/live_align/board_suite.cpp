@@ -11,14 +11,15 @@
 namespace roomcast::bench {
 namespace {
 
-/// A tag is found up to some 60 degrees aslant: from much further apart a flat board is hardly ever
-/// seen by both.
+/// A tag is detected up to about 60 degrees off its normal. Two sensors much further apart can
+/// hardly ever detect the same flat board.
 constexpr double kApart_deg = 60;
 constexpr int kSensors = 6;
 constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
 
-std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor, const BoardSuiteOptions& options,
-                                            nanoseconds phase, double& look_ms) {
+std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor,
+                                                const BoardSuiteOptions& options, nanoseconds phase,
+                                                double& look_ms) {
   alignment::TagTracker tags(sensor.calibration());
   std::vector<alignment::TagSighting> sightings;
   const int frames = static_cast<int>(options.seconds * options.fps);

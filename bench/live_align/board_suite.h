@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well two sensors are placed by a printed board that somebody carries about, and by nothing
-// else: simulated rooms of every scene in which somebody walks, against the truth. Single-threaded.
+// Pose accuracy of two sensors that are placed only by a printed board which a person carries
+// about: simulated rooms of every scene in which a person walks, compared with the ground truth.
+// Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +15,9 @@ namespace roomcast::bench {
 
 struct BoardSuiteOptions {
   int rooms = 8;
-  std::uint64_t seed = 1;  // of the first room; each has the next
-  double seconds = 120;    // of carrying it about
-  double fps = 4;          // at which tags are looked for
+  std::uint64_t seed = 1;  // of the first room; increases by one per room
+  double seconds = 120;    // during which the board is carried
+  double fps = 4;          // rate of tag detection
 };
 
 [[nodiscard]] Result<std::vector<PairCase>> run_board_suite(

@@ -7,7 +7,8 @@
 
 namespace roomcast::bench {
 
-/// Between the frames of a bundle: long enough for whoever walks by to be gone in most of them.
+/// Interval between the frames of a bundle: long enough that a person who walks by has left most of
+/// them.
 constexpr nanoseconds kFrameGap = std::chrono::milliseconds(800);
 
 FilmedSensor::FilmedSensor(std::unique_ptr<simulator::SimulatedSensor> sensor, std::string name)

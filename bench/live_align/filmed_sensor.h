@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FilmedSensor: a simulated sensor at work: its bundle, then its depth at any instant. What the
-// suites of live alignment look at. Single-threaded.
+// FilmedSensor: a simulated sensor that provides its bundle and then its depth at any time. Input
+// of the live alignment suites. Single-threaded.
 #pragma once
 
 #include <memory>
@@ -18,10 +18,10 @@ class FilmedSensor {
   static Result<FilmedSensor> open(std::shared_ptr<const simulator::SimulatedRoom> room,
                                    const simulator::SimulatedSensor::Options& options);
 
-  /// Of `frames` frames of the first seconds of scene time.
+  /// Bundle of `frames` frames of the first seconds of scene time.
   [[nodiscard]] Result<alignment::CalibrationBundle> bundle(int frames);
   [[nodiscard]] const DepthImage& depth_mm(nanoseconds scene_time);
-  /// At the instant that depth_mm() was asked for last.
+  /// Colour at the time of the last call of depth_mm().
   [[nodiscard]] const ColorImage& color();
   [[nodiscard]] const SensorCalibration& calibration() const { return sensor_->calibration(); }
   [[nodiscard]] const RigidTransform& world_from_depth() const {

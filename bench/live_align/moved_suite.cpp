@@ -36,7 +36,7 @@ RigidTransform push_of(const Eigen::Vector3d& direction, double shift_m, double 
   return push;
 }
 
-/// One scene, looked at by the watch as a sensor would.
+/// One scene, checked by the pose change detector as on a sensor.
 class Scene {
  public:
   Scene(std::shared_ptr<const simulator::SimulatedRoom> room, const MovedSuiteOptions& options)
@@ -91,7 +91,7 @@ class Scene {
     row.look_ms = cpu / std::max(1, row.looks);
   }
 
-  /// Pushed at some moment, between two looks.
+  /// Measures the detection time of a push between two looks.
   Status watch_push(FilmedSensor& still, const alignment::CalibrationBundle& bundle,
                     const RigidTransform& push, PushTally& tally) {
     auto pushed = open(push);
@@ -102,9 +102,9 @@ class Scene {
     (void)watch.moved(still.depth_mm(begin).view(), HostTime(begin));
     ++tally.pushes;
     constexpr nanoseconds kFirstFrame = std::chrono::milliseconds(33);
-    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kCheckInterval) {
-      // Right after a look: the next one is as far away as it can be.
-      const nanoseconds time = begin + since + alignment::kCheckInterval - kFirstFrame;
+    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kLookInterval) {
+      // Right after a look, when the time until the next look is longest.
+      const nanoseconds time = begin + since + alignment::kLookInterval - kFirstFrame;
       if (!watch.moved(pushed->depth_mm(time).view(), HostTime(time))) continue;
       ++tally.noticed;
       tally.longest_s =

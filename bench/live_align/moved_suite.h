@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How soon a sensor that is moved is noticed, and how often one that is not is suspected: simulated
-// rooms of every scene with people walking about in them. Single-threaded.
+// Detection time for moved sensors, and false alarm rate for sensors that were not moved: simulated
+// rooms of every scene with walking people. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,23 @@ namespace roomcast::bench {
 
 struct MovedSuiteOptions {
   std::uint64_t seed = 1;
-  double minutes = 10;              // that an unmoved sensor of each scene is watched
-  int pushes = 6;                   // of each kind, for each scene
+  double minutes = 10;              // observation time of an unmoved sensor of each scene
+  int pushes = 6;                   // of each kind, per scene
   std::vector<std::string> scenes;  // none: all
 };
 
 /// The pushes of one size in one scene.
 struct PushTally {
   int pushes = 0, noticed = 0;
-  double longest_s = 0;  // until one was noticed
+  double longest_s = 0;  // until one was detected
 };
 
 struct MovedRow {
   std::string scene;
-  int looks = 0, alarms = 0;       // of the sensor that nobody moves
-  PushTally two_cm, half_degree;   // have to be noticed
-  PushTally one_cm, fifth_degree;  // should be borne
-  double look_ms = 0;              // CPU of one look
+  int looks = 0, alarms = 0;       // of the unmoved sensor
+  PushTally two_cm, half_degree;   // must be detected
+  PushTally one_cm, fifth_degree;  // should be tolerated
+  double look_ms = 0;              // CPU time of one look
 };
 
 [[nodiscard]] Result<std::vector<MovedRow>> run_moved_suite(

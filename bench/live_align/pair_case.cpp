@@ -99,7 +99,8 @@ Result<StillViews> still_views(SensorPair& sensors) {
   return StillViews(*std::move(a), *std::move(b));
 }
 
-void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b, PairCase& result) {
+void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b,
+           PairCase& result) {
   result.placed = true;
   result.found_error_mm = result.error_mm = error_mm(sensors, a_from_b.world_from_depth);
   result.expected_error_mm = a_from_b.expected_error_mm;
@@ -111,7 +112,8 @@ void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_fro
 void place_settled(const SensorPair& sensors, const StillViews& views,
                    const alignment::EstimatedPlacement& a_from_b, PairCase& result) {
   const std::array placed = {alignment::PlacedView{&views.first.view, {}}};
-  place(sensors, alignment::refined_placement(views.second.view, a_from_b, placed).value_or(a_from_b),
+  place(sensors,
+        alignment::refined_placement(views.second.view, a_from_b, placed).value_or(a_from_b),
         result);
   result.found_error_mm = error_mm(sensors, a_from_b.world_from_depth);
 }
@@ -121,7 +123,7 @@ Result<std::vector<PairCase>> run_rooms(
     const std::function<Result<PairCase>(const char* scene, std::uint64_t seed)>& run_case,
     const std::function<void(std::string_view)>& progress) {
   std::vector<PairCase> cases;
-  constexpr std::uint64_t kMaxTried = 10;  // for each that is wanted
+  constexpr std::uint64_t kMaxTried = 10;  // per wanted room
   for (std::uint64_t i = 0; std::ssize(cases) < rooms; ++i) {
     const char* scene = kScenes[i % kScenes.size()];
     progress(fmt::format("room {} of {}: {}", cases.size() + 1, rooms, scene));

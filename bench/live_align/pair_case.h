@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two simulated sensors that are placed by what passes through their views, and perhaps settle on
-// what both see of the room, and how well that went: what the suites of walkers and boards have in
-// common. Single-threaded.
+// Two simulated sensors that are placed by moving people or boards and then, where possible,
+// refined on the surfaces that both see, with the resulting errors. Shared by the suites of walkers
+// and boards. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -24,24 +24,26 @@ struct PairCase {
   std::uint64_t seed = 0;
   double apart_deg = 0;  // between the sensors' views
   bool placed = false;
-  std::string reason;   // why not
+  std::string reason;   // why it was not placed
   double error_mm = 0;  // at the middle of the room, 1 m high
   double turn_error_deg = 0;
-  double found_error_mm = 0;  // before it settled on what both sensors see
+  double found_error_mm = 0;  // before pose refinement
   double expected_error_mm = 0;
-  double look_ms = 0;  // CPU of looking at one picture
+  double look_ms = 0;  // CPU time per picture
 };
 
 using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
 
-/// Of so many sensors around the room the two whose views are most nearly so far apart.
-[[nodiscard]] Result<SensorPair> sensors_apart(const std::shared_ptr<const simulator::SimulatedRoom>& room,
-                                               std::uint64_t seed, double apart_deg, int count = 4);
+/// Of `count` sensors around the room, the two whose viewing directions are closest to `apart_deg`
+/// apart.
+[[nodiscard]] Result<SensorPair> sensors_apart(
+    const std::shared_ptr<const simulator::SimulatedRoom>& room, std::uint64_t seed,
+    double apart_deg, int count = 4);
 
 [[nodiscard]] PairCase case_of(const std::string& scene, std::uint64_t seed,
                                const SensorPair& sensors);
 
-/// What a sensor sees of the room itself.
+/// A sensor's view of the static room.
 struct StillView {
   alignment::CalibrationBundle bundle;
   alignment::SensorView view;
@@ -50,14 +52,15 @@ using StillViews = std::pair<StillView, StillView>;
 
 [[nodiscard]] Result<StillViews> still_views(SensorPair& sensors);
 
-/// The second sensor was placed; the poses are of their depth frames.
-void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b, PairCase& result);
-/// ... and settles where it can.
+/// Fills `result` for a placed second sensor; the poses are of the depth cameras.
+void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b,
+           PairCase& result);
+/// As place(), with pose refinement where it is possible.
 void place_settled(const SensorPair& sensors, const StillViews& views,
                    const alignment::EstimatedPlacement& a_from_b, PairCase& result);
 
-/// A case for each of so many rooms, the first of this seed and each of the next, in scenes where
-/// somebody walks; rooms in which nobody does (kInvalidArgument) are passed over.
+/// Runs one case for each of `rooms` rooms with increasing seeds, in scenes with walking people.
+/// Rooms without a walking person (kInvalidArgument) are skipped.
 [[nodiscard]] Result<std::vector<PairCase>> run_rooms(
     int rooms, std::uint64_t first_seed,
     const std::function<Result<PairCase>(const char* scene, std::uint64_t seed)>& run_case,

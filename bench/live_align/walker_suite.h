@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well two opposite sensors are placed by somebody who walks through both views, and
-// then settle on what both see of the room: simulated rooms of every scene with people in it,
-// against the truth. Single-threaded.
+// Pose accuracy of two opposite sensors that are placed by a person who walks through both views
+// and then refined on the surfaces that both see: simulated rooms of every scene with people,
+// compared with the ground truth. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace roomcast::bench {
 
 struct WalkerSuiteOptions {
   int rooms = 16;
-  std::uint64_t seed = 1;  // of the first room; each has the next
+  std::uint64_t seed = 1;  // of the first room; increases by one per room
   double seconds = 20;     // of walking
-  double fps = 8;          // at which heads are looked for
-  bool unaware = false;    // people do what they do in that room, instead of walking about
+  double fps = 8;          // rate of head detection
+  bool unaware = false;    // people follow the room's usual activities instead of walking about
 };
 
 [[nodiscard]] Result<std::vector<PairCase>> run_walker_suite(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poses that `roomcast align RIG --json` found, to draw with instead of the true ones.
+// Reads poses estimated by `roomcast align RIG --json`, to draw with them instead of the true
+// poses.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +12,9 @@
 
 namespace roomcast::bench {
 
-/// world_from_depth of every sensor of the rig, in its order. Alignment chooses a world of its own;
-/// here it is the one in which the first sensor stands where the rig says. kInvalidArgument for a
-/// sensor that the file does not place; errors of read_json_object.
+/// world_from_depth of every sensor of the rig, in the rig's order. Alignment chooses its own world
+/// frame; the result is in the world in which the first sensor has its pose from the rig.
+/// kInvalidArgument: the file does not place a sensor. Errors of read_json_object.
 [[nodiscard]] Result<std::vector<RigidTransform>> read_aligned_poses(
     const std::filesystem::path& report, const recording::RigDescription& rig);
 

@@ -26,7 +26,7 @@ class AlignedPosesTest : public testing::Test {
     rig.sensors[0].world_from_depth = shifted(5);
   }
 
-  /// s1 stands 2 m beside s0.
+  /// s1 is 2 m from s0.
   void write(const std::string& s1_placed) const {
     std::ofstream(report) << R"({"sensors": [{"id": "s0", "placed": true, "world_from_depth":
         [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}, {"id": "s1", "placed": )"

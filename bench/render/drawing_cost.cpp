@@ -14,10 +14,11 @@ render::ViewCamera aside(const render::ViewCamera& camera, double right_m) {
   return moved;
 }
 
-/// Adds the cost of drawing for each of these in turn. The one before them is not counted: in it
-/// the renderer makes room for as many eyes.
-Status add_cost(render::RoomRenderer& room, std::span<const render::Eyes> drawings, const render::OffscreenTarget& target,
-                render::RenderMode mode, double& sum_cpu_ms) {
+/// Adds the cost of drawing each of `drawings` in turn. An uncounted drawing precedes them, in
+/// which the renderer allocates targets for as many eyes.
+Status add_cost(render::RoomRenderer& room, std::span<const render::Eyes> drawings,
+                const render::OffscreenTarget& target, render::RenderMode mode,
+                double& sum_cpu_ms) {
   if (auto first = drawing_cpu_ms(room, drawings.front(), target, mode); !first) {
     return first.error();
   }
@@ -37,8 +38,8 @@ double process_cpu_ms() {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-Result<double> drawing_cpu_ms(render::RoomRenderer& room, const render::Eyes& eyes, const render::OffscreenTarget& target,
-                              render::RenderMode mode) {
+Result<double> drawing_cpu_ms(render::RoomRenderer& room, const render::Eyes& eyes,
+                              const render::OffscreenTarget& target, render::RenderMode mode) {
   glFinish();
   const double before = process_cpu_ms();
   const Status status = room.draw(eyes, target, mode);
@@ -47,8 +48,8 @@ Result<double> drawing_cpu_ms(render::RoomRenderer& room, const render::Eyes& ey
   return process_cpu_ms() - before;
 }
 
-Result<StereoCost> stereo_cost(render::RoomRenderer& room, const render::ViewCamera& between, render::RenderMode mode,
-                               int times) {
+Result<StereoCost> stereo_cost(render::RoomRenderer& room, const render::ViewCamera& between,
+                               render::RenderMode mode, int times) {
   const auto for_one = render::OffscreenTarget::create(between.width, between.height);
   if (!for_one) return for_one.error();
   const auto for_both = render::OffscreenTarget::create(between.width, between.height, 2);

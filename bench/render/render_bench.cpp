@@ -37,7 +37,7 @@ RigidTransform disturbed(const RigidTransform& pose, const RenderBenchOptions& o
   return {turn * pose.rotation, pose.translation_m + shift};
 }
 
-/// A view, what it should show, and by classes.
+/// A view, its ground truth and its pixel classes.
 struct JudgedView {
   TruthViewEntry entry;
   TruthView truth;
@@ -65,12 +65,15 @@ class RenderBench {
   Result<render::RoomRenderer> room_of(render::RenderMode mode);
   Status warm_up(render::RoomRenderer& room, render::RenderMode mode);
   Status show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
-  Status upload(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number, RenderRow* cost);
-  Status measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera, const render::OffscreenTarget& target,
-                      render::RenderMode mode, RenderRow& cost) const;
-  Result<DrawnView> draw(render::RoomRenderer& room, const JudgedView& view, render::RenderMode mode,
-                         RenderRow* cost);
-  Status write_picture(const JudgedView& view, render::RenderMode mode, const DrawnView& drawn) const;
+  Status upload(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number,
+                RenderRow* cost);
+  Status measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera,
+                      const render::OffscreenTarget& target, render::RenderMode mode,
+                      RenderRow& cost) const;
+  Result<DrawnView> draw(render::RoomRenderer& room, const JudgedView& view,
+                         render::RenderMode mode, RenderRow* cost);
+  Status write_picture(const JudgedView& view, render::RenderMode mode,
+                       const DrawnView& drawn) const;
   [[nodiscard]] bool is_compared(std::size_t sensor, std::uint64_t number) const;
   [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
   [[nodiscard]] std::set<int> instants() const;
@@ -81,7 +84,7 @@ class RenderBench {
   const RenderBenchOptions& options_;
   TruthViews views_;
   RigFrames frames_;
-  std::vector<RigidTransform> poses_;  // to draw with, before they are disturbed
+  std::vector<RigidTransform> poses_;  // for drawing, before pose errors are added
   const std::function<void(const std::string&)>& progress_;
   std::vector<JudgedView> judged_;
   RegisteredFrame frame_;
@@ -148,7 +151,8 @@ bool RenderBench::is_compared(std::size_t sensor, std::uint64_t number) const {
       views_.entries, [&](const TruthViewEntry& entry) { return entry.frames[sensor] == number; });
 }
 
-/// All frames of the recording but those compared, in the order of time, for modes that remember.
+/// Draws all frames of the recording except the compared ones, in time order, for modes that use
+/// the background model.
 Status RenderBench::warm_up(render::RoomRenderer& room, render::RenderMode mode) {
   if (!render::remembers_background(mode)) return {};
   std::size_t longest = 0;
@@ -188,7 +192,7 @@ Status RenderBench::show(render::RoomRenderer& room, const FrameNumbers& numbers
   return {};
 }
 
-/// Leaves a picture in this mode in `target`.
+/// Measures the cost; leaves a picture of this mode in `target`.
 Status RenderBench::measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera,
                                  const render::OffscreenTarget& target, render::RenderMode mode,
                                  RenderRow& cost) const {
@@ -210,12 +214,12 @@ Status RenderBench::measure_cost(render::RoomRenderer& room, const render::ViewC
   return {};
 }
 
-Result<DrawnView> RenderBench::draw(render::RoomRenderer& room, const JudgedView& view, render::RenderMode mode,
-                                    RenderRow* cost) {
+Result<DrawnView> RenderBench::draw(render::RoomRenderer& room, const JudgedView& view,
+                                    render::RenderMode mode, RenderRow* cost) {
   const render::ViewCamera& camera = view.entry.camera;
   const auto target = render::OffscreenTarget::create(camera.width, camera.height);
   if (!target) return target.error();
-  // What is derived once from a frame belongs to the frame.
+  // Work done once per frame counts towards the frame's upload.
   if (auto status = room.draw(camera, *target, mode); !status) return status.error();
   if (cost != nullptr) {
     auto status = measure_cost(room, camera, *target, mode, *cost);
@@ -234,7 +238,7 @@ Status RenderBench::write_picture(const JudgedView& view, render::RenderMode mod
   return io::write_color_png(*options_.pictures / name, drawn.color);
 }
 
-/// Of every sensor the frame after this one; nothing where one has no next, or it was lost.
+/// The next frame of every sensor; nothing where a sensor has no next frame or has lost it.
 std::optional<RenderBench::FrameNumbers> RenderBench::next_frames(const FrameNumbers& numbers) {
   FrameNumbers next;
   for (std::size_t s = 0; s < numbers.size(); ++s) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// `roomcast bench render`: how well a room is drawn from where no sensor stood, for every mode, on
-// a rig that has true views; and what drawing costs beside points of one pixel (the paper's way) in
-// the same run and on the same driver. Frames are registered, not sent through a codec. What the
-// renderer remembers of the background it has seen in all frames of the recording but those that
-// are compared.
+// `roomcast bench render`: image quality from viewpoints without a sensor, for every render mode,
+// on a rig with true views; and the cost of drawing relative to points of one pixel (the paper's
+// method) in the same run and on the same driver. Frames are registered but not encoded. The
+// renderer's background model has seen all frames of the recording except the compared ones.
 #pragma once
 
 #include <cstdint>
@@ -23,25 +22,25 @@ namespace roomcast::bench {
 
 struct RenderBenchOptions {
   std::filesystem::path rig;
-  std::vector<render::RenderMode> modes = {};                 // empty: all
-  std::optional<std::filesystem::path> aligned = {};  // read_aligned_poses; else the rig's own
-  int color_scale = 1;                                // RegistrationOptions
-  /// Every sensor is moved and turned by this much, each in a direction of its own.
+  std::vector<render::RenderMode> modes = {};         // empty: all
+  std::optional<std::filesystem::path> aligned = {};  // for read_aligned_poses; else rig poses
+  int color_scale = 1;                                // as in RegistrationOptions
+  /// Every sensor is moved and rotated by this much, each in a different direction.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;
-  bool stereo = false;                                 // what two eyes cost, too
-  std::optional<std::filesystem::path> pictures = {};  // a folder to write what was drawn into
+  bool stereo = false;                                 // also measures the cost of two eyes
+  std::optional<std::filesystem::path> pictures = {};  // a folder for the drawn pictures
 };
 
 struct RenderRow {
   std::string mode;
   ViewScore score;            // mean over the views
-  double flicker_levels = 0;  // of still surfaces from one frame to the next
-  double upload_cpu_ms = 0;   // per sensor frame: upload, and what is derived from it once
-  /// Per view, all threads of the process (a software driver draws there): of this mode, and of
-  /// points, which are drawn in turns with it so that whatever else runs slows both.
+  double flicker_levels = 0;  // of static surfaces between consecutive frames
+  double upload_cpu_ms = 0;   // per sensor frame: upload and work done once per frame
+  /// Per view, all threads of the process (a software driver draws there): for this mode, and for
+  /// points, which are drawn in turns with it so that other load slows both.
   double draw_cpu_ms = 0, points_cpu_ms = 0;
-  StereoCost stereo;  // per view, when it was asked for
+  StereoCost stereo;  // per view, if requested
 };
 
 struct RenderReport {
@@ -51,7 +50,7 @@ struct RenderReport {
   std::vector<RenderRow> rows;
 };
 
-/// Needs no GL context; makes one. kUnavailable without a driver; errors of the files.
+/// Makes its own GL context. kUnavailable: no driver. Errors of the files.
 [[nodiscard]] Result<RenderReport> run_render_bench(
     const RenderBenchOptions& options, const std::function<void(const std::string&)>& progress);
 

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 class RenderBenchTest : public testing::Test {
  protected:
-  /// A striped wall 2 m away, of which a sensor and an eye at the same place see the same. Four
-  /// frames; between the two instants of the views nothing moves.
+  /// A striped wall 2 m away. A sensor and an eye at the same position see the same picture. Four
+  /// frames; nothing moves between the two times of the views.
   void write_rig() const {
     recording::RigSensor sensor;
     sensor.description.name = "s0";
@@ -68,7 +68,8 @@ class RenderBenchTest : public testing::Test {
 
   [[nodiscard]] ColorImage stripes() const {
     ColorImage image(kLens.width, kLens.height, render::kRed);
-    for (int x = 0; x < kLens.width; x += 16) render::fill_box(image, x, 0, x + 8, kLens.height, render::kGreen);
+    for (int x = 0; x < kLens.width; x += 16)
+      render::fill_box(image, x, 0, x + 8, kLens.height, render::kGreen);
     return image;
   }
 

@@ -13,7 +13,7 @@ double cost_vs_points(const RenderRow& row) {
   return row.points_cpu_ms > 0 ? row.draw_cpu_ms / row.points_cpu_ms : 0;
 }
 
-/// Of drawing both eyes at once, as a share of drawing one after the other; 0: not measured.
+/// Cost of drawing both eyes at once, relative to drawing one after the other; 0: not measured.
 double stereo_vs_two(const RenderRow& row) {
   const StereoCost& cost = row.stereo;
   return cost.one_by_one_cpu_ms > 0 ? cost.at_once_cpu_ms / cost.one_by_one_cpu_ms : 0;

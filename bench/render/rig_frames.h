@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of a rig as a viewer gets them: depth, and colour registered to it.
+// The frames of a rig as a viewer receives them: depth, and colour registered to it.
 #pragma once
 
 #include <cstdint>
@@ -24,20 +24,20 @@ struct RegisteredFrame {
 
 class RigFrames {
  public:
-  /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument for a sensor without a pose.
-  /// `color_scale`: RegistrationOptions.
-  static Result<RigFrames> open(const std::filesystem::path& folder, const recording::RigDescription& rig,
-                                int color_scale);
+  /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument: a sensor has no pose.
+  /// `color_scale` as in RegistrationOptions.
+  static Result<RigFrames> open(const std::filesystem::path& folder,
+                                const recording::RigDescription& rig, int color_scale);
 
   struct Sensor {
     recording::Recording recording;
     RigidTransform world_from_depth;
     HoleRegistration registration;
-    std::filesystem::path truth;  // folder of its depth without error
+    std::filesystem::path truth;  // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }
 
-  /// The frame of this number. kNotFound when it was lost.
+  /// Reads the frame with this number. kNotFound: the frame was lost.
   [[nodiscard]] Status read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out);
   [[nodiscard]] Result<TrueSensor> truth(const Sensor& sensor, std::uint64_t number);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures from free viewpoints that come with a simulated rig (`truth/views.json`, written by
-// `roomcast simulate --views`): what a viewer should see from where no sensor stood.
+// Ground-truth pictures from free viewpoints that belong to a simulated rig (`truth/views.json`,
+// written by `roomcast simulate --views`): a viewer should see them from positions without a
+// sensor.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct TruthViewEntry {
   int view = 0, instant = 0;
   render::ViewCamera camera;
   std::filesystem::path color, depth, seen;
-  std::vector<std::uint64_t> frames;  // of each sensor of the rig, taken nearest to the instant
+  std::vector<std::uint64_t> frames;  // for each sensor of the rig, the frame nearest in time
 };
 
 struct TruthViews {
@@ -32,7 +33,7 @@ struct TruthView {
   MaskImage seen;       // bit i: sensor i sees the surface now
 };
 
-/// kNotFound without the file; kMalformed, naming it, when it is not as above.
+/// kNotFound: there is no such file. kMalformed, naming the file: it is not as above.
 [[nodiscard]] Result<TruthViews> read_truth_views(const std::filesystem::path& rig_folder);
 
 /// Errors as ImageFileReader's.

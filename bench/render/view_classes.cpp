@@ -28,7 +28,7 @@ Image<float> nearest_of_neighbours(const Image<float>& image) {
   return out;
 }
 
-/// Set where more than `quorum` of the (2 reach + 1)^2 pixels around are.
+/// Sets pixels that have more than `quorum` set pixels among the (2 reach + 1)^2 around them.
 MaskImage where_more_than(const MaskImage& mask, int reach, int quorum) {
   MaskImage out(mask.width(), mask.height());
   for (int y = reach; y < mask.height() - reach; ++y) {

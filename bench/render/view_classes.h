@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the pixels of a true view show: surfaces that some sensor sees, those whose colour some
-// sensor's colour camera sees as well, and those that move. After the baseline that this renderer
-// is compared with: 6 cm + 2 % tolerance for a colour camera's line of sight; moving: what differs
-// between two instants by more than 10 grey levels or 3 cm, and 2 pixels around it.
+// Classifies the pixels of a true view: surfaces seen by a sensor, surfaces whose colour is also
+// seen by a sensor's colour camera, and moving surfaces. After the baseline of this renderer: 6 cm
+// + 2 % tolerance for a colour camera's line of sight; moving: a difference between two times of
+// more than 10 grey levels or 3 cm, and 2 pixels around it.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace roomcast::bench {
 
-/// One sensor at the instant of a view: where it really was, and depth without error.
+/// One sensor at the time of a view: its true pose and noise-free depth.
 struct TrueSensor {
   SensorCalibration calibration;
   RigidTransform world_from_depth;
@@ -22,11 +22,11 @@ struct TrueSensor {
 };
 
 struct ViewClasses {
-  MaskImage colored;  // some sensor sees it and its colour camera, too
+  MaskImage colored;  // seen by a sensor and by its colour camera
   MaskImage moving;
 };
 
-/// Which points a colour camera sees past the surfaces before them.
+/// Decides which points a colour camera sees, taking occlusion into account.
 class ColorSight {
  public:
   explicit ColorSight(const TrueSensor& sensor);
@@ -35,7 +35,7 @@ class ColorSight {
  private:
   CameraIntrinsics color_;
   RigidTransform color_from_world_;
-  Image<float> nearest_m_;  // of the surfaces, on a quarter of the picture's resolution
+  Image<float> nearest_m_;  // of the surfaces, at a quarter of the picture's resolution
 };
 
 [[nodiscard]] ViewClasses classify(const TruthViewEntry& entry, const TruthView& now,

@@ -8,7 +8,7 @@
 namespace roomcast::bench {
 namespace {
 
-/// Looks along the world's z from its origin; the colour camera stands 20 cm to the right.
+/// Looks along the world's z from its origin; the colour camera is 20 cm to the right.
 TrueSensor sensor_before(const DepthImage& depth_mm) {
   TrueSensor sensor;
   sensor.calibration.depth = render::pinhole(depth_mm.width(), depth_mm.height(), 64);
@@ -30,7 +30,7 @@ TEST(ColorSight, does_not_see_what_something_in_front_hides_from_the_colour_came
   DepthImage depth(64, 48, 2000);
   fill_box<std::uint16_t>(depth, 30, 0, 40, 48, 1000);
   const ColorSight sight(sensor_before(depth));
-  // At the box's left edge the depth camera looks past it; the colour camera, further right, not.
+  // The depth camera sees past the box's left edge; the colour camera, further right, does not.
   EXPECT_FALSE(sight.sees({-0.12, 0, 2}));
   EXPECT_TRUE(sight.sees({-0.6, 0, 2}));
 }
@@ -57,7 +57,7 @@ TEST(Classify, colour_is_seen_where_a_sensor_sees_the_surface_with_both_cameras)
   entry.camera.height = 48;
   entry.camera.vertical_fov_rad = 2 * std::atan(24.0 / 64);
   TruthView now{ColorImage(64, 48, render::kRed), DepthImage(64, 48, 2000), MaskImage(64, 48, 1)};
-  fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // another sensor's
+  fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // seen by another sensor only
   const std::vector<ColorSight> sights = {ColorSight(sensor_before(DepthImage(64, 48, 2000)))};
   const ViewClasses classes = classify(entry, now, now, sights);
   EXPECT_NE(classes.colored.at(40, 24), 0);

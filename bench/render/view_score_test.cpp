@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSide = 32;
 
-/// A striped picture of a surface at 2 m; the left half is seen by a sensor.
+/// A striped picture of a surface at 2 m; a sensor sees the left half.
 struct Scene {
   TruthView truth{ColorImage(kSide, kSide), DepthImage(kSide, kSide, 2000),
                   MaskImage(kSide, kSide)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast align: places the sensors of a recording, and says how sure it is.
+// roomcast align: estimates the poses of a recording's sensors and reports their expected errors.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -29,8 +29,9 @@ struct AlignOptions {
   bool json = false, write = false;
 };
 
-alignment::AlignmentReport align_views(const std::vector<SharedView>& views, const std::string& method,
-                                   const alignment::AlignProgress& progress) {
+alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
+                                       const std::string& method,
+                                       const alignment::AlignProgress& progress) {
   if (method == "homography") return alignment::align_by_homography(views);
   alignment::RigAligner aligner;
   for (const SharedView& view : views) aligner.add(view);
@@ -65,7 +66,7 @@ Result<alignment::AlignmentReport> align_rig(const AlignOptions& options, Status
 }
 
 alignment::PairReport align_pair(const ListedPair& pair, const std::string& method,
-                             FrameViews& frames) {
+                                 FrameViews& frames) {
   alignment::PairReport refused;
   refused.a = pair.a;
   refused.b = pair.b;

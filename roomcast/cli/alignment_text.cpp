@@ -52,7 +52,7 @@ std::string place_text(const alignment::SensorReport& sensor) {
                      at.z(), sensor.expected_error_mm, sensor.expected_error_deg);
 }
 
-/// What only those have that are placed.
+/// Text for a figure that exists for placed sensors only.
 std::string millimetres(bool known, double number_mm) {
   return known ? fmt::format("{:.1f} mm", number_mm) : "";
 }

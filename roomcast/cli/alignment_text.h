@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An alignment report as JSON for scripts and as a table for people. Thread-safe (no state).
+// Formats an alignment report as JSON for scripts and as a table for people. Thread-safe (no
+// state).
 #pragma once
 
 #include <string>
@@ -10,9 +11,9 @@ namespace roomcast::cli {
 
 /// {"sensors": [{"id", "placed", "world_from_depth", "expected_error_mm", "expected_error_deg",
 /// "color_shift_px", "overlap", "inliers", "residual_mm", "reason"}],
-///  "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm",
-///  "expected_error_mm", "conflict", "correlation", "margin", "reason"}]}; transforms row-major;
-/// null where there is no pose to say it of.
+///   "pairs": [{"a", "b", "accepted", "b_from_a", "overlap", "inliers", "residual_mm",
+///   "expected_error_mm", "conflict", "correlation", "margin", "reason"}]}; transforms row-major;
+/// values that need a pose are null where there is none.
 [[nodiscard]] std::string alignment_json(const alignment::AlignmentReport& report);
 
 [[nodiscard]] std::string alignment_table(const alignment::AlignmentReport& report);

@@ -7,7 +7,7 @@
 namespace roomcast::cli {
 namespace {
 
-/// Two that are placed, and one that nothing connects with them.
+/// Two placed sensors and one that could not be connected with them.
 alignment::AlignmentReport report() {
   alignment::AlignmentReport report;
   for (const char* id : {"s0", "s1"}) {

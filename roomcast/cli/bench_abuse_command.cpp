@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench abuse: what those in a room notice of those who would wear its hub down.
+// roomcast bench abuse: the effect of attacks on a hub on the clients of its rooms.
 #include <chrono>
 #include <iostream>
 #include <memory>

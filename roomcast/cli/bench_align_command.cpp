@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench align: alignment methods side by side on recordings with known poses.
+// roomcast bench align: compares alignment methods on recordings with known poses.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 constexpr const char* kPairList = "alignment_pairs.json";
 constexpr std::size_t kOverlapPoints = 4000;
 
-/// All pairs of a rig that knows where its sensors stand. The overlap is what both views show of
-/// each other at the true pose.
+/// All pairs of a rig with known poses. The overlap is measured in both directions at the true
+/// pose.
 Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgress& progress) {
   const auto rig = recording::read_rig_json(folder / "rig.json");
   if (!rig) return rig.error();
@@ -51,7 +51,7 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
       const RigidTransform a_from_b = world_from_depth[a].inverse() * world_from_depth[b];
       const auto check = alignment::check_free_space(
           input.views[a]->surface, input.views[b]->surface, a_from_b, kOverlapPoints);
-      input.cases.push_back({a, b, a_from_b, check.min_consistent});
+      input.cases.push_back({a, b, a_from_b, check.consistent_least});
     }
   }
   return input;
@@ -102,7 +102,7 @@ Status run_fresh(const bench::FreshSuiteOptions& options, bool json) {
   return {};
 }
 
-/// What a suite found, as a table or for scripts.
+/// Prints a suite's rows as a table or as JSON.
 template <class Rows>
 Status print(const Result<Rows>& rows, bool json) {
   if (!rows) return rows.error();
@@ -114,8 +114,8 @@ struct AlignBenchCommand {
   std::vector<std::string> folders;
   std::string suite_name;
   bool json = false;
-  int rooms = 16;                   // of corners, joins, walkers and boards
-  std::vector<std::string> scenes;  // of fresh rooms, and where sensors are moved
+  int rooms = 16;                   // rooms of the suites of corners, joins, walkers and boards
+  std::vector<std::string> scenes;  // of the suites of fresh rooms and of moved sensors; empty: all
   bench::FreshSuiteOptions suite;
   bench::CornersSuiteOptions corners;
   bench::JoinSuiteOptions join;

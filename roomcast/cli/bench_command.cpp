@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench: what the README's table is made of.
+// roomcast bench: the measurements behind the README's table.
 #include <iostream>
 #include <memory>
 #include <string>

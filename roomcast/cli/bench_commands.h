@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The subcommands of `roomcast bench` that have files of their own.
+// Subcommands of `roomcast bench` that are defined in files of their own.
 #pragma once
 
 #include "roomcast/cli/command.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench fanout: the hub beside the least that is possible, and beside message brokers.
+// roomcast bench fanout: compares the hub with a minimal socket server and with message brokers.
 #include <chrono>
 #include <iostream>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench latency: how long a picture is on its way, on this machine and over bad networks.
+// roomcast bench latency: end-to-end latency on this machine and over emulated bad networks.
 #include <iostream>
 #include <memory>
 

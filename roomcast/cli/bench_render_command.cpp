@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast bench render: how well a room is drawn from where no sensor stood, and at what cost.
+// roomcast bench render: image quality from viewpoints without a sensor, and the cost of drawing.
 #include <iostream>
 #include <memory>
 #include <string>

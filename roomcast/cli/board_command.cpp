@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast board: a board to print, for sensors that share nothing to be aligned by.
+// roomcast board: a printable board for aligning sensors whose views share no surface.
 #include <fstream>
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast calibrate: one camera's lens, where its depth camera stands beside it, and what depth is
-// off by, from a printed board held before it.
+// roomcast calibrate: estimates one camera's lens, the pose of its depth camera relative to its
+// colour camera and its depth error, from a printed board.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -29,17 +29,18 @@ using alignment::calibration::ViewCollector;
 
 struct CalibrateOptions {
   std::string source, out = "calibration";
-  std::string print;  // a PDF file to write, and nothing else
+  std::string print;  // PDF file to write; then nothing else is done
   std::string paper = "a3";
-  double square_mm = 0;  // 0: as printed on that paper
+  double square_mm = 0;  // 0: the nominal size of the printed board
   std::size_t views = 20;
-  std::filesystem::path color_info, depth_info;  // of ROS
+  std::filesystem::path color_info, depth_info;  // camera_info files of ROS
   bool keep_lens = false;
   bool json = false;
 };
 
 alignment::calibration::BoardPage page_of(const CalibrateOptions& options) {
-  return options.paper == "a4" ? alignment::calibration::kA4Across : alignment::calibration::kA3Across;
+  return options.paper == "a4" ? alignment::calibration::kA4Across
+                               : alignment::calibration::kA3Across;
 }
 
 CharucoBoard board_of(const CalibrateOptions& options) {
@@ -87,7 +88,7 @@ Status collect(source::FrameSource& source, std::size_t wanted, const std::stop_
   return {};
 }
 
-/// What ROS knows of the lenses takes the place of what the source says.
+/// Replaces the source's lens parameters by those of the ROS camera_info files.
 Status import_lenses(const CalibrateOptions& options, SensorCalibration& start) {
   for (const auto& [file, camera] :
        {std::pair{&options.color_info, &start.color}, {&options.depth_info, &start.depth}}) {
@@ -156,10 +157,11 @@ Status write_report(const CalibrationReport& report, const std::filesystem::path
   Status status = io::write_file(folder / "camera.json", io::camera_json_text(report.camera));
   if (status) status = io::write_file(folder / "report.json", json_of(report).dump(1) + "\n");
   if (status)
-    status =
-        io::write_color_png(folder / "corners.png", alignment::calibration::corner_error_picture(report.lens));
+    status = io::write_color_png(folder / "corners.png",
+                                 alignment::calibration::corner_error_picture(report.lens));
   if (status)
-    status = io::write_color_png(folder / "depth.png", alignment::calibration::depth_error_picture(report.depth));
+    status = io::write_color_png(folder / "depth.png",
+                                 alignment::calibration::depth_error_picture(report.depth));
   return status;
 }
 
@@ -167,10 +169,10 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (!options.print.empty()) return print_board(options);
   if (options.source.empty())
     return Error{ErrorCode::kInvalidArgument, "--source is required, or --print FILE.pdf"};
-  const StopOnSignal stop;  // ends the taking of views; what was taken is used
+  const StopOnSignal stop;  // a signal ends the capture; the views captured so far are used
   sensor::SourceOptions source_options;
   source_options.loop = false;
-  source_options.pace = source::Pace::kAsFastAsPossible;  // recordings; a camera has its own
+  source_options.pace = source::Pace::kAsFastAsPossible;  // for recordings; cameras have their own
   auto source = sensor::open_source(options.source, source_options);
   if (!source) return source.error();
   SensorCalibration start = (*source)->description().calibration;

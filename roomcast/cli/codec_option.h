@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a sensor's frames are coded, as options of a command.
+// Command-line options for the coding of a sensor's frames.
 #pragma once
 
 #include <map>

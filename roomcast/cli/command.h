@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What main() and the subcommands share: each adds itself to the command line and says what to run.
-// Exit codes: 0 done, 1 failed, 2 wrong usage; a command that fails says why in one sentence on
-// stderr.
+// Shared by main() and the subcommands. Each subcommand adds itself to the command line and
+// supplies the function to run. Exit codes: 0 success, 1 failure, 2 wrong usage. A command that
+// fails prints the reason as one sentence on stderr.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,16 @@
 
 namespace roomcast::cli {
 
-/// The command that was chosen, with its options bound; returns the exit code.
+/// The chosen command with its options bound. Returns the exit code.
 using Command = std::function<int()>;
 
 inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
 
-/// Prints "roomcast NAME: sentence" when it failed. kInvalidArgument is wrong usage.
+/// Returns the exit code; on failure also prints "roomcast NAME: sentence" to stderr.
+/// kInvalidArgument is wrong usage.
 int finish(std::string_view name, const Status& status);
 
-/// Lines "roomcast NAME: ..." on stderr, warnings and errors only unless `verbose`.
+/// Writes lines "roomcast NAME: ..." to stderr: warnings and errors only, unless `verbose`.
 LogSink stderr_log(std::string_view name, bool verbose);
 
 void add_demo_command(CLI::App& app, Command& chosen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast contact-sheet: what the simulated rooms look like, as one picture for each.
+// roomcast contact-sheet: one overview picture for each simulated room.
 #include <memory>
 #include <string>
 

@@ -43,7 +43,7 @@ struct DemoOptions {
   bool verbose = false;
 };
 
-/// The sources that the options name, one per sensor.
+/// The sources named by the options, one per sensor.
 Result<std::vector<std::string>> source_specs(const DemoOptions& options) {
   std::vector<std::string> specs = options.sources;
   if (!options.rig.empty()) {
@@ -105,7 +105,7 @@ Status first_failure(const Feeds& feeds) {
   return {};
 }
 
-/// Runs until stopped, until the time is up (0: never), or until a sensor fails.
+/// Runs until a stop request, until `seconds` have passed (0: no limit), or until a sensor fails.
 Status show_room(const Feeds& feeds, double seconds, const std::stop_token& stop) {
   StatusLine line;
   Totals before;
@@ -127,7 +127,7 @@ Status show_room(const Feeds& feeds, double seconds, const std::stop_token& stop
   return {};
 }
 
-/// Without a browser: a viewer in this process receives the room, and what it got is reported.
+/// Without a browser: a viewer in this process receives the room and reports what arrived.
 Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
                   const std::stop_token& stop) {
   auto viewer = client::Subscriber::open(

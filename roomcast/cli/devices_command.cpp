@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast devices: which cameras are plugged in, what can be asked of them, and why one of them
-// cannot be opened.
+// roomcast devices: lists the connected cameras and their options, and explains why one cannot be
+// opened.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -17,18 +17,18 @@
 namespace roomcast::cli {
 namespace {
 
-/// One line of the list.
+/// One row of the list.
 struct Device {
   std::string spec, model, serial;
   std::optional<std::string> obstacle;
   source::CameraAbilities abilities;
 };
 
-/// One kind of camera, and what was found of it.
+/// One driver and the cameras found by it.
 struct Kind {
   const source::CameraKind* kind = nullptr;
   std::string library;
-  std::optional<std::string> problem;  // of the library itself
+  std::optional<std::string> problem;  // with the library itself
   std::vector<Device> devices;
 };
 
@@ -65,8 +65,8 @@ bool has(const Kind& kind, const source::UsbCamera& camera) {
   });
 }
 
-/// What the kernel knows of a camera is more than what its library says; and there are cameras that
-/// no library built in knows.
+/// Adds cameras listed by the kernel. The kernel reports more about a camera than its library, and
+/// also lists cameras that no built-in library supports.
 void add_from_usb(const std::vector<source::UsbCamera>& usb, Kind& kind) {
   for (const source::UsbCamera& camera : usb) {
     if (camera.kind != kind.kind->name) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast export: a recording into the files of other programs.
+// roomcast export: converts a recording into the file formats of other programs.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -38,16 +38,18 @@ nanoseconds seconds(double value) {
   return nanoseconds(static_cast<std::int64_t>(value * 1e9));
 }
 
-constexpr const char* kFilm = "video";  // made in another place than the other formats
+constexpr const char* kFilm = "video";  // has its own writer, unlike the other formats
 
 recording::ExportFormat format_of(const std::string& name) {
-  return *std::ranges::find(recording::kExportFormats, name, [](recording::ExportFormat f) { return name_of(f); });
+  return *std::ranges::find(recording::kExportFormats, name,
+                            [](recording::ExportFormat f) { return name_of(f); });
 }
 
 Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
-                                               const recording::FrameSetReader& reader) {
+                                                          const recording::FrameSetReader& reader) {
   if (options.format != kFilm)
-    return recording::make_set_writer(format_of(options.format), options.out, reader.sensors(), options.cloud);
+    return recording::make_set_writer(format_of(options.format), options.out, reader.sensors(),
+                                      options.cloud);
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
   auto film = options.film.film(end_s - options.from_s);
@@ -55,9 +57,9 @@ Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& o
   return recording::make_film(options.out, reader.sensors(), *std::move(film));
 }
 
-/// Reads sets and hands every n-th on, until the end, `to_s`, or a signal.
-Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader, recording::SetWriter& writer,
-                 const std::stop_token& stop) {
+/// Copies every n-th set from `reader` to `writer`, until the end, `to_s`, or a signal.
+Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader,
+                 recording::SetWriter& writer, const std::stop_token& stop) {
   StatusLine line;
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
@@ -129,7 +131,8 @@ Status run_export(ExportOptions options) {
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
-  for (const recording::ExportFormat format : recording::kExportFormats) names.emplace_back(name_of(format));
+  for (const recording::ExportFormat format : recording::kExportFormats)
+    names.emplace_back(name_of(format));
   names.emplace_back(kFilm);
   return names;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `roomcast export --format video` was asked for.
+// Options of `roomcast export --format video`.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct FilmCommandOptions {
   double fov_deg = 60;
   render::RenderMode mode = render::RenderMode::kBlend;
 
-  /// A film of so many seconds. Errors as read_camera_path.
+  /// Options for a film of `length_s` seconds. Errors as for read_camera_path.
   [[nodiscard]] Result<recording::FilmOptions> film(double length_s) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast hub: joins sensors and viewers in rooms, on one port.
+// roomcast hub: connects sensors and viewers in rooms, on one port.
 #include <atomic>
 #include <cstdio>
 #include <functional>
@@ -31,7 +31,7 @@
 namespace roomcast::cli {
 namespace {
 
-/// Every connection is an open file; what a shell allows is often 1024.
+/// Raises the limit of open files, which is often 1024 in a shell: every connection needs one.
 void allow_many_connections() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -39,9 +39,9 @@ void allow_many_connections() {
   (void)::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// Frames come and go thirty times a second. Left alone, glibc gives a little memory back to the
-/// kernel whenever a set has gone and takes it again for the next one: two system calls, and new
-/// pages.
+/// Makes glibc keep freed memory. Frames are allocated and freed thirty times a second; by default
+/// glibc returns some memory to the kernel after each set and requests it again for the next, which
+/// costs two system calls and page faults.
 void keep_freed_memory() {
   constexpr int kKeptBytes = 2 << 20;
   (void)::mallopt(M_TRIM_THRESHOLD, kKeptBytes);
@@ -52,7 +52,7 @@ LogSink log_of(const hub::HubConfig& config, bool verbose) {
   return config.log == "json" ? json_log("hub") : stderr_log("hub", verbose);
 }
 
-/// A hub that is configured, and not yet open.
+/// A configured hub that is not running yet.
 struct HubPlan {
   hub::HubConfig config;
   net::ListenAddress listen;
@@ -87,11 +87,11 @@ Result<HubPlan> plan_hub(const HubFlags& flags) {
 
 Status find_certificate(HubPlan& plan, bool only_look) {
   auto found = hub::daemon::find_hub_certificate({.certificate_file = plan.config.tls_cert,
-                                     .key_file = plan.config.tls_key,
-                                     .self_signed = plan.config.tls_self_signed,
-                                     .data_folder = plan.config.data,
-                                     .listen_address = plan.listen.address,
-                                     .only_look = only_look});
+                                                  .key_file = plan.config.tls_key,
+                                                  .self_signed = plan.config.tls_self_signed,
+                                                  .data_folder = plan.config.data,
+                                                  .listen_address = plan.listen.address,
+                                                  .only_look = only_look});
   if (!found) return found.error();
   plan.certificate = *std::move(found);
   if (!plan.certificate) return {};
@@ -101,7 +101,7 @@ Status find_certificate(HubPlan& plan, bool only_look) {
   return {};
 }
 
-/// What a start would find wrong, as far as it can be told without writing anything.
+/// Checks for errors that would prevent a start, as far as possible without writing anything.
 Status check_plan(HubPlan& plan) {
   if (auto status = find_certificate(plan, true); !status) return status;
   if (const auto folder = hub::daemon::data_folder(plan.config.data)) {
@@ -131,7 +131,7 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
   std::fflush(stdout);
 }
 
-/// Renewed certificates, for a hub whose certificate comes from files.
+/// Reloads renewed certificates when the hub's certificate comes from files.
 std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
     const HubPlan& plan, hub::HubServer& server,
     const std::function<void(const net::Fingerprint&)>& trust, std::atomic<bool>& reload,
@@ -144,20 +144,22 @@ std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
     trust(certificate.fingerprint());
     return {};
   };
-  return std::make_unique<hub::daemon::CertificateWatch>(plan.config.tls_cert, plan.config.tls_key, take, reload,
-                                            log);
+  return std::make_unique<hub::daemon::CertificateWatch>(plan.config.tls_cert, plan.config.tls_key,
+                                                         take, reload, log);
 }
 
-/// Null where there is no folder to keep rooms in.
-std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const hub::HubConfig& config,
-                                             const std::optional<std::filesystem::path>& data,
-                                             const LogSink& log) {
-  if (!config.recordings.empty()) return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log);
+/// Null where no folder for recordings is configured.
+std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
+    const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
+    const LogSink& log) {
+  if (!config.recordings.empty())
+    return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log);
   return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log) : nullptr;
 }
 
-/// To other hubs, if there are any.
-hub::OpenBackplane backplane_of(const HubPlan& plan, hub::daemon::HubAligners& aligners, const LogSink& log) {
+/// The connection to other hubs, if any are configured.
+hub::OpenBackplane backplane_of(const HubPlan& plan, hub::daemon::HubAligners& aligners,
+                                const LogSink& log) {
   using Opened = Result<std::unique_ptr<hub::Backplane>>;
   if (plan.upstream) {
     return [options = *plan.upstream, log](hub::BackplaneContext seat) mutable -> Opened {
@@ -183,7 +185,7 @@ hub::OpenBackplane backplane_of(const HubPlan& plan, hub::daemon::HubAligners& a
 
 Status run_hub(const HubFlags& flags) {
   std::atomic<bool> reload = false;
-  std::function<void()> on_hangup;  // on a terminal it means that the terminal is gone
+  std::function<void()> on_hangup;  // on a terminal, SIGHUP means that the terminal was closed
   if (::isatty(STDIN_FILENO) == 0) on_hangup = [&reload] { reload = true; };
   StopOnSignal stop(on_hangup);
   auto plan = plan_hub(flags);
@@ -216,10 +218,10 @@ Status run_hub(const HubFlags& flags) {
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
   const hub::daemon::OwnHub own{.listen_address = plan->listen.address,
-                   .port = (*server)->port(),
-                   .certificate = plan->certificate
-                                      ? std::optional(plan->certificate->fingerprint())
-                                      : std::nullopt};
+                                .port = (*server)->port(),
+                                .certificate = plan->certificate
+                                                   ? std::optional(plan->certificate->fingerprint())
+                                                   : std::nullopt};
   aligners.serve(own, (*server)->own_token());
   if (recorders) recorders->serve(own, (*server)->own_token());
   const auto trust = [&](const net::Fingerprint& certificate) {

@@ -113,7 +113,8 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   if (flags.threads > 0) config.threads = flags.threads;
   config.tls_self_signed |= flags.self_signed;
   config.insecure |= flags.insecure;
-  config.align &= !flags.no_align && config.upstream_hubs.empty();  // there sensors are placed
+  // With upstream hubs, these place the sensors.
+  config.align &= !flags.no_align && config.upstream_hubs.empty();
   return config;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be said to `roomcast hub` on the command line.
+// Command-line options of `roomcast hub`.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace roomcast::cli {
 
-/// What was said on the command line holds against file and environment.
+/// Values given on the command line. Precedence: command line, environment, file.
 struct HubFlags {
   std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
   std::vector<std::string> upstream;
@@ -24,10 +24,10 @@ struct HubFlags {
   bool record = false;
 };
 
-/// Options of `command` that write into `flags`, which outlives it.
+/// Adds options to `command` that write into `flags`. `flags` must outlive `command`.
 void add_hub_flags(CLI::App& command, HubFlags& flags);
 
-/// What was said holds against what is configured.
+/// Returns `config` with the values given on the command line in place of the configured ones.
 [[nodiscard]] hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags);
 
 }  // namespace roomcast::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast info: what is in a recording. Reads every frame, so it also says whether the recording
-// is sound.
+// roomcast info: summarises a recording. Reads every frame, so it also detects damage.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -31,7 +30,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// What one sensor of a recording holds.
+/// Summary of one sensor of a recording.
 struct SensorInfo {
   source::SensorDescription sensor;
   std::size_t frames = 0;
@@ -48,7 +47,8 @@ Result<std::vector<std::string>> specs_of_file(const std::string& file) {
   return specs;
 }
 
-/// A file is a recorded room, a folder with rig.json a rig, one with depth.txt a TUM recording.
+/// A file is a recorded room, a folder with rig.json is a rig, a folder with depth.txt is a TUM
+/// recording.
 Result<std::vector<std::string>> specs_of(const std::string& recording) {
   const std::filesystem::path folder(recording);
   std::error_code ignored;
@@ -115,7 +115,7 @@ void print_text(const SensorInfo& info) {
       info.sensor.world_from_depth ? "placed" : "not placed");
 }
 
-/// The whole recording once more, as pictures.
+/// Reads the whole recording again and writes thumbnails.
 Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop) {
   auto reader = recording::open_frame_sets(options.recording);
   if (!reader) return reader.error();
@@ -134,7 +134,7 @@ Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop)
   return io::write_color_png(options.thumbnails, picture);
 }
 
-/// Why the end of a file is missing, if it is.
+/// Warns, with the reason, if the end of a file is missing.
 void warn_of_damage(const std::string& recording) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(recording, ignored)) return;

@@ -29,7 +29,7 @@ std::string json_log_line(std::string_view program, LogLevel level, std::string_
   line["program"] = program;
   line["message"] = message;
   for (const auto& [key, value] : fields) {
-    if (!value.empty()) line.emplace(key, value);  // not where the key is there already
+    if (!value.empty()) line.emplace(key, value);  // emplace leaves an existing key unchanged
   }
   return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An option whose value is one of several names; --help shows them as they are written.
+// An option that takes one of several named values; --help lists the names.
 #pragma once
 
 #include <map>

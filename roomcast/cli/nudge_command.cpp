@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast nudge: puts a sensor about where it stands; the hub's aligner refines it or says why
-// not.
+// roomcast nudge: sends an approximate pose of a sensor. The hub's aligner refines it, or rejects
+// it with a reason.
 #include <memory>
 #include <numbers>
 #include <string>

@@ -16,7 +16,7 @@ std::optional<std::string> name_of(const nlohmann::json& pair, const char* field
   return std::nullopt;
 }
 
-/// Four rows of four, or sixteen in a row.
+/// Accepts four rows of four numbers, or sixteen numbers in one row.
 std::vector<double> numbers_of(const nlohmann::json& value) {
   std::vector<double> numbers;
   for (const auto& item : value) {

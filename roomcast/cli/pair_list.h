@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// alignment_pairs.json: pairs of views that are to be aligned, with what is known about them.
+// Reader of alignment_pairs.json: pairs of views to align, with their known pose and overlap.
 //
 //   {"pairs": [{"a": 759, "b": 787, "T_b_from_a": [[4 rows of 4 numbers]], "overlap": 0.6}, ...]}
 //
-// a and b are frame numbers of a TUM recording, or names of a rig's sensors. Reference pose and
-// overlap may be missing. Metres. Thread-safe (no state).
+// a and b are frame numbers of a TUM recording, or names of a rig's sensors. The reference pose and
+// the overlap are optional. Metres. Thread-safe (no state).
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,7 @@ struct ListedPair {
 
 inline constexpr std::size_t kMaxListedPairs = 100'000;
 
-/// kNotFound when the file is missing; kMalformed, naming what is wrong, for anything else than the
-/// above.
+/// kNotFound: the file is missing. kMalformed, naming the fault: the file is not as above.
 [[nodiscard]] Result<std::vector<ListedPair>> read_pair_list(const std::filesystem::path& path);
 
 }  // namespace roomcast::cli

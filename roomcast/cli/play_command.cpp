@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast play: a recording is a room again, on a hub of its own or on another.
+// roomcast play: replays a recording as a room, on a hub of its own or on another hub.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -34,7 +34,7 @@ struct PlayOptions {
   bool verbose = false;
 };
 
-/// A hub of our own, for as long as this lives.
+/// A hub in this process. It stops when this object is destroyed.
 class OwnHub {
  public:
   static Result<OwnHub> open(const PlayOptions& options, const std::string& room) {
@@ -62,8 +62,9 @@ double seconds_of(const recording::RoomRecording& recording) {
   return std::chrono::duration<double>(recording.end() - recording.start()).count();
 }
 
-/// Shows where it is until the player has ended.
-void show_progress(const recording::RoomPlayer& player, double length_s, const std::stop_token& ended) {
+/// Shows the playback position until the player ends.
+void show_progress(const recording::RoomPlayer& player, double length_s,
+                   const std::stop_token& ended) {
   StatusLine line;
   while (!ended.stop_requested()) {
     std::this_thread::sleep_for(100ms);

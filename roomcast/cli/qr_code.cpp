@@ -9,7 +9,7 @@ namespace roomcast::cli {
 
 namespace {
 
-constexpr int kQuietZone = 2;  // squares around it, without which phones do not see it
+constexpr int kQuietZone = 2;  // modules around the code; phones need a margin to detect it
 
 class Squares {
  public:
@@ -25,7 +25,7 @@ class Squares {
   const QRcode& code_;
 };
 
-/// Light squares are drawn: the upper and the lower half of a character.
+/// The character for two modules, one above the other. Light modules are drawn.
 const char* character(bool upper_dark, bool lower_dark) {
   if (upper_dark) return lower_dark ? " " : "▄";
   return lower_dark ? "▀" : "█";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A QR code for a terminal, two squares a character, dark on light whatever the terminal's colours.
-// Source: ISO/IEC 18004, by libqrencode.
+// A QR code for a terminal, two modules per character, dark on light in any colour scheme. Source:
+// ISO/IEC 18004, by libqrencode.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace roomcast::cli {
 
-/// kTooLarge: no QR code holds so much.
+/// kTooLarge: the text does not fit into a QR code.
 [[nodiscard]] Result<std::string> qr_code_for_terminal(const std::string& text);
 
 }  // namespace roomcast::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast record: what a hub sends its viewers, into a file; one file for each room.
+// roomcast record: writes the stream of a hub's rooms into files, one file per room.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -36,7 +36,7 @@ struct RecordOptions {
   bool verbose = false;
 };
 
-/// Of several rooms each has a file of its name in the folder OUT.
+/// The file of `room`. With several rooms, each has a file of its name in the folder OUT.
 std::filesystem::path file_of(const RecordOptions& options, const std::string& room) {
   return options.rooms.size() < 2 ? options.out : options.out / (room + ".mcap");
 }
@@ -54,7 +54,8 @@ Status make_folder(const RecordOptions& options) {
                "cannot make the folder " + options.out.string() + ": " + error.message()};
 }
 
-Result<Recorders> start_recorders(const RecordOptions& options, const client::Credential& credential) {
+Result<Recorders> start_recorders(const RecordOptions& options,
+                                  const client::Credential& credential) {
   if (auto status = make_folder(options); !status) return status.error();
   Recorders recorders;
   const auto rooms = options.rooms.empty() ? std::vector<std::string>{""} : options.rooms;
@@ -84,7 +85,8 @@ recording::RecorderStats sum(const Recorders& recorders) {
   return sum;
 }
 
-/// Until stopped, until the time is up (0: never), or until no recorder can go on.
+/// Waits until a stop request, until `seconds` have passed (0: no limit), or until no recorder can
+/// continue.
 Status wait_for_end(const Recorders& recorders, double seconds, const std::stop_token& stop) {
   StatusLine line;
   const auto begin = std::chrono::steady_clock::now();
@@ -104,7 +106,7 @@ Status wait_for_end(const Recorders& recorders, double seconds, const std::stop_
   return {};
 }
 
-/// Of this process: what recording costs.
+/// CPU time of this process: the cost of recording.
 double cpu_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
@@ -138,7 +140,8 @@ void report(const RecordOptions& options, const Recorders& recorders, double ela
 }
 
 Status run_record(const RecordOptions& options) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error code to us, not an end
+  // Exceeding the file size limit must fail with an error code, not kill the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   StopOnSignal stop;
   const auto credential = find_credential(options.token);
   if (!credential) return credential.error();

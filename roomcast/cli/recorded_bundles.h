@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calibration bundles from recordings: what the sensors of a rig would have sent on joining, and
-// single frames of a TUM recording as if each were a sensor of its own. Single-threaded.
+// Calibration bundles made from recordings: as the sensors of a rig would send them when joining,
+// or one per frame of a TUM recording, as if each frame were a sensor. Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,22 @@
 
 namespace roomcast::cli {
 
-/// A sensor whose bundle may not be of any use: then why.
+/// A sensor with its bundle, or the reason why it has none.
 struct RecordedBundle {
   std::string name;
   Result<alignment::CalibrationBundle> bundle;
 };
 
-/// Told what is being read.
+/// Called with a description of what is being read.
 using ReadProgress = std::function<void(const std::string& what)>;
 
-/// One for each sensor of the rig, in its order, from its first second. Errors of the recording's
-/// files.
+/// One bundle for each sensor of the rig, in the rig's order, from the sensor's first second.
+/// Errors of the recording's files.
 [[nodiscard]] Result<std::vector<RecordedBundle>> read_rig_bundles(
     const std::filesystem::path& directory, const ReadProgress& progress);
 
-/// Of the frames with these numbers, by number. kNotFound, naming it, for a frame that is not
-/// there; errors of the recording's files.
+/// Bundles of the frames with these numbers, by number. kNotFound, naming the frame: it does not
+/// exist. Errors of the recording's files.
 [[nodiscard]] Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
     const ReadProgress& progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The views of recorded sensors, ready to be aligned. Single-threaded.
+// Views of recorded sensors, as input for alignment. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,15 @@ using SharedView = std::shared_ptr<const alignment::SensorView>;
 /// Errors of the bundle and of alignment::make_sensor_view.
 [[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded);
 
-/// The views of all frames of a TUM recording that any pair names, each made once.
+/// The views of all frames of a TUM recording that occur in a pair, each made once.
 class FrameViews {
  public:
-  /// kInvalidArgument for a name that is no frame number; errors of read_frame_bundles.
+  /// kInvalidArgument: a name is not a frame number. Errors of read_frame_bundles.
   static Result<FrameViews> read(const std::filesystem::path& directory,
                                  const std::vector<ListedPair>& pairs,
                                  const ReadProgress& progress);
 
-  /// `name` is one that a pair named.
+  /// `name` must occur in one of the pairs.
   const Result<SharedView>& at(const std::string& name);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alignment of recordings whose poses are known, where they are at hand (ROOMCAST_DATA).
+// Alignment of recordings with known poses, where they are available (ROOMCAST_DATA).
 #include "roomcast/cli/recorded_views.h"
 
 #include <array>
@@ -24,7 +24,8 @@ bool is_at_hand(const char* folder) {
 
 TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
   if (!is_at_hand("house3"))
-    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
+    GTEST_SKIP() << "no recordings at " << recording::shared_data()
+                 << "; set ROOMCAST_DATA to test with them";
   const auto bundles = read_rig_bundles(recording::shared_data() / "house3", kQuiet);
   const auto rig = recording::read_rig_json(recording::shared_data() / "house3" / "rig.json");
   ASSERT_TRUE(bundles.ok() && rig.ok());
@@ -43,11 +44,12 @@ TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
   }
 }
 
-/// Easy pairs and harder ones of a hand-held Kinect, whose reference poses are themselves good to a
-/// few centimetres.
+/// Easier and harder pairs from a hand-held Kinect. The reference poses themselves are accurate to
+/// a few centimetres.
 TEST(RecordedAlignment, finds_how_frames_of_a_real_kinect_stand_to_each_other) {
   if (!is_at_hand("redkitchen_moving"))
-    GTEST_SKIP() << "no recordings at " << recording::shared_data() << "; set ROOMCAST_DATA to test with them";
+    GTEST_SKIP() << "no recordings at " << recording::shared_data()
+                 << "; set ROOMCAST_DATA to test with them";
   const auto folder = recording::shared_data() / "redkitchen_moving";
   const auto listed = read_pair_list(folder / "alignment_pairs.json");
   ASSERT_TRUE(listed.ok());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that name ways of drawing.
+// Options whose values are render modes.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@
 namespace roomcast::cli {
 
 void add_mode_option(CLI::App& command, const std::string& name, render::RenderMode& mode);
-/// Several, separated by commas.
-void add_modes_option(CLI::App& command, const std::string& name, std::vector<render::RenderMode>& modes);
+/// Takes several modes, separated by commas.
+void add_modes_option(CLI::App& command, const std::string& name,
+                      std::vector<render::RenderMode>& modes);
 
 }  // namespace roomcast::cli

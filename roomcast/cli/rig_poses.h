@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poses that alignment found, written into the rig.json they belong to. Thread-safe (no state).
+// Writes poses found by alignment into the rig's rig.json. Thread-safe (no state).
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace roomcast::cli {
 
-/// Sets world_from_depth of every sensor of the rig: null where it was not placed. Everything else
-/// stays. kUnavailable, and nothing is written, when no sensor was placed; errors of read_rig_json
-/// and write_file.
+/// Sets world_from_depth of every sensor of the rig, null for a sensor that was not placed. Nothing
+/// else changes. kUnavailable, without writing: no sensor was placed. Errors of read_rig_json and
+/// write_file.
 [[nodiscard]] Status write_rig_poses(const std::filesystem::path& rig,
                                      const alignment::AlignmentReport& report);
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A rig.json of two sensors that are believed to stand at the origin.
+/// A rig.json of two sensors, both at the origin.
 void write_rig(const fs::path& folder) {
   recording::RigDescription rig;
   rig.fps = 15;
@@ -57,7 +57,8 @@ TEST(RigPoses, stay_when_nobody_was_placed) {
   const Status status = write_rig_poses(folder.path(), report);
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().message, testing::HasSubstr("no sensor could be placed"));
-  EXPECT_TRUE(recording::read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());
+  EXPECT_TRUE(
+      recording::read_rig_json(folder / "rig.json")->sensors[1].world_from_depth.has_value());
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `roomcast sensor` can be asked of a camera: options for several cameras in one room, and the
-// file of its calibration.
+// Camera options of `roomcast sensor`: for several cameras in one room, and for a calibration file.
 #pragma once
 
 #include <CLI/CLI.hpp>

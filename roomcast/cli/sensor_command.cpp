@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast sensor: one sensor's frames into a room.
+// roomcast sensor: streams one sensor's frames into a room.
 #include <chrono>
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast simulate: writes a recording of a simulated room, with its truth.
+// roomcast simulate: writes a recording of a simulated room, with ground truth.
 #include <memory>
 #include <string>
 

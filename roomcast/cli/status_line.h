@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// StatusLine: one line on a terminal that is written over; nothing at all where stderr is not a
-// terminal. For long work it shows a bar with the time that is left.
+// StatusLine: one terminal line that is overwritten, with a progress bar and the remaining time for
+// long work. Prints nothing where stderr is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -18,8 +18,8 @@ class StatusLine {
 
   void show(std::string_view text);
 
-  /// `done` of `total` steps of something ("writing frames"). Another name starts the clock anew.
-  /// Cheap enough to be called after every step.
+  /// Shows `done` of `total` steps of `doing` ("writing frames"). A different `doing` restarts the
+  /// clock. Cheap enough to call after every step.
   void show_progress(std::string_view doing, int done, int total);
 
  private:
@@ -31,8 +31,8 @@ class StatusLine {
   Clock::time_point began_, shown_at_;
 };
 
-/// "writing frames [######--------------] 135 of 450, 12 s left"; without the time while it cannot
-/// be told: before the first step, and in the first moments.
+/// "writing frames [######--------------] 135 of 450, 12 s left". The remaining time is left out
+/// before the first step and in the first moments, when it cannot be estimated.
 [[nodiscard]] std::string progress_text(std::string_view doing, int done, int total,
                                         std::chrono::duration<double> elapsed);
 

@@ -26,7 +26,7 @@ StopOnSignal::StopOnSignal(std::function<void()> on_hangup) {
   waiter_ =
       std::jthread([this, signals, on_hangup = std::move(on_hangup)](const std::stop_token& done) {
         const std::stop_callback wake_up(done, [thread = pthread_self()] {
-          pthread_kill(thread, SIGTERM);  // to this one only
+          pthread_kill(thread, SIGTERM);  // to this thread only
         });
         for (int signal = 0; sigwait(&signals, &signal) == 0 && !done.stop_requested();) {
           if (signal == SIGHUP && on_hangup) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// StopOnSignal: Ctrl-C and SIGTERM become a stop token. Make it before any other thread, so that
-// all threads leave these signals to it.
+// StopOnSignal: turns Ctrl-C and SIGTERM into a stop token. Construct it before starting any other
+// thread, so that all threads inherit the blocked signals.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace roomcast::cli {
 
 class StopOnSignal {
  public:
-  /// `on_hangup`: what SIGHUP does instead of stopping; on a thread of its own. Nothing: it stops.
+  /// `on_hangup` runs, on a thread of its own, when SIGHUP arrives. If empty, SIGHUP stops as well.
   explicit StopOnSignal(std::function<void()> on_hangup = {});
   ~StopOnSignal();
   StopOnSignal(const StopOnSignal&) = delete;

@@ -11,7 +11,7 @@
 namespace roomcast::cli {
 namespace {
 
-/// Its thread gets the signals again afterwards, as those of other tests expect.
+/// Restores the signal mask of the test's thread afterwards, because other tests rely on it.
 class StopOnSignalTest : public testing::Test {
  protected:
   StopOnSignalTest() { pthread_sigmask(SIG_SETMASK, nullptr, &before_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// "90s", "30m", "8h", "7d": how long something holds, as people write it. Threading: no state.
+// Durations such as "90s", "30m", "8h", "7d". Thread-safe (no state).
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,11 @@
 
 namespace roomcast::cli {
 
-/// Seconds. kInvalidArgument: not such a span, or none at all.
+/// Seconds. kInvalidArgument: `text` is not a duration of this form, or is zero.
 [[nodiscard]] Result<std::int64_t> parse_time_span(std::string_view text);
 
-/// In the largest unit that says it well: 90 s is "90s", 7200 s "2h".
+/// Uses the largest unit that fits at least twice, or exactly once, and rounds down: 90 s is "90s",
+/// 7200 s is "2h".
 [[nodiscard]] std::string format_time_span(std::int64_t seconds);
 
 }  // namespace roomcast::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast token: makes, lists and revokes the tokens of a hub whose folder is on this machine. A
-// running hub notices.
+// roomcast token: creates, lists and revokes tokens of a hub whose folder is on this machine. A
+// running hub picks up the change.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ Error wrong_usage(std::string sentence) {
   return {ErrorCode::kInvalidArgument, std::move(sentence)};
 }
 
-/// The hub's, as the hub finds it.
+/// The hub's folder, found by the same rules as the hub uses.
 Result<std::filesystem::path> find_folder(const TokenCommand& command) {
   const auto config = hub::daemon::find_hub_config(command.config);
   if (!config) return config.error();
@@ -41,14 +41,14 @@ Result<std::filesystem::path> find_folder(const TokenCommand& command) {
   return *folder;
 }
 
-/// Perhaps one that this user may not see.
+/// True also if the secret exists but this user may not read the folder.
 bool has_secret(const std::filesystem::path& folder) {
   std::error_code error;
   return std::filesystem::exists(hub::secret_file_in(folder), error) ||
          error == std::errc::permission_denied;
 }
 
-/// With what a hub has kept there.
+/// Opens the store that a hub has written to this folder.
 Result<std::unique_ptr<hub::HubStore>> open_book(const std::filesystem::path& folder) {
   if (has_secret(folder)) return hub::HubStore::open(folder);
   return Error{ErrorCode::kNotFound, "no hub has its secret in " + folder.string() +
@@ -56,7 +56,7 @@ Result<std::unique_ptr<hub::HubStore>> open_book(const std::filesystem::path& fo
                                          "--data, or its configuration with --config"};
 }
 
-/// A token may be made before its hub has ever run.
+/// Opens the store or creates it: a token may be made before the hub has ever run.
 Result<std::unique_ptr<hub::HubStore>> open_or_begin_book(const std::filesystem::path& folder) {
   if (auto made = hub::daemon::make_data_folder(folder); !made) return made.error();
   return hub::HubStore::open(folder);
@@ -96,7 +96,7 @@ Result<hub::TokenRequest> request_of(const TokenCommand& command) {
                            .once = !command.link.empty()};
 }
 
-/// The page's address, with what only the page itself gets to see.
+/// The page's address with `fragment`, which the browser does not send to the server.
 std::string link_of(std::string page, const std::string& fragment) {
   if (page.find("://") == std::string::npos) page = "https://" + page;
   if (!page.ends_with('/')) page += '/';

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// --token and --token-file, the environment's ROOMCAST_TOKEN: how a client says why it should be
-// let in. What stands on a command line can be read by everybody on the machine, so a file or the
-// environment is better.
+// --token, --token-file and the environment variable ROOMCAST_TOKEN: a client's credential. Every
+// user of the machine can read a command line, so prefer a file or the environment.
 #pragma once
 
 #include <string>
@@ -19,8 +18,8 @@ struct TokenOption {
 
 void add_token_options(CLI::App& command, TokenOption& option);
 
-/// What was given, if anything; a one-time code where a token is expected is taken for what it is.
-/// kNotFound: no such file. kInvalidArgument: both were given.
+/// The given credential, if any. A one-time code is recognised where a token is expected.
+/// kNotFound: the file does not exist. kInvalidArgument: both options were given.
 [[nodiscard]] Result<client::Credential> find_credential(const TokenOption& option);
 
 }  // namespace roomcast::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast view: the room in a window, or a picture of it without one.
+// roomcast view: shows the room in a window, or draws one picture without a window.
 #include <memory>
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `roomcast view` was asked for.
+// Options of `roomcast view`.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct ViewOptions {
   double seconds = 0;
   render::RenderMode mode = render::RenderMode::kBlend;
   bool json = false;
-  // Of the window.
+  // Window options.
   bool full_screen = false;
   bool panel = true;
   bool vr = false;
@@ -32,13 +32,13 @@ struct ViewOptions {
   std::string last_picture;
 
   [[nodiscard]] double fov_rad() const;
-  /// Where it was told to stand; `start` turns it where nobody says what to look at.
+  /// The requested viewpoint, if any. Takes the direction of `start` where no target was requested.
   [[nodiscard]] std::optional<RigidTransform> world_from_view(const RigidTransform& start) const;
 };
 
-/// A picture drawn without a window.
+/// Draws a picture without a window.
 [[nodiscard]] Status view_without_window(const ViewOptions& options);
-/// The room in a window, until the person leaves or the time is over.
+/// Shows the room in a window until the user closes it or the requested time is over.
 [[nodiscard]] Status view_in_window(const ViewOptions& options);
 
 }  // namespace roomcast::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast view --headless: a picture of the room, drawn without a window.
+// roomcast view --headless: draws a picture of the room without a window.
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 using RoomPtr = std::shared_ptr<const client::RoomSnapshot>;
 constexpr auto kPicturesWithin = 10s;
 
-/// Sensors that are online and have not sent a picture yet.
+/// Names of sensors that are online and have not sent a picture yet.
 std::string missing_sensors(const client::RoomSnapshot& room) {
   std::string names;
   for (const auto& sensor : room.sensors) {
@@ -33,14 +33,16 @@ std::string missing_sensors(const client::RoomSnapshot& room) {
   return names;
 }
 
-/// Connected (else the pictures are old), and all sensors that are there can be seen.
+/// True when connected (else the pictures are old) and every online sensor can be drawn.
 bool can_be_drawn(const client::RoomSnapshot& room) {
-  const auto is_seen = [](const client::RoomSensor& sensor) { return sensor.online && sensor.picture; };
+  const auto is_seen = [](const client::RoomSensor& sensor) {
+    return sensor.online && sensor.picture;
+  };
   return room.connected && std::ranges::any_of(room.sensors, is_seen) &&
          missing_sensors(room).empty();
 }
 
-/// Why there is nothing to draw yet.
+/// The reason why nothing can be drawn yet.
 Error still_waiting(const client::RoomSnapshot& room) {
   if (!room.connected) return {ErrorCode::kUnavailable, room.problem};
   const std::string missing = missing_sensors(room);
@@ -53,7 +55,7 @@ Error still_waiting(const client::RoomSnapshot& room) {
                                        : "all sensors have left this room; nothing was drawn"};
 }
 
-/// The room, once every sensor that is online has sent a picture.
+/// Waits until every online sensor has sent a picture and returns the room.
 Result<RoomPtr> wait_for_pictures(const client::Subscriber& viewer, const std::stop_token& stop) {
   const auto give_up = std::chrono::steady_clock::now() + kPicturesWithin;
   RoomPtr room = viewer.snapshot();
@@ -130,7 +132,8 @@ Status view_without_window(const ViewOptions& options) {
   auto room = wait_for_pictures(**viewer, stop.token());
   if (room && options.seconds > 0) {
     watch(**viewer, options.seconds, stop.token());
-    room = wait_for_pictures(**viewer, stop.token());  // sensors may have left, or the hub
+    // Meanwhile sensors or the hub may have disconnected.
+    room = wait_for_pictures(**viewer, stop.token());
   }
   if (!room) return room.error();
   const auto picture = draw(options, **room);

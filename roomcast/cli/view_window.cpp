@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast view: the room in a window.
+// roomcast view: shows the room in a window.
 #include <chrono>
 #include <cstdlib>
 
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kPivotDistance_m = 3;
 
-viewer::DesktopViewerOptions desktop_options(const ViewOptions& options, const client::RoomSnapshot& room) {
+viewer::DesktopViewerOptions desktop_options(const ViewOptions& options,
+                                             const client::RoomSnapshot& room) {
   viewer::DesktopViewerOptions desktop;
   desktop.window.title = room.room.empty() ? "roomcast" : room.room + " - roomcast";
   desktop.window.size = {options.size[0], options.size[1]};
@@ -36,7 +37,7 @@ Status check_size(const ViewOptions& options) {
   return camera.check();
 }
 
-/// Where one is wanted.
+/// Checks that the room's owner permits screenshots, if one was requested.
 Status may_keep_last_picture(const ViewOptions& options, const client::Subscriber& hub) {
   return options.last_picture.empty() ? Status() : client::check_may_record(hub.snapshot()->rights);
 }
@@ -46,7 +47,7 @@ Status may_keep_last_picture(const ViewOptions& options, const client::Subscribe
 Status view_in_window(const ViewOptions& options) {
   if (auto status = check_size(options); !status) return status;
   constexpr int kUnlessTheUserSaysSo = 0;
-  ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // one sentence is enough
+  ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // our own message is enough
   StopOnSignal stop;
   auto hub = client::Subscriber::open(options.subscriber);
   if (!hub) return hub.error();
@@ -62,7 +63,8 @@ Status view_in_window(const ViewOptions& options) {
   while (!is_over() && (*viewer)->step()) {
   }
   if (options.last_picture.empty()) return {};
-  if (auto may = may_keep_last_picture(options, **hub); !may) return may;  // it may be another hub
+  // The viewer may have moved to another hub.
+  if (auto may = may_keep_last_picture(options, **hub); !may) return may;
   return io::write_color_png(options.last_picture, (*viewer)->window_picture());
 }
 

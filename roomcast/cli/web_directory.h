@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the built page is: named by the user, beside the build, or installed.
+// Finds the folder of the built page: given by the user, in the build tree, or installed.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,9 @@
 
 namespace roomcast::cli {
 
-/// `named` if not empty; else $ROOMCAST_WEB; else the first of <program>/../../web (a build tree)
-/// and <program>/../share/roomcast/web (installed) that holds an index.html; else nothing.
+/// Returns `named` if it is not empty; else $ROOMCAST_WEB; else the first of <program>/../../web (a
+/// build tree) and <program>/../share/roomcast/web (installed) that contains an index.html; else
+/// nothing.
 [[nodiscard]] std::optional<std::filesystem::path> find_web_directory(const std::string& named);
 
 }  // namespace roomcast::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast align of recordings that no pose can be found from: a sentence each, never a crash or a pose.
+// roomcast align of recordings without a recoverable pose: it prints one sentence, and never crashes or gives a pose.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ import { assertFailed, run, scratchFolder } from './program.mjs';
 
 const [width, height] = [64, 48];
 
-/** Every sensor's colour is black. */
+/** Makes every sensor's colour black. */
 function writeBlackRig(t) {
   const rig = writeSmallRig(scratchFolder(t), { fps: 20 });
   const black = pngOf(8, 2, deflateSync(Buffer.alloc(height * (1 + 3 * width))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras from the command line: what is listed, what is refused, the board, and a camera of one's own.
+// Cameras from the command line: the list, refused options, the printed board, and a user's own camera.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';

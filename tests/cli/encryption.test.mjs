@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An encrypted hub: whom it serves, who trusts it, and what those hear who do not.
+// An encrypted hub: the clients that it serves, the clients that trust it, and the messages for those that do not.
 import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, renameSync, utimesSync, writeFileSync } from 'node:fs';
 import { request as plainRequest } from 'node:http';
@@ -81,7 +81,7 @@ async function fingerprintOf(port) {
   return fingerprint.replaceAll(':', '').toLowerCase();
 }
 
-/** Puts it there, always as old: only who is told to looks into it again. */
+/** Replaces the file without changing its age, so that only an explicit request makes the hub read it again. */
 function putUnnoticed(file, content) {
   writeFileSync(`${file}.new`, content);
   utimesSync(`${file}.new`, 1e9, 1e9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The examples of libroomcast against a real hub: C, C++ and Python receive and record a room.
+// The libroomcast examples against a real hub: C, C++ and Python receive and record a room.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';

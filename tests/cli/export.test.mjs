@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every export is read back by readers by others, and holds the points that the recording's pictures mean.
+// Reads every export with third-party readers, and checks that it contains the points of the recording's pictures.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
@@ -34,7 +34,7 @@ async function exportRig(t, format, ...options) {
   return { out, totals: JSON.parse(result.stdout) };
 }
 
-/** What the pictures of instant `i` mean, worked out from their formula: world points of all pixels but the border. */
+/** The world points of the pictures at instant `i`, computed from their formula for all pixels but the border. */
 function truePoints(i) {
   const { sensors } = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8'));
   return sensors.flatMap(({ world_from_depth: m }, n) => {
@@ -100,7 +100,7 @@ test('gltf_is_valid_and_its_meshes_have_the_points', async (t) => {
     assert.equal(position.getCount(), 64 * 48);
     for (let i = 0; i < position.getCount(); ++i) {
       const [x, y, z] = position.getElement(i, []);
-      // The vertex lies on the ray of a pixel, at that pixel's depth.
+      // The vertex is on the ray of a pixel, at that pixel's depth.
       const [px, py] = [(x / z) * 60 + 31.5, (y / z) * 60 + 23.5];
       assert.ok(Math.abs(px - Math.round(px)) < 1e-3 && Math.abs(py - Math.round(py)) < 1e-3);
       assert.ok(Math.abs(z - (1500 + 100 * n + Math.round(px) + Math.round(py)) / 1000) < precision_m);
@@ -177,7 +177,7 @@ test('says_why_it_cannot_export', async (t) => {
   assert.ok(existsSync(out));
 });
 
-/** From the place of the first sensor half a metre to its right; what it sees 2 m ahead stays in the middle. */
+/** A path from the pose of the first sensor to half a metre right of it; the point 2 m ahead stays in the middle. */
 function writeWalk(folder) {
   const file = join(folder, 'walk.json');
   const m = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8')).sensors[0].world_from_depth;

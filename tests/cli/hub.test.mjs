@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub and its clients when the other side is not there, goes away, or talks nonsense.
+// The hub and its clients when the other side is missing, disconnects, or sends invalid data.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
 import { chownSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { test } from 'node:test';
 import { Program, assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 import { RawSocket } from './raw_socket.mjs';
 
-/** A port of this machine on which nobody listens. */
+/** A port of this machine without a listener. */
 async function closedPort() {
   const server = createServer().listen(0, '127.0.0.1');
   await new Promise((resolve) => server.once('listening', resolve));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// MCAP files as the format's own library (npm @mcap/core) reads them.
+// Reads MCAP files with the format's own library (npm @mcap/core).
 import { open, readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 
@@ -7,7 +7,7 @@ const require = createRequire(new URL('../../web/package.json', import.meta.url)
 export const { McapIndexedReader, McapStreamReader, McapWriter } = require('@mcap/core');
 export const { BinaryReader } = require('@bufbuild/protobuf/wire');
 
-/** The parts of a file by their place. */
+/** Gives random access to the bytes of a file. */
 async function readable(path) {
   const file = await open(path);
   const { size } = await file.stat();
@@ -22,7 +22,7 @@ async function readable(path) {
   };
 }
 
-/** Everything in a whole file, through its index: `{ summary, messages }`, messages with their topic. */
+/** Reads a complete file through its index. Returns `{ summary, messages }`; each message has its topic. */
 export async function readIndexed(path) {
   const source = await readable(path);
   try {
@@ -40,7 +40,7 @@ export async function readIndexed(path) {
   }
 }
 
-/** What can be read from the beginning of a file that may be cut off anywhere. */
+/** Reads as much as possible of a file that may be truncated anywhere. */
 export async function readFromStart(path) {
   const reader = new McapStreamReader();
   reader.append(await readFile(path));
@@ -57,7 +57,7 @@ export function isFrame({ topic }) {
   return topic.startsWith('/sensor/') && topic.endsWith('/frame');
 }
 
-/** A frame message's header (docs/spec/wire.md §2) and payload. */
+/** Parses a frame message's header (docs/spec/wire.md §2) and payload. */
 export function parseFrame(data) {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   const headerLength = view.getUint16(4, true);

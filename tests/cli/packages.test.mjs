@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The packages that cpack makes, unpacked into an empty folder: what is in them, and that a program can be built against
-// the library and run with nothing else. (scripts/package --prove installs them in a fresh Debian.)
+// Unpacks the packages made by cpack into an empty folder and checks their contents, and that a program can be built
+// against the library and run with nothing else. (scripts/package --prove installs them in a fresh Debian.)
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the real roomcast program for the tests beside this file: bounded in time, on loopback, on a port of its own.
+// Runs the real roomcast program for the tests in this folder, with a time limit, on loopback, on a port of its own.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -13,7 +13,7 @@ import { env } from '../state_folder.mjs';
 const sourceDir = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const binary = process.env.ROOMCAST_BIN ?? join(sourceDir, 'build/dev/bin/roomcast');
 
-/** No command of these tests may take longer, unless it says so; it is killed, and the test fails. */
+/** Default time limit of a command. The program is killed when it exceeds the limit, and the test fails. */
 const timeLimitMs = 30_000;
 
 /** A running roomcast; `stdout` and `stderr` grow while it runs, `ended` resolves to its exit code (or signal). */
@@ -21,7 +21,7 @@ export class Program {
   stdout = '';
   stderr = '';
 
-  /** `through` is a command that runs the program, if any: ["nice"], say; `environment` is set besides. */
+  /** `through` is a command that runs the program, for example ["nice"]; `environment` adds environment variables. */
   constructor(args, { through = [], limitMs = timeLimitMs, environment = {} } = {}) {
     this.args = args;
     const [command, ...rest] = [...through, binary, ...args];
@@ -33,7 +33,7 @@ export class Program {
     this.ended.then(() => clearTimeout(limit));
   }
 
-  /** Resolves once what the program has printed matches; fails when it ends without. */
+  /** Resolves once the program's output matches; rejects if the program ends before. */
   async prints(pattern) {
     for (;;) {
       const match = pattern.exec(this.stdout) ?? pattern.exec(this.stderr);
@@ -44,7 +44,9 @@ export class Program {
     }
   }
 
-  /** The port of the page that it asks to open; other addresses, of NATS servers say, may be printed before. */
+  /**
+   * The port of the page address printed by the program. Other addresses, such as NATS servers, may be printed before.
+   */
   async port() {
     return Number((await this.prints(/open https?:\/\/127\.0\.0\.1:(\d+)\//))[1]);
   }
@@ -55,7 +57,7 @@ export class Program {
   }
 }
 
-/** Runs a command to its end. Options of Program may follow what it is told. */
+/** Runs a command to its end. Options of Program may follow its arguments. */
 export async function run(...args) {
   const options = typeof args.at(-1) === 'object' ? args.pop() : {};
   const program = new Program(args, options);
@@ -63,7 +65,7 @@ export async function run(...args) {
   return { code, stdout: program.stdout, stderr: program.stderr };
 }
 
-/** A hub on a free port of this machine that remembers nothing of others' tests; it is stopped when the test `t` ends. */
+/** Starts a hub on a free port, with a state of its own; it is stopped when the test `t` ends. */
 export async function startHub(t, ...options) {
   const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
   const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options]);
@@ -72,14 +74,14 @@ export async function startHub(t, ...options) {
   return { program: hub, port, url: `ws://127.0.0.1:${port}` };
 }
 
-/** A folder that goes when the test `t` ends. */
+/** A folder that is deleted when the test `t` ends. */
 export function scratchFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-cli-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/** The command failed with `code`, said so in one sentence on stderr, and the sentence matches. */
+/** Asserts that the command failed with `code` and printed one sentence on stderr that matches. */
 export function assertFailed({ code, stderr }, expectedCode, sentence) {
   assert.equal(code, expectedCode, stderr);
   const lines = stderr.trimEnd().split('\n');
@@ -87,7 +89,7 @@ export function assertFailed({ code, stderr }, expectedCode, sentence) {
   assert.match(lines[0], sentence);
 }
 
-/** A simulated sensor that has joined the hub; it is stopped when the test `t` ends. */
+/** Starts a simulated sensor and waits until it has joined the hub; it is stopped when the test `t` ends. */
 export async function startSensor(t, hub) {
   const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
   t.after(() => sensor.stop('SIGKILL'));
@@ -95,7 +97,7 @@ export async function startSensor(t, hub) {
   return sensor;
 }
 
-/** The room can be seen: a viewer that joins now draws its sensor. */
+/** Asserts that the room can be seen: a viewer that joins now draws its sensor. */
 export async function assertServes(t, hub) {
   const picture = join(scratchFolder(t), 'room.png');
   const { code, stderr } = await run('view', '--hub', hub.url, '--headless', '--png', picture);

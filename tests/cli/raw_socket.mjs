@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A client that says what it likes: plain TCP, and the WebSocket framing of RFC 6455 by hand.
+// A client that can send arbitrary bytes: plain TCP, with the WebSocket framing of RFC 6455 written out here.
 import { randomBytes } from 'node:crypto';
 import { once } from 'node:events';
 import { connect } from 'node:net';
@@ -17,7 +17,7 @@ export class RawSocket {
   constructor(stream) {
     this.stream = stream;
     stream.on('data', (bytes) => (this.received = Buffer.concat([this.received, bytes])));
-    stream.on('error', () => {});  // a reset is one way to be cut off
+    stream.on('error', () => {});  // a reset is a valid way to be disconnected
     this.closed = new Promise((resolve) => stream.on('close', resolve));
   }
 
@@ -25,7 +25,7 @@ export class RawSocket {
     this.stream.write(bytes);
   }
 
-  /** Resolves once `done(received)` says so; rejects when the hub ends the connection before. */
+  /** Resolves once `done(received)` is true; rejects if the hub closes the connection before. */
   async until(done) {
     while (!done(this.received)) {
       const closed = await Promise.race([once(this.stream, 'data').then(() => false), this.closed.then(() => true)]);
@@ -33,7 +33,7 @@ export class RawSocket {
     }
   }
 
-  /** Becomes a WebSocket of roomcast.v1. */
+  /** Upgrades the connection to a WebSocket of roomcast.v1. */
   async upgrade() {
     this.send(
       'GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n' +
@@ -45,7 +45,7 @@ export class RawSocket {
     this.received = this.received.subarray(this.received.indexOf('\r\n\r\n') + 4);
   }
 
-  /** One masked binary message. */
+  /** Sends one masked binary message. */
   sendMessage(payload) {
     const mask = randomBytes(4);
     const header = Buffer.alloc(4);
@@ -55,7 +55,7 @@ export class RawSocket {
     this.send(Buffer.concat([header, mask, payload.map((byte, i) => byte ^ mask[i % 4])]));
   }
 
-  /** Code and reason of the close frame that came last, after the hub has hung up. */
+  /** Code and reason of the last close frame, after the hub has closed the connection. */
   async closeReason() {
     await this.closed;
     let at = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rooms into files and out of them again, with real programs; the files are read by the MCAP format's own library.
+// Recording and playing rooms with real programs. The MCAP format's own library reads the files.
 import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, statSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -15,7 +15,7 @@ after(() => cleanups.forEach((cleanup) => cleanup()));
 
 /** A rig of two sensors, and a hub to which both send it again and again. */
 let rig;
-/** 3 s of that room, whole. */
+/** A complete recording of 3 s of that room. */
 let recording;
 
 async function startRoom(t) {
@@ -92,7 +92,7 @@ test('frames_that_were_played_and_recorded_again_are_the_same_bit_for_bit', asyn
       .map(({ data }) => parseFrame(data));
   for (const sensor of ['s0', 's1']) {
     const [first, second] = [await payloads(recording, sensor), await payloads(again, sensor)];
-    // What comes before its first key frame cannot be shown, and is not played.
+    // Frames before the first key frame cannot be shown and are not played.
     const begin = first.findIndex(({ key }) => key);
     const sent = first.slice(begin);
     assert.equal(second.length, sent.length);
@@ -120,7 +120,7 @@ test('a_recorder_that_is_killed_loses_no_more_than_the_last_second', async (t) =
 test('a_full_disk_ends_the_recording_with_a_sentence_and_the_room_goes_on', async (t) => {
   const hub = await startRoom(t);
   const file = join(scratchFolder(t), 'full.mcap');
-  // A limit on the size of files stands in for the disk's.
+  // A limit on the file size simulates a full disk.
   const recorder = new Program(['record', file, '--hub', hub.url], { through: ['prlimit', '--fsize=12000'] });
   t.after(() => recorder.stop('SIGKILL'));
   const code = await recorder.ended;

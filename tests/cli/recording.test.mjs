@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings that are damaged: roomcast says which file and what is wrong with it, and ends with 1.
+// Damaged recordings: roomcast names the file and the fault, and exits with 1.
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync, readdirSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 
 import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
 
-/** A small recording made by the program itself, copied for each test that spoils it. */
+/** A small recording made by the program itself; each test damages a copy of it. */
 let recording;
 const cleanups = [];
 
@@ -32,7 +32,7 @@ function lastPicture(folder) {
   return join(folder, readdirSync(folder).sort().at(-1));
 }
 
-/** Plays sensor s0 of `rig` to a hub of its own, once. */
+/** Plays sensor s0 of `rig` once, to a new hub. */
 async function play(t, rig) {
   const hub = await startHub(t);
   return run('sensor', '--source', `rig:${rig}#s0`, '--hub', hub.url, '--once');

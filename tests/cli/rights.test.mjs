@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a room's owner lets viewers keep, and that our programs keep to it.
+// Recording rights set by a room's owner, and their enforcement by our programs.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
@@ -12,7 +12,7 @@ const example = resolve(dirname(binary), 'roomcast_example_points');
 const library = resolve(dirname(binary), '../lib/libroomcast.so.1');
 const notRecorded = /this room does not let viewers record/;
 
-/** A hub on this machine with one room, in which a sensor is; `rights` are lines of its configuration. */
+/** A hub on this machine with one room and one sensor; `rights` are lines of its configuration. */
 async function startRoom(t, ...rights) {
   const config = join(scratchFolder(t), 'roomcast.toml');
   writeFileSync(config, ['[[room]]', 'name = "lab"', ...rights, ''].join('\n'));
@@ -44,7 +44,7 @@ test('what_was_recorded_of_a_room_that_is_not_to_be_exported_is_not_exported', a
   assert.equal(existsSync(join(folder, 'out')), false);
 });
 
-/** Asks libroomcast, as a program in another language would. */
+/** Calls libroomcast as a program in another language would. */
 const asksLibrary = `
 import ctypes, sys
 class Options(ctypes.Structure):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the program answers to what is typed: help with examples, exit code 2 and one sentence for wrong usage.
+// Command-line usage: help with examples, and exit code 2 with one sentence for wrong usage.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

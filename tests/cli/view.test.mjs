@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast view: in a room with nothing to see it says so, and no picture of an empty room is left behind; a window
-// opens without a display, and says so where it cannot.
+// roomcast view: in an empty room it reports so and writes no picture; a window opens without a display, or reports why
+// it cannot.
 import { deepEqual, equal } from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';

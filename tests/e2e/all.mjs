@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All browser tests, one suite after the other: side by side they would fight for the processor, and some look at time.
+// Runs all browser test suites one after the other. In parallel they would compete for the CPU, and some measure time.
 import './blend.test.mjs';
 import './codec.test.mjs';
 import './late_join.test.mjs';

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mixing and remembering, on pictures made for it: a sensor in front of a wall, and what comes between them and goes
-// again.
+// Blending and the background model, on synthetic pictures: a sensor in front of a wall, and an object that appears
+// between them and disappears again.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { openSourcePage } from './source_pages.mjs';
 import { slow } from './waiting.mjs';
 
-/** In the page: a room of sensors of 64x48 pixels that look along -z from the origin or beside it. */
+/** Runs in the page. Makes a room of sensors of 64x48 pixels that look along -z, at the origin or to its side. */
 async function makeRoom() {
   const THREE = await import('three');
   const { RoomScene } = await import('/view/room_scene');
@@ -39,7 +39,7 @@ async function makeRoom() {
     for (let i = 0; i < depth_mm.length; i++) {
       const [depth, ...color] = pixelOf(i % width, Math.floor(i / width));
       depth_mm[i] = depth;
-      rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // what has no reading has a synthetic colour
+      rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // pixels without a reading have an arbitrary colour
     }
     room.show([{ sensor, width, height, depth_mm, rgba }]);
     draw();
@@ -51,7 +51,7 @@ async function makeRoom() {
     room.render(camera, size, size);
     renderer.setRenderTarget(null);
   };
-  /** The colour in the middle of the picture, `right` pixels beside it. */
+  /** The colour in the middle of the picture, or `right` pixels to the right of it. */
   const middle = (right = 0) => {
     draw();
     const rgba = new Uint8Array(4);
@@ -118,7 +118,7 @@ describe('mixed surfaces', () => {
       place(0, 0.1);
       see(1, () => [0, 0, 0, 0]);
       for (let i = 0; i < 10; i++) see(0, () => [2000, ...red]);
-      see(0, () => [0, 0, 0, 0]); // it has gone blind; the other one sees that the thing is gone
+      see(0, () => [0, 0, 0, 0]); // the first sensor loses all readings; the other one sees that the object is gone
       for (let i = 0; i < 8; i++) see(1, () => [4000, ...blue]);
       for (let i = 0; i < 8; i++) see(0, () => [0, 0, 0, 0]);
       return middle();

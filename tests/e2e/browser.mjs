@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chromium without a window, drawing in software, through playwright-core from web/node_modules.
+// Starts Chromium without a window and with software rendering, through playwright-core from web/node_modules.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -21,7 +21,7 @@ const args = [
   '--enable-unsafe-swiftshader',
 ];
 
-/** `ignoreHTTPSErrors`: for certificates that nobody vouches for. */
+/** `ignoreHTTPSErrors`: accept certificates without a trusted issuer. */
 export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
   const context = await chromium.launchPersistentContext(profile, {
@@ -41,7 +41,7 @@ export async function startBrowser({ width = 640, height = 400, ignoreHTTPSError
   return { context, end };
 }
 
-/** A page of the hub; what it complains about ends up in `page.complaints`. */
+/** Opens a page of the hub; its errors and warnings are collected in `page.complaints`. */
 export async function openPage(context, url) {
   const page = await context.newPage();
   page.complaints = [];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Chromium's processes cost: memory and processor time, from /proc. The processes are those of one browser, by its
-// own word.
+// Memory and processor time of Chromium's processes, from /proc. The browser itself lists its processes.
 import { readFileSync, readdirSync } from 'node:fs';
 
 const ticksPerSecond = 100; // Linux's USER_HZ
@@ -19,7 +18,7 @@ export function residentMb(pid) {
   return kb / 1024;
 }
 
-/** Processor time of each thread so far, seconds, by the thread's name. */
+/** Processor time of each thread so far, seconds, by thread name. */
 export function threadSeconds(pid) {
   const seconds = new Map();
   for (const task of readdirSync(`/proc/${pid}/task`)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden payloads of the codec in a real browser: the page's own decoder gives the same bytes there as everywhere,
-// and the browser's VP9 decoder takes the colour.
+// The codec's golden payloads in a real browser: the page's decoder gives the same bytes there as on other platforms,
+// and the browser's VP9 decoder accepts the colour.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -15,11 +15,11 @@ const wasm = new URL('build/wasm/roomcast_codec.wasm', root);
 const golden = new URL('tests/golden/', root);
 const entries = JSON.parse(readFileSync(new URL('frames.json', golden), 'utf8'));
 const withColor = entries.filter((entry) => entry.color_length > 0);
-const origin = 'https://codec.test'; // answered by the test itself; WebCodecs wants a secure page
+const origin = 'https://codec.test'; // served by the test itself; WebCodecs needs a secure page
 
 const typeScript = (path) => transformSync(readFileSync(new URL(path, root), 'utf8'), { loader: 'ts' }).code;
 
-/** What the page asks for, from the source tree. */
+/** Serves the page's requests from the source tree. */
 function answer(path) {
   if (path === '/') return { contentType: 'text/html', body: '<!doctype html><title>codec</title>' };
   if (path === '/roomcast_codec.wasm') return { contentType: 'application/wasm', body: readFileSync(wasm) };
@@ -27,7 +27,7 @@ function answer(path) {
   return { contentType: 'text/javascript', body: typeScript(`web/src${path}`) };
 }
 
-/** In the page: depth and mask of every payload, as checksums; one decoder from each key frame to the next. */
+/** Runs in the page. Checksums of depth and mask of every payload; a new decoder begins at each key frame. */
 async function decodeAll(entries) {
   const { CodecModule, PayloadDecoder } = await import('/codec/codec_module.ts');
   const { crc32 } = await import('/stream/crc32.ts');
@@ -44,7 +44,7 @@ async function decodeAll(entries) {
   return found;
 }
 
-/** In the page: how many pictures of which size the browser makes of the payloads' colour. */
+/** Runs in the page. Counts the pictures, by size, that the browser decodes from the payloads' colour. */
 async function decodeColor(entries) {
   const sizes = [];
   const failures = [];

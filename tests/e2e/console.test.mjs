@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console clicked through as an admin would; and whether people who use a keyboard or a screen reader can do so,
-// too (axe).
+// An admin's use of the console, and its accessibility for users of a keyboard or a screen reader (axe).
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -16,7 +15,7 @@ const axe = createRequire(new URL('../../web/package.json', import.meta.url)).re
 const axeSource = readFileSync(axe, 'utf8');
 const view = 'panel=1&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1';
 
-/** What axe finds on the page that is more than a nicety. */
+/** The accessibility problems found by axe that are serious or critical. */
 async function seriousFindings(page) {
   await page.evaluate(axeSource);
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
@@ -226,7 +225,7 @@ describe('the console', () => {
       const visitor = await openPage(browser.context, link);
       await panelSays(visitor, /live/);
       await visitor.reload();
-      await panelSays(visitor, /live/); // by the token that came for the code
+      await panelSays(visitor, /live/); // admitted by the token received in exchange for the code
       await visitor.close();
       const late = await openPage(browser.context, link);
       await panelSays(late, /it has been used/);

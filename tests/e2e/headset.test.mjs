@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room in a headset, which iwer plays: real Chromium, hub and sensor, and a WebXR device made of code. A second
-// page is another person, who sees what the wearer does.
+// The room in a headset emulated by iwer: real Chromium, hub and sensor, and a WebXR device implemented in JavaScript.
+// A second page is another viewer, which sees the wearer's movements.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
@@ -13,8 +13,8 @@ const eyesApart_m = 0.063; // iwer's default
 const floorView = 'panel=1&at=0.5,1.6,1.5&look=0.5,1.6,0';
 
 /**
- * Before the page's own scripts: a headset with two controllers. (iwer 2.5 wants a matrix where WebXR says a transform;
- * without that it would ignore where the wearer stands.)
+ * Runs before the page's own scripts and installs a headset with two controllers. (iwer 2.5 expects a matrix where
+ * WebXR specifies a transform; without this it would ignore the wearer's position.)
  */
 const plugIn = `
   window.device = new IWER.XRDevice(IWER.metaQuest3);
@@ -121,7 +121,7 @@ describe('the room in a headset', () => {
 
   test('the session ends cleanly, and the screen shows what the headset showed', slow, async () => {
     const { head } = await headsetOf(page);
-    await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click'); // iwer's picture covers it
+    await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click'); // covered by iwer's picture
     await untilHeadset('it is off', ({ on, presenting }) => !on && !presenting);
     const { position } = await page.evaluate(() => window.roomcast.view());
     assert.ok(distance(position, place(head)) < 0.05);

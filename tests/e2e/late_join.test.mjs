@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who comes late into a room of three sensors sees all of it within a second.
+// A late viewer of a room with three sensors sees all of it within a second.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
@@ -11,7 +11,7 @@ const sensorCount = 3;
 const fps = 4;
 const view = 'panel=0&at=0.2,1.7,2.6&look=0,0.9,-1';
 const within_ms = 1000;
-const softwareDrawing_ms = 1000; // a graphics card would be done in a few
+const softwareDrawing_ms = 1000; // a graphics card needs only a few milliseconds
 const fewestArrivals = 3;
 const mostArrivals = 10;
 
@@ -23,8 +23,8 @@ describe('a viewer who comes late', () => {
     sensors = Array.from({ length: sensorCount }, (_, n) => startSensor(hub, n, { fps }));
     browser = await startBrowser();
     const first = await openPage(browser.context, `${hub.page}?${view}`);
-    await untilAllShown(first, sensorCount); // the room lives
-    await first.close(); // and nobody draws in software beside the one who comes
+    await untilAllShown(first, sensorCount); // the room is running
+    await first.close(); // no other viewer may draw in software next to the late one
   }, slow);
   after(async () => {
     await browser?.end();
@@ -40,7 +40,7 @@ describe('a viewer who comes late', () => {
     return { firstDecoded_ms, firstShown_ms, free };
   }
 
-  // What else the machine has to do is not the room's doing: the quickest of some arrivals counts.
+  // Other load on the machine is not the room's fault, so the fastest of several joins counts.
   test('sees all sensors within a second', { timeout: 600_000 }, async (t) => {
     const arrivals = [];
     const isInTime = ({ firstDecoded_ms, firstShown_ms }) =>

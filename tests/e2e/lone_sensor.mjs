@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording of two sensors in a simulated living room that nothing but a person can put together: one knows its place,
-// the other does not, and their colour cameras are so far out of focus that no feature is found in their pictures.
+// A recording of two sensors in a simulated living room that only a person can align: one sensor's pose is known, the
+// other's is not, and both colour cameras are so far out of focus that no feature is found in their pictures.
 import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ function putOutOfFocus(picture) {
   execFileSync('ffmpeg', options, { input: sharp });
 }
 
-/** Writes it to `rig`; returns where s1 stands: world_from_depth. */
+/** Writes the recording to `rig`; returns the pose of s1: world_from_depth. */
 export async function writeLoneSensor(rig) {
   const room = ['--scene', 'livingroom', '--sensors', '2', '--speed', '0', '--half-color'];
   await run('simulate', rig, ...room, '--seconds', '1.5', '--fps', '4');

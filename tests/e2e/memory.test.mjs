@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streaming for a while does not make the page grow: textures and geometries stay as many as they were, and so does the
-// memory of Chromium's processes, but for what they keep at hand. ROOMCAST_SOAK_S says for how long (`npm run soak`:
-// five minutes).
+// The page does not grow while it streams: the numbers of textures and geometries stay constant, and so does the memory
+// of Chromium's processes apart from caches. ROOMCAST_SOAK_S sets the duration (`npm run soak`: five minutes).
 import assert from 'node:assert/strict';
 import { setTimeout as delay } from 'node:timers/promises';
 import { after, before, describe, test } from 'node:test';
@@ -12,7 +11,7 @@ import { stateOf, until, untilAllShown } from './waiting.mjs';
 
 const seconds = Number(process.env.ROOMCAST_SOAK_S ?? 20);
 const warmUpSets = 20;
-const warmUpWithin_ms = 240_000; // drawn in software, as finely as possible
+const warmUpWithin_ms = 240_000; // with software rendering at full quality
 const readings = 10;
 const mostGrowth_mb = 40; // from the first third of the readings to the last
 const timeout = { timeout: 2 * (warmUpWithin_ms + 1000 * seconds) };
@@ -35,7 +34,8 @@ describe('a page that streams', () => {
   }, timeout);
 
   test(`does not grow in ${seconds} s`, timeout, async (t) => {
-    // Else the page would begin to mix surfaces, and make what that needs, whenever this machine turned out quick enough.
+    // Otherwise the page would begin to blend surfaces, and allocate for it, whenever the machine happened to be fast
+    // enough.
     const page = await openPage(browser.context, `${hub.page}?panel=1&quality=best`);
     await untilAllShown(page, 2);
     const warm = await until(

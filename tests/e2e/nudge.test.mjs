@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor that cannot be placed by what it sees is put in its place by hand, as a person would: the console says what is
-// wrong; one goes where it stands, looks where it looks, and tries; the aligner does the rest, or says why not.
+// A user places by hand a sensor that cannot be aligned automatically: the console reports the problem, the user walks
+// to the sensor's position, looks in its direction and tries; the aligner refines the pose or explains why not.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ import { writeLoneSensor } from './lone_sensor.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
-const off_m = 0.08; // by how much the person is beside the truth
+const off_m = 0.08; // error of the pose that the user sets
 const exact_m = 0.04;
 const aligned = 2; // PLACEMENT_ALIGNED of control.proto
 
@@ -29,7 +29,7 @@ describe('a sensor without a place', () => {
     browser = await startBrowser({ width: 1000, height: 700 });
     page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
     sensors = [startSensor(hub, 1, { fps: 2, rig })];
-    // Alone it has a world of its own, which ends when somebody comes whose place is given.
+    // A lone sensor defines a world frame of its own, which is dropped when a sensor with a given pose joins.
     await until('placed alone', lone, (sensor) => sensor?.placement === aligned);
     sensors.push(startSensor(hub, 0, { fps: 2, rig }));
     await untilAllShown(page, 2);
@@ -41,7 +41,7 @@ describe('a sensor without a place', () => {
     rmSync(folder, { recursive: true, force: true });
   }, slow);
 
-  /** A little beside where the sensor stands, looking where it looks. */
+  /** A view slightly off the sensor's true position, in the sensor's direction. */
   function standingAtTruth() {
     const eye = [truth[3] + off_m, truth[7], truth[11]];
     const target = [2, 6, 10].map((i, axis) => eye[axis] + truth[i]);

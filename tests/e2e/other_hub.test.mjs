@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page goes on at another hub when its own is gone, without anybody's doing: where hubs share their rooms.
+// The page moves to another hub by itself when its hub disappears, if the hubs share their rooms.
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, rmSync } from 'node:fs';
 import { get } from 'node:http';
@@ -14,7 +14,7 @@ import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const slowWithNats = { ...slow, skip: natsIsMissing };
 
-/** Two hubs with one secret over one NATS server, each with an address for others. */
+/** Two hubs with one secret over one NATS server, each with a public address. */
 async function startTwins(t) {
   const node = await startNode(t);
   const folders = [0, 1].map(() => mkdtempSync(join(tmpdir(), 'roomcast-e2e-')));
@@ -36,7 +36,7 @@ async function startTwins(t) {
 const policyOf = async (hub) => (await fetch(hub.page)).headers.get('content-security-policy');
 const viewersAt = async (hub) => Number(/(\d+) viewers/.exec(await (await fetch(`${hub.page}healthz`)).text())[1]);
 
-/** The status with which a hub answers a page of this site that asks for a WebSocket. */
+/** The HTTP status with which a hub answers a WebSocket request from a page of this site. */
 function answerToPageOf(origin, hub) {
   const headers = {
     origin,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's pixels beside those of `roomcast view`, of the same room from the same place: a recording of a simulated
-// room in which nobody moves. Both mix surfaces by the same rules; that one also matches the cameras' colours and
+// Compares the page's pixels with those of `roomcast view`, of the same room from the same viewpoint: a recording of a
+// simulated static room. Both blend surfaces by the same rules; `roomcast view` also matches the cameras' colours and
 // sharpens.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -16,11 +16,11 @@ const size = [400, 300];
 const at = '0.2,1.7,2.2';
 const look = '0,0.9,-1';
 const still = ['--fps', '2', '--seconds', '1', '--speed', '0', '--drops', '0', '--half-color', '--views', '0'];
-const enoughFrames = 12; // backgrounds are drawn once they have been read eight times
+const enoughFrames = 12; // a background is drawn after eight readings
 const leastAlike_dB = 28;
-const leastBlendGain_dB = 1; // over the nearest surface alone
+const leastBlendGain_dB = 1; // compared with the nearest surface alone
 
-/** In the page: peak signal-to-noise ratio of the room as drawn now against a PNG. */
+/** Runs in the page. Peak signal-to-noise ratio of the room as drawn now against a PNG. */
 async function likeness(png) {
   const image = new Image();
   image.src = `data:image/png;base64,${png}`;

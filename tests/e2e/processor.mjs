@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of the machine nobody needs: for tests that look at time.
+// Measures the idle capacity of the machine, for tests that measure time.
 import { readFileSync } from 'node:fs';
 import { setTimeout as delay } from 'node:timers/promises';
 
 const look_ms = 300;
 const ticksPerSecond = 100;
 
-/** Of all cores: idle, or with what gives way to everybody else. */
+/** Ticks of all cores that were idle or used by low-priority work. */
 function freeTicks() {
   const [, , nice, , idle] = readFileSync('/proc/stat', 'utf8').split('\n')[0].split(/\s+/).map(Number);
   return nice + idle;
 }
 
-/** In cores, over a moment. */
+/** Free cores, averaged over a short time. */
 export async function freeCores() {
   const began_ms = performance.now();
   const before = freeTicks();
@@ -20,7 +20,7 @@ export async function freeCores() {
   return (((freeTicks() - before) / ticksPerSecond) * 1000) / (performance.now() - began_ms);
 }
 
-/** Waits until a good part of a core is free, or as long as that makes sense. Returns how many are. */
+/** Waits until `wanted` cores are free, at most `within_ms`. Returns the number of free cores. */
 export async function untilQuiet(wanted = 0.8, within_ms = 6_000) {
   const deadline = performance.now() + within_ms;
   for (;;) {

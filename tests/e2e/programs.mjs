@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts the real programs on the loopback and ends them by their process id. ROOMCAST_BIN is the roomcast binary,
+// Starts the real programs on loopback and ends them by their process id. ROOMCAST_BIN is the roomcast binary,
 // ROOMCAST_WEB the built page (default: build/web).
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -26,12 +26,12 @@ export function requireBuilt() {
 
 const started = [];
 
-/** The last lines of every program of this test run: for the message of a test that failed. */
+/** The last output lines of every program of this test run, for the message of a failed test. */
 export function whatProgramsSaid() {
   return started.map(({ name, lines }) => `${name}: ${lines.slice(-8).join(' | ')}`).join('\n');
 }
 
-/** One running program: its last lines of output, and a way to end it. */
+/** One running program: its last output lines, and a way to end it. */
 class Program {
   constructor(name, args) {
     this.name = name;
@@ -51,7 +51,7 @@ class Program {
     this.lines.splice(0, this.lines.length - kept_lines);
   }
 
-  /** The first line that matches, once it has been said. */
+  /** Resolves to the first output line that matches. */
   async says(pattern) {
     const deadline = Date.now() + readyWithin_ms;
     for (;;) {
@@ -73,7 +73,7 @@ class Program {
   }
 }
 
-/** A program that ends by itself: the lines of its standard output; throws when it fails. */
+/** Runs a program to its end. Returns the lines of its standard output; throws when it fails. */
 export async function run(...args) {
   const program = new Program(args[0], args);
   const [code] = await program.ended;
@@ -81,13 +81,15 @@ export async function run(...args) {
   return program.printed.split('\n').filter((line) => line !== '');
 }
 
-/** For whoever runs the hub that keeps what it knows in the folder `data`. */
+/** An admin's token for the hub whose state is in the folder `data`. */
 export async function adminsToken(data) {
   const [token] = await run('token', '--data', data, '--role', 'admin');
   return token;
 }
 
-/** A hub on a free port, or on `port`; in the folder `data` it keeps what it knows. `more` are options of the program. */
+/**
+ * Starts a hub on a free port, or on `port`, with its state in the folder `data`. `more` are options of the program.
+ */
 export async function startHub(port = 0, { data, more = [] } = {}) {
   const args = ['hub', '--listen', `127.0.0.1:${port}`, '--web', webFolder, '--verbose', ...more];
   const hub = new Program('hub', data ? [...args, '--data', data] : args);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hub, three simulated sensors and Chromium, all real processes on the loopback: what a person sees and what must be
-// true of it. The tests build on each other, in order, on one room.
+// A hub, three simulated sensors and Chromium, all real processes on loopback: what a user sees, and the state behind
+// it. The tests build on each other, in order, on one room.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,7 +13,7 @@ import { coverageOf, panelText, sensorsOf, slow, stateOf, until, untilAllShown }
 const sensorCount = 3;
 const fps = 4; // three sensors, hub, decoders and a software renderer share few cores
 const view = 'panel=0&at=0.2,1.7,2.6&look=0,0.9,-1';
-const leastPixels = 500; // that only one sensor sees
+const leastPixels = 500; // covered by only one sensor
 const comparedFrames = 10;
 
 const logs = mkdtempSync(join(tmpdir(), 'roomcast-logs-'));
@@ -40,7 +40,7 @@ describe('a room of three sensors', () => {
     for (const { id, only } of await coverageOf(page)) {
       assert.ok(only > leastPixels, `sensor ${id} alone covers ${only} pixels`);
       const setVisible = (visible) => page.evaluate(([n, v]) => window.roomcast.setVisible(n, v), [id, visible]);
-      // The room is live: what only one sensor drew a moment ago may have no reading now.
+      // The room is live: pixels that only one sensor drew a moment ago may have no reading now.
       const drawnAndWithout = async () => {
         const { example } = (await coverageOf(page)).find((sensor) => sensor.id === id);
         const pixelThere = () => page.evaluate(([x, y]) => window.roomcast.pixel(x, y), example);
@@ -174,7 +174,7 @@ describe('a room of three sensors', () => {
   });
 
   test('the page has not complained', () => {
-    const expected = /WebSocket connection to .* failed|net::ERR_CONNECTION_(RESET|REFUSED)/; // while there was no hub
+    const expected = /WebSocket connection to .* failed|net::ERR_CONNECTION_(RESET|REFUSED)/; // without a hub
     assert.deepEqual(
       page.complaints.filter((complaint) => !expected.test(complaint)),
       [],
@@ -182,7 +182,7 @@ describe('a room of three sensors', () => {
   });
 });
 
-/** By sequence number. capture_ns goes beyond 2^53, so it is kept as text. */
+/** Frames by sequence number. capture_ns exceeds 2^53, so it is kept as text. */
 function readLog(file) {
   const complete = readFileSync(file, 'utf8').split('\n').slice(0, -1);
   return new Map(

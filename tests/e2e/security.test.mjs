@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page asks of whom, what it may do by the hub's word, and how much a first visit loads.
+// The page's requests, its permissions as set by the hub, and the size of a first visit.
 import assert from 'node:assert/strict';
 import { get } from 'node:http';
 import { after, before, describe, test } from 'node:test';
@@ -9,7 +9,7 @@ import { slow, untilAllShown } from './waiting.mjs';
 
 const mostBytes = 600_000;
 
-/** Of a file as a browser gets it. */
+/** Size of a file as transferred to a browser. */
 function bytesOnTheWire(url) {
   return new Promise((done, failed) => {
     get(url, { headers: { 'accept-encoding': 'gzip' } }, (response) => {

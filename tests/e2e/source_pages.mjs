@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages that import the page's own TypeScript, file by file, without a hub: for tests of what only a browser can run.
+// Pages that import the page's own TypeScript, file by file, without a hub, for tests of code that only a browser can
+// run.
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
@@ -10,7 +11,7 @@ const { transformSync } = createRequire(new URL('../../web/node_modules/vite/pac
 const sources = new URL('../../web/src', import.meta.url);
 const packages = new URL('../../web/node_modules/', import.meta.url);
 
-/** What is imported by bare name. */
+/** Packages that are imported by bare name. */
 const imports = {
   three: '/package/three/build/three.module.js',
   '@bufbuild/protobuf/codegenv2': '/package/@bufbuild/protobuf/dist/esm/codegenv2/index.js',
@@ -27,7 +28,7 @@ function answer(path) {
   return { contentType: 'text/javascript', body: transformSync(readFileSync(file, 'utf8'), { loader: 'ts' }).code };
 }
 
-/** A page of its own origin from which `import('/view/stage')` works. */
+/** A page with an origin of its own in which `import('/view/stage')` works. */
 export async function openSourcePage(context, origin) {
   const page = await context.newPage();
   page.complaints = [];

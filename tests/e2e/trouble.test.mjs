@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page says when something is missing, and how one moves in the room.
+// The page's messages when something is missing, and navigation in the room.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
@@ -55,7 +55,7 @@ describe('a room of one sensor, or none', () => {
     const loaded = [];
     await browser.context.route('**/*.wasm', (route) => {
       loaded.push(route.request().url());
-      // What SIMD is to a browser that does not know it: no instruction.
+      // Simulates a browser without SIMD, for which SIMD code is an unknown instruction.
       if (/roomcast_codec-/.test(route.request().url())) return route.fulfill({ body: moduleWithUnknownInstruction });
       return route.continue();
     });

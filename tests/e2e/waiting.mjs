@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waits for what a page says through window.roomcast, with a deadline and a message that shows what it said last.
+// Waits for a state of the page through window.roomcast, with a deadline and a message that shows the last state.
 import { setTimeout as delay } from 'node:timers/promises';
 import { whatProgramsSaid } from './programs.mjs';
 
 const poll_ms = 50;
-const patience_ms = 60_000; // drawn in software, beside other programs, a picture takes seconds
+const patience_ms = 60_000; // with software rendering and other programs running, a picture takes seconds
 
-/** How long a test may take. */
+/** Time limit of a test. */
 export const slow = { timeout: 3 * patience_ms };
 
-/** Asks `ask` until `enough` is true of the answer, and returns it. */
+/** Calls `ask` until `enough` is true of the answer, and returns the answer. */
 export async function until(what, ask, enough, within_ms = patience_ms) {
   const deadline = Date.now() + within_ms;
   for (;;) {
@@ -28,7 +28,7 @@ export const sensorsOf = (page) => page.evaluate(() => window.roomcast.sensors()
 export const coverageOf = (page) => page.evaluate(() => window.roomcast.coverage());
 export const panelText = (page) => page.locator('#panel').innerText();
 
-/** Until `count` sensors are online and a frame of each has been drawn. */
+/** Waits until `count` sensors are online and a frame of each has been drawn. */
 export function untilAllShown(page, count) {
   const shown = (sensors) => sensors.filter((sensor) => sensor.online && sensor.shownSeq !== null).length === count;
   return until(`${count} sensors drawn`, () => sensorsOf(page), shown);

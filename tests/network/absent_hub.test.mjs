@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor that waits for its hub: it neither gives up nor grows, and is there as soon as the hub is. What it does while
-// it waits is the same minute after minute, so that a few seconds tell of hours.
+// A sensor that waits for its hub: it neither gives up nor grows, and joins as soon as the hub is up. While waiting it
+// repeats the same steps, so that a few seconds are representative of hours.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:net';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub's HTTP interface (docs/spec/admin.openapi.yaml), and the tokens that it takes.
+// Client of the hub's HTTP interface (docs/spec/admin.openapi.yaml), and the tokens for it.
 import { run } from '../cli/program.mjs';
 
 /** The token that `roomcast token` prints. */
@@ -9,7 +9,7 @@ export async function makeToken(folder, ...options) {
   return JSON.parse(stdout);
 }
 
-/** Asks; resolves to {status, body}. */
+/** Sends a request; resolves to {status, body}. */
 export async function ask(port, token, method, path, body) {
   const answer = await fetch(`http://127.0.0.1:${port}/api/v1${path}`, {
     method,

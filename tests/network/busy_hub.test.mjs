@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hub that is busy sends who comes to watch on to one that is not, and nobody to and fro.
+// A busy hub redirects new viewers to a less busy one, and no viewer is redirected back and forth.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -15,10 +15,10 @@ import { RoomClient, SendingSensor } from './room_client.mjs';
 
 const skip = natsIsMissing;
 const busyError = 19;
-const leastLoad = 0.013; // of a core: above the least that busy_percent can say
+const leastLoad = 0.013; // of a core: above the smallest load that busy_percent can express
 const mostSensors = 30;
 
-/** A hub beside others that is busy above so much of a core. */
+/** A hub in a cluster that counts as busy above this percentage of a core. */
 async function startHub(t, node, busyPercent) {
   const folder = scratchFolder(t);
   const port = await freePort();
@@ -33,7 +33,7 @@ async function startHub(t, node, busyPercent) {
   return { program, url, loads: async () => (await ask(port, admin.token, 'GET', '/hubs')).body.hubs.map(({ load }) => load) };
 }
 
-/** Two hubs that know of each other; sensors send to the first, one more and one more, until it does several times as much as the other. */
+/** Two connected hubs. Sensors are added to the first one until its load is several times that of the other. */
 async function startPair(t, firstBusyPercent) {
   const node = await startNode(t);
   const [first, second] = [await startHub(t, node, firstBusyPercent), await startHub(t, node, 75)];
@@ -42,7 +42,7 @@ async function startPair(t, firstBusyPercent) {
     if (other !== undefined && own > leastLoad && own > 3 * other) break;
     assert.ok(sensors < mostSensors, `${own} and ${other} cores`);
     await SendingSensor.start(t, first.url, { name: `s${sensors}`, fps: 60, payloadBytes: 8000 });
-    await delay(500); // until loads are told anew
+    await delay(500); // until loads are reported again
   }
   return { first, second };
 }

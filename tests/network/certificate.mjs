@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate for a server of these tests: one that a hub has made for itself.
+// Makes a certificate for a server of these tests: a hub's self-signed one.
 import { join } from 'node:path';
 
 import { startHub } from '../cli/program.mjs';
 
-/** A PEM file in `folder` with certificate and key, and the fingerprint that clients pin. */
+/** Writes a PEM file with certificate and key to `folder`, and returns it with the fingerprint that clients pin. */
 export async function makeCertificate(t, folder) {
   const hub = await startHub(t, '--tls-self-signed', '--data', folder);
   const [, fingerprint] = await hub.program.prints(/#sha256=([0-9a-f]{64})/);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensors and viewers are killed at any moment, again and again, also while they are joining: who stays misses nothing,
-// and in the end everybody is there under the same id and pose.
+// Sensors and viewers are killed at arbitrary moments, repeatedly, also while they are joining. The remaining clients
+// miss nothing, and in the end all clients are back under the same id and pose.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -15,13 +15,13 @@ const kills = 40;
 const longestLife_ms = 250;
 const longestStop_ms = 2_000;
 
-/** The same numbers in [0, 1) in every run: a linear congruential generator (Park and Miller 1988). */
+/** The same numbers in [0, 1) in every run, from a linear congruential generator (Park and Miller 1988). */
 function randomNumbers(seed) {
   let state = seed;
   return () => (state = (state * 48_271) % 0x7fffffff) / 0x7fffffff;
 }
 
-/** A program that is there again at once when it is killed, if `startAgain` is called. */
+/** A program that is killed and, if `startAgain` is called, started again at once. */
 class Victim {
   constructor(t, args) {
     this.args = args;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensors whose clocks have nothing to do with the hub's: their frames carry room time, and those of one instant meet in
-// one set. Each host is a Linux time namespace with a monotonic clock of its own.
+// Sensors with clocks unrelated to the hub's: their frames carry room time, and frames of the same time come in one
+// set. Each host is a Linux time namespace with a monotonic clock of its own.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -16,7 +16,7 @@ const aheadOfHub_s = [0, 90_000, -7_000, 3_456_789];
 const data = process.env.ROOMCAST_DATA ?? fileURLToPath(new URL('../../../shared/data', import.meta.url));
 const house = `${data}/house3`;
 
-/** A command that runs another on a host whose clock is so many seconds ahead. */
+/** A command that runs another command on a host whose clock is `seconds` ahead. */
 const onHostAhead = (seconds) => ['unshare', '--time', `--monotonic=${seconds}`, '--fork', '--kill-child', '--'];
 
 const mayHaveOtherHosts = spawnSync('unshare', [...onHostAhead(1).slice(1), 'true']).status === 0;
@@ -24,7 +24,7 @@ const noOtherHosts = mayHaveOtherHosts ? false : 'time namespaces need root and 
 
 const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
-/** Of the sets in which all of these sensors are: between the oldest and the newest picture that it shows, milliseconds. */
+/** For each set with frames of all these sensors: time between its oldest and its newest picture, milliseconds. */
 function skews_ms(client, sensorIds) {
   const shownBy = ({ frames }, id) => frames.findLast(({ sensor }) => sensor === id)?.captureNs;
   return client.sets
@@ -51,8 +51,8 @@ test('sensors_whose_clocks_are_days_apart_stamp_room_time', { skip: noOtherHosts
   await Promise.all(aheadOfHub_s.map((ahead, n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(ahead) })));
   const { witness, ids } = await witnessOf(t, hub, aheadOfHub_s.length, 40);
 
-  // A recording is played so that its frames are due at whole tenths of a second of its host's clock, and the hosts' clocks
-  // are whole seconds apart: what is left over is the error.
+  // A recording is played so that its frames are due at whole tenths of a second of its host's clock, and the hosts'
+  // clocks are whole seconds apart: the remainder is the error.
   const frames = witness.sets.flatMap((set) => set.frames);
   const errors_us = frames.map(({ captureNs }) => Math.abs(Number((captureNs + 50_000_000n) % 100_000_000n) - 5e7) / 1e3);
   t.diagnostic(`error of capture times: p50 ${percentile(errors_us, 0.5)} us, p95 ${percentile(errors_us, 0.95)} us`);

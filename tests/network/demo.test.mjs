@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast demo finds out by itself where its sensors stand: the simulator, which knows, is only asked to compare.
+// roomcast demo estimates the poses of its sensors itself; the simulator's true poses are used for comparison only.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -11,7 +11,7 @@ const sensorCount = 2;
 const limitMs = 200_000;
 const exact_m = 0.03;
 
-/** The roster of a demo once all its sensors are placed so. */
+/** The roster of a demo once all its sensors have this placement. */
 async function placedDemo(t, placement, ...options) {
   const args = ['demo', '--port', '0', '--sensors', String(sensorCount), '--fps', '5', ...options];
   const demo = new Program(args, { limitMs });
@@ -25,7 +25,7 @@ async function placedDemo(t, placement, ...options) {
   return { sensors: sensors(), placements };
 }
 
-/** Where the first sensor sees the second. */
+/** Position of the second sensor in the frame of the first. */
 function secondFromFirst([first, second]) {
   const [a, b] = [first.worldFromDepth, second.worldFromDepth];
   const apart = [3, 7, 11].map((i) => b[i] - a[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs that die or freeze at any moment: the rest of the room misses nothing but what the fault itself took away.
-// A witness that shares no code with roomcast writes down every set and every frame.
+// Programs that die or freeze at arbitrary moments: the rest of the room loses only what the fault itself removed. A
+// witness that shares no code with roomcast records every set and every frame.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -10,7 +10,7 @@ import { RoomClient, SendingSensor } from './room_client.mjs';
 import { assertMissedNothing, longestPause_ms, startSensor } from './rooms.mjs';
 import { writeSmallRig } from './small_rig.mjs';
 
-/** Of a room of 10 frames a second: a frame period, the deadline of a set, and what a busy machine adds. */
+/** For a room of 10 frames a second: a frame period, the deadline of a set, and the delay on a busy machine. */
 const longestStop_ms = 2_000;
 
 async function roomOfTwo(t) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs to bring a room from hub to hub, against what it costs to bring it to a viewer at the same hub. Both are
-// differences of loads that are larger, and one room's differences are hardly more than what these loads move by
-// themselves; so there are ROOMCAST_COST_ROOMS rooms at once, alike, and a room's share is told. All loads are taken in turn,
-// as often as ROOMCAST_COST_ROUNDS says, and the median of the differences counts. Times are the scheduler's own (schedstat,
-// nanoseconds), over all threads of a hub. Each viewer is a process of its own: to wake one that sleeps is a part of what it
-// costs to send it something.
+// Measures the cost of forwarding a room from hub to hub, relative to the cost of sending it to a viewer at the same
+// hub. Both are differences of larger loads, and for one room hardly exceed the noise of these loads. Therefore there
+// are ROOMCAST_COST_ROOMS equal rooms at once, and the share of one room is reported. All loads are measured in turn,
+// ROOMCAST_COST_ROUNDS times, and the median of the differences counts. Times are the scheduler's own (schedstat,
+// nanoseconds), over all threads of a hub. Each viewer is a process of its own, because waking a sleeping process is
+// part of the cost of sending to it.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -16,26 +16,26 @@ import { SendingSensor } from './room_client.mjs';
 
 export const costRounds = Number(process.env.ROOMCAST_COST_ROUNDS ?? 1);
 export const costRooms = Number(process.env.ROOMCAST_COST_ROOMS ?? (costRounds > 1 ? 8 : 1));
-/** What all rounds may take. */
+/** Time limit of all rounds. */
 export const costTimeout_ms = costRounds * (40_000 + 6000 * costRooms);
 /**
- * Frames of a quiet room, of one with people exercising, and of lossless depth (docs/benchmarks/codec.md says how many bytes these
- * have): what is spent on a message, and what on a byte. Several rounds tell of each.
+ * Frame sizes of a quiet room, of a room with people exercising, and of lossless depth (docs/benchmarks.md has the
+ * sizes), to separate the cost per message from the cost per byte. Several rounds measure each.
  */
 export const costFrames_bytes = costRounds > 1 ? [1000, 8000, 40_000] : [8000];
 const costOver_s = costRounds > 1 ? 5 : 2;
-const fetchedUnwatched_ms = 4000; // 3 s, and what it takes to say so
-const more = costRooms > 1 ? 1 : 10; // viewers of a room
+const fetchedUnwatched_ms = 4000; // 3 s, and the time to report it
+const more = costRooms > 1 ? 1 : 10; // viewers per room
 const rooms = Array.from({ length: costRooms }, (_, n) => `r${n}`);
 
-/** Options of a hub that has these rooms. */
+/** Options of a hub with these rooms. */
 export function costRoomsOption(folder) {
   const file = join(folder, 'rooms.toml');
   writeFileSync(file, rooms.map((room) => `[[room]]\nname = "${room}"\n`).join(''));
   return ['--config', file];
 }
 
-/** Four sensors in each of them. */
+/** Starts four sensors in each room. */
 export function startCostSensors(t, hub, payloadBytes) {
   const names = ['s0', 's1', 's2', 's3'];
   return Promise.all(
@@ -49,7 +49,7 @@ function taken_ms(child) {
     (thread) => [thread, Number(readFileSync(`${threads}/${thread}/schedstat`, 'utf8').split(' ')[0]) / 1e6]));
 }
 
-/** Processor time that each of these takes in a second, in milliseconds; threads that end meanwhile do not count. */
+/** Processor time used by each process per second, in milliseconds; threads that end meanwhile do not count. */
 async function loads_ms(children) {
   const before = children.map(taken_ms);
   await delay(1000 * costOver_s);
@@ -59,30 +59,30 @@ async function loads_ms(children) {
 const sum = (values) => values.reduce((all, value) => all + value, 0);
 const minus = (a, b) => a.map((value, i) => value - b[i]);
 
-/** The middle one, and between which two a half of all lies. */
+/** The median and the interquartile range. */
 function spread(values) {
   const sorted = [...values].sort((a, b) => a - b);
   const at = (share) => sorted[Math.floor(share * (sorted.length - 1) + 0.5)];
   return { median: sorted[Math.floor(sorted.length / 2)], text: `${sorted[Math.floor(sorted.length / 2)].toFixed(2)} [${at(0.25).toFixed(2)}, ${at(0.75).toFixed(2)}]` };
 }
 
-/** A process that watches a room at `hub` until it is told to stop. */
+/** A process that views a room at `hub` until its input is closed. */
 async function startViewer(t, hub, room) {
   const program = fileURLToPath(new URL('lone_viewer.mjs', import.meta.url));
   const child = spawn(process.execPath, [program, hub.url, room], { stdio: ['pipe', 'pipe', 'inherit'] });
   t.after(() => child.kill('SIGKILL'));
   await once(child.stdout, 'data');
   return {
-    /** Of the sets since it was last asked. */
+    /** Share of the sets sent since the last call. */
     shareSeen: async () => (child.stdin.write('?\n'), Number(await once(child.stdout, 'data'))),
     stop: () => (child.stdin.end(), once(child, 'exit')),
   };
 }
 
-/** Loads while these viewers get nearly all that there is; it is said where they do not, for what they lose costs nothing. */
+/** Loads while these viewers receive nearly all sets. Reports if they do not, because lost sets cost nothing. */
 async function loadsWith_ms(t, viewers, children) {
   const seen = () => Promise.all(viewers.map((viewer) => viewer.shareSeen()));
-  await delay(1000); // that starting them took is over
+  await delay(1000); // until the start-up load is over
   await seen();
   const loads = await loads_ms(children);
   const shares = await seen();
@@ -92,8 +92,8 @@ async function loadsWith_ms(t, viewers, children) {
 }
 
 /**
- * One round, of loads per process and room: nobody watches; one at the origin; more there; nobody; one at the edge. The edge
- * serves its viewer as the origin would, so that is no part of what it costs to get the room there.
+ * One round of loads per process and room: no viewer; one at the origin; more there; none; one at the edge. The edge's
+ * cost for sending to its viewer equals the origin's, so it does not count as forwarding cost.
  */
 async function costRound(t, { origin, edge, children }) {
   const start = (hub, count) => Promise.all(
@@ -122,7 +122,7 @@ async function costRound(t, { origin, edge, children }) {
   };
 }
 
-/** Sensors send to rooms of `origin`; `edge` gets them from it, by way of `brokers` if there are any. */
+/** Sensors send to rooms of `origin`; `edge` receives them from `origin`, through `brokers` if there are any. */
 export async function tellCost(t, { origin, edge, brokers = [] }) {
   const children = [origin.program.child, edge.program.child, ...brokers.map(({ child }) => child)];
   const rounds = [];

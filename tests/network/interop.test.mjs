@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub against an independent WebSocket implementation, npm's ws, in the clear and encrypted, as RFC 6455 has it. What
-// that library refuses to send is written to its socket by hand.
+// The hub against an independent WebSocket implementation, npm's ws, plain and encrypted, per RFC 6455. Frames that the
+// library refuses to send are written to its socket directly.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
 import { once } from 'node:events';
@@ -18,7 +18,7 @@ const protocolError = 1002;
 const unacceptable = 1003;
 const tooLarge = 1009;
 
-/** A frame as a client sends it, RFC 6455 section 5.2, with whatever is wrong about it. */
+/** A client frame per RFC 6455 section 5.2, with the requested faults. */
 function rawFrame(opcode, payload, { fin = true, masked = true, reserved = 0 } = {}) {
   const mask = masked ? randomBytes(4) : Buffer.alloc(0);
   const length = payload.length < 126 ? Buffer.from([payload.length]) : Buffer.from([126, payload.length >> 8, payload.length & 255]);

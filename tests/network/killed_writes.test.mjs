@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hub that is killed while admins write: what it acknowledged is there when it starts again.
+// A hub that is killed while admins write: all acknowledged writes are present after a restart.
 // More kills: ROOMCAST_KILLS=200 node --test tests/network/killed_writes.test.mjs
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -57,12 +57,12 @@ test('what_a_killed_hub_has_acknowledged_is_not_lost', { timeout: 30_000 + 3_000
     const { hub, port } = await startHub(t, data);
     const writers = ['a', 'b', 'c'].map((who) =>
       writeUntilKilled(port, token, kept, who).catch((error) => {
-        if (error instanceof assert.AssertionError) throw error; // else the hub is gone
+        if (error instanceof assert.AssertionError) throw error; // otherwise the hub is gone
       }),
     );
     await delay(Math.random() * killWithin_ms);
     await hub.stop('SIGKILL');
-    await Promise.race([Promise.all(writers), delay(unansweredFor_ms)]); // some questions never end, neither well nor badly
+    await Promise.race([Promise.all(writers), delay(unansweredFor_ms)]); // some requests never complete
     const next = await startHub(t, data);
     await assertNothingLost(next.port, token, kept);
     await next.hub.stop('SIGKILL');

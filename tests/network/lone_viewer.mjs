@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A viewer that is a process of its own, as people's are: `node lone_viewer.mjs ws://HOST:PORT ROOM`. It prints a line once
-// it sees the room, and then, for each line that it is given, the share of the sets since the line before that it was sent.
+// A viewer in a process of its own: `node lone_viewer.mjs ws://HOST:PORT ROOM`. It prints a line once it sees the room,
+// and then, for each input line, the share of the sets since the previous line that it received.
 import { createInterface } from 'node:readline';
 
 import { RoomClient } from './room_client.mjs';

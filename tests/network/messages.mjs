@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages of roomcast.v1 as docs/spec/wire.md and roomcast/wire/control.proto describe them, written once more and
-// independently of the two implementations that are tested: only what these tests say and hear.
+// The messages of roomcast.v1 per docs/spec/wire.md and roomcast/wire/control.proto, implemented again independently of
+// the two implementations under test. Covers only the messages used by these tests.
 import { BinaryReader, BinaryWriter, WireType } from './npm.mjs';
 
 const magic = 0x4352;
@@ -20,7 +20,7 @@ function preamble(bytes, type) {
   bytes.writeUInt8(type, 3);
 }
 
-/** A whole frame message. Every frame is a key frame; its payload means nothing to a hub. */
+/** A complete frame message. Every frame is a key frame; the payload is arbitrary, because a hub does not decode it. */
 export function writeFrame({ sensor, seq, captureNs, payload }) {
   const message = Buffer.alloc(headerBytes + payload.length);
   preamble(message, messageTypes.frame);
@@ -36,7 +36,7 @@ export function writeFrame({ sensor, seq, captureNs, payload }) {
   return message;
 }
 
-/** {frame} or {control: {case, ...}}; throws when it is neither. */
+/** Returns {frame} or {control: {case, ...}}; throws on any other message. */
 export function readMessage(bytes) {
   if (bytes.readUInt16LE(0) !== magic || bytes.readUInt8(2) !== version) throw new Error('this is not roomcast.v1');
   if (bytes.readUInt8(3) === messageTypes.control) return { control: readControl(bytes.subarray(preambleBytes)) };
@@ -71,7 +71,7 @@ function control(number, write) {
   return message;
 }
 
-/** As a viewer, as `sensor` {fps, worldFromDepth}, or as who says where sensors stand. */
+/** Join as a viewer, as `sensor` {fps, worldFromDepth}, or as an aligner. */
 export function writeJoin({ room, name, sensor, aligner, token, redirected }) {
   return control(controls.join, (join) => {
     if (room) join.tag(1, WireType.LengthDelimited).string(room);
@@ -109,7 +109,7 @@ function writeMatrix(writer, number, matrix) {
   writer.join();
 }
 
-/** This sensor was found to stand here. */
+/** Reports the estimated pose of a sensor. */
 export function writePlacement({ sensor, worldFromDepth }) {
   return control(controls.placements, (placements) => {
     const placement = placements.tag(1, WireType.LengthDelimited).fork();
@@ -119,7 +119,7 @@ export function writePlacement({ sensor, worldFromDepth }) {
   });
 }
 
-/** A viewer's head is at [x, y, z] and looks along -z. */
+/** A viewer's head at [x, y, z] that looks along -z. */
 export function writeViewerPose(place_m) {
   return control(controls.viewerPose, (pose) => {
     const head = pose.tag(2, WireType.LengthDelimited).fork();
@@ -132,7 +132,7 @@ export function writeClockPing(clientNs) {
   return control(controls.clockPing, (ping) => ping.tag(1, WireType.Bit64).fixed64(clientNs));
 }
 
-/** Calls `field(number)` for every field of a message; what it leaves unread is skipped. */
+/** Calls `field(number)` for every field of a message; skips fields that it does not read. */
 function readFields(bytes, field) {
   const reader = new BinaryReader(bytes);
   while (reader.pos < reader.len) {
@@ -215,7 +215,7 @@ function readPong(bytes) {
   return pong;
 }
 
-/** Where each viewer's head is: [x, y, z], and in the same order who they are. */
+/** The position of each viewer's head, [x, y, z], and the viewers in the same order. */
 function readPoses(bytes) {
   const heads = [], ids = [];
   readFields(bytes, (number, reader) => {

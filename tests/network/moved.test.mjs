@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor that brought its pose gets a push: it is marked within seconds, placed anew beside the others, and they stay.
+// A sensor that supplied its pose is pushed: it is marked within seconds and re-registered relative to the others,
+// whose poses stay.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -10,9 +11,9 @@ import { RoomClient } from './room_client.mjs';
 const aligned = 2; // PLACEMENT_ALIGNED
 const sensorCount = 3;
 const pushed = 's2';
-const pushAfter_s = 25; // its first 30 frames are what it compares with
+const pushAfter_s = 25; // the sensor compares with its first 30 frames
 const push_m = 0.08;
-const markedWithin_ms = 20_000; // 2 s, and what a busy machine takes to start a sensor; PoseChangeDetector's tests count exactly
+const markedWithin_ms = 20_000; // 2 s, and a sensor's start on a busy machine; PoseChangeDetector's tests are exact
 const alignWithin_ms = 90_000;
 const exact_m = 0.03;
 const limitMs = 230_000; // of hub and sensors

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A NATS cluster on loopback: real servers on free ports, with the settings that docs/scale.md tells people to use.
+// Starts a NATS cluster on loopback: real servers on free ports, with the settings recommended in docs/scale.md.
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { writeFileSync } from 'node:fs';
@@ -8,15 +8,15 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { scratchFolder } from '../cli/program.mjs';
 
-const env = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin` }; // where Debian has it, not in everyone's path
+const env = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin` }; // Debian's folder for it
 const startWithin_ms = 10_000;
 
-/** False, or the sentence for a test that needs it. */
+/** False, or the reason for skipping a test that needs it. */
 export const natsIsMissing = spawnSync('nats-server', ['--version'], { env }).error
   ? 'nats-server is not installed (scripts/setup test)'
   : false;
 
-/** Until a server has said this of all patterns; resolves to what each has caught. */
+/** Waits until a server has printed matches of all patterns; resolves to the captures of each. */
 async function says(node, ...patterns) {
   const deadline = Date.now() + startWithin_ms;
   for (;;) {
@@ -27,7 +27,7 @@ async function says(node, ...patterns) {
   }
 }
 
-/** One server on free ports, until the test ends. `more` is added to its configuration. */
+/** Starts one server on free ports; it is stopped when the test ends. `more` is added to its configuration. */
 export async function startNode(t, { routes, more = '', scheme = 'nats' } = {}) {
   const file = join(scratchFolder(t), 'nats.conf');
   const cluster = routes
@@ -48,7 +48,10 @@ export async function startNode(t, { routes, more = '', scheme = 'nats' } = {}) 
   return node;
 }
 
-/** Servers that know each other: the others are told of the first, and by it of each other. `options` as of startNode. */
+/**
+ * A cluster: all other servers get the address of the first, which introduces them to each other. `options` as for
+ * startNode.
+ */
 export async function startCluster(t, count = 3, options = {}) {
   const nodes = [await startNode(t, { routes: [], ...options })];
   while (nodes.length < count) nodes.push(await startNode(t, { routes: [nodes[0].route], ...options }));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hubs side by side: three of them share a room over a cluster of three NATS servers, four sensors send to any of them, and
-// somebody watches at each. What a server or a hub that is killed or hangs means to who watches. More rounds, with the
-// longest gap of all: ROOMCAST_GAP_ROUNDS=5 node --test tests/network/nats.test.mjs
+// Hubs in a cluster: three hubs share a room over a cluster of three NATS servers, with four sensors at different hubs
+// and a viewer at each hub. Measures the effect on viewers of a server or hub that is killed or hangs. More rounds,
+// reporting the longest gap: ROOMCAST_GAP_ROUNDS=5 node --test tests/network/nats.test.mjs
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
@@ -30,13 +30,13 @@ async function startHub(t, ...options) {
   return { program, url: `ws://127.0.0.1:${await program.port()}` };
 }
 
-/** A hub beside each server, its own one first. */
+/** One hub per server; each hub lists its own server first. */
 async function startHubs(t, nodes, ...options) {
   return Promise.all(
     nodes.map((_, i) => startHub(t, '--nats', [...nodes.slice(i), ...nodes.slice(0, i)].map(({ url }) => url).join(','), ...options)));
 }
 
-/** Servers and hubs that encrypt what they say to each other. */
+/** Servers and hubs that encrypt their connections. */
 async function startEncrypted(t) {
   const { file } = await makeCertificate(t, scratchFolder(t));
   const nodes = await startCluster(t, 3, { scheme: 'tls', more: `tls { cert_file: "${file}", key_file: "${file}" }` });
@@ -58,7 +58,7 @@ async function watch(t, hub, names = sensors) {
   return viewer;
 }
 
-/** Three servers, three hubs, sensors at the first two hubs, somebody watching at each. */
+/** Three servers, three hubs, sensors at the first two hubs, a viewer at each hub. */
 async function start(t, encrypted = false) {
   const { nodes, hubs } = await (encrypted ? startEncrypted(t) : startPlain(t));
   await Promise.all(sensors.map((name, i) => startSensor(t, hubs[i % 2], name)));
@@ -68,7 +68,7 @@ async function start(t, encrypted = false) {
 
 const forget = (viewers) => viewers.forEach((viewer) => viewer.sets.splice(0, viewer.sets.length - 1));
 
-/** The longest time in which a viewer saw nothing of one of these sensors. */
+/** The longest time in which a viewer received no frame of one of these sensors. */
 function longestGap_ms(viewer, names) {
   return Math.max(...names.map((name) => {
     const { id } = viewer.sensor(name);
@@ -78,7 +78,7 @@ function longestGap_ms(viewer, names) {
   }));
 }
 
-/** The longest time in which any of them saw nothing of some sensor, while and after something happens. */
+/** The longest time in which any viewer received no frame of some sensor, during and after `happen`. */
 async function gap_ms(viewers, happen, names = sensors) {
   forget(viewers);
   await delay(200);
@@ -112,7 +112,7 @@ test('frames_go_to_hubs_where_somebody_watches_and_no_others', { skip, timeout }
   assert.ok(await bytesThrough(nodes[0]) < 50_000, 'nobody does');
 });
 
-/** What a server took in a second. */
+/** Bytes that a server received in a second. */
 async function bytesThrough({ monitor }) {
   const bytes = async () => (await (await fetch(`${monitor}/varz`)).json()).in_bytes;
   const before = await bytes();
@@ -141,7 +141,7 @@ for (const [what, signal, limit_ms, encrypted] of [
   });
 }
 
-/** A hub that names this address to others. */
+/** A hub with this public address. */
 async function startPublicHub(t, node, port) {
   const url = `ws://127.0.0.1:${port}`;
   const program = new Program(
@@ -152,7 +152,7 @@ async function startPublicHub(t, node, port) {
   return { program, url };
 }
 
-/** `roomcast view`, without a window. */
+/** Runs `roomcast view` without a window. */
 async function watchNatively(t, hub) {
   const viewer = new Program(['view', '--hub', hub.url, '--headless', '--seconds', '30', '--png', `${scratchFolder(t)}/seen.png`], { limitMs: timeout });
   t.after(() => viewer.stop('SIGKILL'));
@@ -160,8 +160,8 @@ async function watchNatively(t, hub) {
 }
 
 /**
- * Three hubs that name each other, sensors at all of them, and somebody watching at each. What is missed when the third one
- * is lost: of the sensors at the others, and of its own sensor, a real one, until that is seen through another hub.
+ * Three hubs with public addresses, sensors at all of them, and a viewer at each. Measures the gap when the third hub
+ * is lost: for sensors at the other hubs, and for its own real sensor until that is visible through another hub.
  */
 async function loseHub(t, signal) {
   const nodes = await startCluster(t);
@@ -169,7 +169,7 @@ async function loseHub(t, signal) {
   const rig = writeSmallRig(scratchFolder(t), { fps });
   const stays = ['s0', 's1', 's3'];
   for (const [n, hub] of [[0, hubs[0]], [1, hubs[1]], [3, hubs[0]]]) await startSensor(t, hub, `s${n}`);
-  await startNativeSensor(t, hubs[2].url, rig, 2, { limitMs: timeout }); // it is told of this hub only
+  await startNativeSensor(t, hubs[2].url, rig, 2, { limitMs: timeout }); // it knows only this hub's address
   const viewers = await Promise.all(hubs.slice(0, 2).map((hub) => watch(t, hub)));
   const abandoned = await RoomClient.join(t, hubs[2].url);
   await abandoned.until('where else the room is', () => abandoned.otherHubs.length === 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may speak with the hubs' NATS servers, and how a hub says that it may not: passwords, credentials, TLS.
+// Access control of the hubs' NATS servers (passwords, credentials, TLS), and a hub's message when access is denied.
 import assert from 'node:assert/strict';
 import { copyFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,7 +14,7 @@ import { RoomClient, SendingSensor } from './room_client.mjs';
 
 const skip = natsIsMissing;
 
-/** Two hubs with these options see each other's sensors. */
+/** Asserts that two hubs with these options see each other's sensors. */
 async function assertTheyShareARoom(t, ...options) {
   const hubs = [await startHub(t, '--no-align', ...options), await startHub(t, '--no-align', ...options)];
   await SendingSensor.start(t, hubs[0].url, { name: 's0', fps: 30 });
@@ -69,7 +69,7 @@ test('the_configuration_is_checked_without_a_server', async () => {
   assert.equal((await run('hub', '--check', '--nats', 'nats://a:1,tls://b')).code, 0);
 });
 
-/** Two hubs with one secret, so that a token for the one is good for the other, over one server. */
+/** Two hubs with one secret, so that a token is valid at both, over one server. */
 async function startTwins(t) {
   const node = await startNode(t);
   const folders = [scratchFolder(t), scratchFolder(t)];
@@ -92,7 +92,7 @@ test('nobody_sends_as_a_sensor_that_is_at_another_hub', { skip }, async (t) => {
   await assert.rejects(RoomClient.join(t, hubs[1].url, { name: 's0', sensor, token: anothers.token }), /another sensor is here/);
   assert.equal(here.end, undefined, 'who was there stays');
   await RoomClient.join(t, hubs[1].url, { name: 's0', sensor, token: own.token });
-  await here.closed; // it has come to the other hub itself
+  await here.closed; // the viewer has moved to the other hub by itself
 });
 
 test('a_token_that_one_hub_revokes_is_refused_by_the_other_and_its_holder_is_sent_away', { skip }, async (t) => {

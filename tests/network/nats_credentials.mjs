@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a NATS operator hands out: an account, and a user's credentials (.creds) for it. Source: NATS' decentralised JWT
-// authentication; keys are Ed25519, written in base32 with a prefix for their kind and a CRC-16.
+// Stands in for a NATS operator: makes an account, and a user's credentials (.creds) for it. Source: NATS'
+// decentralised JWT authentication; keys are Ed25519, written in base32 with a prefix for their kind and a CRC-16.
 import { createHash, generateKeyPairSync, sign } from 'node:crypto';
 
 const kinds = { operator: 14 << 3, account: 0, user: 20 << 3, seed: 18 << 3 };
@@ -48,7 +48,7 @@ function jwt(issuer, subject, name, nats) {
   return `${text}.${base64(issuer.sign(text))}`;
 }
 
-/** What goes into a server's configuration, and the text of a .creds file for it. */
+/** The account's part of a server's configuration, and the text of a .creds file for it. */
 export function newAccount() {
   const [operator, account, user] = ['operator', 'account', 'user'].map(newKey);
   const limits = { subs: -1, data: -1, payload: -1, imports: -1, exports: -1, wildcards: true, conn: -1, leaf: -1 };

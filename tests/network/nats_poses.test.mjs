@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poses that the owner of a shared room has found outlive it: the hub that takes over goes on with them.
+// Poses found by the owner of a shared room outlive the owner: the hub that takes over keeps them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
@@ -23,7 +23,7 @@ async function startSharing(t, node) {
 
 const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fps: 10, worldFromDepth: [] });
 
-/** Does it work out where sensors stand? */
+/** True if this hub estimates the sensors' poses. */
 function owns({ program }) {
   const begun = program.stderr.match(/: works out where the sensors of "room" stand/g) ?? [];
   return begun.length > (program.stderr.match(/no longer works out/g) ?? []).length;
@@ -62,7 +62,7 @@ test('who_takes_over_a_room_goes_on_with_its_poses', { skip: natsIsMissing, time
   const heir = await untilOneOwns(others);
   const watching = viewers.filter((_, i) => i !== lost);
   await Promise.all(watching.map((viewer) => viewer.until('its sensor is gone', () => viewer.sensor(`s${lost}`).online === false)));
-  await startSensor(t, others.find((hub) => hub !== heir), `s${lost}`); // it comes back elsewhere
+  await startSensor(t, others.find((hub) => hub !== heir), `s${lost}`); // the sensor comes back at another hub
   await Promise.all(watching.map((viewer) => viewer.until('it is back', () => viewer.sensor(`s${lost}`).online)));
   await delay(1000); // several heartbeats of the new owner
   const late = await RoomClient.join(t, heir.url);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// nginx in front of a hub, with the server block that docs/reverse-proxy.md tells people to use.
+// Starts nginx in front of a hub, with the server block recommended in docs/reverse-proxy.md.
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -7,10 +7,10 @@ import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { setTimeout as delay } from 'node:timers/promises';
 
-const env = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin` }; // where Debian has it, not in everyone's path
+const env = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin` }; // Debian's folder for it
 const startWithin_ms = 10_000;
 
-/** False, or the sentence for a test that needs it. */
+/** False, or the reason for skipping a test that needs it. */
 export const nginxIsMissing = spawnSync('nginx', ['-v'], { env }).error
   ? 'nginx is not installed (scripts/setup test)'
   : false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// People who watch one room at several hubs see each other, whether the hubs stand in a row or side by side, until they
-// leave or their hub is gone.
+// Viewers of one room at several hubs see each other, whether the hubs form a chain or a star, until they leave or
+// their hub stops.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -11,14 +11,14 @@ import { RoomClient } from './room_client.mjs';
 
 const alone = (t, ...options) => startHub(t, '--no-align', ...options);
 
-/** Three hubs in a row, the one with the room first. */
+/** Three hubs in a chain, beginning with the one that owns the room. */
 async function inARow(t) {
   const origin = await alone(t);
   const middle = await alone(t, '--upstream', origin.url);
   return [origin, middle, await alone(t, '--upstream', middle.url)];
 }
 
-/** Two hubs behind the same one, which nobody watches directly. */
+/** Two hubs behind the same one, which has no viewers of its own. */
 async function behindOne(t) {
   const origin = await alone(t);
   return [await alone(t, '--upstream', origin.url), await alone(t, '--upstream', origin.url)];
@@ -29,7 +29,10 @@ async function sideBySide(t) {
   return Promise.all([0, 1, 2].map(() => alone(t, '--nats', node.url)));
 }
 
-/** Somebody at each hub, "p0" at the first, at [0, 1.5, 0], "p1" at [1, 1.5, 0] and so on; each knows of all others. */
+/**
+ * A viewer at each hub: "p0" at the first, at [0, 1.5, 0], "p1" at [1, 1.5, 0] and so on. Waits until each sees all
+ * others.
+ */
 async function oneAtEach(t, hubs) {
   const people = await Promise.all(hubs.map((hub, i) => RoomClient.join(t, hub.url, { name: `p${i}` })));
   people.forEach((person, i) => person.send(writeViewerPose([i, 1.5, 0])));

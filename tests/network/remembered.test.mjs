@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where sensors stand outlives the hub that found it: they are shown there again at once, as not verified; what they see
-// confirms it, and of a sensor that stands elsewhere by then contradicts it.
+// Sensor poses persist across restarts of the hub that found them: they are used again at once, as not verified. The
+// sensors' pictures then confirm the pose, or contradict it for a sensor that was moved meanwhile.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,7 +14,7 @@ const limitMs = 300_000; // of hub and sensors
 const placedWithin_ms = 90_000;
 const exact_m = 0.03;
 
-/** Of three sensors that have no idea where they stand. */
+/** Records three sensors without known poses. */
 async function recordRoom(folder) {
   const rig = join(folder, 'rig');
   const brief = ['--sensors', '3', '--seconds', '3', '--fps', '15', '--half-color', '--views', '0', '--drops', '0'];
@@ -34,14 +34,14 @@ function startHub(t, data, port = 0) {
   return hub;
 }
 
-/** What stands where `seen` did, under this name. */
+/** A sensor with this name at the recorded pose of sensor `seen`. */
 function startSensor(t, url, rig, seen, name) {
   const sensor = new Program(['sensor', '--source', `rig:${rig}#${seen}`, '--name', name, '--hub', url, '--wait'], { limitMs });
   t.after(() => sensor.stop('SIGKILL'));
   return sensor;
 }
 
-/** Where the second stands, seen from the first. */
+/** The second sensor's position in the frame of the first. */
 function placeFrom(first, second) {
   const apart = [3, 7, 11].map((i) => second[i] - first[i]);
   return [0, 1, 2].map((column) => [0, 1, 2].reduce((sum, row) => sum + first[4 * row + column] * apart[row], 0));
@@ -72,9 +72,9 @@ test('poses_of_before_a_restart_are_shown_at_once_then_confirmed_or_found_anew',
   assertStandsAs(before, 's1', 's1', truth);
   const [first, second] = ['s0', 's1'].map((name) => before.sensor(name).worldFromDepth);
 
-  await hub.stop(); // in good order: what it has just found may not be on disk yet
+  await hub.stop(); // orderly; the newest results may not be on disk yet
   await other.stop('SIGKILL');
-  startSensor(t, url, rig, 's2', 's1'); // carried to where s2 stood
+  startSensor(t, url, rig, 's2', 's1'); // moved to the pose of s2
   const next = startHub(t, join(folder, 'data'), port);
   await next.port();
   const after = await RoomClient.join(t, url, { name: 'after' });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hub that is killed and started again with four sensors and ten viewers around it: all real programs, all of them back
-// by themselves within seconds.
+// A hub that is killed and started again with four connected sensors and ten viewers: all of them are real programs and
+// come back by themselves within seconds.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,7 +23,7 @@ function startViewer(t, url, folder, n) {
   return viewer;
 }
 
-/** A witness of a room where everybody is. */
+/** A witness in a room with all sensors and viewers present. */
 async function witnessOfAll(t, url) {
   const witness = await RoomClient.join(t, url, { name: 'witness' });
   await witness.until('everybody', () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hub behind an HTTPS reverse proxy, set up as docs/reverse-proxy.md says: page, sensors and viewers get through.
+// A hub behind an HTTPS reverse proxy, configured per docs/reverse-proxy.md: page, sensors and viewers can connect.
 import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:https';

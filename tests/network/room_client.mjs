@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A client of the hub that shares no code with roomcast: npm's `ws` carries the messages, messages.mjs reads them. It keeps
-// what it hears, so that a test can say what a room went through.
+// A client of the hub that shares no code with roomcast: npm's `ws` carries the messages, messages.mjs parses them. It
+// keeps all received messages, so that a test can check the history of a room.
 import { once } from 'node:events';
 
 import { readMessage, writeClockPing, writeFrame, writeJoin } from './messages.mjs';
@@ -12,9 +12,9 @@ export class RoomClient {
   sets = []; // {id, at_ms, frames: [header...]}, oldest first
   rosters = [];
   errors = [];
-  heads = []; // of other viewers that moved last
-  places = new Map(); // where each viewer's head was last, by id
-  otherHubs = []; // where else the room is
+  heads = []; // other viewers' head poses in the last message
+  places = new Map(); // last head position of each viewer, by id
+  otherHubs = []; // addresses of other hubs with this room
   welcome = null;
   #changed = [];
 
@@ -27,7 +27,7 @@ export class RoomClient {
     return client;
   }
 
-  /** A viewer, a sensor if `sensor` is given, or who says where sensors stand; it has been welcomed. */
+  /** Joins as a viewer, as a sensor if `sensor` is given, or as an aligner; waits for the welcome. */
   static async join(t, url, { room, name = 'test', sensor, aligner, token, options } = {}) {
     const client = await RoomClient.open(t, url, options);
     client.send(writeJoin({ room, name, sensor, aligner, token }));
@@ -39,7 +39,7 @@ export class RoomClient {
     this.socket = socket;
     socket.binaryType = 'nodebuffer';
     socket.on('message', (bytes, isBinary) => this.#take(bytes, isBinary));
-    socket.on('error', () => {}); // its end is what counts
+    socket.on('error', () => {}); // the close event is handled instead
     this.closed = new Promise((resolve) => {
       socket.on('close', (code, reason) => resolve({ code, reason: reason.toString('utf8') }));
     });
@@ -53,27 +53,27 @@ export class RoomClient {
     this.socket.send(message);
   }
 
-  /** The newest roster's entry. */
+  /** The sensor's entry in the newest roster. */
   sensor(name) {
     return this.rosters.at(-1)?.sensors.find((sensor) => sensor.name === name);
   }
 
-  /** The newest roster's entry of somebody who watches, here or at another hub. */
+  /** The viewer's entry in the newest roster; the viewer may be at another hub. */
   person(name) {
     return this.rosters.at(-1)?.people.find((person) => person.name === name);
   }
 
-  /** Where that one's head was last. */
+  /** The viewer's last head position. */
   placeOf(name) {
     return this.places.get(this.person(name)?.id);
   }
 
-  /** Sequence numbers of a sensor's frames, in the order they came. */
+  /** Sequence numbers of a sensor's frames, in order of arrival. */
   seqsOf(sensor) {
     return this.sets.flatMap(({ frames }) => frames.filter((frame) => frame.sensor === sensor).map(({ seq }) => seq));
   }
 
-  /** Resolves to what `done` returns once that is true; `done` is asked after every message. */
+  /** Resolves to the result of `done` once that is true; calls `done` after every message. */
   async until(what, done, within_ms = answerWithin_ms) {
     const deadline = Date.now() + within_ms;
     for (;;) {
@@ -85,13 +85,13 @@ export class RoomClient {
     }
   }
 
-  /** Until `count` more sets have begun. */
+  /** Waits until `count` more sets have begun. */
   async moreSets(count) {
     const wanted = this.sets.length + count;
     await this.until(`${count} more sets`, () => this.sets.length >= wanted);
   }
 
-  /** Room time minus this program's process.hrtime, from one question. */
+  /** Room time minus this program's process.hrtime, from one ping. */
   async askTime() {
     const sentNs = process.hrtime.bigint();
     this.pong = null;
@@ -140,7 +140,10 @@ export class RoomClient {
   }
 }
 
-/** A sensor whose frames mean nothing; it sends `rate` a second, whatever it has announced, until the test ends. */
+/**
+ * A sensor with arbitrary frame payloads; it sends `rate` frames a second, whatever it has announced, until the test
+ * ends.
+ */
 export class SendingSensor {
   sent = 0;
 

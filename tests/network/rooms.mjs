@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rooms of real programs, and what must be true of what a viewer has received of one.
+// Starts rooms of real programs, and checks what a viewer has received of a room.
 import assert from 'node:assert/strict';
 
 import { Program } from '../cli/program.mjs';
 
-/** A recorded sensor, number `n` of the rig in folder `rig`, again and again; it has joined as "s0" for number 0. */
+/**
+ * Plays recorded sensor number `n` of the rig in folder `rig` in a loop; waits until it has joined (as "s0" for number
+ * 0).
+ */
 export async function startSensor(t, url, rig, n, options) {
   const sensor = new Program(['sensor', '--source', `rig:${rig}#s${n}`, '--hub', url, '--wait', '--verbose'], options);
   t.after(() => sensor.stop('SIGKILL'));
@@ -17,7 +20,7 @@ function assertConsecutive(numbers, what) {
   assert.equal(gap, -1, `${what}: ${numbers[gap]} follows ${numbers[gap - 1]}`);
 }
 
-/** Every set came, whole and in order, and in them every frame of these sensors. */
+/** Asserts that every set arrived complete and in order, and contained every frame of these sensors. */
 export function assertMissedNothing(client, sensorIds) {
   assertConsecutive(client.sets.map(({ id }) => id), 'sets');
   for (const sensor of sensorIds) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of small sensors without colour, so that a test can run many real programs on few cores.
+// Writes recordings of small sensors without colour, so that a test can run many real programs on few cores.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateSync } from 'node:zlib';
@@ -13,7 +13,7 @@ const camera = {
   invalid_depth: [0],
 };
 
-/** Two metres from the middle of the room, 1.5 m high, looking across it. */
+/** Two metres from the middle of the room, 1.5 m high, looking across the room. */
 function worldFromDepth(sensor) {
   const angle = (sensor * Math.PI) / 2;
   const [sin, cos] = [Math.round(Math.sin(angle)), Math.round(Math.cos(angle))];
@@ -24,7 +24,7 @@ function worldFromDepth(sensor) {
   return [...[0, 1, 2].flatMap((row) => [right[row], down[row], forward[row], place[row]]), 0, 0, 0, 1];
 }
 
-/** Four sensors, two seconds at `fps`, with clocks that are seconds apart. Returns the rig's path, in `folder`. */
+/** Four sensors, two seconds at `fps`, with clocks that are seconds apart. Returns the rig's path in `folder`. */
 export function writeSmallRig(folder, { fps = 10 } = {}) {
   const sensors = [0, 3.25, 6.5, 9.75].map((clockOffset_s, n) => ({
     entry: { id: `s${n}`, clock_offset_s: clockOffset_s },
@@ -36,7 +36,7 @@ export function writeSmallRig(folder, { fps = 10 } = {}) {
   return writeRig(folder, fps, sensors);
 }
 
-/** Sensors that do what those of another rig do at the same times: their clocks, their drift, their lost frames. */
+/** Small sensors with the timing of another rig: its clocks, drift and lost frames. */
 export function writeSmallRigTimedAs(rig, folder) {
   const { fps, sensors } = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8'));
   const framesOf = ({ path }) =>
@@ -71,7 +71,7 @@ function depthPng(depthAt_mm) {
   return pngOf(16, 0, deflateSync(rows));
 }
 
-/** A picture of this size, rows without filter, `colorType` 0 grey and 2 RGB: PNG specification, sections 5 and 11. */
+/** A PNG of this size, rows without filter, `colorType` 0 grey and 2 RGB: PNG specification, sections 5 and 11. */
 export function pngOf(bits, colorType, data) {
   const header = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, bits, colorType, 0, 0, 0]);
   header.writeUInt32BE(width, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Viewers that stop reading: the others get everything, the hub does not grow, and who reads again sees the present.
+// Viewers that stop reading: the others receive everything, the hub does not grow, and a viewer that reads again gets
+// current frames.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -12,7 +13,7 @@ const stalledCount = 5;
 const payloadBytes = 150_000;
 const fps = 20;
 const setsWhileStalled = 100;
-/** Of the hub: two whole sets for each of them and one on its way, and what an allocator keeps. */
+/** Of the hub: two complete sets per viewer and one on its way, and the allocator's reserve. */
 const mostGrowth_bytes = stalledCount * 3 * 2 * payloadBytes + 8e6;
 const longestStop_ms = 2_000;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stranger's walk, command by command as docs/guides/first-room.md has it: a hub for others with encryption and tokens, two
-// sensors and a colleague in another network (a network namespace), a token that is revoked, a restart, and all is still
+// Runs docs/guides/first-room.md command by command: a public hub with encryption and tokens, two sensors and a
+// colleague in another network (a network namespace), a revoked token, and a restart after which everything is still
 // there. Needs root, for the namespace.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -35,7 +35,7 @@ function whyNot() {
   }
 }
 
-/** Another network, joined to this machine by one cable; what runs `through` it has its address there. */
+/** Another network, connected to this machine by a virtual cable; programs run `through` it have its address. */
 function otherNetwork(t) {
   ip('netns', 'add', names.namespace);
   t.after(() => ip('netns', 'del', names.namespace));
@@ -47,22 +47,22 @@ function otherNetwork(t) {
   return ['ip', 'netns', 'exec', names.namespace];
 }
 
-/** The commands of the guide that are ours, one after the other; what they print begins with "roomcast hub: ", say. */
+/** The guide's roomcast commands in order. */
 function commandsOfGuide() {
   const blocks = [...readFileSync(guide, 'utf8').matchAll(/^```\n([^]*?)^```$/gm)].map(([, block]) => block);
   return blocks.flatMap((block) => block.split('\n')).filter((line) => /^roomcast \w+ /.test(line));
 }
 
-/** Takes the guide's commands in their order and runs them in one folder, which is their home, too. */
+/** Runs the guide's commands in their order, in one folder, which is also their home. */
 class Walk {
   #commands = commandsOfGuide();
 
-  /** `instead` of what the guide has: [it, here]. */
+  /** `instead`: replacements in the commands, [text of the guide, text to use]. */
   constructor(t, folder, instead) {
     Object.assign(this, { t, folder, instead });
   }
 
-  /** The next command, which has to begin like this. */
+  /** Starts the next command, which must begin with `beginning`. */
   start(beginning, through = []) {
     let command = this.#commands.shift() ?? '';
     assert.ok(command.startsWith(`roomcast ${beginning}`), `the guide has "${command}" where "${beginning}" is expected`);
@@ -74,7 +74,7 @@ class Walk {
     return Object.assign(program, { file });
   }
 
-  /** The same, to its end. */
+  /** Runs the next command to its end. */
   async run(beginning, through) {
     const program = this.start(beginning, through);
     const code = await program.ended;

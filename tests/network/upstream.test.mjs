@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hubs that serve on what other hubs have: what their viewers see, what it costs, and what a hub that is killed or hangs
-// on the way means to them. More rounds for the cost:
+// Hubs that relay other hubs' rooms: what their viewers receive, the cost, and the effect of a hub on the way that is
+// killed or hangs. More rounds for the cost:
 // ROOMCAST_COST_ROUNDS=9 node --test tests/network/upstream.test.mjs
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
@@ -26,7 +26,7 @@ async function startHub(t, ...options) {
   return { program, url: `ws://127.0.0.1:${await program.port()}` };
 }
 
-/** Serves on what these hubs have. */
+/** Starts a hub that relays these hubs. */
 function startEdge(t, ...hubs) {
   return startHub(t, ...hubs.flatMap(({ url }) => ['--upstream', url]));
 }
@@ -59,7 +59,7 @@ test('a_viewer_of_another_hub_sees_the_whole_room_while_somebody_watches', async
   await witness.until('it is pulled no more', () => witness.rosters.at(-1).viewers === 1);
 });
 
-/** A room that two hubs serve on, and one that serves on what either of these has. */
+/** A room relayed by two hubs, and a hub that relays either of these. */
 async function chain(t) {
   const origin = await startHub(t);
   await startSensors(t, origin, 4);
@@ -70,7 +70,7 @@ async function chain(t) {
   return { viewer, onTheWay: await relays(t, first) ? first : second };
 }
 
-/** Is it a hub that watches there? */
+/** True if a relaying hub is connected there. */
 async function relays(t, hub) {
   const witness = await RoomClient.join(t, hub.url);
   await witness.until('who is there', () => witness.rosters.length > 0);
@@ -104,14 +104,14 @@ test('who_is_told_of_several_hubs_goes_to_the_one_that_answers_first', async (t)
     await witness.until('it has left', () => witness.rosters.at(-1).viewers === 1);
     witness.socket.terminate();
   }
-  far.program.child.kill('SIGSTOP'); // it answers nobody any more
+  far.program.child.kill('SIGSTOP'); // it stops answering
   const recorder = new Program(['record', `${scratchFolder(t)}/out.mcap`, '--hub', `${far.url},${near.url}`, '--seconds', '20']);
   t.after(() => recorder.stop('SIGKILL'));
   const witness = await RoomClient.join(t, near.url);
   await witness.until('the recorder', () => witness.rosters.at(-1)?.viewers === 2);
 });
 
-/** A way to this hub on which everything takes so much longer, each way. */
+/** A path to this hub with `delay_ms` of delay in each direction. */
 async function startSlowWay(t, { url }, delay_ms) {
   const port = Number(new URL(url).port);
   const later = (from, to) => from.on('data', (bytes) => setTimeout(() => to.write(bytes), delay_ms)).on('close', () => to.destroy()).on('error', () => {});
@@ -155,7 +155,7 @@ test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', 
     await makeToken(theirs, '--room', 'room', '--role', 'viewer', '--name', 'Ada'),
     await makeToken(theirs, '--room', 'room', '--role', 'viewer'),
   ];
-  for (const folder of [ours, last]) { // one secret: a token is good at all of them
+  for (const folder of [ours, last]) { // with the same secret, a token is valid at all of them
     copyFileSync(`${theirs}/hub.secret`, `${folder}/hub.secret`);
     writeFileSync(`${folder}/token`, hubs.token);
   }
@@ -173,7 +173,7 @@ test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', 
 
   const late = await makeToken(theirs, '--room', 'room', '--role', 'viewer');
   stays.socket.terminate();
-  await delay(4500); // nobody watches: nothing is heard from there
+  await delay(4500); // without viewers, the hub does not subscribe upstream
   await run('token', '--data', theirs, '--revoke', late.id);
   const unknown = await RoomClient.join(t, edge.url, { token: late.token });
   assert.match((await unknown.closed).reason, /revoked/, 'as soon as the room is fetched again');

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// By what right this page asks to come in: a code for one time, or a token. They come in the part of a
-// link after the #, which is not sent when the page is fetched; it is taken out of the address at once, and what has to
-// outlive a reload is kept for this tab alone.
+// This page's credential: a one-time code or a token. Both arrive in the part of a link after the #, which is not sent
+// when the page is fetched. The page removes that part from the address at once, and stores only what must survive a
+// reload, for this tab alone.
 
 export interface Access {
-  room: string; // that it is for, or empty
+  room: string; // room of the credential, or empty
   code: string;
   token: string;
 }
@@ -19,7 +19,7 @@ function part(given: URLSearchParams, name: string): string {
   return value.length <= longest ? value : '';
 }
 
-/** `hash` is the address's, `store` the tab's own. A link counts more than what is remembered. */
+/** `hash` is the address's, `store` the tab's own. A link takes precedence over the stored credential. */
 export function readAccess(hash: string, store: Store): Access {
   const given = new URLSearchParams(hash.replace(/^#/, ''));
   const fresh = {
@@ -32,13 +32,13 @@ export function readAccess(hash: string, store: Store): Access {
   return fresh.room === '' || fresh.room === kept.room ? kept : fresh;
 }
 
-/** What is for another room is not shown to this one. */
+/** Never presents a credential for another room. */
 export function accessTo(room: string, access: Access): Access {
   const isForAnother = room !== '' && access.room !== '' && access.room !== room;
   return isForAnother ? { room, code: '', token: '' } : access;
 }
 
-/** A code is good for one time: it is not kept. */
+/** A code is valid once, so it is not stored. */
 export function rememberAccess({ room, token }: Access, store: Store): void {
   if (token) store.setItem(storeKey, JSON.stringify({ room, token }));
   else store.removeItem(storeKey);

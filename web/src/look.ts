@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dark or light: as the system says, or as the person chose; the choice is kept in this browser.
+// Dark or light theme: the system's setting, or the user's choice, which is stored in this browser.
 
 export const themes = ['auto', 'dark', 'light'] as const;
 export type Theme = (typeof themes)[number];

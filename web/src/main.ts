@@ -46,10 +46,10 @@ class Page {
   private readonly navigation: Navigation;
   private readonly headset: Headset;
   private readonly guesses = new SensorGuesses();
-  private atHand: ViewFrame[] = []; // given to the stage, not yet drawn
+  private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
-  private hubKnewSensors = false; // when this viewer joined: the hub's start pose means something
-  private placedView = false; // the view is where it should be at first, or where the person went
+  private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
+  private placedView = false; // the start view was set, or the user has moved the view
 
   constructor(
     private readonly options: PageOptions,
@@ -155,7 +155,7 @@ class Page {
     return this.headset.enter(mode, position, yaw);
   }
 
-  /** One stands on the screen where one was in the headset. */
+  /** Sets the screen's view to the wearer's last position. */
   private headsetEnded(): void {
     const { stage, state, panel } = this;
     stage.renderer.xr.enabled = false;
@@ -214,7 +214,7 @@ class Page {
     this.tellPosePublisher();
   }
 
-  /** To those who may place sensors, and to admins. */
+  /** For users who may place sensors, and for admins. */
   private async offerConsole(mayPlace: boolean): Promise<void> {
     this.console.setMayNudge(mayPlace);
     this.panel.offerConsole(mayPlace);
@@ -222,7 +222,7 @@ class Page {
     this.panel.offerConsole(mayPlace || isAdmin);
   }
 
-  /** Also to those whom the hub did not let in: perhaps they were looking for another room. */
+  /** Also for users whom the hub refused: they may have meant another room. */
   private async offerRooms(): Promise<void> {
     this.panel.offerRooms(await this.api.rooms().catch(() => []));
   }
@@ -308,7 +308,7 @@ class Page {
   }
 }
 
-/** Absent where the browser has no WebXR, whatever the types say. */
+/** Undefined where the browser has no WebXR, although the type declarations do not say so. */
 function navigator_xr(): XRSystem | undefined {
   return (navigator as { xr?: XRSystem }).xr;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's own URL: what it asks for. ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &record=1. What gives the right to come in stands after the #: access.ts.
+// Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
+// &quality=best &record=1. The credential is after the #: access.ts.
 import { Vector3 } from 'three';
 import { drawModes, type DrawMode } from './view/draw_mode';
 import { lookFrom, type ViewState } from './view/view_state';
@@ -8,11 +8,11 @@ import { asName } from './wire/name_check';
 
 export interface PageOptions {
   mode: DrawMode;
-  view: ViewState | undefined; // where to stand, if the URL says so
-  panelOpen: boolean | undefined; // undefined: as there is room for it
+  view: ViewState | undefined; // start view, if the URL contains one
+  panelOpen: boolean | undefined; // undefined: depends on the available space
   name: string;
   room: string;
-  best: boolean; // draw as finely as possible, however slow: for pictures
+  best: boolean; // draw at the finest quality, however slow: for pictures
   record: boolean; // keep a record of decoded frames, for tests
 }
 
@@ -38,7 +38,7 @@ export function parseOptions(search: string): PageOptions {
   };
 }
 
-/** The hub that served this page: one port for page and socket. */
+/** The socket of the hub that served this page: page and socket share one port. */
 export function socketUrl(page: Pick<Location, 'protocol' | 'host'>): string {
   return `${page.protocol === 'https:' ? 'wss' : 'ws'}://${page.host}/ws`;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// When to tell the hub where this viewer's head and hands are: when they have moved, at most 20 times a second, and the
-// last place always, also when somebody new has come in.
+// Decides when to send this viewer's head and hand poses to the hub: after a movement, at most 20 times a second,
+// always including the final pose, and again when a new viewer joins.
 import type { Body } from './stream/protocol';
 import { orientation, type ViewState } from './view/view_state';
 
 const interval_ms = 50;
 
-/** Of somebody in front of a screen: a head without hands. */
+/** The body of a viewer at a screen: a head without hands. */
 export function bodyOf(view: ViewState): Body {
   const { x, y, z } = view.position;
   const turn = orientation(view);
@@ -24,7 +24,7 @@ export class PosePublisher {
     this.pending = body;
   }
 
-  /** Once per screen refresh. */
+  /** Call once per screen refresh. */
   update(now_ms: number): void {
     if (!this.pending || now_ms - this.sent_ms < interval_ms) return;
     this.send(this.pending);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast a counter grows: per second, over the last two seconds.
+// Growth of a counter per second, over the last two seconds.
 
 const window_ms = 2000;
 
 export class RateMeter {
   private readings: { at_ms: number; total: number }[] = [];
 
-  /** `total` never falls; when it does (the other side began anew) the meter begins anew as well. */
+  /** `total` never decreases. If it does (the other side restarted), the meter restarts as well. */
   count(at_ms: number, total: number): void {
     const last = this.readings.at(-1);
     if (last && total < last.total) this.readings = [];
@@ -14,7 +14,7 @@ export class RateMeter {
     while (this.readings.length > 2 && this.readings[1]!.at_ms <= at_ms - window_ms) this.readings.shift();
   }
 
-  /** `now_ms`: when given, a counter that is no longer reported slows down to 0. */
+  /** With `now_ms`, the rate of a counter that is no longer reported decreases to 0. */
   perSecond(now_ms?: number): number {
     const first = this.readings[0];
     const last = this.readings.at(-1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page knows about the room, gathered from the worker's messages and from drawing. Times are page time
-// (stream/protocol.ts) in milliseconds unless they say room time.
+// The page's state of the room, gathered from the worker's messages and from drawing. Times are page time
+// (stream/protocol.ts) in milliseconds unless they are marked as room time.
 import type { Roster, SensorEntry, ViewerPose, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
 import {
@@ -31,12 +31,12 @@ export class RoomState {
   welcome: Welcome | undefined;
   roster: Roster | undefined;
   status: Status | undefined;
-  body: Body | undefined; // in a headset, where it is now
-  readonly poses = new Map<number, ViewerPose>(); // of the others, as they came in
-  broken = ''; // why nothing can go on
+  body: Body | undefined; // current pose of the headset's wearer
+  readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
+  broken = ''; // reason why the page cannot continue
   shownSets = 0;
   lastShownSet = 0n;
-  firstShownAt_ms: number | undefined; // since the connection was opened: all online sensors decoded, and drawn
+  firstShownAt_ms: number | undefined; // since the connection was opened: all online sensors decoded and drawn
   firstDecodedAt_ms: number | undefined;
   readonly shownSeqs = new Map<number, { seq: number; setId: bigint; capture_ms: number; at_ms: number }>();
   readonly records = new Map<number, DecodedRecord[]>();
@@ -62,7 +62,7 @@ export class RoomState {
     return this.shownRate.perSecond(pageTime_ms());
   }
 
-  /** Capture to screen, median of the last second. */
+  /** From capture to screen, median of the last second. */
   get latency_ms(): number | undefined {
     const sorted = this.latencies.map((entry) => entry.latency_ms).sort((a, b) => a - b);
     return sorted[sorted.length >> 1];

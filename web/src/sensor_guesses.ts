@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a person thinks that sensors stand while they are moved by hand: shown here only, until the aligner has answered.
+// Poses that the user sets while moving sensors by hand. They are shown on this page only, until the aligner answers.
 import type { Roster, SensorEntry } from './gen/control_pb';
 import { pushed, type Push } from './view/nudge';
 
@@ -22,7 +22,7 @@ export class SensorGuesses {
     this.bySensor.delete(sensor);
   }
 
-  /** The aligner has moved a sensor, or says why it does not: the guess is over. */
+  /** Drops the user's pose once the aligner has moved the sensor or rejected the pose. */
   forgetAnswered(before: Roster | undefined, now: Roster): void {
     for (const entry of before?.sensors ?? []) {
       const found = now.sensors.find(({ id }) => id === entry.id);
@@ -31,7 +31,7 @@ export class SensorGuesses {
     }
   }
 
-  /** The roster as the hub says, but for sensors that are being moved. */
+  /** The hub's roster with the user's poses for sensors that are being moved. */
   applyTo(roster: Roster): Roster {
     const sensors = roster.sensors.map((entry) => {
       const guess = this.bySensor.get(entry.id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// window.roomcast: what tests ask the page. Described in web/README.md. Everything it returns is plain JSON: 64-bit
-// numbers are strings. Pixels are CSS pixels of the canvas, from the top left.
+// window.roomcast: the interface for tests. Described in web/README.md. All results are plain JSON: 64-bit numbers are
+// strings. Pixels are CSS pixels of the canvas, from the top left.
 import { Vector3 } from 'three';
 import type { Pose } from './gen/control_pb';
 import type { RoomState } from './room_state';
@@ -53,9 +53,9 @@ export class TestApi {
       clockError_ms: status?.clock?.error_ms ?? null,
       draw_ms: stage.draw_ms,
       quality: stage.quality,
-      /** On the graphics processor: more and more of them would be a leak. */
+      /** On the graphics processor; a steady increase would be a leak. */
       kept: { ...stage.renderer.info.memory },
-      /** From asking for the socket until every online sensor was decoded, and drawn. */
+      /** From requesting the socket until every online sensor was decoded, and drawn. */
       firstDecoded_ms: since(state.firstDecodedAt_ms),
       firstShown_ms: since(state.firstShownAt_ms),
     };
@@ -72,7 +72,7 @@ export class TestApi {
         online,
         placement,
         worldFromDepth: [...worldFromDepth],
-        /** Where it is drawn: elsewhere while it is moved by hand. */
+        /** The drawn position, which differs while the sensor is moved by hand. */
         drawnAt: stage.room.placed.get(id)?.worldFromDepth.elements.slice(12, 15) ?? null,
         visible: stage.isVisible(id),
         frames: traffic?.frames ?? 0,
@@ -88,7 +88,7 @@ export class TestApi {
     });
   }
 
-  /** The last 100 frames decoded of a sensor; only with ?record=1. The CRC is of the depth as little-endian u16. */
+  /** The last 100 decoded frames of a sensor; only with ?record=1. The CRC is of the depth as little-endian u16. */
   decodedFrames(sensor: number) {
     return (this.parts.state.records.get(sensor) ?? []).map(({ seq, setId, capture_ns, depthCrc32 }) => ({
       seq,
@@ -98,7 +98,9 @@ export class TestApi {
     }));
   }
 
-  /** A headset that is on: the eyes' places in the last picture, where it looks, hands that are tracked, selects so far. */
+  /**
+   * An active headset: the eyes' positions in the last picture, its direction, tracked hands, number of selects so far.
+   */
   headset() {
     const { headset, state, stage } = this.parts;
     const { head, leftHand, rightHand } = state.body ?? {};
@@ -114,7 +116,7 @@ export class TestApi {
     };
   }
 
-  /** Of the other viewers: head and hands as they were last told. */
+  /** Last received head and hand poses of the other viewers. */
   otherPoses() {
     return [...this.parts.state.poses.values()].map(({ viewerId, head, leftHand, rightHand }) => ({
       viewerId,
@@ -140,7 +142,7 @@ export class TestApi {
     this.parts.stage.setVisible(sensor, visible);
   }
 
-  /** The colour at a pixel as the room is drawn now, and the sensor whose surface is in front there (or null). */
+  /** The colour at a pixel as the room is drawn now, and the sensor whose surface is frontmost there (or null). */
   pixel(x: number, y: number) {
     const { rgba, width } = takePicture(this.parts.stage);
     const at = y * width + x;
@@ -159,8 +161,8 @@ export class TestApi {
   }
 
   /**
-   * For each sensor: how many pixels its surface would cover alone, how many of those no other sensor covers, how many it
-   * has in the picture with all of them, and the one of its own that lies deepest inside its own area.
+   * For each sensor: the number of pixels that its surface would cover alone, how many of those no other sensor covers,
+   * its number of pixels in the complete picture, and its own pixel deepest inside the area that only it covers.
    */
   coverage() {
     const pass = new IdPass(this.parts.stage);

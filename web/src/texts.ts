@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page says, in English: in one place, so that it can be read through as a whole and be translated.
+// All English texts of the page in one place, for review and translation.
 
 export const headsetTexts = {
   title: 'Headset',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The modules, with SIMD and without, against the golden frames that the native decoder is tested with. Run:
+// Tests the modules, with SIMD and without, against the golden frames of the native decoder's tests. Run:
 // node --test web/wasm/decoder.test.mjs    ROOMCAST_WASM is the folder of the modules when it is not build/wasm.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -42,7 +42,7 @@ function errorOf(codec, decoder) {
 const frames = JSON.parse(readFileSync(new URL("frames.json", golden), "utf8"));
 const payloadOf = (frame) => readFileSync(new URL(frame.file, golden));
 
-// A stream's frames build on each other: one decoder from each key frame to the next.
+// A stream's frames depend on each other: one decoder from each key frame to the next.
 let codec, decoder;
 for (const [name, frame] of modules.flatMap((name) => frames.map((frame) => [name, frame]))) {
   test(`${frame.file} decodes to what it was made from in ${name}`, () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exports of roomcast_codec.wasm. How JavaScript calls them: README.md beside this file.
-// Colour is not decoded here: the page hands the VP9 frame that lies in the payload to WebCodecs.
+// The exports of roomcast_codec.wasm. README.md in this folder describes their use from JavaScript.
+// Colour is not decoded here: the page passes the payload's VP9 frame to WebCodecs.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -78,7 +78,7 @@ ROOMCAST_EXPORT("decoder_create") Decoder* decoder_create(int width, int height)
   decoder->height = height;
   decoder->depth.resize(width, height);
   decoder->mask.resize(width, height);
-  decoder->payload.resize(1);  // so that even room for nothing has an address
+  decoder->payload.resize(1);  // so that data() is not null even for an empty payload
   return decoder.release();
 }
 

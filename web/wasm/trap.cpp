@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page cannot print or exit: a broken promise of our own code stops the module with a WebAssembly
-// trap.
+// A page cannot print or exit, so a failed check in our own code stops the module with a
+// WebAssembly trap.
 #include "roomcast/core/assert.h"
 
 namespace roomcast {

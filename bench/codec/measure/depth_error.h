@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far decoded depth is from the input, and, where they are known, from the truth and from what
-// the sensor would have read without noise. Millimetres.
-// A pixel that is off by more than 20 mm is an outlier: it counts as one and is left out of the
-// root mean squares, which would else say nothing of surfaces.
+// Error of decoded depth against the input and, where they are known, against the ground truth and
+// the sensor's noise-free reading. Millimetres.
+// A pixel that is off by more than 20 mm is an outlier. Outliers are counted and left out of the
+// root mean squares, which they would dominate.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ namespace roomcast::bench {
 
 inline constexpr int kOutlier_mm = 20;
 
-/// The truth of one frame; empty views where none is known.
+/// Ground truth of one frame; empty views where it is unknown.
 struct DepthTruth {
   DepthView depth_mm;
   ImageView<const Motion> motion;
-  DepthView noise_free_mm = {};  // may be empty where the others are not
+  DepthView noise_free_mm = {};  // may be empty although the others are not
 };
 
-/// Sums over pixels; those of frames can be added up.
+/// Sums over the pixels of all added frames.
 class DepthError {
  public:
-  /// Takes in one frame.
+  /// Adds one frame.
   void add(DepthView decoded_mm, DepthView input_mm, const DepthTruth& truth);
   void add(const DepthError& other);
 
@@ -34,22 +34,22 @@ class DepthError {
   /// Over pixels with a reading in both.
   [[nodiscard]] double rms_input_mm() const { return input_.rms(); }
   [[nodiscard]] int max_input_mm() const { return max_input_mm_; }
-  /// Over pixels with a reading whose truth is known; 0 where there are none.
+  /// Over pixels that have a reading and a known truth; 0 if there are none.
   [[nodiscard]] double rms_truth_mm() const;
   [[nodiscard]] double rms_truth_mm(Motion motion) const { return of(motion).rms(); }
 
-  /// Of these, over pixels that the sensor can read, to what it would read without noise.
+  /// The same, over pixels that the sensor can read, against its noise-free reading.
   [[nodiscard]] bool has_noise_free() const { return has_noise_free_; }
   [[nodiscard]] double rms_noise_free_mm(Motion motion) const {
     return noise_free_[static_cast<std::size_t>(motion)].rms();
   }
 
-  /// Pixels, in all frames; against the truth where it is known, else against the input.
+  /// Pixels in all frames; against the truth where it is known, else against the input.
   [[nodiscard]] std::int64_t outliers() const;
   [[nodiscard]] std::int64_t outliers(Motion motion) const { return of(motion).outliers; }
   /// Pixels with a known truth, whether decoded or not.
   [[nodiscard]] std::int64_t true_pixels(Motion motion) const { return of(motion).pixels; }
-  /// Pixels with a reading in the input and none decoded, and the other way round.
+  /// Pixels with a reading only in the input, and pixels with a reading only in the output.
   [[nodiscard]] std::int64_t lost() const { return lost_; }
   [[nodiscard]] std::int64_t provisional() const { return provisional_; }
 

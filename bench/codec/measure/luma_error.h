@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far decoded colour is from a reference, as PSNR of luma over the pixels that are to be
-// believed. Luma after BT.709 with full range, 0..255.
+// Colour error against a reference: PSNR of luma over the valid pixels. BT.709 luma, full range,
+// 0..255.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace roomcast::bench {
 
-/// Sums over pixels; those of frames can be added up.
+/// Sums over the pixels of all added frames.
 class LumaError {
  public:
-  /// Takes in the pixels of one frame where `seen` is not 0. Sizes must be equal.
+  /// Adds the pixels of one frame where `seen` is not 0. The sizes must be equal.
   void add(ColorView decoded, ColorView reference, MaskView seen);
   void add(const LumaError& other);
 
-  /// Nothing when no pixel differs.
+  /// Empty when no pixel differs.
   [[nodiscard]] std::optional<double> psnr_db() const;
 
  private:

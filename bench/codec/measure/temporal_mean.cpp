@@ -6,7 +6,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kNear = 10;  // of each channel: the noise of cameras is 1 to 4
+constexpr int kNear = 10;  // per channel; camera noise is 1 to 4
 
 bool is_near(Rgb8 a, Rgb8 b) {
   return std::abs(a.r - b.r) <= kNear && std::abs(a.g - b.g) <= kNear &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour with the sensor's noise taken out, as a reference where no clean colour is known: for each
-// pixel the mean over seven frames, three before and three after, of what is near its own colour.
-// It looks ahead, which no encoder of a live picture may. Single-threaded.
+// Temporally denoised colour, as a reference where no clean colour is known. Each pixel is the mean
+// over seven frames, three before and three after, of the values near its own colour. The method
+// looks ahead, which a live encoder cannot do. Single-threaded.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace roomcast::bench {
 
-/// Frames before and after the one that is cleaned.
+/// Number of frames used before and after the denoised frame.
 inline constexpr int kMeanReach = 3;
 
 struct SeenColor {
@@ -18,8 +18,8 @@ struct SeenColor {
   MaskView seen;
 };
 
-/// `around` are neighbouring frames in any order; `frame` itself need not be among them. Sizes must
-/// be equal. Where `frame` is not seen, `out` is black.
+/// `around` are the neighbouring frames in any order, with or without `frame` itself. The sizes
+/// must be equal. Where `frame` is not seen, `out` is black.
 void temporal_mean(const SeenColor& frame, std::span<const SeenColor> around, ColorImage& out);
 
 }  // namespace roomcast::bench

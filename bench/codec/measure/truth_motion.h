@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pixels move, as the true depth itself says; so that an error on what moves cannot hide
-// behind the many pixels that stand still.
+// Classifies pixels by the motion of the true depth, so that errors on moving surfaces are not
+// hidden by the many static pixels.
 //   moving  the true depth changed since the previous frame by at least 60 mm/s (2 mm at 30 fps)
 //   slow    else, the surface in the pixel changed its depth within the last half second
 //   static  the rest
-// A change of more than 20 mm from frame to frame is another surface that came into the pixel: it
-// is moving in that frame, and what it uncovers or covers is static until it changes itself.
+// A change of more than 20 mm from frame to frame means that another surface came into the pixel:
+// the pixel is moving in that frame, and afterwards static until its depth changes again.
 // Millimetres. Single-threaded.
 #pragma once
 
@@ -22,7 +22,8 @@ class TruthMotion {
  public:
   explicit TruthMotion(double fps);
 
-  /// The next frame's truth, always of the same size. In the first frame everything is static.
+  /// Adds the next frame's true depth; the size must not change. In the first frame all pixels are
+  /// static.
   void add(DepthView truth_mm);
 
   [[nodiscard]] ImageView<const Motion> motion() const { return motion_; }

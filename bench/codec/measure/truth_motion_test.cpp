@@ -9,7 +9,7 @@
 namespace roomcast::bench {
 namespace {
 
-/// What one pixel is in each frame of its true depths, at 30 frames per second.
+/// The class of one pixel in each frame, from its true depths at 30 frames per second.
 std::vector<Motion> motions(std::initializer_list<int> truth_mm) {
   TruthMotion truth(30);
   std::vector<Motion> motions;

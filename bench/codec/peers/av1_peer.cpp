@@ -16,16 +16,16 @@ namespace roomcast::bench {
 namespace {
 
 constexpr int kBits = 12, kMaxValue = (1 << kBits) - 1;
-constexpr int kSpeed = 8;     // as fast as a live picture needs
-constexpr int kQuality = 10;  // of 0..63, finest first; finer ones still smear edges
+constexpr int kSpeed = 8;     // fast enough for live video
+constexpr int kQuality = 10;  // range 0..63, 0 is finest; even finer levels smear edges
 constexpr int kMaskLevel = 3;
-constexpr int kKeyEvery = 9999;  // keys come when asked for
+constexpr int kKeyEvery = 9999;  // key frames are requested explicitly
 
 Error failure(const char* what) {
   return {ErrorCode::kUnavailable, std::string("libaom could not ") + what + "."};
 }
 
-/// Ends the codec with its owner.
+/// Destroys the codec context with its owner.
 struct AomContext {
   AomContext() = default;
   AomContext(const AomContext&) = delete;
@@ -68,7 +68,7 @@ bool open_decoder(AomContext& decoder) {
   return decoder.open;
 }
 
-/// The validity mask, a bit per pixel, packed.
+/// Packs the validity mask, one bit per pixel.
 class MaskPacker {
  public:
   std::size_t pack(const DepthImage& depth_mm) {
@@ -111,7 +111,7 @@ class Av1Depth final : public CodecUnderTest {
   }
 
  private:
-  /// Where there is no reading the last one stays, which costs nothing.
+  /// Repeats the last value where there is no reading, which costs few bits.
   void fill_picture(const DepthImage& depth_mm) {
     if (mm_per_step_ == 0) choose_scale(depth_mm);
     for (int y = 0; y < depth_mm.height(); ++y) {
@@ -122,7 +122,8 @@ class Av1Depth final : public CodecUnderTest {
       }
     }
   }
-  /// Millimetres where they fit into 12 bits with a fifth to spare, else the next multiple.
+  /// One millimetre per step where the depth fits into 12 bits with a fifth to spare, else the
+  /// smallest sufficient multiple.
   void choose_scale(const DepthImage& depth_mm) {
     const int farthest =
         *std::max_element(depth_mm.data(), depth_mm.data() + depth_mm.view().pixel_count());

@@ -120,7 +120,7 @@ class H264Color final : public CodecUnderTest {
                                      &info) != dsErrorFree) {
       return false;
     }
-    // It holds a picture back in case that one comes before it.
+    // Flush: the decoder delays a picture in case an earlier one follows.
     if (info.iBufferStatus != 1) decoder_->FlushFrame(planes, &info);
     if (info.iBufferStatus != 1) return false;
     const SSysMEMBuffer& buffer = info.UsrData.sSystemBuffer;

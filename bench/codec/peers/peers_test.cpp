@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every peer through encoder and decoder: what comes out is what the peer promises.
+// Round trip of every peer: the decoded frame has the promised quality.
 #include "bench/codec/peers/peers.h"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RVL, a peer to measure against. Written from its description: Wilson, "Fast Lossless Depth Image
+// RVL, a peer for comparison. Implemented from its description: Wilson, "Fast Lossless Depth Image
 // Compression", ISS 2017: runs of zeros and of readings, differences folded to non-negative
 // numbers, all in groups of three bits and a continuation bit.
 #pragma once
@@ -10,11 +10,11 @@
 
 namespace roomcast::bench {
 
-/// Appends to `out`. The second is for differences of depth, which temporal RVL sends.
+/// Appends to `out`. The second overload codes depth differences for temporal RVL.
 void encode_rvl(std::span<const std::uint16_t> depth, std::vector<std::uint8_t>& out);
 void encode_rvl(std::span<const std::int16_t> differences, std::vector<std::uint8_t>& out);
 
-/// Of bytes from encode_rvl only: they are trusted to fill the span.
+/// Accepts only bytes from encode_rvl: they are trusted to fill the span.
 void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::uint16_t> depth);
 void decode_rvl(std::span<const std::uint8_t> bytes, std::span<std::int16_t> differences);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temporal RVL, a peer to measure against. Written from its description: Jun and Bailenson,
-// "Temporal RVL: A Depth Stream Compression Method", IEEE VR 2020: a pixel keeps its value until
-// the sensor says something that is further away than a threshold, or says nothing twice; what
-// changed is sent as differences through RVL. Millimetres. Single-threaded.
+// Temporal RVL, a peer for comparison. Implemented from its description: Jun and Bailenson,
+// "Temporal RVL: A Depth Stream Compression Method", IEEE VR 2020: a pixel keeps its value until a
+// reading differs by more than a threshold, or is missing twice in a row. Changes are coded as
+// differences by RVL. Millimetres. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class TemporalRvlEncoder {
 class TemporalRvlDecoder {
  public:
   explicit TemporalRvlDecoder(std::size_t pixel_count);
-  /// Of bytes from the encoder only; the result is valid until the next call.
+  /// Accepts only bytes from the encoder. The result is valid until the next call.
   std::span<const std::uint16_t> decode(std::span<const std::uint8_t> bytes, bool key);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 using Frame = std::vector<std::uint16_t>;
 
-/// One pixel's values through encoder and decoder, threshold 10 mm; the first is a key.
+/// Codes one pixel's values with a threshold of 10 mm; the first frame is a key frame.
 Frame decoded(const Frame& readings) {
   TemporalRvlEncoder encoder(1, 10);
   TemporalRvlDecoder decoder(1);

@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { pingDelay_ms, RoomClock } from './room_clock';
 
-/** A ping that takes `there` ms to the hub and `back` ms back, when room time is local time + `offset`. */
+/** A ping that takes `there` ms to the hub and `back` ms back, where room time is local time + `offset`. */
 function exchange(clock: RoomClock, offset: number, sent: number, there: number, back: number): void {
   clock.addExchange(sent, sent + there + back, sent + there + offset);
 }

@@ -28,7 +28,7 @@ export class RoomClock {
     this.best = this.exchanges.reduce((best, next) => (next.roundTrip_ms <= best.roundTrip_ms ? next : best));
   }
 
-  /** The shortest; 0 before the first exchange. */
+  /** The shortest round trip; 0 before the first exchange. */
   get roundTrip_ms(): number {
     return this.best?.roundTrip_ms ?? 0;
   }
@@ -41,7 +41,7 @@ export class RoomClock {
 }
 
 /**
- * How long to wait before ping number `count` (from 0). Random, since a ping in step with the frames would always wait
+ * Delay before ping number `count` (from 0). It is random, because a ping in step with the frames would always wait
  * behind one. `random` is in [0, 1).
  */
 export function pingDelay_ms(count: number, random: number): number {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast_codec.wasm: decodes depth and colour mask of a payload and says where its VP9 frame lies. The exports are
-// described in web/wasm/README.md, the payload in docs/spec/codec.md. Depth is u16 millimetres, 0 = no reading.
+// roomcast_codec.wasm: decodes depth and colour mask of a payload and locates its VP9 frame. The exports are described
+// in web/wasm/README.md, the payload in docs/spec/codec.md. Depth is u16 millimetres, 0 = no reading.
 
 interface CodecExports {
   memory: WebAssembly.Memory;
@@ -31,16 +31,16 @@ export class PayloadError extends Error {
   }
 }
 
-/** Views into the module's memory and the payload: to be copied before the module is called again. */
+/** Views into the module's memory and the payload; copy them before the next call of the module. */
 export interface DecodedPayload {
   depth_mm: Uint16Array;
-  color?: { vp9: Uint8Array; key: boolean; seen: Uint8Array }; // seen: 255 where the colour is to be believed
+  color?: { vp9: Uint8Array; key: boolean; seen: Uint8Array }; // seen: 255 where the colour is valid
 }
 
 export class CodecModule {
   private constructor(readonly exports: CodecExports) {}
 
-  /** Rejects with an Error when the bytes are not the module that this page was built with. */
+  /** Rejects with an Error when the bytes are not the module with which this page was built. */
   static async load(bytes: BufferSource): Promise<CodecModule> {
     const { instance } = await WebAssembly.instantiate(bytes);
     const exports = instance.exports as unknown as CodecExports;
@@ -68,7 +68,7 @@ export class PayloadDecoder {
     this.codec.decoder_destroy(this.handle);
   }
 
-  /** Throws PayloadError; the decoder can go on with any later frame. */
+  /** Throws PayloadError; the decoder can continue with any later frame. */
   decode(payload: Uint8Array): DecodedPayload {
     const { codec, handle } = this;
     const input = codec.decoder_input(handle, payload.length);

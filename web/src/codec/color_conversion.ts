@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// YCbCr 4:2:0 to RGBA: BT.709, limited range, 8 bits, as docs/spec/codec.md §3.1 says. Alpha is the colour mask.
-// Fixed point with 16 fractional bits; chroma samples are repeated over their 2x2 pixels.
+// YCbCr 4:2:0 to RGBA: BT.709, limited range, 8 bits, per docs/spec/codec.md §3.1. Alpha is the colour mask. Fixed
+// point with 16 fractional bits; chroma samples are repeated over their 2x2 pixels.
 
 /** Three planes in one buffer. NV12 has Cb and Cr interleaved: chromaStep 2, and `cr` one byte after `cb`. */
 export interface YcbcrPlanes {
@@ -9,7 +9,7 @@ export interface YcbcrPlanes {
   cb: { offset: number; stride: number };
   cr: { offset: number; stride: number };
   chromaStep: 1 | 2;
-  /** Of luma for each pixel of depth and direction: 1, or 2, so that a chroma sample is a pixel of depth. */
+  /** Luma samples per depth pixel in each direction: 1, or 2, where each depth pixel has a chroma sample of its own. */
   scale: 1 | 2;
 }
 
@@ -21,11 +21,14 @@ const blueOfCb = Math.round((1.8556 * 255 * one) / 224);
 const greenOfCr = Math.round((1.5748 * (0.2126 / 0.7152) * 255 * one) / 224);
 const greenOfCb = Math.round((1.8556 * (0.0722 / 0.7152) * 255 * one) / 224);
 
-/** Of a fixed-point value, which may be out of range. */
+/** Clamps a fixed-point value to 0..255. */
 const clamp = new Uint8Array(1024).map((_, i) => Math.min(255, Math.max(0, i - 384)));
 const offset = (384 << 16) + half;
 
-/** Of planes twice as fine as `width` x `height`: each pixel has one chroma sample and the mean of its four of luma. */
+/**
+ * For planes twice as fine as `width` x `height`: each pixel has one chroma sample and the mean of its four luma
+ * samples.
+ */
 function rgbaFromFineYcbcr(planes: YcbcrPlanes, seen: Uint8Array, width: number, height: number, pixels: Uint32Array): void {
   const { bytes, chromaStep } = planes;
   for (let row = 0; row < height; row++) {
@@ -51,8 +54,8 @@ function rgbaFromFineYcbcr(planes: YcbcrPlanes, seen: Uint8Array, width: number,
 }
 
 /**
- * `seen` and `rgba` hold width*height pixels; `rgba` begins at a multiple of four bytes and is written whole. Pixels are written
- * as one number each (all machines that run browsers are little-endian), two by two, as they share their chroma.
+ * `seen` and `rgba` have width*height pixels; `rgba` begins at a multiple of four bytes and is written completely. Each
+ * pixel is written as one number (all machines that run browsers are little-endian), in pairs that share their chroma.
  */
 export function rgbaFromYcbcr(
   planes: YcbcrPlanes,
@@ -81,7 +84,7 @@ export function rgbaFromYcbcr(
       const rgb =
         clamp[(luma + red) >> 16]! | (clamp[(luma + green) >> 16]! << 8) | (clamp[(luma + blue) >> 16]! << 16);
       pixels[pixel] = rgb | (seen[pixel]! << 24);
-      if (pixel + 1 === end) break; // an odd width: the last block is cut
+      if (pixel + 1 === end) break; // odd width: the last block is cut off
       const next = Math.imul(bytes[yAt++]! - 16, lumaGain);
       const beside =
         clamp[(next + red) >> 16]! | (clamp[(next + green) >> 16]! << 8) | (clamp[(next + blue) >> 16]! << 16);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor's colour: VP9 frames through WebCodecs, given back as planes in memory. docs/spec/codec.md §3.1.
-// Frames come back one by one under the number they went in with; after `onFailure` the decoder is closed and a new one
-// has to begin with a key frame.
+// Decodes one sensor's colour: VP9 frames through WebCodecs, returned as planes in memory. docs/spec/codec.md §3.1.
+// Each frame is returned under the number with which it was submitted. After `onFailure` the decoder is closed; a new
+// one must begin with a key frame.
 import type { YcbcrPlanes } from './color_conversion';
 
 const maxFramesInside = 32; // more means that the decoder has stalled
@@ -23,8 +23,8 @@ function configFor(width: number, height: number, acceleration: HardwareAccelera
 }
 
 /**
- * The way this browser decodes pictures of this size, or undefined when it cannot. Software is preferred: the pictures
- * are small, and its frames can be read without a detour through the graphics card.
+ * The decoder configuration for pictures of this size, or undefined when the browser has none. Software is preferred:
+ * the pictures are small, and software frames need not be copied from the graphics card.
  */
 export async function colorDecoderConfig(width: number, height: number): Promise<VideoDecoderConfig | undefined> {
   if (typeof VideoDecoder === 'undefined') return undefined;
@@ -57,7 +57,7 @@ export class ColorDecoder {
     this.decoder.configure(config);
   }
 
-  /** `number` counts up; it is the chunk's time stamp, which WebCodecs hands through. */
+  /** `number` increases; it is the chunk's time stamp, which WebCodecs passes through. */
   decode(number: number, key: boolean, vp9: Uint8Array): void {
     if (this.closed) return;
     if (this.decoder.decodeQueueSize > maxFramesInside) return this.fail('it has stalled');

@@ -26,7 +26,7 @@ const read = (name: string) => new Uint8Array(readFileSync(new URL(name, golden)
 const loadCodec = () => CodecModule.load(readFileSync(wasm));
 
 describe.skipIf(!built)(`golden payloads${reason}`, () => {
-  // A stream's frames build on each other: one decoder from each key frame to the next.
+  // A stream's frames depend on each other: one decoder from each key frame to the next.
   let decoder: PayloadDecoder;
   for (const entry of entries) {
     test(`${entry.file} decodes to the depth, mask and colour that the index says`, async () => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's access: makes links and tokens, shows each this once as text and as a QR code, lists and revokes them.
+// The console's access tab: makes links and tokens, shows each of them once as text and as a QR code, lists and revokes
+// them.
 import { element, setText } from '../panel/element';
 import { consoleTexts } from '../texts';
 import { checkbox, choice, labelled, submit, textField } from '../panel/form';

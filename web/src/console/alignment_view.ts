@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's alignment: the room from above, how well each pair agrees, where each sensor's place comes from, what
-// helps when it has none, and moving one by hand.
+// The console's alignment tab: a map of the room, the agreement of each pair of sensors, the origin of each sensor's
+// pose, advice for sensors without a pose, and placing a sensor by hand.
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small line chart of the last minutes, with its newest value and its scale in words.
+// A small line chart of the last minutes, with its newest value and its scale as text.
 import { element, setText } from '../panel/element';
 import { svg } from '../panel/svg';
 import { chartPath, History, scaleOf } from './history';
@@ -10,7 +10,7 @@ const height = 34;
 export interface ChartStyle {
   label: string;
   unit: string;
-  least: number; // of the scale
+  least: number; // smallest maximum of the scale
   digits: number;
 }
 
@@ -47,7 +47,7 @@ export class Chart {
   }
 }
 
-/** Down to the ground line, each piece by itself. */
+/** Closes each piece of the line down to the base line. */
 function closed(path: string): string {
   return path
     .split('M')

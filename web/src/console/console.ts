@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console beside the room, for those who run it. What the socket tells is shown to whoever may place sensors; what
-// takes an admin's token is asked of the hub's HTTP interface and is offered only when that answers.
+// The console next to the room, for operators. Data from the socket is shown to every user who may place sensors. Data
+// that needs an admin's token comes from the hub's HTTP interface and is offered only when that grants access.
 import type { SensorEntry } from '../gen/control_pb';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
@@ -84,7 +84,7 @@ export class Console {
     this.alignment.setMayNudge(may);
   }
 
-  /** Asks the hub whether this person may run the room. */
+  /** Asks the hub whether this user is an admin. */
   async askRole(): Promise<boolean> {
     const room = this.state.welcome?.room ?? '';
     const answer = await this.api.sensors(room).catch(() => undefined);
@@ -92,7 +92,7 @@ export class Console {
     return this.isAdmin;
   }
 
-  /** Before the frames go on to be drawn. */
+  /** Called with frames before they are drawn. */
   offer(frames: readonly ViewFrame[], now_ms: number): void {
     if (!this.open) return;
     this.cards.offer(frames, now_ms);
@@ -121,7 +121,7 @@ export class Console {
     if (id === 'room') void this.settings.refresh();
   }
 
-  /** Charts go on while the console is closed; what it takes to draw the rest waits until it is open. */
+  /** Charts continue while the console is closed; the rest is drawn only when it is open. */
   private sample(): void {
     const entries = byName(this.state.roster?.sensors ?? []);
     this.cards.sample(entries, this.state, this.hubSensors);

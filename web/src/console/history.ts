@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last minutes of a figure, one reading a second: what charts are drawn from.
+// The values of a figure over the last minutes, one per second, for charts.
 
 export const keptReadings = 180;
 
 export class History {
   private readonly kept: (number | undefined)[] = [];
 
-  /** `undefined`: nothing was to be read. */
+  /** `undefined`: there is no value. */
   add(value: number | undefined): void {
     this.kept.push(value);
     if (this.kept.length > keptReadings) this.kept.shift();
@@ -17,7 +17,7 @@ export class History {
   }
 }
 
-/** An SVG path over `width` x `height`, the newest reading at the right edge; breaks where nothing was read. */
+/** An SVG path over `width` x `height`, the newest value at the right edge, interrupted where values are missing. */
 export function chartPath(
   readings: readonly (number | undefined)[],
   most: number,
@@ -40,7 +40,7 @@ export function chartPath(
   return path;
 }
 
-/** A round number that all readings fit under. */
+/** A round number that is at least as large as all values. */
 export function scaleOf(readings: readonly (number | undefined)[], least: number): number {
   const most = Math.max(least, ...readings.map((value) => value ?? 0));
   const power = 10 ** Math.floor(Math.log10(most));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub's HTTP interface, as docs/spec/admin.openapi.yaml says. The token goes into a header, never into an address.
+// Client of the hub's HTTP interface, docs/spec/admin.openapi.yaml. The token is sent in a header, never in an address.
 // A refusal is a HubRefusal with the hub's own sentence.
 
 export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
@@ -58,7 +58,7 @@ export interface HubToken {
   issued_at: number;
   expires_at: number;
   revoked: boolean;
-  once?: boolean; // a code that nobody has used
+  once?: boolean; // an unused one-time code
 }
 
 export interface TokenRequest {
@@ -142,7 +142,7 @@ export class HubApi {
     return (await this.ask<{ sensors: HubSensor[] }>('GET', inRoom(room, '/sensors'))).sensors;
   }
 
-  /** One that is not online. */
+  /** Only for a sensor that is not online. */
   forgetSensor(room: string, name: string): Promise<void> {
     return this.ask('DELETE', inRoom(room, `/sensors/${encodeURIComponent(name)}`));
   }

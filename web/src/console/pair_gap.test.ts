@@ -40,9 +40,9 @@ describe('the gap of a pair', () => {
     const diagonal = sensorAt(0);
     for (let pixel = 0; pixel < diagonal.depth_mm.length; pixel++) {
       diagonal.depth_mm[pixel] = 2000 / (1 + rays[2 * pixel]!); // the plane x + z = 2
-      turned.depth_mm[pixel] = 2000 / (1 - rays[2 * pixel]!); // the same: here x' = z - 2, z' = 2 - x
+      turned.depth_mm[pixel] = 2000 / (1 - rays[2 * pixel]!); // the same plane: here x' = z - 2, z' = 2 - x
     }
     const gap = pairGap(diagonal, turned);
-    expect(gap!.gap_mm).toBeLessThan(25); // depth is looked up at the nearest pixel of a slanted plane
+    expect(gap!.gap_mm).toBeLessThan(25); // depth is read at the nearest pixel of a slanted plane
   });
 });

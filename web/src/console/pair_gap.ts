@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart two sensors say that the surfaces lie which both see, now: points of one are moved into the other's
-// picture and compared with what that one reads there. The sensors' noise is in it, and so is what moves; it is a
+// Current distance between the surfaces measured by two sensors where their views overlap: points of one sensor are
+// projected into the other's picture and compared with the depth there. Includes the sensors' noise and motion; it is a
 // check, not a calibration. Pure.
 import type { Intrinsics } from '../gen/control_pb';
 import { distort, type Lens } from '../view/ray_table';
@@ -13,12 +13,12 @@ export interface DepthPicture {
 }
 
 export interface PairGap {
-  points: number; // that both see
-  gap_mm: number; // median of how far they differ
+  points: number; // seen by both sensors
+  gap_mm: number; // median absolute difference
 }
 
 const every_px = 6;
-const sameSurface_mm = 120; // what differs by more is another surface, hidden from one of them
+const sameSurface_mm = 120; // a larger difference means another surface, hidden from one of the sensors
 const fewestPoints = 60;
 
 /** Row-major 4x4 b_from_a of two rigid poses in the world. */
@@ -34,7 +34,7 @@ function relative(b: readonly number[], a: readonly number[]): number[] {
   return out;
 }
 
-/** Undefined when they share too little to say. */
+/** Undefined when the sensors share too few points. */
 export function pairGap(a: DepthPicture, b: DepthPicture): PairGap | undefined {
   const m = relative(b.worldFromDepth, a.worldFromDepth);
   const differences: number[] = [];

@@ -18,7 +18,7 @@ const frameOf = (sensor: number, wall_mm: number) =>
 test('pairs are compared one after the other, and a sensor that is gone is forgotten', () => {
   const watch = new PairWatch();
   const three = [entryAt(0, 0), entryAt(1, 0.2), entryAt(2, 0.4)];
-  watch.step(three); // learns of them; nobody has sent anything
+  watch.step(three); // registers the sensors; none has sent a frame yet
   watch.offer([frameOf(0, 2000), frameOf(1, 2010), frameOf(2, 2030)], 0);
   expect(watch.pairs).toEqual([]);
   for (let i = 0; i < 3; i++) watch.step(three);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares all pairs of sensors now and then, one pair at a time so that the page is not held up.
+// Compares all pairs of sensors from time to time, one pair per step so that the page stays responsive.
 import type { SensorEntry } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';
 import { rayTable } from '../view/ray_table';
 import { pairGap, type DepthPicture, type PairGap } from './pair_gap';
 
-const copyEvery_ms = 3000; // of a sensor's depth
+const copyEvery_ms = 3000; // per sensor
 
 interface Kept {
   picture: DepthPicture;
@@ -36,7 +36,7 @@ export class PairWatch {
     }
   }
 
-  /** Looks at the next pair. */
+  /** Compares the next pair. */
   step(entries: readonly SensorEntry[]): void {
     this.follow(entries.filter((entry) => entry.online));
     const ids = [...this.kept.keys()].sort((a, b) => a - b);

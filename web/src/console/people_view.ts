@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's people: who is here, how well they see it, and, for an admin, the way out.
+// The console's people tab: the viewers, their picture quality, and, for admins, a way to remove a viewer.
 import type { ViewerEntry } from '../gen/control_pb';
 import { element } from '../panel/element';
 import { milliseconds, perSecond } from '../panel/format';
@@ -23,7 +23,7 @@ export class PeopleView {
     this.root.append(element('table', {}, element('thead', {}, element('tr', {}, ...heads, empty)), this.rows));
   }
 
-  /** `known` is what the hub tells admins, and what one knows of oneself. */
+  /** `known`: the data that the hub reports to admins, and the page's data about itself. */
   show(viewers: readonly ViewerEntry[], known: readonly KnownViewer[], self: number | undefined): void {
     const rows = viewers.map(({ id, name }) => {
       const facts = known.find((viewer) => viewer.id === id);

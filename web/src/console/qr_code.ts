@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A QR code as a picture of squares, to be pointed a phone or a headset at.
+// A QR code as an SVG picture, to be scanned by a phone or a headset.
 import qrcode from 'qrcode-generator';
 import { svg } from '../panel/svg';
 
-const quiet = 4; // modules of light around it, as the standard wants
+const quiet = 4; // light modules around the code, as the standard requires
 
 export function qrCode(text: string, label: string): SVGElement {
   const code = qrcode(0, 'M');

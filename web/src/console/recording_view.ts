@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's recording: the hub keeps the room in a file from a click to the next one.
+// The console's recording tab: starts and stops the hub's recording of the room.
 import { element, setText } from '../panel/element';
 import { duration, megabytes } from '../panel/format';
 import { consoleTexts } from '../texts';

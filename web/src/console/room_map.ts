@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room from above: each sensor with the wedge that it looks into, and a line between those that see the same
-// surfaces.
+// A map of the room from above: each sensor with its field of view as a wedge, and a line between sensors that see the
+// same surfaces.
 import type { SensorEntry } from '../gen/control_pb';
 import { isDoubtful } from '../panel/placement_tag';
 import { consoleTexts as texts } from '../texts';
@@ -20,9 +20,9 @@ export function gapGrade(gap_mm: number): 'good' | 'fair' | 'poor' {
 
 interface Spot {
   entry: SensorEntry;
-  x: number; // metres, as seen from above: right
-  y: number; // down the page: the world's z
-  heading: number; // radians, 0 to the right, clockwise as pages count
+  x: number; // metres, to the right in the map
+  y: number; // down in the map: the world's z
+  heading: number; // radians, 0 to the right, clockwise as in SVG
 }
 
 function spotOf(entry: SensorEntry): Spot {
@@ -68,7 +68,7 @@ function link(a: Spot, b: Spot, pair: Pair): SVGElement[] {
   ];
 }
 
-/** Replaces what `into` shows. */
+/** Replaces the content of `into`. */
 export function drawMap(into: SVGElement, entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
   const spots = entries.map(spotOf);
   const xs = spots.map(({ x }) => x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's room: its settings, the hub's other rooms, and opening a new one.
+// The console's room tab: the room's settings, the hub's other rooms, and opening a new room.
 import { element, setText } from '../panel/element';
 import { consoleTexts } from '../texts';
 import { checkbox, choice, labelled, numberField, submit, textField } from '../panel/form';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's sensors: for each what it sees, what it sends over time, and how well its clock is known.
+// The console's sensors tab: for each sensor its picture, its traffic over time, and the accuracy of its clock.
 import type { SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { placementTag } from '../panel/placement_tag';
@@ -48,7 +48,7 @@ class SensorCard {
     this.thumbnail.offer(frame, now_ms);
   }
 
-  /** Once a second. `hub` is what the hub tells admins. */
+  /** Called once a second. `hub` is the data that the hub reports to admins. */
   sample(entry: SensorEntry, state: RoomState, hub: HubSensor | undefined): void {
     const traffic = state.status?.sensors.find(({ sensor }) => sensor === entry.id);
     const live = entry.online && traffic !== undefined;
@@ -76,7 +76,7 @@ export class SensorCards {
   readonly root = element('div', { class: 'cards' });
   private readonly cards = new Map<number, { card: SensorCard; name: string }>();
 
-  /** `forget` is for admins, of a sensor that has gone. */
+  /** `forget` removes a sensor that has left; for admins. */
   constructor(private readonly forget: (sensor: string) => void) {}
 
   offer(frames: readonly ViewFrame[], now_ms: number): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tabs as the ARIA practices say: arrows go from one to the next, one panel is shown.
+// Tabs per the ARIA authoring practices: arrow keys switch tabs, one panel is shown.
 import { element } from '../panel/element';
 
 export interface Tab {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sensor sees, small: every fourth pixel of its newest picture, about once a second. Where it has no colour, its
-// depth in grey.
+// A small picture of a sensor's view: every fourth pixel of its newest frame, about once a second; depth in grey where
+// there is no colour.
 import { element } from '../panel/element';
 import type { ViewFrame } from '../stream/protocol';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes an HTML element with attributes and children in one call. Text is always text, never markup.
+// Makes an HTML element with attributes and children in one call. Strings become text, never markup.
 
 type Child = Node | string | undefined;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labelled fields, each with its label around it so that a click on the words works, too.
+// Labelled fields. The label encloses the field, so that a click on the words works, too.
 import { element } from './element';
 
 export function labelled(text: string, field: HTMLElement, className = 'field'): HTMLElement {

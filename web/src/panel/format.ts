@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as people read them.
+// Formats numbers for display.
 
 export function perSecond(value: number): string {
   return value >= 99.5 ? value.toFixed(0) : value.toFixed(1);

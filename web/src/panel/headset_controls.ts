@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way into a headset: a button for what this browser offers, or what to do when it offers nothing.
+// Controls for entering a headset: a button for each mode that this browser supports, or advice if there is none.
 import { headsetTexts as texts } from '../texts';
 import type { HeadsetMode, HeadsetOffer } from '../xr/offer';
 import { element, setText } from './element';

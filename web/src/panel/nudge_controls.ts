@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Putting a sensor in its place by hand, for whoever opened the page with an admin's token: buttons, and keys while a sensor
-// is being moved. What it is pushed to is shown here only; `try` asks the aligner, which refines the guess or refuses it.
+// Places a sensor by hand, for users with an admin's token: buttons, and keys while a sensor is being moved. The pushed
+// pose is shown on this page only. `try` sends it to the aligner, which refines or rejects it.
 import { nudgeTexts as texts } from '../texts';
 import type { HandStep } from '../view/nudge';
 import { element } from './element';
 
 export interface NudgeEvents {
   push(sensor: number, step: HandStep): void;
-  /** To where the person stands and looks. */
+  /** Moves the sensor to the user's position and viewing direction. */
   putHere(sensor: number): void;
   tryIt(sensor: number): void;
   putBack(sensor: number): void;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel beside the room: connection, what is wrong, sensors, figures, people, how to draw, the way into a headset.
-// Rebuilt by parts when the roster changes; figures are refreshed a few times a second.
+// The panel next to the room: connection, problems, sensors, figures, people, render modes, headset controls. Parts are
+// rebuilt when the roster changes; figures are refreshed a few times a second.
 import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
@@ -100,12 +100,12 @@ export class Panel {
     this.themes.show(theme);
   }
 
-  /** Whether this person may open the console. */
+  /** Sets whether this user may open the console. */
   offerConsole(offered: boolean): void {
     this.console.hidden = !offered;
   }
 
-  /** Where there is a choice. */
+  /** Shows the room list if there is a room other than the current one. */
   offerRooms(rooms: readonly HubRoom[]): void {
     const current = this.state.welcome?.room;
     this.roomChoice.hidden = rooms.every(({ name }) => name === current);
@@ -120,7 +120,7 @@ export class Panel {
   rebuild(): void {
     this.sensors.rebuild();
     const self = this.state.welcome?.viewerId;
-    const viewers = (this.state.roster?.viewers ?? []).filter(({ relays }) => !relays); // no hubs
+    const viewers = (this.state.roster?.viewers ?? []).filter(({ relays }) => !relays); // other hubs are not people
     const people = viewers.map((viewer) => {
       const color = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
       const name = viewer.name || texts.person(viewer.id);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few words on how well it is known where a sensor stands.
+// A short label for the reliability of a sensor's pose.
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { placementTexts as texts } from '../texts';
 import { element } from './element';
 
-/** Whether it may stand elsewhere than where it is shown. */
+/** True if the sensor's actual pose may differ from the shown one. */
 export function isDoubtful(entry: SensorEntry): boolean {
   return entry.moved || entry.unverified || entry.placement === Placement.UNPLACED;
 }
 
-/** Nothing for poses that were given. */
+/** Undefined for poses that were supplied. */
 export function placementTag(entry: SensorEntry): HTMLElement | undefined {
   if (entry.moved) {
     const title = entry.placementNote || texts.movedTitle;

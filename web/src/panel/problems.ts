@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong, in plain words, worst first. Pure: what the page knows and the time go in, sentences come out.
+// The current problems in plain words, most serious first. Pure: maps the page's state and the time to sentences.
 import type { Roster, SensorEntry } from '../gen/control_pb';
 import { Placement } from '../gen/control_pb';
 import { problemTexts as texts } from '../texts';
@@ -19,7 +19,7 @@ export interface Problem {
 }
 
 const silent_ms = 3000;
-const silentFrames = 3; // of a slow sensor: so many frames have to be overdue
+const silentFrames = 3; // of a slow sensor: this many frames must be overdue
 
 /** `room_ms` is room time, undefined before the clock is known; `date_ms` is Date.now. */
 export function problems(known: Known, room_ms: number | undefined, date_ms: number): Problem[] {
@@ -78,7 +78,7 @@ function sensorProblems(
   return sought.length > 1 ? [...ofEach, notice(texts.unplacedOnes(sought))] : ofEach;
 }
 
-/** Nobody has said yet why it has no place: so it is with all sensors in a room's first seconds. */
+/** True while no reason for the missing pose is known, as for all sensors in a room's first seconds. */
 function isSought(sensor: SensorEntry): boolean {
   return sensor.online && !sensor.moved && sensor.placement === Placement.UNPLACED && !sensor.placementNote;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one waits for until the room is seen for the first time: the connection, then a picture of every sensor.
+// Progress until the room is first visible: the connection, then a picture of every sensor.
 import type { RoomState } from '../room_state';
 import { progressTexts as texts } from '../texts';
 import { element, setText } from './element';
 
-const gaveUp_ms = 15_000; // a sensor that sends nothing is the panel's to tell
+const gaveUp_ms = 15_000; // later the panel reports sensors that send nothing
 
 export class Progress {
   private readonly words = element('p', { role: 'status' });

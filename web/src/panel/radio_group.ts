@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few choices side by side, one of which holds.
+// A few mutually exclusive choices side by side.
 import { element } from './element';
 
 export class RadioGroup<Value extends string> {

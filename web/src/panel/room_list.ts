@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hub's rooms in the panel, to choose another one: those that whoever looks may know of.
+// The hub's rooms in the panel, for switching: only rooms that are visible to this user.
 import type { HubRoom } from '../console/hub_api';
 import { panelTexts as texts } from '../texts';
 import { element } from './element';
 
-/** Where a room is: the page's own address with another room, and nothing else of it. */
+/** Address of a room: the page's own address with another room and no other option. */
 function addressOf(room: string): string {
   return `?room=${encodeURIComponent(room)}`;
 }
@@ -19,7 +19,7 @@ function item({ name, title, sensors, viewers, view }: HubRoom, current: string 
 export class RoomList {
   readonly root = element('ul', { class: 'rooms' });
 
-  /** `current` is undefined where one is in none. */
+  /** `current` is undefined when the viewer is in no room. */
   show(rooms: readonly HubRoom[], current: string | undefined): void {
     this.root.replaceChildren(...rooms.map((room) => item(room, current)));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sensors in the panel: one row each, with a switch, what it sends, and how old its newest frame is.
+// The sensors in the panel: one row each, with a switch, its traffic, and the age of its newest frame.
 import type { SensorEntry } from '../gen/control_pb';
 import type { RoomState } from '../room_state';
 import { panelTexts } from '../texts';

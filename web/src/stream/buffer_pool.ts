@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers for pixels that travel to the page and come back, so that no frame allocates. By size; a few of each are kept.
+// Reuses pixel buffers that travel to the page and back, so that no frame allocates. By size; a few of each are kept.
 
 const keptPerSize = 24;
 

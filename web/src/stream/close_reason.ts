@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a connection ended, in words for the person in front of the page, and how long to wait before the next try.
-// Close codes: docs/spec/wire.md §5.
+// Explains the end of a connection to the user, and computes the delay before the next attempt. Close codes:
+// docs/spec/wire.md §5.
 import { ErrorCode } from '../gen/control_pb';
 import { connectionTexts as texts } from '../texts';
 
@@ -8,21 +8,21 @@ export interface Ending {
   opened: boolean; // the socket had been open
   closeCode: number;
   closeReason: string;
-  error: { code: ErrorCode; sentence: string } | undefined; // the hub's last word
-  ownFault: { sentence: string; unsupported: boolean } | undefined; // why this side closed
+  error: { code: ErrorCode; sentence: string } | undefined; // the hub's last error message
+  ownFault: { sentence: string; unsupported: boolean } | undefined; // reason why this side closed
 }
 
 export interface Explanation {
   sentence: string;
-  reload: boolean; // trying again will not help, loading the page again may
+  reload: boolean; // another attempt will not help, reloading the page may
 }
 
-/** Asking again changes nothing, and a hub stops listening to addresses that show bad tokens again and again. */
+/** True if another attempt cannot succeed. A hub bans addresses that present bad tokens repeatedly. */
 export function isHopeless({ error }: Ending): boolean {
   return error?.code === ErrorCode.ERROR_CODE_USED || error?.code === ErrorCode.ERROR_TOKEN_INVALID;
 }
 
-/** `room` is what was asked for, or empty. */
+/** `room` is the requested room, or empty. */
 export function explain(ending: Ending, host: string, room: string): Explanation {
   const { error, ownFault } = ending;
   if (ownFault?.unsupported || error?.code === ErrorCode.ERROR_UNSUPPORTED) {
@@ -70,7 +70,10 @@ const longestDelay_ms = 5000;
 
 const hopelessDelay_ms = 60_000;
 
-/** Doubles with every failure in a row (`failures` counts from 1); `random` in [0, 1) spreads many pages out. */
+/**
+ * Doubles with every consecutive failure (`failures` counts from 1); `random` in [0, 1) spreads the attempts of many
+ * pages.
+ */
 export function reconnectDelay_ms(failures: number, random: number, hopeless = false): number {
   const delay = hopeless ? hopelessDelay_ms : Math.min(longestDelay_ms, firstDelay_ms * 2 ** (failures - 1));
   return delay * (0.75 + 0.25 * random);

@@ -6,7 +6,7 @@ const key = (seq: number) => ({ key: true, layer: 0, seq, baseSeq: seq });
 const base = (seq: number, baseSeq: number) => ({ key: false, layer: 0, seq, baseSeq });
 const droppable = (seq: number, baseSeq: number) => ({ key: false, layer: 1, seq, baseSeq });
 
-/** What of `frames` a viewer decodes that gets exactly these. */
+/** Sequence numbers decoded by a viewer that receives exactly `frames`. */
 function decoded(frames: ReturnType<typeof key>[]): number[] {
   const chain = new FrameChain();
   return frames.flatMap((frame) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between decoding and drawing: at most one set is with the page; while it draws, newer frames wait here, per sensor only
-// the newest. So a slow page skips frames and never falls behind.
+// Mailbox between decoding and drawing. The page draws at most one set at a time; meanwhile newer frames wait here,
+// only the newest per sensor. A slow page therefore skips frames and never falls behind.
 
 interface SensorFrame {
   sensor: number;
@@ -26,7 +26,7 @@ export class FrameMailbox<Frame extends SensorFrame> {
     this.sendIfFree();
   }
 
-  /** The page has drawn what it was sent. */
+  /** The page has drawn the last set. */
   pageIsFree(): void {
     this.pageIsBusy = false;
     this.sendIfFree();

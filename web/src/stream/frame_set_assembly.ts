@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts frames that are decoded one by one, some later than others, back into the sets in which the hub sent them.
-// A set is whole when its `last` frame has come in and every frame of it is either decoded or given up. Sets are
-// delivered in order; one that keeps too many others waiting is delivered as it is.
+// Puts frames, whose decoding may finish out of order, back into the sets sent by the hub. A set is complete when its
+// `last` frame has arrived and every frame is either decoded or given up. Sets are delivered in order; a set that
+// delays too many others is delivered incomplete.
 
 export interface FrameSet<Frame> {
   setId: bigint;
@@ -9,8 +9,8 @@ export interface FrameSet<Frame> {
 }
 
 interface OpenSet<Frame> extends FrameSet<Frame> {
-  pending: number; // frames that came in and are neither decoded nor given up
-  closed: boolean; // the last frame has come in
+  pending: number; // frames that arrived and are neither decoded nor given up
+  closed: boolean; // the last frame has arrived
 }
 
 /** Decoders run a few frames behind at most. */
@@ -24,7 +24,7 @@ export class FrameSetAssembly<Frame> {
     private readonly discard: (frame: Frame) => void,
   ) {}
 
-  /** A frame of this set has come in. To be followed by one `settle`. */
+  /** A frame of this set has arrived. Exactly one `settle` must follow. */
   arrive(setId: bigint, last: boolean): void {
     const set = this.open.get(setId) ?? this.begin(setId);
     set.pending++;
@@ -43,7 +43,7 @@ export class FrameSetAssembly<Frame> {
     this.deliverWhole();
   }
 
-  /** Forgets all sets: the connection is gone. */
+  /** Discards all sets after the connection is lost. */
   clear(): void {
     for (const set of this.open.values()) set.frames.forEach(this.discard);
     this.open.clear();

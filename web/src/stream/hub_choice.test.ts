@@ -21,7 +21,7 @@ describe('the choice of a hub', () => {
     expect(choice.toTry()).toEqual([b, c]);
     choice.answered(c);
     choice.welcomed();
-    choice.learn([b]); // c does not name itself
+    choice.learn([b]); // c does not list itself
     expect(choice.current).toBe(c);
     expect(choice.failed(false)).toBe(true);
     expect(choice.toTry()).toEqual([own, b]);

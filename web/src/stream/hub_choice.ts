@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// At which of several hubs the page is: the one that answers first, of its own and those that hubs name. It stays there;
-// when that hub is gone, or has refused it, it knocks at the others at once, and only when all have failed in a row it
-// waits. As roomcast/client/hub_choice.h. Pure.
+// Chooses one of several hubs: the first to answer of the page's own hub and those announced by hubs. The page stays
+// there. When that hub is lost or refuses the page, the others are tried at once; after a failure of all of them in a
+// row, there is a delay. As roomcast/client/hub_choice.h. Pure.
 
 const defaultPort = 7600;
 
@@ -10,14 +10,14 @@ export class HubChoice {
   private here: string;
   private avoidsHere = false;
   private readonly useless = new Set<string>();
-  private failures = 0; // in a row
+  private failures = 0; // consecutive
 
-  /** `own` is the socket of the hub that the page comes from. */
+  /** `own` is the socket of the hub that served the page. */
   constructor(private readonly own: string) {
     this.here = own;
   }
 
-  /** The one that answered last. */
+  /** The hub that answered last. */
   get current(): string {
     return this.here;
   }
@@ -25,13 +25,13 @@ export class HubChoice {
     return this.all.length > 1;
   }
 
-  /** Where to knock now, all at once. */
+  /** The hubs to try now, all at once. */
   toTry(): string[] {
     const hubs = this.avoidsHere ? this.all.filter((hub) => hub !== this.here) : this.all;
     return hubs.length > 0 ? hubs : this.all;
   }
 
-  /** Where else the room is, as the current hub says; what it said before is forgotten. */
+  /** Replaces the other addresses of the room by those announced by the current hub. */
   learn(hubUrls: string[]): void {
     const isAsSafe = (hub: string) => hub.startsWith('wss:') || this.own.startsWith('ws:');
     this.others = hubUrls.flatMap((url) => socketOf(url) ?? []).filter(isAsSafe);
@@ -45,14 +45,16 @@ export class HubChoice {
     this.failures = 0;
   }
 
-  /** The current one is gone, or has sent us away; true: knock at the others at once. `hopeless`: and always will. */
+  /**
+   * The current hub is lost, or has refused the page. True: try the others at once. `hopeless`: it will always refuse.
+   */
   failed(hopeless: boolean): boolean {
     if (hopeless && this.here !== this.own) this.useless.add(this.here);
     const count = this.all.length;
     this.avoidsHere = true;
     return ++this.failures % count !== 0;
   }
-  /** None did; one waits, and then knocks at all. */
+  /** No hub answered. After a delay, all are tried. */
   nobodyAnswered(): void {
     this.avoidsHere = false;
   }
@@ -62,7 +64,7 @@ export class HubChoice {
   }
 }
 
-/** "wss://b/ws#sha256=..." -> "wss://b:7600/ws"; nothing for what is no hub's address. */
+/** "wss://b/ws#sha256=..." -> "wss://b:7600/ws"; undefined for anything but a hub's address. */
 export function socketOf(hubUrl: string): string | undefined {
   const found = /^(wss?|https?):\/\/(\[[0-9a-f:.]+\]|[a-z0-9.-]+)(:\d{1,5})?(\/[^#?\s]*)?(#.*)?$/i.exec(hubUrl);
   if (!found) return undefined;

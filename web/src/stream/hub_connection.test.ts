@@ -84,7 +84,7 @@ afterEach(() => {
 
 const access = { room: '', code: 'once', token: '' };
 
-/** The socket of a hub that has let us in, and has named another one. */
+/** The socket of a hub that has welcomed the page and announced another hub. */
 function welcomedBesideAnother() {
   start();
   socket().open();
@@ -240,12 +240,12 @@ describe('a hub connection', () => {
   });
 
   test('that has nothing to say is asked, and is not left while it answers', () => {
-    vi.spyOn(Math, 'random').mockReturnValue(0.999); // pings as far apart as they can be
+    vi.spyOn(Math, 'random').mockReturnValue(0.999); // the longest possible delay between pings
     const first = welcomedBesideAnother();
     const pings = () => first.sent.filter(({ message }) => message.case === 'clockPing').length;
     for (let answered = 0, step = 0; step < 100; ++step) {
       const asked = pings();
-      vi.advanceTimersByTime(200); // on the way
+      vi.advanceTimersByTime(200); // time on the network
       for (; answered < asked; ++answered) first.say({ case: 'clockPong', value: {} });
     }
     expect(first.closedWith).toBeUndefined();
@@ -263,7 +263,7 @@ describe('a hub connection', () => {
 
   test('is not left by who was kept from listening', () => {
     const first = welcomedBesideAnother();
-    const woken_ms = performance.now() + 5000; // it slept: no timer came, and no message was taken
+    const woken_ms = performance.now() + 5000; // after a sleep: no timer ran, and no message was processed
     vi.spyOn(performance, 'now').mockReturnValue(woken_ms);
     vi.advanceTimersByTime(100);
     expect(first.closedWith).toBeUndefined();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The socket to the hub: joins as a viewer, keeps the clock, hands messages on, and connects again when it ends, or to the
-// next hub where the room is, too.
-// docs/spec/wire.md §1, §3 and §5. Local time is this program's performance.now, in milliseconds.
+// The socket to the hub: joins as a viewer, keeps the clock, passes messages on, and reconnects when it ends, or
+// connects to another hub with this room. docs/spec/wire.md §1, §3 and §5. Local time is this program's
+// performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
 import { ErrorCode, type Control, type Roster, type ViewerPose, type Welcome } from '../gen/control_pb';
 import { connectionTexts } from '../texts';
@@ -16,8 +16,8 @@ import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
 const silence_ms = 8000; // pings are answered about twice a second
-// Where there is another hub to go on at, as roomcast/client/hub_link.h: soon, and the hub is asked whether it is there. What
-// its answers take on a long way is added.
+// Where another hub has this room, silence is detected earlier, as in roomcast/client/hub_link.h, and the hub is pinged
+// to check the connection. The usual round trip on a long path is added.
 const silenceWithOthers_ms = 700;
 const askedAfter_ms = 200;
 const silenceCheck_ms = 100;
@@ -30,7 +30,7 @@ export interface HubEvents {
   roster(roster: Roster): void;
   poses(poses: ViewerPose[]): void;
   frame(header: FrameHeader, payload: Uint8Array): void;
-  /** The connection ended; another one follows. */
+  /** The connection ended; a new one follows. */
   disconnected(): void;
 }
 
@@ -40,14 +40,14 @@ export class HubConnection {
 
   private socket: WebSocket | undefined;
   private openedAt_ms: number | undefined;
-  private silent_ms = 0; // as far as it was watched: who was kept from looking was kept from hearing
+  private silent_ms = 0; // only while timers ran: without timers, messages were not processed either
   private failures = 0;
   private pings = 0;
   private pingTimer: ReturnType<typeof setTimeout> | undefined;
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
-  private redirected = false; // by a hub that was too busy
+  private redirected = false; // by a busy hub
   private readonly hubs: HubChoice;
 
   constructor(
@@ -87,7 +87,7 @@ export class HubConnection {
     this.silent_ms = 0;
     const name = asName(this.options.name);
     const role = { case: 'viewer', value: {} } as const;
-    // A code is good for one time: once it has brought a token, that one is shown.
+    // A code is valid once: after it was exchanged for a token, that token is presented.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
     this.send({ case: 'join', value: { room: this.room, name, role, ...right, redirected: this.redirected } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
@@ -165,7 +165,7 @@ export class HubConnection {
     if (this.silent_ms > longest_ms) this.hangUp('The hub has gone silent.', false);
   }
 
-  /** The close event may come minutes later when nobody answers, so it is not waited for. */
+  /** Closes without waiting for the close event, which may come minutes later when the other side is silent. */
   private hangUp(sentence: string, unsupported: boolean): void {
     const socket = this.socket;
     if (!socket) return;

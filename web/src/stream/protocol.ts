@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page and its worker tell each other. The worker owns socket, clock and decoders; the page draws.
-// Arrays of pixels are transferred, not copied, and go back to the worker when they have been drawn.
+// Messages between the page and its worker. The worker owns socket, clock and decoders; the page draws. Pixel arrays
+// are transferred, not copied, and return to the worker after drawing.
 import type { Access } from '../access';
 import type { Pose, Roster, ViewerPose, Welcome } from '../gen/control_pb';
 
@@ -9,7 +9,7 @@ export interface ViewFrame {
   seq: number;
   setId: bigint;
   capture_ms: number; // room time
-  captureError_ms: number | undefined; // the sender's bound; undefined when it knows none
+  captureError_ms: number | undefined; // the sender's bound; undefined if unknown
   width: number;
   height: number;
   depth_mm: Uint16Array<ArrayBuffer>; // 0 = no reading
@@ -20,23 +20,23 @@ export type ConnectionPhase = 'connecting' | 'joined' | 'waiting';
 
 export interface ConnectionState {
   phase: ConnectionPhase;
-  sentence: string; // what is wrong, or empty
-  reload: boolean; // only loading the page again can help
-  retryAt_ms: number | undefined; // by Date.now, while waiting
-  openedAt_ms: number | undefined; // page time when the socket of this connection was asked for
+  sentence: string; // the problem, or empty
+  reload: boolean; // only reloading the page can help
+  retryAt_ms: number | undefined; // by Date.now, while waiting to reconnect
+  openedAt_ms: number | undefined; // page time when this connection's socket was requested
 }
 
-/** Counts since the worker began. */
+/** Counts since the start of the worker. */
 export interface SensorTraffic {
   sensor: number;
   frames: number; // decoded
   bytes: number; // received, decoded or not
-  skipped: number; // could not be decoded, or not without the one before
-  missed: number; // never came: left out on the way, by sequence number
+  skipped: number; // not decodable, or only with a missing frame
+  missed: number; // never arrived, by sequence number: left out on the way
   lastSeq: number | undefined;
   lastSetId: bigint | undefined;
   lastCapture_ms: number | undefined;
-  problem: string; // why its frames are not shown as they should be, or empty
+  problem: string; // reason why its frames are not shown properly, or empty
 }
 
 export interface DecodedRecord {
@@ -52,8 +52,8 @@ export interface Status {
   clock: { roomFromPage_ms: number; error_ms: number } | undefined;
   received_bytes: number; // all messages
   sensors: SensorTraffic[];
-  decoded: DecodedRecord[]; // since the last status; empty unless asked for
-  colorProblem: string; // why no colour can be decoded here, or empty
+  decoded: DecodedRecord[]; // since the last status; empty unless requested
+  colorProblem: string; // reason why colour cannot be decoded here, or empty
 }
 
 export type FromWorker =
@@ -63,7 +63,7 @@ export type FromWorker =
   | { kind: 'poses'; poses: ViewerPose[] }
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }
-  | { kind: 'broken'; sentence: string }; // the worker cannot go on
+  | { kind: 'broken'; sentence: string }; // the worker cannot continue
 
 export interface StartOptions {
   socketUrl: string;
@@ -80,10 +80,10 @@ export type ToWorker =
   | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 
-/** A Pose without what Protobuf adds. */
+/** A Pose without the fields added by Protobuf. */
 export type PlainPose = Pick<Pose, 'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw'>;
 
-/** Where this viewer is. Hands are undefined while they are not tracked. */
+/** This viewer's pose. Hands are undefined while they are not tracked. */
 export interface Body {
   head: PlainPose;
   leftHand: PlainPose | undefined;

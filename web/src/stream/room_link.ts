@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's end of its worker.
+// The page's interface to its worker.
 import { problemTexts } from '../texts';
 import type { Body, FromWorker, StartOptions, ToWorker, ViewFrame } from './protocol';
 
@@ -15,7 +15,7 @@ export class RoomLink {
     this.tell({ kind: 'start', options });
   }
 
-  /** The frames have been drawn; their pixels go back. */
+  /** The frames have been drawn; returns their pixel buffers. */
   shown(frames: readonly ViewFrame[]): void {
     const buffers = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
     this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
@@ -25,7 +25,7 @@ export class RoomLink {
     this.tell({ kind: 'pose', body });
   }
 
-  /** A guess where a sensor stands, for the aligner. */
+  /** Sends a user's pose of a sensor to the aligner. */
   nudge(sensor: number, worldFromDepth: number[]): void {
     this.tell({ kind: 'nudge', sensor, worldFromDepth });
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the worker does: follows the roster, decodes every sensor's frames, and offers newest frame sets to the page.
+// Main class of the worker: follows the roster, decodes every sensor's frames, and offers the newest frame sets to the
+// page.
 import type { CodecModule } from '../codec/codec_module';
 import type { Roster } from '../gen/control_pb';
 import type { FrameHeader } from '../wire/frame_header';
@@ -21,7 +22,7 @@ import {
 import { SensorStream } from './sensor_stream';
 
 const statusInterval_ms = 250;
-const keyRequestInterval_ms = 500; // the hub forwards no more than this either
+const keyRequestInterval_ms = 500; // the hub forwards requests no more often
 
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
@@ -129,12 +130,12 @@ export class RoomStream {
 
   private push(header: FrameHeader, payload: Uint8Array): void {
     const stream = this.sensors.get(header.sensor);
-    if (!stream) return; // it has left the roster
+    if (!stream) return; // the sensor has left the roster
     this.sets.arrive(header.setId, header.last);
     stream.push(header, payload);
   }
 
-  /** The bytes as little-endian u16: so they lie in memory, on every machine that runs a browser. */
+  /** The bytes as little-endian u16, which is the memory layout on every machine that runs a browser. */
   private record({ sensor, seq, setId, capture_ns }: FrameHeader, depth_mm: Uint16Array): void {
     const bytes = new Uint8Array(depth_mm.buffer, depth_mm.byteOffset, depth_mm.byteLength);
     this.decoded.push({ sensor, seq, setId, capture_ns, depthCrc32: crc32(bytes) });
@@ -174,7 +175,7 @@ export class RoomStream {
   }
 }
 
-/** Protobuf leaves a hand out that is not there. */
+/** Hands that are not tracked are left out of the message. */
 function poseMessage({ head, leftHand, rightHand }: Body) {
   return { head, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }) };
 }

@@ -17,7 +17,7 @@ const pixels = grid.width * grid.height;
 const payloads = [0, 1, 2, 3].map(
   (n) => new Uint8Array(readFileSync(new URL(`../../../tests/golden/frame_color_${n}.bin`, import.meta.url))),
 );
-/** What the hub says of them: base frames are 0 and 2, the others may be left out. */
+/** Headers as sent by the hub: base frames are 0 and 2, the others may be left out. */
 const baseOf = [0, 0, 0, 2];
 
 function headerOf(n: number): FrameHeader {
@@ -37,7 +37,7 @@ function headerOf(n: number): FrameHeader {
   };
 }
 
-/** WebCodecs as far as it is needed: hands grey pictures out when it is told to. */
+/** The required part of WebCodecs: returns grey pictures on demand. */
 class FakeVideoDecoder {
   static last: FakeVideoDecoder;
   state = 'unconfigured';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One sensor's frames: wire messages in, drawable frames out. Depth and mask are decoded at once, in wasm; colour comes
-// back later from WebCodecs, and the frame goes on when both are there. A decoder that is out of step asks for a key
-// frame.
+// back later from WebCodecs, and the frame is passed on when both are complete. A decoder that misses a frame requests
+// a key frame.
 import { rgbaFromYcbcr, type YcbcrPlanes } from '../codec/color_conversion';
 import { ColorDecoder } from '../codec/color_decoder';
 import { PayloadDecoder, PayloadError, type CodecModule, type DecodedPayload } from '../codec/codec_module';
@@ -13,7 +13,7 @@ import type { SensorTraffic, ViewFrame } from './protocol';
 export interface SensorStreamEvents {
   /** `depth_mm` is valid during the call. */
   decoded(header: FrameHeader, depth_mm: Uint16Array): void;
-  /** Exactly once per `push`; undefined when nothing of the frame can be shown. */
+  /** Called exactly once per `push`; undefined when the frame cannot be shown at all. */
   settled(setId: bigint, frame: ViewFrame | undefined): void;
   keyFrameNeeded(sensor: number): void;
 }
@@ -43,7 +43,7 @@ export class SensorStream {
   private readonly awaitsColor = new Map<number, AwaitsColor>();
   private colors: ColorDecoder | undefined;
   private chunks = 0;
-  private newestSeq: number | undefined; // that came in
+  private newestSeq: number | undefined; // highest received
 
   constructor(
     readonly sensor: number,
@@ -82,7 +82,7 @@ export class SensorStream {
     this.settleOrDecodeColor(this.frameOf(header, decoded), decoded);
   }
 
-  /** The connection is gone: the next one begins with a key frame. Frames on their way are settled. */
+  /** The connection was lost: the next one begins with a key frame. Pending frames are settled. */
   restart(): void {
     this.closeColor();
     this.chain.lose();
@@ -112,7 +112,7 @@ export class SensorStream {
     this.skip(header);
   }
 
-  /** A sensor that came back counts from 0 again. */
+  /** A sensor that reconnects counts from 0 again. */
   private countMissed(seq: number): void {
     if (this.newestSeq !== undefined && seq > this.newestSeq) this.traffic.missed += seq - this.newestSeq - 1;
     this.newestSeq = seq;
@@ -177,7 +177,7 @@ export class SensorStream {
     this.events.keyFrameNeeded(this.sensor);
   }
 
-  /** What waits for colour is shown without. */
+  /** Frames that wait for colour are shown without it. */
   private closeColor(): void {
     this.colors?.close();
     this.colors = undefined;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knocks at several servers at once: the WebSocket that opens first is the one, the others are closed.
+// Connects to several servers at once: the first WebSocket to open is used, the others are closed.
 
 const openWithin_ms = 5000;
 
 export interface RaceEvents {
   won(socket: WebSocket, url: string): void;
-  /** None did; how the last one ended. */
+  /** No socket opened; `event` is the close event of the last one. */
   lost(event: Pick<CloseEvent, 'code' | 'reason'>): void;
 }
 

@@ -21,7 +21,7 @@ async function fetchModule(url: string): Promise<ArrayBuffer> {
   return response.arrayBuffer();
 }
 
-/** A browser whose WebAssembly has no SIMD cannot read the faster module, and takes the plain one. */
+/** Loads the SIMD module, or the plain one where the browser's WebAssembly has no SIMD. */
 async function loadCodec(): Promise<CodecModule> {
   const fast = await fetchModule(codecUrl);
   return CodecModule.load(WebAssembly.validate(fast) ? fast : await fetchModule(plainCodecUrl));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The other viewers: a head with a visor, their name above it, their hands where they are tracked and where these
-// point, the beam of their laser pointer. Part frames are x right, y up, -z forward. Poses come 20 times a second and
-// are eased in between.
+// Draws the other viewers: a head with a visor and the name above it, tracked hands with pointing rays, and the beam of
+// the laser pointer. Part frames are x right, y up, -z forward. Poses arrive 20 times a second and are interpolated.
 import * as THREE from 'three';
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
 import { beamOf, shine } from './pointer_beam';
@@ -47,7 +46,7 @@ function aim(part: Part, pose: Pose | undefined): void {
   part.placed = true;
 }
 
-/** True while it still moves. */
+/** Returns true while the part is still moving. */
 function ease({ object, position, rotation }: Part, share: number): boolean {
   if (!object.visible) return false;
   const near = object.position.distanceTo(position) < arrived_m && object.quaternion.angleTo(rotation) < arrived_rad;
@@ -94,7 +93,7 @@ function headOf(color: number): THREE.Group {
   return head;
 }
 
-/** With a ray that shows where it points. */
+/** A hand with a ray that shows its pointing direction. */
 function handOf(color: number): THREE.Group {
   const hand = new THREE.Group();
   const fist = new THREE.Mesh(new THREE.SphereGeometry(0.045, 16, 12), new THREE.MeshLambertMaterial({ color }));
@@ -122,7 +121,7 @@ export class Avatars {
     this.root.add(new THREE.HemisphereLight(0xffffff, 0x8090a0, 1.8), light);
   }
 
-  /** `viewers` without the one who looks. */
+  /** `viewers` without this page's own viewer. */
   follow(viewers: readonly ViewerEntry[]): void {
     const present = new Map(viewers.map((viewer) => [viewer.id, viewer]));
     for (const [id, avatar] of this.byViewer) {
@@ -137,7 +136,7 @@ export class Avatars {
     }
   }
 
-  /** False when none of them is known. */
+  /** False when none of the poses belongs to a shown viewer. */
   move(poses: readonly ViewerPose[]): boolean {
     let moved = false;
     for (const { viewerId, head, leftHand, rightHand, pointer } of poses) {
@@ -152,7 +151,7 @@ export class Avatars {
     return moved;
   }
 
-  /** True while somebody still moves: draw again. */
+  /** Returns true while a viewer is still moving, so that the page must draw again. */
   animate(seconds: number): boolean {
     const share = 1 - Math.exp(-easing_perS * seconds);
     let moving = false;

@@ -3,7 +3,7 @@ import { Matrix4, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { bestSensors, usefulness } from './best_sensors';
 
-/** At `position`, looking at the room's middle; x right, y down, z forward. */
+/** A sensor at `position` that looks at the room's middle; x right, y down, z forward. */
 function sensorAt(x: number, z: number): Matrix4 {
   const position = new Vector3(x, 1.5, z);
   const gaze = new Vector3(0, 1.5, 0).sub(position).normalize();

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sensors to draw when the machine cannot draw all of them: those that look at the room most as the viewer does
-// (the ranking of Buehler et al. 2001, by the angle at what is looked at), the nearer ones before the farther ones.
-// Pure.
+// Chooses the sensors to draw when the machine cannot draw all of them: those with the viewing direction most similar
+// to the viewer's (the ranking of Buehler et al. 2001, by the angle at the viewed point), nearer ones first. Pure.
 import { Matrix4, Vector3 } from 'three';
 
-const typicalDepth_m = 2.2; // how far in front of a sensor the room's middle is taken to be
-const farther_perM = 0.05; // what a metre between eye and sensor costs
+const typicalDepth_m = 2.2; // assumed distance from a sensor to the room's middle
+const farther_perM = 0.05; // penalty per metre between eye and sensor
 
-/** How well the sensor shows what is seen from `eye`; more is better. */
+/** How well the sensor shows the surfaces seen from `eye`; higher is better. */
 export function usefulness(worldFromDepth: Matrix4, eye: Vector3): number {
   const position = new Vector3().setFromMatrixPosition(worldFromDepth);
   const gaze = new Vector3().setFromMatrixColumn(worldFromDepth, 2);
@@ -16,7 +15,7 @@ export function usefulness(worldFromDepth: Matrix4, eye: Vector3): number {
   return seenFromEye.dot(gaze) - farther_perM * position.distanceTo(eye);
 }
 
-/** Ids of the `most` most useful ones. */
+/** Ids of the `most` most useful sensors. */
 export function bestSensors(sensors: ReadonlyMap<number, Matrix4>, eye: Vector3, most: number): Set<number> {
   const ranked = [...sensors]
     .map(([id, worldFromDepth]) => ({ id, use: usefulness(worldFromDepth, eye) }))

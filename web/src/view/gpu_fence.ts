@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells when the graphics processor has finished what it was given so far. Draw calls return long before that.
+// Reports when the graphics processor has finished all submitted work. Draw calls return long before that.
 
 const poll_ms = 2;
-const longestWait_ms = 5000; // a lost context never answers
+const longestWait_ms = 5000; // a lost context never signals
 
 export function whenDrawn(gl: WebGL2RenderingContext, done: () => void): void {
   const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sensor's surface is drawn at a pixel: the room drawn once more, off screen, with numbers instead of pictures.
-// For tests and for picking; costs a whole picture each time. Pixels are CSS pixels of the canvas, y down.
+// Finds the sensor whose surface is drawn at each pixel: draws the room off screen with ids instead of pictures. For
+// tests and picking; each call costs a full picture. Pixels are CSS pixels of the canvas, y down.
 import * as THREE from 'three';
 import type { Stage } from './stage';
 
@@ -9,7 +9,9 @@ export const nothing = -1;
 export class IdPass {
   constructor(private readonly stage: Stage) {}
 
-  /** Sensor id per pixel, row by row from the top; `nothing` where no surface is. `only`: as if it were alone. */
+  /**
+   * Sensor id per pixel, row by row from the top; `nothing` where there is no surface. `only`: draws that sensor alone.
+   */
   draw(only?: number): { ids: Int32Array; width: number; height: number } {
     const { stage } = this;
     const { clientWidth: width, clientHeight: height } = stage.canvas;

@@ -17,7 +17,7 @@ interface Finger {
   y: number;
 }
 
-/** What a key does while it is held: forward, right, up. */
+/** Direction of each walking key: forward, right, up. */
 const walkingKeys: Record<string, readonly [number, number, number]> = {
   KeyW: [1, 0, 0],
   ArrowUp: [1, 0, 0],
@@ -67,7 +67,7 @@ export class Navigation {
     this.events.changed(view);
   }
 
-  /** Walks on while keys are held; once per screen refresh. */
+  /** Continues walking while keys are pressed; call once per screen refresh. */
   update(now_ms: number): void {
     const seconds = Math.min(longestFrame_s, (now_ms - (this.lastUpdate_ms ?? now_ms)) / 1000);
     this.lastUpdate_ms = now_ms;
@@ -108,7 +108,7 @@ export class Navigation {
     this.set(dolly(this.view, spread(before) / spread(now)));
   }
 
-  /** What lies at the pivot follows the finger. */
+  /** The point at the pivot follows the finger. */
   private panBy(dx: number, dy: number): void {
     const metresPerPixel = (2 * this.view.distance * Math.tan(Math.PI / 6)) / this.canvas.clientHeight;
     this.set(pan(this.view, -dx * metresPerPixel, dy * metresPerPixel));
@@ -135,7 +135,7 @@ export class Navigation {
   }
 }
 
-/** Keys that work a control of the panel are not for walking: text in a field, arrows in a choice. */
+/** True for keys that operate a focused control of the panel: text in a field, arrows in a choice. They do not walk. */
 function isTyping({ target, code }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest('[role=radiogroup]')) return code.startsWith('Arrow');

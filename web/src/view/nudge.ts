@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor's pose, pushed, turned about the vertical and tilted by hand, or put where a person stands. Row-major 4x4
-// world_from_depth, metres, radians, y up. Pure.
+// Moves a sensor's pose by hand: shifts it, turns it about the vertical and tilts it, or sets it to the user's view.
+// Row-major 4x4 world_from_depth, metres, radians, y up. Pure.
 import { direction, type ViewState } from './view_state';
 
 export interface Push {
@@ -11,7 +11,7 @@ export interface Push {
   tilt: number; // about the sensor's own horizontal axis, upwards
 }
 
-/** A push as the person sees it, who looks along `forward`. */
+/** A push relative to the user's viewing direction. */
 export interface HandStep {
   right: number;
   up: number;
@@ -20,7 +20,7 @@ export interface HandStep {
   tilt: number;
 }
 
-/** Its picture's rows and gaze, of a sensor that is tilted upwards. */
+/** The sensor's axes after tilting it upwards. */
 function tilted(m: readonly number[], tilt: number): number[] {
   const c = Math.cos(tilt);
   const s = Math.sin(tilt);
@@ -28,7 +28,7 @@ function tilted(m: readonly number[], tilt: number): number[] {
   return [...row(0), ...row(4), ...row(8), ...m.slice(12)];
 }
 
-/** The pose after the push: it is tilted and turns where it stands, then it is shifted. */
+/** The pose after the push: tilted and turned in place, then shifted. */
 export function pushed(worldFromDepth: readonly number[], push: Push): number[] {
   const c = Math.cos(push.turn);
   const s = Math.sin(push.turn);
@@ -47,14 +47,14 @@ export function pushed(worldFromDepth: readonly number[], push: Push): number[] 
   ];
 }
 
-/** `heading` is where the person looks, radians about the vertical, 0 along -z. */
+/** `heading` is the user's viewing direction, radians about the vertical, 0 along -z. */
 export function alongView({ right, up, forward, turn, tilt }: HandStep, heading: number): Push {
   const c = Math.cos(heading);
   const s = Math.sin(heading);
   return { x: right * c - forward * s, y: up, z: -right * s - forward * c, turn, tilt };
 }
 
-/** A sensor that stands where the viewer does and sees what it sees. */
+/** A sensor pose with the viewer's position and direction. */
 export function standingLike(view: Pick<ViewState, 'position' | 'yaw' | 'pitch'>): number[] {
   const { x, y, z } = view.position;
   const ahead = direction(view);

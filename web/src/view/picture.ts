@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room as it is drawn now, read back. For tests. Pixels are CSS pixels of the canvas, rows from the top, RGBA.
+// Reads back the room's picture as drawn now. For tests. Pixels are CSS pixels of the canvas, rows from the top, RGBA.
 import * as THREE from 'three';
 import type { Stage } from './stage';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor of the room as it is drawn: its pictures, the surface that shows them alone, what it remembers and its
-// layers among the mixed ones, and the mark where it stands.
+// A sensor in the drawn room: its pictures, its unblended surface, its background model with the blended layers, and
+// the mark at its position.
 import * as THREE from 'three';
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { BlendLayer } from './blend/blend_layer';
@@ -13,13 +13,13 @@ import { SensorSurface } from './sensor_surface';
 export class PlacedSensor {
   readonly pictures: SensorPictures;
   readonly surface: SensorSurface;
-  readonly memory: BackgroundModel | undefined; // undefined where surfaces cannot be mixed
+  readonly memory: SensorMemory | undefined; // undefined where surfaces cannot be blended
   readonly layers: BlendLayer[];
   readonly mark: THREE.LineSegments;
   readonly worldFromDepth = new THREE.Matrix4();
-  wanted = true; // the person has not switched it off
-  chosen = true; // among those that the machine has time for
-  isStale = true; // the memory has something that the layers do not show yet
+  wanted = true; // not switched off by the user
+  chosen = true; // within the number of sensors that the machine can draw
+  isStale = true; // the layers do not show the memory's newest data yet
 
   constructor(
     public entry: SensorEntry,
@@ -35,7 +35,7 @@ export class PlacedSensor {
     this.mark.matrixAutoUpdate = false;
   }
 
-  /** True when it stands elsewhere now. */
+  /** True when its pose has changed. */
   follow(entry: SensorEntry, connected: boolean): boolean {
     const before = this.worldFromDepth.clone();
     if (entry.moved && !this.entry.moved) this.memory?.forget();
@@ -49,7 +49,7 @@ export class PlacedSensor {
     return !before.equals(this.worldFromDepth);
   }
 
-  /** Nobody knows where it stands: it is shown beside the room, and takes no part in what others show. */
+  /** Its pose is unknown: the sensor is drawn next to the room and does not affect other sensors' surfaces. */
   get isApart(): boolean {
     return this.entry.placement === Placement.UNPLACED;
   }

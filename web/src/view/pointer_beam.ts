@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody's laser pointer: a rod of light from where it is held to what it points at.
+// A viewer's laser pointer: a rod of light from the hand to the target.
 import * as THREE from 'three';
 import type { Beam } from '../gen/control_pb';
 
@@ -20,7 +20,7 @@ export function beamOf(color: number): THREE.Group {
   return beam;
 }
 
-/** Beams jump: who points at something is quick. */
+/** Beams are not interpolated, because pointing movements are quick. */
 export function shine(group: THREE.Group, beam: Beam | undefined): void {
   group.visible = beam?.from !== undefined && beam.to !== undefined;
   if (!beam?.from || !beam.to) return;

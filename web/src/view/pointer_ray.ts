@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a hand points, one's own or another's.
+// The pointing ray of the user's own hand or another viewer's hand.
 import * as THREE from 'three';
 
 /** A line along -z that fades out. */

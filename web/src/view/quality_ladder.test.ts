@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { headsetPace, qualities, QualityLadder } from './quality_ladder';
 
-/** Draws for `seconds` on a machine where a picture costs `cost` ms; returns the quality after each draw. */
+/** Draws for `seconds` on a machine with `cost` ms per picture; returns the quality after each draw. */
 function draw(ladder: QualityLadder, seconds: number, cost: (step: number, ratio: number) => number, from = 0) {
   const history = [];
   for (let now = from; now < from + 1000 * seconds;) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How finely to draw, so that drawing keeps up: steps of the depth grid and of the screen, and how many sensors, chosen
-// by how long the graphics processor took. Starts in the middle, so that the first picture comes soon on any machine;
-// where there is no graphics processor, lower.
+// Chooses the drawing quality so that drawing keeps up: steps of the depth grid and of the screen, and the number of
+// sensors, by the measured drawing time. Starts in the middle, so that the first picture comes soon on any machine;
+// lower without a graphics processor.
 
 export interface Quality {
   step: number; // every step-th pixel of the depth grid
-  pixelRatio: number; // of the screen's own
-  sensors: number; // at most, those that show most of what is looked at
-  mixes: boolean; // surfaces are mixed; else the nearest wins, which costs a third
+  pixelRatio: number; // relative to the screen's own
+  sensors: number; // at most; those that cover most of the view
+  mixes: boolean; // blends surfaces; else only the nearest is drawn, at a third of the cost
 }
 
 export const qualities: readonly Quality[] = [
@@ -17,19 +17,19 @@ export const qualities: readonly Quality[] = [
   { step: 4, pixelRatio: 1, sensors: 6, mixes: true },
   { step: 4, pixelRatio: 1, sensors: 6, mixes: false },
   { step: 4, pixelRatio: 0.75, sensors: 4, mixes: false },
-  { step: 5, pixelRatio: 0.6, sensors: 3, mixes: false }, // coarser than this hardly saves time, and thin things disappear
+  { step: 5, pixelRatio: 0.6, sensors: 3, mixes: false }, // coarser steps hardly save time, and thin objects disappear
 ];
 
 const firstRung = 3;
 const firstRungInSoftware = 4;
 const drawsToJudge = 6;
-const patience_ms = 3000; // after coming down, before trying to go up again; doubles when going up was a mistake
+const patience_ms = 3000; // from a step down to the next attempt to go up; doubles after a failed attempt
 const longestPatience_ms = 60_000;
 
-/** How long a picture may take: on a screen, or in a headset, where a late one is felt. */
+/** Time limit of a picture: on a screen, or in a headset, where a late picture is noticeable. */
 export interface Pace {
   tooSlow_ms: number;
-  quick_ms: number; // worth trying a rung up
+  quick_ms: number; // fast enough to try the next quality up
 }
 
 export const screenPace: Pace = { tooSlow_ms: 60, quick_ms: 40 };
@@ -57,13 +57,13 @@ export class QualityLadder {
     this.draws = [];
   }
 
-  /** As finely as possible, however long it takes. */
+  /** Draws as finely as possible, regardless of the time. */
   pinToBest(): void {
     this.rung = 0;
     this.pinned = true;
   }
 
-  /** `draw_ms` is how long a picture took, `now_ms` any steady clock. True when the quality has changed. */
+  /** `draw_ms` is the drawing time of a picture, `now_ms` any monotonic clock. True when the quality has changed. */
   judge(draw_ms: number, now_ms: number): boolean {
     if (this.pinned) return false;
     this.draws.push(draw_ms);

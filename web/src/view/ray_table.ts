@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The direction in which each pixel of a depth grid looks, (x/z, y/z) with the lens distortion taken out: a point is
-// (x/z * depth, y/z * depth, depth). Brown-Conrady, inverted by Newton's method as in roomcast/geometry/camera_model.cpp.
+// The viewing direction of each pixel of a depth grid, (x/z, y/z) without lens distortion: a point is (x/z * depth, y/z
+// * depth, depth). Brown-Conrady, inverted by Newton's method as in roomcast/geometry/camera_model.cpp.
 import type { Intrinsics } from '../gen/control_pb';
 
 export type Lens = Pick<Intrinsics, 'fx' | 'fy' | 'cx' | 'cy' | 'k1' | 'k2' | 'k3' | 'p1' | 'p2'>;
@@ -18,10 +18,10 @@ export function distort(lens: Lens, x: number, y: number): [number, number] {
   ];
 }
 
-const furthestR2 = 16; // 76 degrees off the axis; no depth camera sees further
+const furthestR2 = 16; // 76 degrees off the axis, more than any depth camera's field of view
 const foldSamples = 1600;
 
-/** The squared radius where the radial part stops growing; beyond it a lens model means nothing. */
+/** The squared radius at which the radial part stops growing; beyond it the lens model is invalid. */
 function foldR2(lens: Lens): number {
   for (let i = 1; i <= foldSamples; i++) {
     const q = (i * furthestR2) / foldSamples;
@@ -30,7 +30,7 @@ function foldR2(lens: Lens): number {
   return furthestR2;
 }
 
-/** Moves `xy` from where it is to the direction that projects to (xd, yd); false where there is none. */
+/** Refines `xy` from its initial value to the direction that projects to (xd, yd); false where there is none. */
 function undistort(lens: Lens, fold: number, xd: number, yd: number, xy: Float64Array): boolean {
   const { k1, k2, k3, p1, p2 } = lens;
   let x = xy[0]!;
@@ -59,7 +59,7 @@ function undistort(lens: Lens, fold: number, xd: number, yd: number, xy: Float64
 
 export interface RayTable {
   rays: Float32Array<ArrayBuffer>; // x/z, y/z per pixel, row by row; 0, 0 where blind
-  blind: Uint32Array; // pixels that look nowhere: their depth has to be ignored
+  blind: Uint32Array; // pixels without a direction: their depth must be ignored
 }
 
 export function rayTable(lens: Lens, width: number, height: number): RayTable {
@@ -72,7 +72,7 @@ export function rayTable(lens: Lens, width: number, height: number): RayTable {
     let found = false;
     for (let u = 0; u < width; u++) {
       const xd = (u - lens.cx) / lens.fx;
-      found = found && undistort(lens, fold, xd, yd, xy); // the neighbour's ray is a good start
+      found = found && undistort(lens, fold, xd, yd, xy); // the neighbour's ray is a good initial value
       if (!found) {
         xy[0] = xd;
         xy[1] = yd;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quiet marks that give the room scale: a grid on the floor, and a small pyramid where each sensor stands.
+// Unobtrusive marks that give the room scale: a grid on the floor, and a small pyramid at each sensor.
 import * as THREE from 'three';
 
 const gridRadius_m = 8;
 const gridColor = new THREE.Color('#2a3441');
-const gridDepth_m = 0.02; // under the floor, so that it shows only where no sensor sees the floor
+const gridDepth_m = 0.02; // below the floor, so that the grid is visible only where no sensor sees the floor
 
-/** Lines a metre apart that fade out with the distance from the origin. */
+/** Lines a metre apart that fade out with distance from the origin. */
 export function floorGrid(background: THREE.Color): THREE.LineSegments {
   const positions: number[] = [];
   const colors: number[] = [];

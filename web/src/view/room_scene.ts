@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What there is to draw: the sensors' surfaces, mixed or one by one, the floor's grid, the other viewers. Follows the
-// roster and takes pictures in; `render` draws it as a camera sees it.
+// The drawn scene: the sensors' surfaces, blended or separate, the floor's grid, the other viewers. Follows the roster
+// and receives pictures; `render` draws the view of a camera.
 import * as THREE from 'three';
 import type { Roster, SensorEntry } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';
@@ -21,13 +21,13 @@ export class RoomScene {
   readonly scene = new THREE.Scene();
   readonly avatars = new Avatars();
   readonly placed = new Map<number, PlacedSensor>();
-  readonly mixes: boolean; // whether this browser can mix surfaces
-  private readonly keeper: BackgroundUpdater | undefined;
+  readonly mixes: boolean; // whether this browser can blend surfaces
+  private readonly keeper: MemoryKeeper | undefined;
   private readonly blend: RoomBlend | undefined;
   private background = darkBackground;
   private grid = floorGrid(darkBackground);
   private mode: DrawMode = 'mesh';
-  private mayMix = true; // the machine is quick enough
+  private mayMix = true; // the machine is fast enough for blending
   private connected = true;
   private passthrough = false;
 
@@ -44,13 +44,13 @@ export class RoomScene {
     return this.mode;
   }
 
-  /** `blend` becomes `mesh` where this browser cannot mix. */
+  /** `blend` becomes `mesh` where this browser cannot blend. */
   setMode(mode: DrawMode): void {
     this.mode = mode === 'blend' && !this.mixes ? 'mesh' : mode;
     this.applyModeToAll();
   }
 
-  /** Surfaces are mixed now. */
+  /** True while surfaces are blended. */
   get isMixing(): boolean {
     return this.mode === 'blend' && this.mayMix;
   }
@@ -74,14 +74,14 @@ export class RoomScene {
     return this.passthrough;
   }
 
-  /** Nothing is drawn where no sensor sees anything: the viewer's own room shows there. */
+  /** With passthrough, pixels that no sensor sees stay empty and show the viewer's own room. */
   setPassthrough(passthrough: boolean): void {
     this.passthrough = passthrough;
     this.scene.background = passthrough ? null : this.background;
     this.blend?.setFill(!passthrough);
   }
 
-  /** Without a connection every picture is an old one. */
+  /** Without a connection every picture counts as old. */
   setConnected(connected: boolean): void {
     this.connected = connected;
     this.placed.forEach((placed) => placed.follow(placed.entry, connected));
@@ -122,7 +122,7 @@ export class RoomScene {
     }
   }
 
-  /** How finely, and which sensors: those that are most useful from `eye`. */
+  /** Sets the detail and the drawn sensors: those that are most useful from `eye`. */
   setQuality({ step, sensors, mixes }: Quality, eye: THREE.Vector3, pixelsPerUnit: number): void {
     if (mixes !== this.mayMix) {
       this.mayMix = mixes;
@@ -139,7 +139,7 @@ export class RoomScene {
     }
   }
 
-  /** Into the renderer's target, `width` x `height` device pixels. */
+  /** Draws into the renderer's target, `width` x `height` device pixels. */
   render(camera: THREE.PerspectiveCamera, width: number, height: number): void {
     const filled =
       this.isMixing && [...this.placed.values()].some(({ pictures, isApart }) => pictures.hasPicture && !isApart);
@@ -195,7 +195,7 @@ export class RoomScene {
   }
 }
 
-/** A hub that was started again may give ids to sensors in another order; a sensor may come back with another camera. */
+/** After a restart a hub may assign ids to sensors in another order, and a sensor may come back with another camera. */
 function sameSensor(a: SensorEntry, b: SensorEntry): boolean {
   const [p, q] = [a.calibration!.depth!, b.calibration!.depth!];
   const fields = ['width', 'height', 'fx', 'fy', 'cx', 'cy', 'k1', 'k2', 'k3', 'p1', 'p2'] as const;

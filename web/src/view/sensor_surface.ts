@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sensor in the scene by itself: its depth grid as a mesh or as points, in world coordinates. Edges of objects are
-// where depth rises by more than 1.2 cm + 2.2 % of the distance from one pixel to the next.
+// One sensor's unblended surface: its depth grid as a mesh or as points, in world coordinates. A depth rise of more
+// than 1.2 cm + 2.2 % of the distance from one pixel to the next is an object edge.
 import * as THREE from 'three';
 import type { SensorPictures } from './sensor_pictures';
 import { fragmentShader, meshVertexShader, pointVertexShader } from './surface_shader';
@@ -32,7 +32,7 @@ export class SensorSurface {
     this.setStep(4);
   }
 
-  /** `live`: 1, or 0 when its picture is not of now. */
+  /** `live`: 1, or 0 when the picture is outdated. */
   place(worldFromDepth: THREE.Matrix4, live: number): void {
     this.root.matrix.copy(worldFromDepth);
     this.root.matrixWorldNeedsUpdate = true;
@@ -44,7 +44,7 @@ export class SensorSurface {
     this.points.visible = kind === 'points';
   }
 
-  /** Draws every `step`-th pixel of every `step`-th row; as points, which are cheaper, twice as finely. */
+  /** Draws every `step`-th pixel of every `step`-th row; points, which are cheaper, twice as finely. */
   setStep(step: number): void {
     if (step === this.step) return;
     this.step = step;
@@ -56,12 +56,12 @@ export class SensorSurface {
     setGrid(this.points, pointStep, Math.ceil(width / pointStep), Math.ceil(height / pointStep), 1);
   }
 
-  /** Screen pixels that a metre takes up at a distance of a metre. */
+  /** Size in screen pixels of a metre at a distance of a metre. */
   setPixelsPerUnit(pixels: number): void {
     this.uniforms.uPixelsPerUnit!.value = pixels;
   }
 
-  /** Draws this number (1 to 255) in the red channel instead of the picture; 0 for the picture. */
+  /** Draws `id` (1 to 255) in the red channel instead of the picture; 0 draws the picture. */
   setId(id: number): void {
     this.uniforms.uId!.value = id;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether pictures are drawn by the processor, for want of a graphics processor: as far as the browser says.
+// Detects software rendering, as far as the browser reveals it.
 
 const softwareNames = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvas: draws the room when something has changed, never more than one picture ahead of the graphics processor,
-// and as finely as that one keeps up with. While a headset is on, the headset says when to draw.
+// The canvas: draws the room when something has changed, at most one picture ahead of the graphics processor, and as
+// finely as the graphics processor permits. An active headset decides when to draw.
 import * as THREE from 'three';
 import type { Roster } from '../gen/control_pb';
 import type { ViewFrame } from '../stream/protocol';
@@ -17,9 +17,9 @@ const far_m = 100;
 const highestPixelRatio = 2;
 
 export interface StageEvents {
-  /** Once per screen refresh, before drawing. `frame` while a headset is on. */
+  /** Once per screen refresh, before drawing. `frame` is set while a headset is active. */
   refresh(now_ms: number, frame: XRFrame | undefined): void;
-  /** A picture is on the screen; `withFrames` when it was the first to show the frames last given to `show`. */
+  /** A picture is on the screen; `withFrames` when it was the first with the frames last passed to `show`. */
   drawn(withFrames: boolean): void;
 }
 
@@ -29,7 +29,7 @@ export class Stage {
   readonly room: RoomScene;
   readonly ladder: QualityLadder;
   pictures = 0; // drawn so far
-  draw_ms = 0; // how long the last one took
+  draw_ms = 0; // duration of the last one
   private changed = true;
   private drawing = false;
   private newFrames = false;
@@ -56,7 +56,7 @@ export class Stage {
     return this.ladder.quality;
   }
 
-  /** Something is different: draw at the next screen refresh. */
+  /** Something has changed: draws at the next screen refresh. */
   touch(): void {
     this.changed = true;
   }
@@ -117,7 +117,7 @@ export class Stage {
     this.fit();
     const { width, height } = this.targetSize();
     this.room.render(this.camera, width, height);
-    if (this.drawing) return this.finish(withFrames); // a headset does not wait; what is under way is measured
+    if (this.drawing) return this.finish(withFrames); // a headset does not wait; the picture in progress is measured
     this.drawing = true;
     whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
       this.drawing = false;
@@ -133,7 +133,7 @@ export class Stage {
     this.events.drawn(withFrames);
   }
 
-  /** Canvas, camera and grids to the present size and quality. */
+  /** Adapts canvas, camera and grids to the current size and quality. */
   private fit(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ratio = this.ladder.quality.pixelRatio * Math.min(highestPixelRatio, window.devicePixelRatio);
@@ -151,7 +151,7 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Of what is drawn into, device pixels: the headset's picture of both eyes, or the canvas. */
+  /** Size of the render target, device pixels: the headset's picture of both eyes, or the canvas. */
   private targetSize(): { width: number; height: number } {
     const target = this.renderer.getRenderTarget();
     if (target) return target;

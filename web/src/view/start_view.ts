@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where to stand first: so that the room is well seen. The hub's start pose where it gives one, else worked out from the
-// sensors: at the height of a standing person's eyes, on the sensors' side of what they look at.
+// The start view. Uses the hub's start pose if there is one; otherwise computed from the sensors: at a standing
+// person's eye height, on the sensors' side of the point that they look at.
 import { Vector3 } from 'three';
 import { Placement, type SensorEntry } from '../gen/control_pb';
 import { lookFrom, type ViewState } from './view_state';
 
 const eyeHeight_m = 1.6;
-const typicalDepth_m = 2.2; // how far in front of a sensor the room's middle is taken to be
+const typicalDepth_m = 2.2; // assumed distance from a sensor to the room's middle
 const leastDistance_m = 2.2;
 const mostDistance_m = 4;
 
@@ -26,7 +26,7 @@ function mean(points: Vector3[]): Vector3 {
   return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
 }
 
-/** Those that nobody could place yet are shown beside the room. */
+/** Sensors that are not placed yet are shown next to the room; they count only if no sensor is placed. */
 export function placedOrAll<T extends Pick<SensorEntry, 'placement'>>(sensors: readonly T[]): readonly T[] {
   const placed = sensors.filter(({ placement }) => placement !== Placement.UNPLACED);
   return placed.length > 0 ? placed : sensors;
@@ -38,7 +38,7 @@ export function startView(sensors: readonly Posed[]): ViewState | undefined {
   if (!first) return undefined;
   const target = mean(sensors.map((sensor) => gazeOf(sensor).multiplyScalar(typicalDepth_m).add(positionOf(sensor))));
   const back = mean(sensors.map(positionOf)).sub(target).setY(0);
-  if (back.length() < 0.5) back.copy(positionOf(first)).sub(target).setY(0); // they stand all around: take one's side
+  if (back.length() < 0.5) back.copy(positionOf(first)).sub(target).setY(0); // sensors all around: use the first one's side
   if (back.length() < 1e-3) back.set(0, 0, 1);
   const distance = Math.min(mostDistance_m, Math.max(leastDistance_m, back.length()));
   const position = back.setLength(distance).add(target).setY(eyeHeight_m);

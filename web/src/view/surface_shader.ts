@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that draw a sensor's depth grid, as triangles or as points. Vertices are pulled: gl_VertexID says which cell
-// of the grid, the depth texture says where it lies. A triangle whose corners differ in depth by more than a surface
-// would is dropped: the bound has a fixed part, for noise, and one that grows with distance. Colour comes from the
-// registered picture where the colour camera saw the surface, else the surface is a neutral grey.
+// Shaders that draw a sensor's depth grid, as triangles or as points. Vertices are pulled: gl_VertexID selects the grid
+// cell, the depth texture gives its position. A triangle whose corners differ in depth by more than a surface would is
+// dropped: the bound has a fixed part, for noise, and one that grows with distance. Colour comes from the registered
+// picture where the colour camera saw the surface, else the surface is a neutral grey.
 
 const shared = /* glsl */ `
 precision highp float;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the viewer stands and looks, and how that changes: pure functions. World: metres, y up. Yaw 0 looks along -z and
-// grows to the left, pitch is up. `distance` leads to the pivot, the place that orbiting turns around.
+// The viewer's position and direction, and functions that change them. World: metres, y up. Yaw 0 looks along -z and
+// grows to the left, pitch is up. `distance` is the distance to the pivot, the centre of orbiting. Pure.
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 
 export interface ViewState {
@@ -53,7 +53,7 @@ export function viewFromMatrix(worldFromViewer: readonly number[], distance: num
   return lookFrom(position, gaze.multiplyScalar(distance).add(position));
 }
 
-/** Where somebody stood in a headset; roll is dropped. */
+/** The view of a headset's wearer; roll is dropped. */
 export function viewFromBody({ x, y, z, qx, qy, qz, qw }: Part, distance: number): ViewState {
   const position = new Vector3(x, y, z);
   const gaze = new Vector3(0, 0, -1).applyQuaternion(new Quaternion(qx, qy, qz, qw));
@@ -65,26 +65,26 @@ export function look(view: ViewState, dYaw: number, dPitch: number): ViewState {
   return { ...view, yaw: view.yaw + dYaw, pitch: clamp(view.pitch + dPitch, -maxPitch, maxPitch) };
 }
 
-/** Moves around the pivot, which stays where it is on the screen. */
+/** Moves around the pivot, which stays at the same place on the screen. */
 export function orbit(view: ViewState, dYaw: number, dPitch: number): ViewState {
   const turned = look(view, dYaw, dPitch);
   return { ...turned, position: pivot(view).sub(direction(turned).multiplyScalar(view.distance)) };
 }
 
-/** Moves across the picture, metres. */
+/** Moves parallel to the picture, metres. */
 export function pan(view: ViewState, right_m: number, up_m: number): ViewState {
   const move = new Vector3(right_m, up_m, 0).applyQuaternion(orientation(view));
   return { ...view, position: move.add(view.position) };
 }
 
-/** Goes to `factor` times the distance from the pivot; once there, pushes the pivot ahead. */
+/** Moves to `factor` times the distance from the pivot; at the minimum distance, pushes the pivot ahead. */
 export function dolly(view: ViewState, factor: number): ViewState {
   const distance = clamp(view.distance * factor, minDistance_m, maxDistance_m);
   const forward_m = view.distance * (1 - factor);
   return { ...view, distance, position: direction(view).multiplyScalar(forward_m).add(view.position) };
 }
 
-/** Walks on the level, whatever the pitch, metres. */
+/** Walks horizontally, and `up_m` vertically, whatever the pitch. Metres. */
 export function walk(view: ViewState, forward_m: number, right_m: number, up_m: number): ViewState {
   const sin = Math.sin(view.yaw);
   const cos = Math.cos(view.yaw);

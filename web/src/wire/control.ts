@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control messages <-> bytes: docs/spec/wire.md §1 and §3. What `decodeControl` returns has been checked: names, sizes,
-// numbers and matrices can be used as they are. Throws WireError.
+// Control messages <-> bytes: docs/spec/wire.md §1 and §3. `decodeControl` checks its result: names, sizes, numbers and
+// matrices can be used as they are. Throws WireError.
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ControlSchema, type Control } from '../gen/control_pb';
 import { checkControl } from './control_check';
@@ -30,7 +30,7 @@ function parseBody(body: Uint8Array): Control {
   }
 }
 
-/** `message` comes from the hub. A kind of a later version decodes to a Control without content. */
+/** `message` comes from the hub. A message kind of a later version decodes to a Control without content. */
 export function decodeControl(message: Uint8Array): Control {
   const view = new DataView(message.buffer, message.byteOffset, message.byteLength);
   if (messageType(view) !== MessageType.Control) throw malformed('this message is not a control message');

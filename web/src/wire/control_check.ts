@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is legal in the control messages that a hub sends to a viewer: docs/spec/wire.md §3 and §4; the same rules as
+// Checks control messages from a hub to a viewer: docs/spec/wire.md §3 and §4; the same rules as
 // roomcast/wire/control_check.cpp. Throws WireError.
 import type {
   Calibration,
@@ -114,6 +114,6 @@ export function checkControl(control: Control): void {
       return checkRoster(control.message.value);
     case 'viewerPoses':
       return checkViewerPoses(control.message.value);
-    default: // nothing in the others can be wrong, or a viewer never acts on them
+    default: // the other kinds have no invalid values, or a viewer does not use them
   }
 }

@@ -19,16 +19,16 @@ export enum MessageType {
 }
 
 export interface FrameHeader {
-  key: boolean; // decodable alone
+  key: boolean; // decodable without other frames
   last: boolean; // the last frame of its set on this connection
   sensor: number;
-  layer: number; // 0: later frames may need it
+  layer: number; // 0: later frames may depend on it
   codec: number;
   seq: number; // modulo 2^32
   setId: bigint;
   capture_ns: bigint; // room time
   clockError_us: number; // unknownClockError_us: unknown
-  baseSeq: number; // the layer-0 frame that this one needs
+  baseSeq: number; // the layer-0 frame that this frame depends on
   payloadLength: number;
   headerLength: number;
 }

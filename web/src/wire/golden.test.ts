@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden messages that the C++ tests write and read, read here.
+// Reads the golden messages that the C++ tests write and read.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { toJson } from '@bufbuild/protobuf';
@@ -27,7 +27,7 @@ function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
-/** In the words of wire.json. */
+/** The fields of the frame, named as in wire.json. */
 function meaningOfFrame(bytes: Uint8Array): Record<string, unknown> {
   const h = parseFrameHeader(viewOf(bytes));
   expect(framePayload(bytes, h).length).toBe(h.payloadLength);

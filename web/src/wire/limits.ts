@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of roomcast.v1 that a viewer enforces or keeps; docs/spec/wire.md §4, roomcast/wire/limits.h.
+// The limits of roomcast.v1 that a viewer enforces or obeys; docs/spec/wire.md §4, roomcast/wire/limits.h.
 
 export const maxFrameBytes = 2 * 1024 * 1024; // header and payload
 export const maxControlFromClientBytes = 16 * 1024;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of rooms, sensors and viewers: docs/spec/wire.md §4. (That a name is UTF-8 is checked by the Protobuf reader.)
+// Checks names of rooms, sensors and viewers: docs/spec/wire.md §4. (The Protobuf reader checks that a name is UTF-8.)
 import { maxNameBytes } from './limits';
 import { malformed, tooLarge } from './wire_error';
 
@@ -13,7 +13,7 @@ export function checkName(name: string, what: string): void {
   if (controlCharacter.test(name)) throw malformed(`the ${what}'s name has control characters`);
 }
 
-/** The longest beginning of what a person typed that is legal as a name. */
+/** The longest prefix of the user's input that is a legal name. */
 export function asName(typed: string): string {
   let name = '';
   let bytes = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is thrown for bytes from the hub that break docs/spec/wire.md: a kind to act on, a sentence to show.
+// The error for bytes from the hub that violate docs/spec/wire.md: a kind for the program, a sentence for the user.
 
 export type WireFault = 'malformed' | 'too-large' | 'unsupported';
 

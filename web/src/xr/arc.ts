@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arc by which one points at a place on the floor: as a ball would fly that is thrown from the hand. Metres, y up,
-// floor at y = 0. Pure.
+// The arc for pointing at a place on the floor: the trajectory of a ball thrown from the hand. Metres, y up, floor at y
+// = 0. Pure.
 import { Vector3 } from 'three';
 
 const speed_mPerS = 6;

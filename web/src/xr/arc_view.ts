@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arc by which the wearer points at the floor, and the place where it ends.
+// Draws the arc with which the wearer points at the floor, and the place where it ends.
 import * as THREE from 'three';
 
 const arcColor = 0x56b4e9;

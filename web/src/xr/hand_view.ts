@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wearer's own hands: a controller as a small sphere with a ray, a tracked hand as its joints. World coordinates.
+// Draws the wearer's own hands: a controller as a small sphere with a ray, a tracked hand as its joints. World
+// coordinates.
 import * as THREE from 'three';
 import { pointerRay } from '../view/pointer_ray';
 

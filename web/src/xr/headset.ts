@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A headset that is on: enters and leaves, moves the wearer through the room, and tells where head and hands are. All
-// poses are in world coordinates: the session's reference space is offset by where the wearer stands.
+// An active headset: enters and leaves, moves the wearer through the room, and reports head and hand poses. All poses
+// are in world coordinates: the session's reference space is offset by the wearer's place in the room.
 import * as THREE from 'three';
 import type { Body, PlainPose } from '../stream/protocol';
 import { throwArc } from './arc';
@@ -25,7 +25,7 @@ function plain({ position: p, orientation: o }: XRRigidTransform): PlainPose {
 
 function stickOf({ gamepad }: XRInputSource): Stick | undefined {
   const axes = gamepad?.axes ?? [];
-  return axes.length >= 4 ? { x: axes[2]!, y: axes[3]! } : undefined; // "xr-standard" has the stick there
+  return axes.length >= 4 ? { x: axes[2]!, y: axes[3]! } : undefined; // position of the stick in the "xr-standard" mapping
 }
 
 function jointsOf(frame: XRFrame, hand: XRHand, space: XRReferenceSpace): XRJointPose[] {
@@ -34,18 +34,18 @@ function jointsOf(frame: XRFrame, hand: XRHand, space: XRReferenceSpace): XRJoin
 }
 
 export class Headset {
-  readonly root = new THREE.Group(); // to be put into the scene
+  readonly root = new THREE.Group(); // to be added to the scene
   views: { eye: XREye; position: [number, number, number] }[] = []; // of the last picture
   selects = 0; // triggers pulled and pinches made, in this session
   private readonly hands = [new HandView(), new HandView()] as const;
   private readonly arc = new ArcView();
   private sticks = new Sticks();
   private session: XRSession | undefined;
-  private floor: XRReferenceSpace | undefined; // the wearer's own
+  private floor: XRReferenceSpace | undefined; // the wearer's physical floor
   private place: StandingPlace = { x: 0, y: 0, z: 0, yaw: 0 };
   private selecting: XRInputSource | undefined;
   private target: THREE.Vector3 | undefined; // on the floor, while aiming
-  private teleports: THREE.Vector3 | undefined; // with the next picture, when the head is known
+  private teleports: THREE.Vector3 | undefined; // teleport with the next picture, when the head pose is known
   private lastFrame_ms = 0;
 
   constructor(
@@ -56,7 +56,7 @@ export class Headset {
     this.root.visible = false;
   }
 
-  /** How the left and the right hand are drawn. */
+  /** The drawn shapes of the left and the right hand. */
   get drawnHands() {
     return this.hands.map((hand) => hand.shows);
   }
@@ -65,7 +65,7 @@ export class Headset {
     return this.session !== undefined;
   }
 
-  /** The wearer enters at `at`, looking as `yaw` says. Rejects with the browser's reason. */
+  /** The wearer enters at `at`, with heading `yaw`. Rejects with the browser's reason. */
   async enter(mode: HeadsetMode, at: THREE.Vector3, yaw: number): Promise<void> {
     const session = await navigator.xr!.requestSession(mode, {
       requiredFeatures: ['local-floor'],
@@ -89,7 +89,7 @@ export class Headset {
     await this.session?.end();
   }
 
-  /** Once per picture of the headset. */
+  /** Call once per picture of the headset. */
   update(now_ms: number, frame: XRFrame): void {
     const space = this.xr.getReferenceSpace();
     const viewer = space && frame.getViewerPose(space);

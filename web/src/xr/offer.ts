@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this browser can do with a headset, and what a person can do when it cannot.
+// Detects this browser's headset modes, and gives advice if there are none.
 
 export type HeadsetMode = 'immersive-vr' | 'immersive-ar';
 
@@ -10,7 +10,7 @@ export interface HeadsetOffer {
 
 type Asked = Pick<XRSystem, 'isSessionSupported'>;
 
-/** `secure`: the page came over HTTPS or from this machine, else browsers keep headsets from it. */
+/** `secure`: the page came over HTTPS or from this machine; otherwise browsers do not offer headsets to it. */
 export async function headsetOffer(secure: boolean, xr: Asked | undefined): Promise<HeadsetOffer> {
   if (!secure) return { modes: [], obstacle: 'insecure' };
   if (!xr) return { modes: [], obstacle: 'no-webxr' };

@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { inWorld, movedTo, originOffset, turned, walked, yawOf } from './standing_place';
 
 const place = { x: 1, y: 0, z: -2, yaw: 0.7 };
-const headOnFloor = new Vector3(0.3, 1.65, 0.2); // in the wearer's own floor
+const headOnFloor = new Vector3(0.3, 1.65, 0.2); // in the wearer's physical floor frame
 const near = (a: Vector3, b: Vector3) => expect(a.distanceTo(b)).toBeLessThan(1e-9);
 
 describe('the place where a wearer stands', () => {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in the room the floor that a headset's wearer really stands on is: metres, world y up. Pure.
+// The pose of the wearer's physical floor in the room: metres, world y up. Pure.
 import { Quaternion, Vector3 } from 'three';
 
 export interface StandingPlace {
-  readonly x: number; // of the middle of the wearer's own floor
+  readonly x: number; // of the middle of the physical floor
   readonly y: number;
   readonly z: number;
   readonly yaw: number; // counter-clockwise seen from above
@@ -19,25 +19,25 @@ export function inWorld(place: StandingPlace, point: Vector3): Vector3 {
     .add(new Vector3(place.x, place.y, place.z));
 }
 
-/** floor_from_world: the pose that an offset reference space wants, so that all that it reports is in world coordinates. */
+/** floor_from_world: the pose for an offset reference space that reports all poses in world coordinates. */
 export function originOffset(place: StandingPlace): { position: Vector3; orientation: Quaternion } {
   const orientation = new Quaternion().setFromAxisAngle(up, -place.yaw);
   const position = new Vector3(-place.x, -place.y, -place.z).applyQuaternion(orientation);
   return { position, orientation };
 }
 
-/** Turns about the head, which stays where it is. `head` in world coordinates. */
+/** Turns about the head, which keeps its position. `head` in world coordinates. */
 export function turned(place: StandingPlace, head: Vector3, angle: number): StandingPlace {
   const arm = new Vector3(place.x - head.x, 0, place.z - head.z).applyAxisAngle(up, angle);
   return { x: head.x + arm.x, y: place.y, z: head.z + arm.z, yaw: place.yaw + angle };
 }
 
-/** Brings the head over `target`, and the wearer's floor to its height. */
+/** Moves the head above `target`, and the wearer's floor to the height of `target`. */
 export function movedTo(place: StandingPlace, head: Vector3, target: Vector3): StandingPlace {
   return { ...place, x: place.x + target.x - head.x, y: target.y, z: place.z + target.z - head.z };
 }
 
-/** Walks as a stick says: forward is where the head looks, on the level. */
+/** Walks by a stick's deflection: forward is the head's horizontal direction. */
 export function walked(place: StandingPlace, headYaw: number, right_m: number, forward_m: number): StandingPlace {
   const [sin, cos] = [Math.sin(headYaw), Math.cos(headYaw)];
   return {
@@ -47,7 +47,7 @@ export function walked(place: StandingPlace, headYaw: number, right_m: number, f
   };
 }
 
-/** About the vertical, of something that looks along its own -z. */
+/** Angle about the vertical of an object that looks along its own -z. */
 export function yawOf(orientation: Quaternion): number {
   const ahead = new Vector3(0, 0, -1).applyQuaternion(orientation);
   return Math.atan2(-ahead.x, -ahead.z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thumbsticks -> what the wearer wants: the left one walks smoothly, the right one turns in steps; pushed forward it
-// aims, and lets go to teleport. Pure state, one per session.
+// Maps thumbsticks to actions: the left one walks smoothly, the right one turns in steps; pushed forward it aims, and
+// teleports when released. Pure state, one per session.
 
 const dead = 0.2;
 const pushed = 0.7;
@@ -17,7 +17,7 @@ export interface StickWishes {
   forward: number;
   turn_rad: number; // once, counter-clockwise
   aims: boolean;
-  letsGo: boolean; // was aiming until now
+  letsGo: boolean; // released after aiming
 }
 
 function live(value: number): number {
@@ -25,7 +25,7 @@ function live(value: number): number {
 }
 
 export class Sticks {
-  private turned = false; // the stick has to come back before the next step
+  private turned = false; // the stick must return before the next step
   private aiming = false;
 
   read(left: Stick | undefined, right: Stick | undefined): StickWishes {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one sensor shows now and what it has seen behind that before, ready to be drawn: textures in a grid of every
-// `step`-th pixel. Kept up by BackgroundUpdater.
+// One sensor's live surface and background model, ready for drawing: textures in a grid of every `step`-th pixel.
+// Updated by MemoryKeeper.
 import * as THREE from 'three';
 import type { SensorPictures } from '../sensor_pictures';
 
@@ -28,7 +28,7 @@ function target(width: number, height: number, ...layouts: Layout[]): THREE.WebG
   return made;
 }
 
-/** Of the whole picture. */
+/** Textures of the full picture size. */
 export class Remembered {
   readonly target: THREE.WebGLRenderTarget;
 
@@ -50,7 +50,7 @@ export class Remembered {
   }
 }
 
-/** In the grid. */
+/** Textures of the grid's size. */
 export class Grids {
   readonly repaired: THREE.WebGLRenderTarget;
   readonly live: THREE.WebGLRenderTarget;
@@ -58,7 +58,7 @@ export class Grids {
   readonly quality: THREE.WebGLRenderTarget;
   readonly background: THREE.WebGLRenderTarget;
   readonly carved: THREE.WebGLRenderTarget;
-  isCarved = false; // holds something
+  isCarved = false; // carved contains data
 
   constructor(
     readonly step: number,
@@ -88,9 +88,9 @@ export class Grids {
 
 export class BackgroundModel {
   remembered: Remembered;
-  spare: Remembered; // written next
+  spare: Remembered; // target of the next update
   grids: Grids;
-  isBlank = true; // remembers nothing
+  isBlank = true; // contains no background
   pictures = 0;
 
   constructor(readonly sensor: SensorPictures) {
@@ -100,7 +100,7 @@ export class BackgroundModel {
     this.grids = new Grids(4, width, height);
   }
 
-  /** True when the grid is another one now: it holds nothing until the next refresh. */
+  /** True when the grid has changed; the new grid is empty until the next refresh. */
   setStep(step: number): boolean {
     if (step === this.grids.step) return false;
     this.grids.dispose();
@@ -108,7 +108,7 @@ export class BackgroundModel {
     return true;
   }
 
-  /** The sensor was moved: what it saw from elsewhere is worth nothing. */
+  /** The sensor was moved: its background model is invalid. */
   forget(): void {
     this.isBlank = true;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps sensors' memories: `remember` takes every picture in, `refresh` makes what is drawn of it, `carve` lets the other
-// sensors look through what one remembers. All on the graphics processor.
+// Updates the sensors' background models on the graphics processor: `remember` adds a picture, `refresh` makes the
+// drawable surfaces, `carve` removes background surfaces that the other sensors see through.
 import * as THREE from 'three';
 import type { SensorPictures } from '../sensor_pictures';
 import { edgeShader, qualityShader, repairShader, smoothShader } from './clean_shader';
@@ -8,7 +8,7 @@ import { FullScreenPass, withoutHeadset } from './full_screen_pass';
 import { backgroundShader, carveShader, rememberShader } from './memory_shader';
 import type { BackgroundModel } from './background_model';
 
-/** Of another sensor, to look through what this one remembers. */
+/** Another sensor whose view tests this sensor's background. */
 export interface OtherSensor {
   pictures: SensorPictures;
   otherFromDepth: THREE.Matrix4;
@@ -48,8 +48,8 @@ export class BackgroundUpdater {
 
   constructor(private readonly renderer: THREE.WebGLRenderer) {}
 
-  /** The sensor has a new picture. Every one counts, whether it is drawn or not. */
-  remember(memory: BackgroundModel): void {
+  /** Adds the sensor's new picture. Call it for every picture, drawn or not. */
+  remember(memory: SensorMemory): void {
     const { renderer, rememberIn } = this;
     withoutHeadset(renderer, () => {
       if (memory.isBlank) this.clear(memory.remembered.target);
@@ -64,8 +64,8 @@ export class BackgroundUpdater {
     memory.pictures++;
   }
 
-  /** Makes the surfaces ready to be drawn. */
-  refresh(memory: BackgroundModel): void {
+  /** Prepares the surfaces for drawing. */
+  refresh(memory: SensorMemory): void {
     const { renderer, passes } = this;
     const { grids, remembered, sensor } = memory;
     for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
@@ -89,8 +89,8 @@ export class BackgroundUpdater {
     });
   }
 
-  /** Takes away what others look through; holds until it is called again. */
-  carve(memory: BackgroundModel, others: readonly OtherSensor[]): void {
+  /** Removes surfaces that other sensors see through, until the next call. */
+  carve(memory: SensorMemory, others: readonly OtherSensor[]): void {
     const { renderer, carveIn } = this;
     const { grids, remembered, sensor } = memory;
     carveIn.uReadings.value = remembered.readings;

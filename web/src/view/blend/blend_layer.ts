@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One surface of a sensor among those that are mixed: the live one, or the background that it remembers.
+// One blended surface of a sensor: the live surface, or the background model's.
 import * as THREE from 'three';
 import { edge_m, edgeSlope } from '../sensor_surface';
 import { mixFragmentShader, mixVertexShader, nearestFragmentShader, nearestVertexShader } from './blend_shader';
 import type { BackgroundModel } from './background_model';
 
 const backgroundSetback_m = 0.03;
-const exponent = 4; // how much directions count: higher is sharper, lower hides seams
+const exponent = 4; // weight of directions: higher is sharper, lower hides seams
 
 export type LayerKind = 'live' | 'background';
 
@@ -77,7 +77,7 @@ export class BlendLayer {
     }
   }
 
-  /** What the memory holds now. */
+  /** Takes over the memory's current textures. */
   refresh(): void {
     const { grids, remembered, sensor } = this.memory;
     const { uniforms } = this;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mixes the surfaces of several sensors: those that lie within about 2 cm + 1.2 % of the nearest, weighted by how well
-// each was seen and by how alike the sensor's and the eye's directions are (Buehler et al. 2001, unstructured lumigraph
-// rendering). The same rules as roomcast/render/shaders/blend (nearest, mix, shrink, grow, resolve).
+// Blends the surfaces of several sensors: those within about 2 cm + 1.2 % of the nearest, weighted by the quality of
+// the measurement and by the similarity of the sensor's and the eye's directions (Buehler et al. 2001, unstructured
+// lumigraph rendering). The same rules as roomcast/render/shaders/blend (nearest, mix, shrink, grow, resolve).
 import { passPrecision } from './full_screen_pass';
 
-// Surfaces this close to the nearest one are mixed with it.
+// Surfaces this close to the nearest one are blended with it.
 const mixRange = /* glsl */ `
 const float kMix_m = 0.02;
 const float kMixPer_m = 0.012;
 `;
 
-// A sum of less: there is a surface, but nobody saw its colour. Each layer adds kUncolored; there are at most 64.
+// A smaller sum means a surface without known colour. Each layer adds kUncolored; there are at most 64 layers.
 const colorKnown = /* glsl */ `
 const float kUncolored = 1.0e-4;
 const float kMinColored = 2.0e-2;
@@ -57,7 +57,7 @@ vec3 pointInView(float z) {
 }
 `;
 
-/** The nearest surface, set back by as much as others may lie behind it and still be mixed with it. */
+/** The nearest surface, set back by the distance within which other surfaces are blended with it. */
 export const nearestVertexShader = /* glsl */ `${layerVertex}${mixRange}
 void main() {
   float z = pulledDepth();
@@ -121,8 +121,8 @@ void main() {
 `;
 
 /**
- * Half the size: sums of colours with their weights (push-pull, Gortler et al. 1996). The far counts more: what fills a hole
- * beside a person is the wall behind.
+ * Halves the size: sums of colours with their weights (push-pull, Gortler et al. 1996). Distant surfaces have more
+ * weight, because the gap next to a person is part of the wall behind.
  */
 export const shrinkShader = /* glsl */ `${colorKnown}
 uniform sampler2D uFiner;
@@ -149,7 +149,7 @@ void main() {
 }
 `;
 
-/** Where a level has nothing, what the next coarser one has. */
+/** Fills gaps in a level from the next coarser level. */
 export const growShader = /* glsl */ `
 uniform sampler2D uLevel;
 uniform sampler2D uCoarser;
@@ -162,7 +162,10 @@ void main() {
 }
 `;
 
-/** The mixed picture with its depth; what no sensor sees takes the colour of its surroundings, if that is wanted. */
+/**
+ * The blended picture with its depth. Optionally fills pixels that no sensor sees with the colour of their
+ * surroundings.
+ */
 export const resolveFragmentShader = /* glsl */ `${passPrecision}${mixRange}${colorKnown}
 uniform sampler2D uColorSum;
 uniform sampler2D uDepth;

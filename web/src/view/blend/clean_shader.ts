@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a live depth picture ready to be mixed with others, in the grid of every uStep-th pixel: the same steps as
+// Prepares a live depth picture for blending, in the grid of every uStep-th pixel: the same steps as
 // roomcast/render/shaders/blend (fill_small, extend_edges, smooth, edge_distance, quality).
 import { depthNoise } from './memory_shader';
 
-/** A pixel without a reading takes the mean of its neighbours where these are of one surface. */
+/** Fills a pixel without a reading with the mean of its neighbours where these are on one surface. */
 export const repairShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // every pixel
 uniform int uStep;
@@ -34,7 +34,7 @@ void main() {
 }
 `;
 
-/** Bilateral filter (Tomasi & Manduchi 1998): a mean over 5x5 cells in which only those count that lie on the same surface. */
+/** Bilateral filter (Tomasi & Manduchi 1998): the mean over those of 5x5 cells that are on the same surface. */
 export const smoothShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // in the grid
 out vec4 smoothed_m;
@@ -64,7 +64,7 @@ void main() {
 }
 `;
 
-/** How many cells the next break of the surface is away along the row, 0 to kReach, as a share of kReach. */
+/** Distance along the row to the next depth edge, 0 to kReach cells, as a share of kReach. */
 export const edgeShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // in the grid
 uniform int uStep;
@@ -95,8 +95,8 @@ void main() {
 `;
 
 /**
- * How much a cell counts beside others: the more, the closer it is, the more squarely it was seen, and the farther from the
- * next break of the surface, where depth and colour mix what lies on both sides.
+ * The weight of a cell in blending. It increases with closeness, with perpendicular viewing, and with the distance from
+ * the next depth edge, where depth and colour mix both sides.
  */
 export const qualityShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // in the grid

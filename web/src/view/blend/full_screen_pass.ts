@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fragment shader that does something for every pixel of a render target: what a compute shader would, where there are
-// none (WebGL 2). Every pixel has to be written.
+// A fragment shader that runs for every pixel of a render target, in place of a compute shader, which WebGL 2 lacks.
+// Every pixel has to be written.
 import * as THREE from 'three';
 
 const vertexShader = /* glsl */ `
@@ -16,7 +16,7 @@ precision highp sampler2D;
 precision highp usampler2D;
 `;
 
-/** Three vertices that cover the picture; no buffers are needed. */
+/** Three vertices that cover the picture, without buffers. */
 export function wholePicture(): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
   geometry.setDrawRange(0, 3);
@@ -61,7 +61,9 @@ export class FullScreenPass {
   }
 }
 
-/** Runs passes that are not views of the room: one of each, also when two eyes look, and nothing is cleared before. */
+/**
+ * Runs passes that are not views of the room: once each, also with two eyes, and without clearing the target before.
+ */
 export function withoutHeadset(renderer: THREE.WebGLRenderer, run: () => void): void {
   const target = renderer.getRenderTarget();
   const { autoClear } = renderer;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sensor remembers of what stands still: the same rules as roomcast/render/shaders/blend (remember_background,
+// A sensor's model of its static background: the same rules as roomcast/render/shaders/blend (remember_background,
 // background_depth, carve). `uReadings`: metres and readings of the background, metres and readings of a candidate
-// behind it. Grid textures hold every uStep-th pixel.
+// behind it. Grid textures contain every uStep-th pixel.
 
 export const depthNoise = /* glsl */ `
 // How far readings of a time-of-flight camera scatter (Fankhauser et al. 2015, a wall that faces it), times 1.5. Metres.
@@ -11,7 +11,7 @@ float depthSigma(float z) { return 0.0015 * (1.5 - 0.5 * z + 0.3 * z * z); }
 float sameSurfaceGate(float z) { return 4.0 * depthSigma(z) + 0.004; }
 `;
 
-/** One new picture: into what is remembered, and the depth to draw with the noise of standing things taken out. */
+/** Adds one new picture to the background model, and denoises the drawn depth of static surfaces. */
 export const rememberShader = /* glsl */ `
 uniform usampler2D uDepth;
 uniform sampler2D uColor;
@@ -64,9 +64,9 @@ void main() {
 `;
 
 /**
- * The background as a surface to draw, in the grid: where it was read often enough, where the sensor does not read something
- * beyond it, and where no other sensor looks through it. Negative where the live surface lies on it: triangles that are
- * negative at all corners are not drawn.
+ * The background as a drawable surface, in the grid: where there are enough readings, where the sensor has no reading
+ * beyond it, and where no other sensor sees through it. Negative where the live surface coincides with it: triangles
+ * with only negative corners are not drawn.
  */
 export const backgroundShader = /* glsl */ `
 uniform usampler2D uDepth;
@@ -90,7 +90,7 @@ void main() {
 }
 `;
 
-/** 1 where another sensor now reads something clearly beyond the remembered surface, all around it. Drawn with MAX. */
+/** 1 where another sensor now has a reading clearly beyond the remembered surface, all around it. Drawn with MAX. */
 export const carveShader = /* glsl */ `
 uniform sampler2D uReadings;
 uniform sampler2D uRays;

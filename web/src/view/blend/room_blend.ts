@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces of all sensors, mixed into one picture with its depth, which stands in the scene like any other object:
-// put `picture` into the scene and call `mix` before it is drawn. Two passes: the nearest surface, then the sum of what
-// lies close to it. In a headset both eyes share the targets, side by side.
+// Blends the surfaces of all sensors into one picture with depth, which is an object of the scene: add `picture` to the
+// scene and call `mix` before drawing. Two passes: the nearest surface, then the sum of the surfaces close to it. In a
+// headset both eyes share the targets, side by side.
 import * as THREE from 'three';
 import type { BlendLayer } from './blend_layer';
 import { resolveFragmentShader } from './blend_shader';
 import { wholePicture, wholePictureVertexShader } from './full_screen_pass';
 import { Surroundings } from './surroundings';
 
-/** What this browser needs to be able to draw into: half and whole floats. */
+/** Checks that this browser can draw into half and full float targets. */
 export function canBlend(renderer: THREE.WebGLRenderer): boolean {
   return renderer.extensions.has('EXT_color_buffer_float');
 }
@@ -45,7 +45,7 @@ export class RoomBlend {
     });
     this.picture = new THREE.Mesh(wholePicture(), material);
     this.picture.frustumCulled = false;
-    this.picture.renderOrder = -1; // before all that may stand in front of it
+    this.picture.renderOrder = -1; // before all objects that may be in front of it
   }
 
   add(layer: BlendLayer): void {
@@ -59,12 +59,12 @@ export class RoomBlend {
     layer.dispose();
   }
 
-  /** Whether places that no sensor sees take the colour of their surroundings. */
+  /** Sets whether pixels that no sensor sees are filled with the colour of their surroundings. */
   setFill(fill: boolean): void {
     this.uniforms.uFill.value = fill;
   }
 
-  /** Mixes what `camera` sees into targets of the size of what will be drawn, device pixels. */
+  /** Blends the view of `camera` into targets of the size of the final picture, device pixels. */
   mix(camera: THREE.PerspectiveCamera, width: number, height: number): void {
     const { renderer, sums } = this;
     this.setSize(width, height);

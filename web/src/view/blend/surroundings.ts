@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What surrounds places that no sensor sees: the picture at half its size, with every gap filled from coarser and
-// coarser ones (push-pull, Gortler et al. 1996).
+// Colours for pixels that no sensor sees: the picture at half its size, with every gap filled from coarser and coarser
+// levels (push-pull, Gortler et al. 1996).
 import * as THREE from 'three';
 import { growShader, shrinkShader } from './blend_shader';
 import { FullScreenPass, withoutHeadset } from './full_screen_pass';
 
-const mostLevels = 10; // the coarsest covers 1024 pixels
+const mostLevels = 10; // a pixel of the coarsest level covers 1024 pixels
 
 function levelOf(width: number, height: number): THREE.WebGLRenderTarget {
   const level = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType, depthBuffer: false });
