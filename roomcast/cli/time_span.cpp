@@ -13,7 +13,7 @@ struct Unit {
   std::int64_t seconds;
 };
 constexpr std::array<Unit, 4> kUnits = {{{'d', 86'400}, {'h', 3'600}, {'m', 60}, {'s', 1}}};
-constexpr std::int64_t kMost = 100'000;  // largest count of any unit
+constexpr std::int64_t kMaxCount = 100'000;  // largest count of any unit
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kMaxAngle_rad = 0.3 * M_PI / 180, kMost_m = 0.015;
+constexpr double kMaxAngle_rad = 0.3 * M_PI / 180, kMaxError_m = 0.015;
 
 const std::vector<const ViewFixture*>& corner_views() {
   static const std::vector<const ViewFixture*> views = {&first_corner(), &second_corner(),
@@ -43,7 +43,7 @@ TEST(RigAligner, places_three_corners_of_a_room) {
     const PoseDifference error =
         difference(found, true_pose(*corner_views()[0], *corner_views()[i]));
     EXPECT_LT(error.angle_rad, kMaxAngle_rad) << report.sensors[i].id;
-    EXPECT_LT(error.distance_m, kMost_m) << report.sensors[i].id;
+    EXPECT_LT(error.distance_m, kMaxError_m) << report.sensors[i].id;
   }
 }
 
@@ -53,7 +53,7 @@ TEST(RigAligner, puts_the_floor_at_zero_and_y_up) {
   for (std::size_t i = 0; i < 3; ++i) {
     const RigidTransform& found = *report.sensors[i].world_from_depth;
     const RigidTransform& truth = corner_views()[i]->world_from_depth;
-    EXPECT_NEAR(found.translation_m.y(), truth.translation_m.y(), kMost_m);
+    EXPECT_NEAR(found.translation_m.y(), truth.translation_m.y(), kMaxError_m);
     EXPECT_GT(found.rotation.row(1).dot(truth.rotation.row(1)), std::cos(kMaxAngle_rad));
   }
   EXPECT_NEAR(report.sensors[0].world_from_depth->translation_m.x(), 0, 1e-9);
@@ -127,7 +127,7 @@ TEST(RigAligner, is_not_fooled_by_a_room_that_looks_the_same_turned_by_half) {
   if (!b_from_a) return;  // refused, which is acceptable
   const PoseDifference error = difference(b_from_a->inverse(), true_pose(one_side(), other_side()));
   EXPECT_LT(error.angle_rad, kMaxAngle_rad);
-  EXPECT_LT(error.distance_m, kMost_m);
+  EXPECT_LT(error.distance_m, kMaxError_m);
 }
 
 /// A view whose depth errors are a smooth wave over the picture, another one for every phase.

@@ -13,7 +13,7 @@ import { SensorSurface } from './sensor_surface';
 export class PlacedSensor {
   readonly pictures: SensorPictures;
   readonly surface: SensorSurface;
-  readonly memory: SensorMemory | undefined; // undefined where surfaces cannot be blended
+  readonly memory: BackgroundModel | undefined; // undefined where surfaces cannot be blended
   readonly layers: BlendLayer[];
   readonly mark: THREE.LineSegments;
   readonly worldFromDepth = new THREE.Matrix4();

@@ -22,7 +22,7 @@ export class RoomScene {
   readonly avatars = new Avatars();
   readonly placed = new Map<number, PlacedSensor>();
   readonly mixes: boolean; // whether this browser can blend surfaces
-  private readonly keeper: MemoryKeeper | undefined;
+  private readonly keeper: BackgroundUpdater | undefined;
   private readonly blend: RoomBlend | undefined;
   private background = darkBackground;
   private grid = floorGrid(darkBackground);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One sensor's live surface and background model, ready for drawing: textures in a grid of every `step`-th pixel.
-// Updated by MemoryKeeper.
+// Updated by BackgroundUpdater.
 import * as THREE from 'three';
 import type { SensorPictures } from '../sensor_pictures';
 

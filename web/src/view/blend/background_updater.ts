@@ -49,7 +49,7 @@ export class BackgroundUpdater {
   constructor(private readonly renderer: THREE.WebGLRenderer) {}
 
   /** Adds the sensor's new picture. Call it for every picture, drawn or not. */
-  remember(memory: SensorMemory): void {
+  remember(memory: BackgroundModel): void {
     const { renderer, rememberIn } = this;
     withoutHeadset(renderer, () => {
       if (memory.isBlank) this.clear(memory.remembered.target);
@@ -65,7 +65,7 @@ export class BackgroundUpdater {
   }
 
   /** Prepares the surfaces for drawing. */
-  refresh(memory: SensorMemory): void {
+  refresh(memory: BackgroundModel): void {
     const { renderer, passes } = this;
     const { grids, remembered, sensor } = memory;
     for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
@@ -90,7 +90,7 @@ export class BackgroundUpdater {
   }
 
   /** Removes surfaces that other sensors see through, until the next call. */
-  carve(memory: SensorMemory, others: readonly OtherSensor[]): void {
+  carve(memory: BackgroundModel, others: readonly OtherSensor[]): void {
     const { renderer, carveIn } = this;
     const { grids, remembered, sensor } = memory;
     carveIn.uReadings.value = remembered.readings;
