@@ -55,7 +55,7 @@ AlignCase case_of(const Entry& a, const Entry& b) {
   pair.a_from_b = a.seen->world_from_depth.inverse() * b.seen->world_from_depth;
   pair.overlap = alignment::check_free_space(a.seen->view->surface, b.seen->view->surface,
                                              pair.a_from_b, kOverlapPoints)
-                     .consistent_least;
+                     .min_consistent;
   return pair;
 }
 

@@ -28,7 +28,7 @@ DepthQuality quality_of(const DepthError& error, double frames) {
   }
   quality.outliers_20mm = static_cast<double>(error.outliers()) / frames;
   quality.lost = static_cast<double>(error.lost()) / frames;
-  quality.provisional = static_cast<double>(error.provisional()) / frames;
+  quality.extra = static_cast<double>(error.extra()) / frames;
   return quality;
 }
 
@@ -87,7 +87,7 @@ std::int64_t Candidate::find_shown(const MaskImage& seen, const MaskImage& decod
 Status Candidate::check_promise(const DepthImage& input_mm, const DepthError& error) const {
   if (!choice_.bound_mm) return {};
   const bool kept = same_size(decoded_.depth_mm.view(), input_mm.view()) && error.lost() == 0 &&
-                    error.provisional() == 0 && error.max_input_mm() <= *choice_.bound_mm;
+                    error.extra() == 0 && error.max_input_mm() <= *choice_.bound_mm;
   if (kept) return {};
   return Error{ErrorCode::kMalformed, choice_.codec + " " + choice_.mode +
                                           " did not give back the depth that it promises."};

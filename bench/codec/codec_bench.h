@@ -39,7 +39,7 @@ struct DepthQuality {
   // Per frame, against the truth where it is known, else against the input.
   double outliers_20mm = 0;
   // Readings per frame that only the input has, and that only the output has.
-  double lost = 0, provisional = 0;
+  double lost = 0, extra = 0;
 };
 
 struct CodecBenchRow {

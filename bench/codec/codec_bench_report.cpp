@@ -29,7 +29,7 @@ void add_depth(const std::optional<DepthQuality>& depth, ordered_json& json) {
   json["rms_noise_free_moving_mm"] = or_null(quality.rms_noise_free_moving_mm);
   json["outliers_20mm"] = if_depth(quality.outliers_20mm);
   json["lost"] = if_depth(quality.lost);
-  json["provisional"] = if_depth(quality.provisional);
+  json["extra"] = if_depth(quality.extra);
 }
 
 ordered_json to_json(const CodecBenchRow& row) {

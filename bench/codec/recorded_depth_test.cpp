@@ -55,7 +55,7 @@ void expect_within_bound(const DepthImage& depth, int bound_mm) {
   error.add(decoded, depth, {});
   EXPECT_LE(error.max_input_mm(), bound_mm);
   EXPECT_EQ(error.lost(), 0);
-  EXPECT_EQ(error.provisional(), 0);
+  EXPECT_EQ(error.extra(), 0);
 }
 
 class RecordedDepth : public testing::TestWithParam<const char*> {};

@@ -102,9 +102,9 @@ class Scene {
     (void)watch.moved(still.depth_mm(begin).view(), HostTime(begin));
     ++tally.pushes;
     constexpr nanoseconds kFirstFrame = std::chrono::milliseconds(33);
-    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kLookInterval) {
+    for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kCheckInterval) {
       // Right after a look, when the time until the next look is longest.
-      const nanoseconds time = begin + since + alignment::kLookInterval - kFirstFrame;
+      const nanoseconds time = begin + since + alignment::kCheckInterval - kFirstFrame;
       if (!watch.moved(pushed->depth_mm(time).view(), HostTime(time))) continue;
       ++tally.noticed;
       tally.longest_s =

@@ -51,7 +51,7 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
       const RigidTransform a_from_b = world_from_depth[a].inverse() * world_from_depth[b];
       const auto check = alignment::check_free_space(
           input.views[a]->surface, input.views[b]->surface, a_from_b, kOverlapPoints);
-      input.cases.push_back({a, b, a_from_b, check.consistent_least});
+      input.cases.push_back({a, b, a_from_b, check.min_consistent});
     }
   }
   return input;

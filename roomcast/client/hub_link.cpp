@@ -180,8 +180,8 @@ void HubLink::on_ended(const net::CloseReason& reason) {
   const Error error{ErrorCode::kClosed, sentence};
   if (is_over()) return give_up(error);
   const nanoseconds pause = hubs_.failed();
-  const bool is_sent_on = refusal_ && refusal_code_ == pb::ERROR_BUSY && !welcomed_at_;
-  if (is_sent_on && pause == nanoseconds(0)) return connect_after(pause);  // not a failure
+  const bool is_redirected = refusal_ && refusal_code_ == pb::ERROR_BUSY && !welcomed_at_;
+  if (is_redirected && pause == nanoseconds(0)) return connect_after(pause);  // not a failure
   retry_after(pause, error);
 }
 

@@ -56,7 +56,7 @@ void DepthError::compare_noise_free(DepthView decoded_mm, const DepthTruth& trut
 
 void DepthError::compare(int decoded_mm, int input_mm) {
   lost_ += input_mm != 0 && decoded_mm == 0;
-  provisional_ += input_mm == 0 && decoded_mm != 0;
+  extra_ += input_mm == 0 && decoded_mm != 0;
   if (input_mm == 0 || decoded_mm == 0) return;
   const int error_mm = std::abs(decoded_mm - input_mm);
   input_.add(error_mm);
@@ -71,7 +71,7 @@ void DepthError::add(const DepthError& other) {
   }
   max_input_mm_ = std::max(max_input_mm_, other.max_input_mm_);
   lost_ += other.lost_;
-  provisional_ += other.provisional_;
+  extra_ += other.extra_;
   has_truth_ |= other.has_truth_;
   has_noise_free_ |= other.has_noise_free_;
 }

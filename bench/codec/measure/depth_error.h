@@ -51,7 +51,7 @@ class DepthError {
   [[nodiscard]] std::int64_t true_pixels(Motion motion) const { return of(motion).pixels; }
   /// Pixels with a reading only in the input, and pixels with a reading only in the output.
   [[nodiscard]] std::int64_t lost() const { return lost_; }
-  [[nodiscard]] std::int64_t provisional() const { return provisional_; }
+  [[nodiscard]] std::int64_t extra() const { return extra_; }
 
  private:
   struct Sums {
@@ -70,7 +70,7 @@ class DepthError {
   Sums input_;
   std::array<Sums, kMotionCount> truth_, noise_free_;
   int max_input_mm_ = 0;
-  std::int64_t lost_ = 0, provisional_ = 0;
+  std::int64_t lost_ = 0, extra_ = 0;
   bool has_truth_ = false, has_noise_free_ = false;
 };
 

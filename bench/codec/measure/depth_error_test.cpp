@@ -28,7 +28,7 @@ TEST(DepthError, equal_pictures_have_none) {
   EXPECT_EQ(error.max_input_mm(), 0);
   EXPECT_EQ(error.outliers(), 0);
   EXPECT_EQ(error.lost(), 0);
-  EXPECT_EQ(error.provisional(), 0);
+  EXPECT_EQ(error.extra(), 0);
   EXPECT_FALSE(error.has_truth());
 }
 
@@ -44,7 +44,7 @@ TEST(DepthError, counts_readings_lost_and_invented) {
   DepthError error;
   error.add(row_of({0, 0, 5, 1000}), row_of({900, 800, 0, 1000}), {});
   EXPECT_EQ(error.lost(), 2);
-  EXPECT_EQ(error.provisional(), 1);
+  EXPECT_EQ(error.extra(), 1);
   EXPECT_EQ(error.rms_input_mm(), 0);
 }
 

@@ -286,7 +286,7 @@ void RoomRegistry::let_go(const Disconnect& end) {
   const auto client = clients_.find(end.connection);
   if (client == clients_.end()) return;
   log_client(client->second.address + " is sent away: " + end.sentence, client->second,
-             "disconnect_client", pb::ErrorCode_Name(end.code));
+             "send_away", pb::ErrorCode_Name(end.code));
   clients_.erase(client);
 }
 

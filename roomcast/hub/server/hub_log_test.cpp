@@ -98,7 +98,7 @@ TEST_F(HubLogTest, names_the_token_of_who_is_inside) {
 TEST_F(HubLogTest, names_who_is_sent_away_and_why) {
   answered(in_room(sensor_join("left"), "open"));
   answered(in_room(sensor_join("left"), "open"));  // without tokens it may replace the earlier one
-  Fields away = told("disconnect_client");
+  Fields away = told("send_away");
   EXPECT_EQ(away["name"], "left");
   EXPECT_FALSE(away["error"].empty());
 }
