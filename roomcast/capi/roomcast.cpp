@@ -206,11 +206,11 @@ int roomcast_is_connected(roomcast_viewer* viewer, char* error, size_t error_siz
 }
 
 int roomcast_may_record(roomcast_viewer* viewer, char* error, size_t error_size) {
-  return may(viewer, check_may_record, error, error_size);
+  return may(viewer, client::check_may_record, error, error_size);
 }
 
 int roomcast_may_export(roomcast_viewer* viewer, char* error, size_t error_size) {
-  return may(viewer, check_may_export, error, error_size);
+  return may(viewer, client::check_may_export, error, error_size);
 }
 
 roomcast_frames* roomcast_wait_frames(roomcast_viewer* viewer, int timeout_ms) {

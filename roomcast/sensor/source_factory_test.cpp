@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
 
 namespace roomcast::sensor {

@@ -98,7 +98,7 @@ Result<CameraPath> read_camera_path(const std::filesystem::path& file) {
   return Error{path.error().code, file.string() + ": " + path.error().message};
 }
 
-CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& viewer::pivot_m,
+CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& pivot_m,
                          double length_s) {
   const double longest_s = kSwingKeyEvery_s * (CameraPath::kMaxKeys - 2);
   std::vector<CameraKey> keys;

@@ -44,7 +44,7 @@ class CameraPath {
 [[nodiscard]] Result<CameraPath> read_camera_path(const std::filesystem::path& file);
 
 /// A slow swing from `eye_m` to both sides about the vertical axis through `pivot_m`.
-[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m,
-                                       const Eigen::Vector3d& viewer::pivot_m, double length_s);
+[[nodiscard]] CameraPath swinging_path(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& pivot_m,
+                                       double length_s);
 
 }  // namespace roomcast::recording

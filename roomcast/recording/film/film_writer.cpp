@@ -167,7 +167,7 @@ Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path
                    "there is " + path.string() + " already; a film is made anew or not at all"};
     }
   }
-  if (!viewer::is_on_path("ffmpeg")) return viewer::open_png_sequence(folder, write_color_png);
+  if (!viewer::is_on_path("ffmpeg")) return viewer::open_png_sequence(folder, io::write_color_png);
   auto ffmpeg = viewer::open_ffmpeg(part, options.size, options.fps);
   if (!ffmpeg) return ffmpeg.error();
   return std::unique_ptr<viewer::VideoSink>(

@@ -11,16 +11,16 @@
 namespace roomcast::hub::federation {
 namespace {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 
 const net::CloseReason kGone{net::close_code::kGoingAway, "it has left the other hub"};
 
 /// The join data of a sensor.
-pb::SensorRole role_of(const pb::SensorEntry& entry) {
-  pb::SensorRole role;
+wpb::SensorRole role_of(const wpb::SensorEntry& entry) {
+  wpb::SensorRole role;
   *role.mutable_calibration() = entry.calibration();
   role.set_fps(entry.fps());
-  if (entry.placement() == pb::PLACEMENT_GIVEN) {
+  if (entry.placement() == wpb::PLACEMENT_GIVEN) {
     *role.mutable_world_from_depth() = entry.world_from_depth();
   }
   return role;
@@ -41,12 +41,12 @@ std::uint32_t added_error_us(std::uint32_t error_us, nanoseconds more) {
 
 }  // namespace
 
-pb::SensorPlacement placement_of(const pb::SensorEntry& entry, SensorId here) {
-  pb::SensorPlacement placement;
+wpb::SensorPlacement placement_of(const wpb::SensorEntry& entry, SensorId here) {
+  wpb::SensorPlacement placement;
   placement.set_sensor_id(here.value);
   placement.set_bundle_number(std::numeric_limits<std::uint32_t>::max());
   placement.set_note(entry.placement_note());
-  if (entry.placement() != pb::PLACEMENT_ALIGNED) return placement;
+  if (entry.placement() != wpb::PLACEMENT_ALIGNED) return placement;
   *placement.mutable_world_from_depth() = entry.world_from_depth();
   placement.set_expected_error_mm(entry.expected_error_mm());
   placement.set_unverified(entry.unverified());
@@ -85,7 +85,7 @@ void MirroredSensors::follow(const SensorThere& sensor) {
   const bool has_just_moved = sensor.entry.moved() && !known->second.there.entry.moved();
   known->second.there = sensor;
   if (!has_just_moved || !known->second.id) return;
-  pb::Control moved;
+  wpb::Control moved;
   moved.mutable_sensor_moved();
   here_.on_control(known->second.connection, moved);
 }
@@ -93,7 +93,7 @@ void MirroredSensors::follow(const SensorThere& sensor) {
 void MirroredSensors::join(const SensorThere& sensor) {
   const ConnectionId connection = new_connection_();
   sensors_[sensor.entry.id()] = {.there = sensor, .connection = connection};
-  pb::Join join;
+  wpb::Join join;
   join.set_room(room_);
   join.set_token(token_);
   join.set_name(sensor.entry.name());
@@ -133,7 +133,7 @@ void MirroredSensors::pass_on() {
   came_ = std::move(together);  // keeps the memory
 }
 
-void MirroredSensors::say(std::uint32_t id_there, const pb::Control& message) {
+void MirroredSensors::say(std::uint32_t id_there, const wpb::Control& message) {
   const auto sensor = sensors_.find(id_there);
   if (sensor != sensors_.end() && sensor->second.id) {
     here_.on_control(sensor->second.connection, message);
@@ -165,14 +165,14 @@ bool MirroredSensors::has(std::string_view name) const {
   });
 }
 
-std::optional<pb::Control> MirroredSensors::said(ConnectionId to, const pb::Control& message) {
+std::optional<wpb::Control> MirroredSensors::said(ConnectionId to, const wpb::Control& message) {
   const auto sensor = find(to);
   if (sensor == sensors_.end()) return std::nullopt;
   if (message.has_welcome()) {
     sensor->second.id = SensorId{static_cast<std::uint16_t>(message.welcome().sensor_id())};
   }
   if (!message.has_key_request()) return std::nullopt;
-  pb::Control request;
+  wpb::Control request;
   request.mutable_key_request()->set_sensor_id(sensor->first);
   return request;
 }

@@ -14,11 +14,11 @@ class MirroredSensorsTest : public testing::Test {
  protected:
   /// The room here sends a welcome to the `n`th client that joined, as sensor `id`.
   void welcome(std::size_t n, std::uint32_t id) {
-    pb::Control control;
+    wire::pb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
     EXPECT_FALSE(mirror.said(here.joins.at(n).first, control).has_value());
   }
-  void follow(std::initializer_list<pb::SensorEntry> entries) {
+  void follow(std::initializer_list<wire::pb::SensorEntry> entries) {
     std::vector<SensorThere> online;
     for (const auto& entry : entries) online.push_back({.entry = entry});
     mirror.follow(online);
@@ -32,7 +32,7 @@ class MirroredSensorsTest : public testing::Test {
 TEST_F(MirroredSensorsTest, sensors_there_join_here_as_themselves) {
   follow({sensor_there(7, "left")});
   ASSERT_EQ(here.joins.size(), 1u);
-  const pb::Join& join = here.joins[0].second;
+  const wire::pb::Join& join = here.joins[0].second;
   EXPECT_EQ(join.room(), "lab");
   EXPECT_EQ(join.token(), "own");
   EXPECT_EQ(join.name(), "left");
@@ -115,7 +115,7 @@ TEST_F(MirroredSensorsTest, what_is_no_frame_is_dropped) {
 TEST_F(MirroredSensorsTest, a_key_request_is_handed_on_with_the_id_there) {
   follow({sensor_there(7, "left")});
   welcome(0, 3);
-  pb::Control control;
+  wire::pb::Control control;
   control.mutable_key_request()->set_sensor_id(3);
   const auto request = mirror.said(here.joins[0].first, control);
   ASSERT_TRUE(request);
@@ -124,7 +124,7 @@ TEST_F(MirroredSensorsTest, a_key_request_is_handed_on_with_the_id_there) {
 
 TEST_F(MirroredSensorsTest, what_a_sensor_says_there_it_says_here_once_it_is_welcome) {
   follow({sensor_there(7, "left")});
-  pb::Control bundle;
+  wire::pb::Control bundle;
   bundle.mutable_calibration_bundle();
   mirror.say(7, bundle);
   EXPECT_TRUE(here.said.empty());
@@ -136,7 +136,7 @@ TEST_F(MirroredSensorsTest, what_a_sensor_says_there_it_says_here_once_it_is_wel
 }
 
 TEST_F(MirroredSensorsTest, a_sensor_that_was_moved_says_so_once) {
-  auto entry = sensor_there(7, "left", pb::PLACEMENT_ALIGNED);
+  auto entry = sensor_there(7, "left", wire::pb::PLACEMENT_ALIGNED);
   follow({entry});
   welcome(0, 3);
   entry.set_moved(true);

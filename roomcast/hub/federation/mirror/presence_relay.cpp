@@ -9,27 +9,27 @@
 namespace roomcast::hub::federation {
 namespace {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 
-pb::ViewerEntry told_of(const pb::ViewerEntry& person) {
-  pb::ViewerEntry told = person;
+wpb::ViewerEntry told_of(const wpb::ViewerEntry& person) {
+  wpb::ViewerEntry told = person;
   told.clear_through();  // an ID that is meaningless on another hub
   return told;
 }
 
-bool comes_from_backplane(const pb::ViewerEntry& person) {
+bool comes_from_backplane(const wpb::ViewerEntry& person) {
   return person.hubs_away() > 0 && person.through() == 0;
 }
 
 }  // namespace
 
-bool PresenceRelay::take(const pb::Roster& roster) {
-  std::map<std::uint32_t, pb::ViewerEntry> people;  // sorted by ID: a roster is unordered
-  for (const pb::ViewerEntry& person : roster.viewers()) {
+bool PresenceRelay::take(const wpb::Roster& roster) {
+  std::map<std::uint32_t, wpb::ViewerEntry> people;  // sorted by ID: a roster is unordered
+  for (const wpb::ViewerEntry& person : roster.viewers()) {
     if (person.relays() || comes_from_backplane(person)) continue;
     people[person.id()] = told_of(person);
   }
-  pb::PeopleHere now;
+  wpb::PeopleHere now;
   for (auto& [id, person] : people) {
     if (now.people_size() < wire::kMaxPeopleHere) *now.add_people() = std::move(person);
   }
@@ -39,9 +39,9 @@ bool PresenceRelay::take(const pb::Roster& roster) {
   return is_news;
 }
 
-pb::ViewerPoses PresenceRelay::take(const pb::ViewerPoses& poses) {
-  pb::ViewerPoses told;
-  for (const pb::ViewerPose& pose : poses.poses()) {
+wpb::ViewerPoses PresenceRelay::take(const wpb::ViewerPoses& poses) {
+  wpb::ViewerPoses told;
+  for (const wpb::ViewerPose& pose : poses.poses()) {
     const bool is_theirs = std::ranges::any_of(
         people_.people(), [&](const auto& person) { return person.id() == pose.viewer_id(); });
     if (!is_theirs) continue;
@@ -51,15 +51,15 @@ pb::ViewerPoses PresenceRelay::take(const pb::ViewerPoses& poses) {
   return told;
 }
 
-pb::ViewerPoses PresenceRelay::newest_poses() const {
-  pb::ViewerPoses all;
+wpb::ViewerPoses PresenceRelay::newest_poses() const {
+  wpb::ViewerPoses all;
   for (const auto& [id, pose] : poses_) *all.add_poses() = pose;
   return all;
 }
 
-pb::PeopleHere people_there(const pb::Roster& roster, std::uint32_t own_viewer_id) {
-  pb::PeopleHere there;
-  for (const pb::ViewerEntry& person : roster.viewers()) {
+wpb::PeopleHere people_there(const wpb::Roster& roster, std::uint32_t own_viewer_id) {
+  wpb::PeopleHere there;
+  for (const wpb::ViewerEntry& person : roster.viewers()) {
     const bool is_us = person.id() == own_viewer_id || person.through() == own_viewer_id;
     if (is_us || person.relays()) continue;
     *there.add_people() = told_of(person);

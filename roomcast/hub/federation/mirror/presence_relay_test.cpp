@@ -10,23 +10,23 @@
 namespace roomcast::hub::federation {
 namespace {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 
-pb::ViewerEntry& add(pb::Roster& roster, std::uint32_t id, const std::string& name = "Ada") {
-  pb::ViewerEntry& entry = *roster.add_viewers();
+wpb::ViewerEntry& add(wpb::Roster& roster, std::uint32_t id, const std::string& name = "Ada") {
+  wpb::ViewerEntry& entry = *roster.add_viewers();
   entry.set_id(id);
   entry.set_name(name);
   return entry;
 }
 
-pb::ViewerPoses poses_of(std::initializer_list<std::uint32_t> ids) {
-  pb::ViewerPoses poses;
+wpb::ViewerPoses poses_of(std::initializer_list<std::uint32_t> ids) {
+  wpb::ViewerPoses poses;
   for (const auto id : ids) poses.add_poses()->set_viewer_id(id);
   return poses;
 }
 
 TEST(PresenceRelay, are_those_here_and_behind_hubs_here_but_neither_hubs_nor_who_came_from_there) {
-  pb::Roster roster;
+  wpb::Roster roster;
   add(roster, 1);
   add(roster, 2, "hub").set_relays(true);
   auto& behind = add(roster, 3, "behind it");
@@ -42,7 +42,7 @@ TEST(PresenceRelay, are_those_here_and_behind_hubs_here_but_neither_hubs_nor_who
 }
 
 TEST(PresenceRelay, are_no_news_in_another_order) {
-  pb::Roster one, other;
+  wpb::Roster one, other;
   add(one, 1), add(one, 2);
   add(other, 2), add(other, 1);
   PresenceRelay people;
@@ -51,19 +51,19 @@ TEST(PresenceRelay, are_no_news_in_another_order) {
 }
 
 TEST(PresenceRelay, the_newest_pose_of_each_is_kept_while_they_are_there) {
-  pb::Roster roster;
+  wpb::Roster roster;
   add(roster, 1), add(roster, 2);
   PresenceRelay people;
   people.take(roster);
   EXPECT_EQ(people.take(poses_of({1, 2, 3})).poses_size(), 2);
   EXPECT_EQ(people.take(poses_of({1})).poses_size(), 1);
   EXPECT_EQ(people.newest_poses().poses_size(), 2);
-  people.take(pb::Roster());
+  people.take(wpb::Roster());
   EXPECT_EQ(people.newest_poses().poses_size(), 0);
 }
 
 TEST(PresenceRelay, are_bounded_in_number) {
-  pb::Roster roster;
+  wpb::Roster roster;
   for (int i = 0; i <= wire::kMaxPeopleHere; ++i) add(roster, static_cast<unsigned>(i + 1));
   PresenceRelay people;
   people.take(roster);
@@ -71,7 +71,7 @@ TEST(PresenceRelay, are_bounded_in_number) {
 }
 
 TEST(PeopleThere, are_all_but_us_who_is_behind_us_and_hubs) {
-  pb::Roster roster;
+  wpb::Roster roster;
   add(roster, 1);
   add(roster, 2, "us");
   add(roster, 3, "behind us").set_through(2);

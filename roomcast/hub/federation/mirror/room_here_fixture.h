@@ -15,16 +15,15 @@
 
 namespace roomcast::hub::federation {
 
-namespace pb = wire::pb;
 using namespace std::chrono_literals;
 
 /// A room here that records the events it receives.
 struct RoomHere final : hub::BackplaneEvents {
-  void on_join(const hub::ConnectionInfo& arrival, const pb::Join& join) override {
+  void on_join(const hub::ConnectionInfo& arrival, const wire::pb::Join& join) override {
     joins.emplace_back(arrival.from, join);
     arrivals.push_back(arrival);
   }
-  void on_control(ConnectionId from, const pb::Control& message) override {
+  void on_control(ConnectionId from, const wire::pb::Control& message) override {
     said.emplace_back(from, message);
   }
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
@@ -41,18 +40,19 @@ struct RoomHere final : hub::BackplaneEvents {
   }
   void on_left(ConnectionId from, const net::CloseReason&) override { left.push_back(from); }
 
-  std::vector<std::pair<ConnectionId, pb::Join>> joins;
+  std::vector<std::pair<ConnectionId, wire::pb::Join>> joins;
   std::vector<hub::ConnectionInfo> arrivals;
-  std::vector<std::pair<ConnectionId, pb::Control>> said;
+  std::vector<std::pair<ConnectionId, wire::pb::Control>> said;
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
   std::vector<std::size_t> batches;  // number of frames of each on_frames()
   std::vector<SensorId> key_needs;
   std::vector<ConnectionId> left;
 };
 
-inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
-                                    pb::Placement placement = pb::PLACEMENT_GIVEN) {
-  pb::SensorEntry entry;
+inline wire::pb::SensorEntry sensor_there(
+    std::uint32_t id, const std::string& name,
+    wire::pb::Placement placement = wire::pb::PLACEMENT_GIVEN) {
+  wire::pb::SensorEntry entry;
   entry.set_id(id);
   entry.set_name(name);
   entry.set_online(true);
@@ -67,9 +67,9 @@ inline pb::SensorEntry sensor_there(std::uint32_t id, const std::string& name,
   return entry;
 }
 
-inline pb::ViewerEntry person(std::uint32_t id, const std::string& name,
-                              std::uint32_t hubs_away = 0, std::uint32_t through = 0) {
-  pb::ViewerEntry entry;
+inline wire::pb::ViewerEntry person(std::uint32_t id, const std::string& name,
+                                    std::uint32_t hubs_away = 0, std::uint32_t through = 0) {
+  wire::pb::ViewerEntry entry;
   entry.set_id(id);
   entry.set_name(name);
   entry.set_hubs_away(hubs_away);
@@ -77,9 +77,9 @@ inline pb::ViewerEntry person(std::uint32_t id, const std::string& name,
   return entry;
 }
 
-inline pb::Control pose_of(std::uint32_t person) {
-  pb::Control control;
-  pb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
+inline wire::pb::Control pose_of(std::uint32_t person) {
+  wire::pb::Control control;
+  wire::pb::ViewerPose& pose = *control.mutable_viewer_poses()->add_poses();
   pose.set_viewer_id(person);
   pose.mutable_head()->set_qw(1);
   return control;

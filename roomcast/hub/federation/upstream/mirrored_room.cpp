@@ -6,7 +6,7 @@
 
 namespace roomcast::hub::federation {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 
 namespace {
 
@@ -24,22 +24,22 @@ MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEv
 
 // ---- from the other hub
 
-std::vector<pb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
+std::vector<wpb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
   viewer_id_ = viewer_id;
-  std::vector<pb::Control> first(2);
+  std::vector<wpb::Control> first(2);
   *first[0].mutable_people_here() = people_here_.people();
   *first[1].mutable_viewer_poses() = people_here_.newest_poses();
   return first;
 }
 
-void MirroredRoom::poses(const pb::ViewerPoses& poses) {
+void MirroredRoom::poses(const wpb::ViewerPoses& poses) {
   if (!aligner_is_welcome_) return;
-  pb::Control control;
+  wpb::Control control;
   *control.mutable_viewer_poses() = poses;
   here_.on_control(*aligner_, control);
 }
 
-void MirroredRoom::roster(const pb::Roster& roster) {
+void MirroredRoom::roster(const wpb::Roster& roster) {
   if (!aligner_) join_as_aligner();
   std::vector<hub::federation::SensorThere> online;
   for (const auto& entry : roster.sensors()) {
@@ -58,7 +58,7 @@ void MirroredRoom::show_people() {
 
 void MirroredRoom::join_as_aligner() {
   aligner_ = new_connection_();
-  pb::Join join;
+  wpb::Join join;
   join.set_room(room_);
   join.set_token(token_);
   join.mutable_aligner();
@@ -77,15 +77,15 @@ void MirroredRoom::other_hub_is_gone() {
 
 // ---- from the room here
 
-std::optional<pb::Control> MirroredRoom::said(ConnectionId to, const pb::Control& message) {
+std::optional<wpb::Control> MirroredRoom::said(ConnectionId to, const wpb::Control& message) {
   if (to == aligner_) return said_to_aligner(message);
   auto request = sensors_.said(to, message);
   if (message.has_welcome()) place_sensors();
   return request;
 }
 
-std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& message) {
-  pb::Control told;
+std::optional<wpb::Control> MirroredRoom::said_to_aligner(const wpb::Control& message) {
+  wpb::Control told;
   if (message.has_welcome()) {
     aligner_is_welcome_ = true;
     shown_presence_.forget();
@@ -103,10 +103,10 @@ std::optional<pb::Control> MirroredRoom::said_to_aligner(const pb::Control& mess
 
 void MirroredRoom::place_sensors() {
   if (!aligner_is_welcome_) return;
-  pb::Control control;
+  wpb::Control control;
   for (const auto& [there, sensor] : sensors_.all()) {
-    const pb::SensorEntry& entry = sensor.there.entry;
-    if (!sensor.id || entry.placement() == pb::PLACEMENT_GIVEN) continue;
+    const wpb::SensorEntry& entry = sensor.there.entry;
+    if (!sensor.id || entry.placement() == wpb::PLACEMENT_GIVEN) continue;
     *control.mutable_placements()->add_sensors() = hub::federation::placement_of(entry, *sensor.id);
   }
   if (control.has_placements()) here_.on_control(*aligner_, control);

@@ -10,15 +10,15 @@
 namespace roomcast::hub::federation {
 namespace {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 using namespace std::chrono_literals;
 using hub::federation::person;
 using hub::federation::pose_of;
 using hub::federation::RoomHere;
 using hub::federation::sensor_there;
 
-pb::Roster roster_of(std::initializer_list<pb::SensorEntry> sensors) {
-  pb::Roster roster;
+wpb::Roster roster_of(std::initializer_list<wpb::SensorEntry> sensors) {
+  wpb::Roster roster;
   for (const auto& sensor : sensors) *roster.add_sensors() = sensor;
   return roster;
 }
@@ -27,7 +27,7 @@ class MirroredRoomTest : public testing::Test {
  protected:
   /// The room here sends a welcome to the `n`th client that joined, as sensor `id`.
   void welcome(std::size_t n, std::uint32_t id = 0) {
-    pb::Control control;
+    wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
     EXPECT_FALSE(mirrored.said(here.joins.at(n).first, control).has_value());
   }
@@ -41,7 +41,7 @@ TEST_F(MirroredRoomTest, sensors_there_join_here_and_an_aligner_that_places_them
   mirrored.roster(roster_of({sensor_there(7, "left")}));
   ASSERT_EQ(here.joins.size(), 2u);
   EXPECT_TRUE(here.joins[0].second.has_aligner());
-  const pb::Join& join = here.joins[1].second;
+  const wpb::Join& join = here.joins[1].second;
   EXPECT_EQ(join.room(), "lab");
   EXPECT_EQ(join.token(), "own");
   EXPECT_EQ(join.name(), "left");
@@ -50,7 +50,7 @@ TEST_F(MirroredRoomTest, sensors_there_join_here_and_an_aligner_that_places_them
 }
 
 TEST_F(MirroredRoomTest, what_alignment_found_comes_as_an_aligners_word) {
-  mirrored.roster(roster_of({sensor_there(7, "left", pb::PLACEMENT_ALIGNED)}));
+  mirrored.roster(roster_of({sensor_there(7, "left", wpb::PLACEMENT_ALIGNED)}));
   EXPECT_EQ(here.joins.at(1).second.sensor().world_from_depth_size(), 0);
   welcome(0);
   EXPECT_TRUE(here.said.empty()) << "its id here is not known yet";
@@ -92,7 +92,7 @@ TEST_F(MirroredRoomTest, a_sensor_that_was_sent_away_here_is_back_with_the_next_
 
 TEST_F(MirroredRoomTest, people_there_are_shown_here_but_for_us_and_those_behind_us) {
   EXPECT_EQ(mirrored.welcomed(4).size(), 2u);
-  pb::Roster roster;
+  wpb::Roster roster;
   *roster.add_viewers() = person(3, "Ada");
   *roster.add_viewers() = person(4, "hub");
   *roster.add_viewers() = person(5, "behind us", 1, 4);
@@ -115,7 +115,7 @@ TEST_F(MirroredRoomTest, people_there_are_shown_here_but_for_us_and_those_behind
 TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_there) {
   mirrored.roster({});
   welcome(0);
-  pb::Control control;
+  wpb::Control control;
   *control.mutable_roster()->add_viewers() = person(1, "Bob");
   *control.mutable_roster()->add_viewers() = person(2, "from there", 1);
   *control.mutable_roster()->add_viewers() = person(3, "behind a hub here", 1, 9);

@@ -11,7 +11,7 @@ namespace roomcast::hub::federation {
 namespace {
 
 using namespace std::chrono_literals;
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 using hub::RunningHub;
 
 hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::string& token = {}) {

@@ -7,12 +7,12 @@
 
 namespace roomcast::hub::federation {
 
-namespace pb = wire::pb;
+namespace wpb = wire::pb;
 
 namespace {
 
-pb::Join join_message(const UpstreamOptions& options, const std::string& room) {
-  pb::Join join;
+wpb::Join join_message(const UpstreamOptions& options, const std::string& room) {
+  wpb::Join join;
   join.set_room(room);
   join.set_name("hub");
   show(options.credential, join);
@@ -46,23 +46,23 @@ void UpstreamRoom::join() {
   link_->start();
 }
 
-void UpstreamRoom::said(ConnectionId to, const pb::Control& message) {
+void UpstreamRoom::said(ConnectionId to, const wpb::Control& message) {
   const auto answer = mirror_.said(to, message);
   if (answer && is_welcome_) send(*answer);
 }
 
-void UpstreamRoom::send(const pb::Control& message) {
+void UpstreamRoom::send(const wpb::Control& message) {
   count(message.ByteSizeLong(), sent_);
   link_->send(message);
 }
 
-void UpstreamRoom::on_welcome(const pb::Welcome& welcome) {
+void UpstreamRoom::on_welcome(const wpb::Welcome& welcome) {
   is_down_ = false;
   is_welcome_ = true;
-  for (const pb::Control& first : mirror_.welcomed(welcome.viewer_id())) send(first);
+  for (const wpb::Control& first : mirror_.welcomed(welcome.viewer_id())) send(first);
 }
 
-void UpstreamRoom::on_control(const pb::Control& message) {
+void UpstreamRoom::on_control(const wpb::Control& message) {
   count(message.ByteSizeLong(), received_);
   if (message.has_roster()) mirror_.roster(message.roster());
   if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
