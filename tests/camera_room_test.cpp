@@ -34,10 +34,10 @@ class CameraInARoom : public testing::Test {
   void stream(const std::string& spec) {
     auto source = sensor::open_source(spec);
     ASSERT_TRUE(source.ok()) << source.error().message;
-    cli::SensorFeedOptions options;
+    sensor::SensorFeedOptions options;
     options.hub_url = hub_.url();
     options.codec.depth_mode = codec::DepthMode::kLossless;
-    auto feed = cli::SensorFeed::start(*std::move(source), options);
+    auto feed = sensor::SensorFeed::start(*std::move(source), options);
     ASSERT_TRUE(feed.ok()) << feed.error().message;
     feed_ = *std::move(feed);
     auto viewer =
@@ -75,7 +75,7 @@ class CameraInARoom : public testing::Test {
 
   const TemporaryFolder folder_;
   const hub::RunningHub hub_;
-  std::unique_ptr<cli::SensorFeed> feed_;
+  std::unique_ptr<sensor::SensorFeed> feed_;
   std::unique_ptr<client::Subscriber> viewer_;
 };
 

@@ -87,7 +87,7 @@ Result<SensorInfo> read_sensor(const std::string& spec, const std::stop_token& s
     if (info.frames++ == 0) first = frame.device_time;
     info.seconds = std::chrono::duration<double>(frame.device_time - first).count();
     info.frames_with_color += !frame.color.empty();
-    info.depth_crc32.push_back(depth_crc32(frame.depth_mm));
+    info.depth_crc32.push_back(sensor::depth_crc32(frame.depth_mm));
     line.show(fmt::format("{}: {} frames", info.sensor.name, info.frames));
   }
 }

@@ -29,12 +29,13 @@ struct MeasureOptions {
 };
 
 Result<std::vector<recording::StaticSensor>> read_room(const MeasureOptions& options) {
-  auto reader = recording::open_frame_sets(options.recording,
-                                nanoseconds(static_cast<std::int64_t>(options.at_s * 1e9)));
+  auto reader = recording::open_frame_sets(
+      options.recording, nanoseconds(static_cast<std::int64_t>(options.at_s * 1e9)));
   if (!reader) return reader.error();
   StatusLine line;
   return recording::gather_static_room(**reader, [&line](std::size_t sets) {
-    line.show_progress("reading", static_cast<int>(sets), static_cast<int>(recording::kMaxStaticFrames));
+    line.show_progress("reading", static_cast<int>(sets),
+                       static_cast<int>(recording::kMaxStaticFrames));
   });
 }
 
@@ -43,8 +44,8 @@ nlohmann::json json_of(const recording::MeasuredPlace& place) {
           {"sensor", place.sensor}};
 }
 
-Status report_distance(const MeasureOptions& options, const std::vector<recording::StaticSensor>& room,
-                       nlohmann::json& report) {
+Status report_distance(const MeasureOptions& options,
+                       const std::vector<recording::StaticSensor>& room, nlohmann::json& report) {
   const auto from = recording::parse_place(options.from);
   if (!from) return from.error();
   const auto to = recording::parse_place(options.to);
@@ -67,7 +68,8 @@ Status report_plan(const MeasureOptions& options, const std::vector<recording::S
   const auto plan = recording::draw_floor_plan(room);
   if (!plan) return plan.error();
   const std::string title = std::filesystem::path(options.recording).stem().string();
-  if (auto status = io::write_file(options.floor_plan, recording::floor_plan_svg(*plan, title)); !status)
+  if (auto status = io::write_file(options.floor_plan, recording::floor_plan_svg(*plan, title));
+      !status)
     return status;
   for (const recording::Wall& wall : plan->walls) {
     report["walls"].push_back({{"from", {wall.from_m.x(), wall.from_m.y()}},

@@ -35,7 +35,8 @@ Result<RecordedBundle> read_sensor(const std::string& spec) {
   return RecordedBundle{sensor.name, capture.finish()};
 }
 
-RecordedBundle bundle_of_frame(const source::SensorDescription& sensor, const source::CapturedFrame& frame) {
+RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
+                               const source::CapturedFrame& frame) {
   const std::string name = std::to_string(frame.index);
   alignment::BundleCapture capture(name, sensor.calibration);
   const auto added = capture.add(frame.depth_mm, frame.color);

@@ -20,7 +20,8 @@ void add_mode_option(CLI::App& command, const std::string& name, render::RenderM
   choose_by_name(command.add_option(name, mode, "How surfaces are drawn"), modes_by_name());
 }
 
-void add_modes_option(CLI::App& command, const std::string& name, std::vector<render::RenderMode>& modes) {
+void add_modes_option(CLI::App& command, const std::string& name,
+                      std::vector<render::RenderMode>& modes) {
   choose_by_name(command.add_option(name, modes, "How surfaces are drawn; all")->delimiter(','),
                  modes_by_name());
 }

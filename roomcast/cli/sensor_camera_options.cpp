@@ -9,9 +9,10 @@
 namespace roomcast::cli {
 
 void add_camera_options(CLI::App& command, sensor::SourceOptions& source) {
-  const std::map<std::string, source::SyncRole> roles = {{"alone", source::SyncRole::kAlone},
-                                                 {"primary", source::SyncRole::kPrimary},
-                                                 {"secondary", source::SyncRole::kSecondary}};
+  const std::map<std::string, source::SyncRole> roles = {
+      {"alone", source::SyncRole::kAlone},
+      {"primary", source::SyncRole::kPrimary},
+      {"secondary", source::SyncRole::kSecondary}};
   source::CameraSettings& camera = source.camera;
   command.add_option("--calibration", source.calibration,
                      "A camera.json to believe more than the camera: roomcast calibrate writes it");

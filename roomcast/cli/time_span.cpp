@@ -21,7 +21,7 @@ Result<std::int64_t> parse_time_span(std::string_view text) {
   std::int64_t number = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool one_letter_left = end + 1 == text.data() + text.size();
-  if (fault == std::errc() && one_letter_left && number > 0 && number <= kMax) {
+  if (fault == std::errc() && one_letter_left && number > 0 && number <= kMaxCount) {
     for (const Unit& unit : kUnits) {
       if (unit.letter == *end) return number * unit.seconds;
     }

@@ -25,7 +25,7 @@ viewer::DesktopViewerOptions desktop_options(const ViewOptions& options,
     desktop.start = viewer::view_from_pose(*pose, kPivotDistance_m);
   desktop.panel = options.panel;
   desktop.pictures = options.pictures;
-  desktop.write_png = write_color_png;
+  desktop.write_png = io::write_color_png;
   desktop.headset = options.vr;
   return desktop;
 }
