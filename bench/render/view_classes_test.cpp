@@ -28,7 +28,7 @@ TEST(ColorSight, sees_a_wall_and_nothing_behind_it_or_outside_the_picture) {
 
 TEST(ColorSight, does_not_see_what_something_in_front_hides_from_the_colour_camera) {
   DepthImage depth(64, 48, 2000);
-  fill_box<std::uint16_t>(depth, 30, 0, 40, 48, 1000);
+  render::fill_box<std::uint16_t>(depth, 30, 0, 40, 48, 1000);
   const ColorSight sight(sensor_before(depth));
   // The depth camera sees past the box's left edge; the colour camera, further right, does not.
   EXPECT_FALSE(sight.sees({-0.12, 0, 2}));
@@ -57,7 +57,7 @@ TEST(Classify, colour_is_seen_where_a_sensor_sees_the_surface_with_both_cameras)
   entry.camera.height = 48;
   entry.camera.vertical_fov_rad = 2 * std::atan(24.0 / 64);
   TruthView now{ColorImage(64, 48, render::kRed), DepthImage(64, 48, 2000), MaskImage(64, 48, 1)};
-  fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // seen by another sensor only
+  render::fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // seen by another sensor only
   const std::vector<ColorSight> sights = {ColorSight(sensor_before(DepthImage(64, 48, 2000)))};
   const ViewClasses classes = classify(entry, now, now, sights);
   EXPECT_NE(classes.colored.at(40, 24), 0);

@@ -23,7 +23,7 @@ namespace {
 client::RoomSnapshot two_colored_room() {
   constexpr int kSide = 96;
   ColorImage color(kSide, kSide, {200, 10, 10});
-  fill_box<Rgb8>(color, kSide / 2, 0, kSide, kSide, {10, 190, 10});
+  render::fill_box<Rgb8>(color, kSide / 2, 0, kSide, kSide, {10, 190, 10});
   return room_with_wall(world_from_optical_looking_at({0, 1.6, 0}, {0, 1.6, -1}), color);
 }
 
