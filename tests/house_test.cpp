@@ -78,8 +78,8 @@ std::filesystem::path wing_of(const std::filesystem::path& path) {
   return wing;
 }
 
-/// What tests make use of in `wing`: the headers that those in the wing and in tests/ include, the
-/// sources that implement these, what those include, and so on.
+/// The files of `wing` that tests use: the headers that tests of the wing and of tests/ include,
+/// the sources that implement these headers, the headers that these sources include, and so on.
 std::set<std::string> reached_by_tests(const std::filesystem::path& wing,
                                        const std::vector<SourceFile>& files) {
   std::vector<const SourceFile*> to_read;

@@ -20,10 +20,6 @@ namespace {
 constexpr int kMovingSensorBound_mm =
     5;  // near-lossless bound of live depth while the sensor moves
 
-Status invalid(const char* message) {
-  return Error{ErrorCode::kInvalidArgument, message};
-}
-
 /// Frames from one key frame to the next.
 int key_interval(const FrameEncoderOptions& options) {
   return std::max(1, static_cast<int>(std::lround(options.key_interval_s * options.fps)));
@@ -79,18 +75,20 @@ class SectionFrameEncoder final : public FrameEncoder {
  private:
   [[nodiscard]] Status check_sizes(DepthView depth, ColorView color, MaskView seen) const {
     if (depth.data == nullptr || depth.width != options_.width || depth.height != options_.height) {
-      return invalid("The depth picture is not of the size that the encoder was made for.");
+      return invalid_argument(
+          "The depth picture is not of the size that the encoder was made for.");
     }
     if ((color.data == nullptr) != (seen.data == nullptr)) {
-      return invalid("A frame needs both colour and its mask, or neither.");
+      return invalid_argument("A frame needs both colour and its mask, or neither.");
     }
     if (color.data == nullptr) return {};
     const int scale = options_.color_scale;
     if (color.width != scale * depth.width || color.height != scale * depth.height) {
-      return invalid("The colour picture is not of the size that the encoder was made for.");
+      return invalid_argument(
+          "The colour picture is not of the size that the encoder was made for.");
     }
     if (!same_size(seen, depth)) {
-      return invalid("The colour's mask must have the size of the depth picture.");
+      return invalid_argument("The colour's mask must have the size of the depth picture.");
     }
     return {};
   }

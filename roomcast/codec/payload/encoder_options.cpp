@@ -13,10 +13,6 @@ constexpr double kMaxFps = 240;
 constexpr int kMaxLayers = 3;
 constexpr double kMaxKeyInterval_s = 3600;
 
-Status invalid(const char* message) {
-  return Error{ErrorCode::kInvalidArgument, message};
-}
-
 bool is_side(int side) {
   return side >= kMinGridSide && side <= kMaxGridSide;
 }
@@ -24,28 +20,28 @@ bool is_side(int side) {
 }  // namespace
 
 Status FrameEncoderOptions::check() const {
-  if (!is_side(width)) return invalid("FrameEncoderOptions.width must be 16..4096.");
-  if (!is_side(height)) return invalid("FrameEncoderOptions.height must be 16..4096.");
+  if (!is_side(width)) return invalid_argument("FrameEncoderOptions.width must be 16..4096.");
+  if (!is_side(height)) return invalid_argument("FrameEncoderOptions.height must be 16..4096.");
   if (!std::isfinite(fps) || fps <= 0 || fps > kMaxFps) {
-    return invalid("FrameEncoderOptions.fps must be above 0 and at most 240.");
+    return invalid_argument("FrameEncoderOptions.fps must be above 0 and at most 240.");
   }
   if (color_kbit_per_s < kMinKbit || color_kbit_per_s > kMaxKbit) {
-    return invalid("FrameEncoderOptions.color_kbit_per_s must be 50..100000.");
+    return invalid_argument("FrameEncoderOptions.color_kbit_per_s must be 50..100000.");
   }
   if (color_scale < 1 || color_scale > kMaxColorScale) {
-    return invalid("FrameEncoderOptions.color_scale must be 1 or 2.");
+    return invalid_argument("FrameEncoderOptions.color_scale must be 1 or 2.");
   }
   if (color_scale > 1 && !is_color_size(color_scale * width, color_scale * height)) {
-    return invalid("A depth grid this large leaves no room for finer colour.");
+    return invalid_argument("A depth grid this large leaves no room for finer colour.");
   }
   if (temporal_layers < 1 || temporal_layers > kMaxLayers) {
-    return invalid("FrameEncoderOptions.temporal_layers must be 1, 2 or 3.");
+    return invalid_argument("FrameEncoderOptions.temporal_layers must be 1, 2 or 3.");
   }
   if (!(key_interval_s > 0 && key_interval_s <= kMaxKeyInterval_s)) {
-    return invalid("FrameEncoderOptions.key_interval_s must be above 0 and at most 3600.");
+    return invalid_argument("FrameEncoderOptions.key_interval_s must be above 0 and at most 3600.");
   }
   if (depth_bound_mm < 1 || depth_bound_mm > kMaxBound_mm) {
-    return invalid("FrameEncoderOptions.depth_bound_mm must be 1..63.");
+    return invalid_argument("FrameEncoderOptions.depth_bound_mm must be 1..63.");
   }
   return {};
 }
