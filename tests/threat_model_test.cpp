@@ -23,7 +23,7 @@ std::string read_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-bool is_test(const fs::path& path) {
+bool names_a_test(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.ends_with("_test.cpp") || name.ends_with(".test.mjs") || name.ends_with(".test.ts");
 }
@@ -33,7 +33,7 @@ std::string all_tests() {
   std::string text;
   for (const char* folder : {"roomcast", "tests", "web/src"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-      if (entry.is_regular_file() && is_test(entry.path())) text += read_text(entry.path());
+      if (entry.is_regular_file() && names_a_test(entry.path())) text += read_text(entry.path());
     }
   }
   return text;

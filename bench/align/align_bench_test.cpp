@@ -18,9 +18,9 @@ namespace {
 using alignment::first_corner;
 using alignment::second_corner;
 
-AlignInput corners() {
+AlignInput corner_room_input() {
   AlignInput input;
-  input.name = "corners";
+  input.name = "corner_room_input";
   input.views = {first_corner().view, second_corner().view};
   input.cases = {{0, 1, alignment::true_pose(first_corner(), second_corner()), 0.2}};
   input.whole_rig = true;
@@ -28,7 +28,7 @@ AlignInput corners() {
 }
 
 TEST(AlignBench, puts_all_methods_side_by_side) {
-  const auto rows = run_align_bench({corners()}, {});
+  const auto rows = run_align_bench({corner_room_input()}, {});
   ASSERT_EQ(rows.size(), 5u);
   for (const AlignRow& row : rows) {
     EXPECT_EQ(row.pairs, 1);
@@ -41,7 +41,7 @@ TEST(AlignBench, puts_all_methods_side_by_side) {
 }
 
 TEST(AlignBench, judges_by_the_truth_it_is_given) {
-  AlignInput input = corners();
+  AlignInput input = corner_room_input();
   input.cases[0].a_from_b.translation_m.x() += 0.2;
   const auto rows = run_align_bench({input}, {});
   EXPECT_EQ(rows[4].right, 0);
@@ -67,7 +67,8 @@ const alignment::ViewFixture& beside() {
 TEST(SiftPnp, finds_a_neighbouring_view) {
   const auto pose = sift_pnp_pose(*first_corner().view, *beside().view);
   ASSERT_TRUE(pose.has_value());
-  EXPECT_LT(alignment::difference(*pose, alignment::true_pose(first_corner(), beside())).distance_m, 0.1);
+  EXPECT_LT(alignment::difference(*pose, alignment::true_pose(first_corner(), beside())).distance_m,
+            0.1);
 }
 
 TEST(FpfhRansac, finds_a_view_in_itself) {

@@ -11,7 +11,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
+constexpr int kFrameWidth = 96, kFrameHeight = 80;
 // Grey levels of 255, for smooth synthetic colour at the default rate: quantisation, and halved
 // chroma at the disc's rim. In the smallest pictures most pixels are at the rim.
 double most_color_rms(int width) {
@@ -114,20 +114,20 @@ MaskImage twice_as_fine(const MaskImage& mask) {
 
 TEST(FrameCodec, colour_is_sent_where_nothing_is_read_but_not_as_seen) {
   for (const DepthMode mode : {DepthMode::kLossless, DepthMode::kLive}) {
-    FrameEncoderOptions options = options_for(kWidth, kHeight);
+    FrameEncoderOptions options = options_for(kFrameWidth, kFrameHeight);
     options.depth_mode = mode;
     Stream stream(options);
     SyntheticFrame frame;
-    frame.depth_mm = DepthImage(kWidth, kHeight, 2000);
-    frame.color = ColorImage(kWidth, kHeight, {200, 200, 200});
-    frame.seen = MaskImage(kWidth, kHeight, 255);
+    frame.depth_mm = DepthImage(kFrameWidth, kFrameHeight, 2000);
+    frame.color = ColorImage(kFrameWidth, kFrameHeight, {200, 200, 200});
+    frame.seen = MaskImage(kFrameWidth, kFrameHeight, 255);
     for (int y = 16; y < 64; ++y) {
       for (int x = 16; x < 64; ++x) {
         frame.depth_mm.at(x, y) = 0;
         frame.color.at(x, y) = {20, 20, 20};
       }
     }
-    const auto decoder = decoder_for(kWidth, kHeight);
+    const auto decoder = decoder_for(kFrameWidth, kFrameHeight);
     DecodedFrame decoded;
     ASSERT_TRUE(decoder->decode(stream.next(frame, true).bytes, decoded).ok());
     EXPECT_NEAR(decoded.color.at(40, 40).r, 20, 10);
@@ -137,36 +137,37 @@ TEST(FrameCodec, colour_is_sent_where_nothing_is_read_but_not_as_seen) {
 }
 
 TEST(FrameCodec, colour_may_be_twice_as_fine_as_depth) {
-  FrameEncoderOptions options = options_for(kWidth, kHeight);
+  FrameEncoderOptions options = options_for(kFrameWidth, kFrameHeight);
   options.color_scale = 2;
   Stream stream(options);
-  auto decoder = decoder_for(kWidth, kHeight);
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
   for (int i = 0; i < 6; ++i) {
-    SyntheticFrame frame = synthetic_frame(kWidth, kHeight, i);
+    SyntheticFrame frame = synthetic_frame(kFrameWidth, kFrameHeight, i);
     frame.color = twice_as_fine(frame.color);
     ASSERT_TRUE(decoder->decode(stream.next(frame).bytes, out).ok());
     EXPECT_EQ(out.color_seen, frame.seen);
-    ASSERT_EQ(out.color.width(), 2 * kWidth);
-    EXPECT_LT(color_rms(out.color, frame.color, twice_as_fine(frame.seen)), most_color_rms(kWidth));
+    ASSERT_EQ(out.color.width(), 2 * kFrameWidth);
+    EXPECT_LT(color_rms(out.color, frame.color, twice_as_fine(frame.seen)),
+              most_color_rms(kFrameWidth));
   }
 }
 
 TEST(FrameCodec, a_key_frame_may_change_how_fine_colour_is_and_no_other_frame) {
-  FrameEncoderOptions fine_options = options_for(kWidth, kHeight);
+  FrameEncoderOptions fine_options = options_for(kFrameWidth, kFrameHeight);
   fine_options.color_scale = 2;
-  Stream stream(options_for(kWidth, kHeight)), fine(fine_options);
-  SyntheticFrame frame = synthetic_frame(kWidth, kHeight, 0), fine_frame = frame;
+  Stream stream(options_for(kFrameWidth, kFrameHeight)), fine(fine_options);
+  SyntheticFrame frame = synthetic_frame(kFrameWidth, kFrameHeight, 0), fine_frame = frame;
   fine_frame.color = twice_as_fine(frame.color);
-  auto decoder = decoder_for(kWidth, kHeight);
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
   ASSERT_TRUE(decoder->decode(stream.next(frame).bytes, out).ok());
-  EXPECT_EQ(out.color.width(), kWidth);
+  EXPECT_EQ(out.color.width(), kFrameWidth);
   ASSERT_TRUE(decoder->decode(fine.next(fine_frame).bytes, out).ok());
-  EXPECT_EQ(out.color.width(), 2 * kWidth);
+  EXPECT_EQ(out.color.width(), 2 * kFrameWidth);
   ASSERT_TRUE(decoder->decode(fine.next(fine_frame).bytes, out).ok());
   ASSERT_TRUE(decoder->decode(stream.next(frame, true).bytes, out).ok());
-  EXPECT_EQ(out.color.width(), kWidth);
+  EXPECT_EQ(out.color.width(), kFrameWidth);
 }
 
 TEST(FrameCodec, colour_is_not_finer_than_its_picture_may_be_large) {
@@ -182,19 +183,20 @@ TEST(FrameCodec, colour_is_not_finer_than_its_picture_may_be_large) {
 }
 
 TEST(FrameCodec, one_layer_makes_every_frame_layer_0) {
-  Stream stream(options_for(kWidth, kHeight, 1));
+  Stream stream(options_for(kFrameWidth, kFrameHeight, 1));
   for (int i = 0; i < 4; ++i) {
-    EXPECT_EQ(stream.next(synthetic_frame(kWidth, kHeight, i)).info.layer, 0);
+    EXPECT_EQ(stream.next(synthetic_frame(kFrameWidth, kFrameHeight, i)).info.layer, 0);
   }
 }
 
 TEST(FrameCodec, layer_1_can_be_left_out_without_a_trace) {
-  Stream stream(options_for(kWidth, kHeight));
-  auto all = decoder_for(kWidth, kHeight), base_only = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  auto all = decoder_for(kFrameWidth, kFrameHeight),
+       base_only = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame from_all, from_base;
   int left_out = 0;
   for (int i = 0; i < 20; ++i) {
-    const Payload payload = stream.next(synthetic_frame(kWidth, kHeight, i), i == 11);
+    const Payload payload = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, i), i == 11);
     ASSERT_TRUE(all->decode(payload.bytes, from_all).ok());
     if (payload.info.layer > 0) {
       ++left_out;
@@ -208,17 +210,17 @@ TEST(FrameCodec, layer_1_can_be_left_out_without_a_trace) {
 }
 
 TEST(FrameCodec, a_key_frame_comes_when_asked_for_and_starts_a_new_decoder) {
-  Stream stream(options_for(kWidth, kHeight));
-  auto early = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  auto early = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame from_early;
   for (int i = 0; i < 5; ++i) {
-    const Payload payload = stream.next(synthetic_frame(kWidth, kHeight, i));
+    const Payload payload = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, i));
     ASSERT_TRUE(early->decode(payload.bytes, from_early).ok());
   }
-  auto late = decoder_for(kWidth, kHeight);
+  auto late = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame from_late;
   for (int i = 5; i < 10; ++i) {
-    const Payload payload = stream.next(synthetic_frame(kWidth, kHeight, i), i == 5);
+    const Payload payload = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, i), i == 5);
     EXPECT_EQ(payload.info.key, i == 5);
     if (i == 5) {
       EXPECT_EQ(payload.info.layer, 0);
@@ -230,11 +232,11 @@ TEST(FrameCodec, a_key_frame_comes_when_asked_for_and_starts_a_new_decoder) {
 }
 
 TEST(FrameCodec, without_colour_every_frame_is_a_key_frame) {
-  Stream stream(options_for(kWidth, kHeight));
-  auto decoder = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
   for (int i = 0; i < 3; ++i) {
-    const SyntheticFrame frame = synthetic_frame(kWidth, kHeight, i);
+    const SyntheticFrame frame = synthetic_frame(kFrameWidth, kFrameHeight, i);
     const Payload payload = stream.next_without_color(frame);
     EXPECT_TRUE(payload.info.key);
     EXPECT_EQ(payload.info.layer, 0);
@@ -246,44 +248,46 @@ TEST(FrameCodec, without_colour_every_frame_is_a_key_frame) {
 }
 
 TEST(FrameCodec, a_frame_without_colour_between_others_can_be_left_out) {
-  Stream stream(options_for(kWidth, kHeight));
-  auto decoder = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
-  ASSERT_TRUE(decoder->decode(stream.next(synthetic_frame(kWidth, kHeight, 0)).bytes, out).ok());
-  const Payload without = stream.next_without_color(synthetic_frame(kWidth, kHeight, 1));
+  ASSERT_TRUE(
+      decoder->decode(stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 0)).bytes, out).ok());
+  const Payload without = stream.next_without_color(synthetic_frame(kFrameWidth, kFrameHeight, 1));
   EXPECT_FALSE(without.info.key);
   EXPECT_EQ(without.info.layer, 1);
-  const Payload after = stream.next(synthetic_frame(kWidth, kHeight, 2));
+  const Payload after = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 2));
   EXPECT_FALSE(after.info.key);
   EXPECT_TRUE(decoder->decode(after.bytes, out).ok());
 }
 
 TEST(FrameCodec, colour_starts_anew_after_a_key_frame_without_it) {
-  Stream stream(options_for(kWidth, kHeight));
-  (void)stream.next(synthetic_frame(kWidth, kHeight, 0));
-  const Payload key = stream.next_without_color(synthetic_frame(kWidth, kHeight, 1), true);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  (void)stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 0));
+  const Payload key =
+      stream.next_without_color(synthetic_frame(kFrameWidth, kFrameHeight, 1), true);
   EXPECT_TRUE(key.info.key);
-  const Payload after = stream.next(synthetic_frame(kWidth, kHeight, 2));
+  const Payload after = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 2));
   EXPECT_TRUE(after.info.key);
   DecodedFrame out;
-  EXPECT_TRUE(decoder_for(kWidth, kHeight)->decode(after.bytes, out).ok());
+  EXPECT_TRUE(decoder_for(kFrameWidth, kFrameHeight)->decode(after.bytes, out).ok());
 }
 
 TEST(FrameCodec, a_delta_frame_alone_is_refused_until_a_key_frame_comes) {
-  Stream stream(options_for(kWidth, kHeight));
-  (void)stream.next(synthetic_frame(kWidth, kHeight, 0));
-  const Payload delta = stream.next(synthetic_frame(kWidth, kHeight, 1));
-  auto decoder = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  (void)stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 0));
+  const Payload delta = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 1));
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
   EXPECT_EQ(decoder->decode(delta.bytes, out).error().code, ErrorCode::kMalformed);
-  const Payload key = stream.next(synthetic_frame(kWidth, kHeight, 2), true);
+  const Payload key = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 2), true);
   EXPECT_TRUE(decoder->decode(key.bytes, out).ok());
 }
 
 TEST(FrameCodec, encode_appends_and_refuses_pictures_of_another_size) {
-  auto encoder = std::move(FrameEncoder::create(options_for(kWidth, kHeight))).value();
-  const SyntheticFrame frame = synthetic_frame(kWidth, kHeight, 0);
-  const SyntheticFrame other = synthetic_frame(kWidth + 2, kHeight, 0);
+  auto encoder = std::move(FrameEncoder::create(options_for(kFrameWidth, kFrameHeight))).value();
+  const SyntheticFrame frame = synthetic_frame(kFrameWidth, kFrameHeight, 0);
+  const SyntheticFrame other = synthetic_frame(kFrameWidth + 2, kFrameHeight, 0);
   std::vector<std::uint8_t> out{1, 2, 3};
   EXPECT_FALSE(encoder->encode(other.depth_mm, {}, {}, false, out).ok());
   EXPECT_FALSE(encoder->encode(frame.depth_mm, other.color, frame.seen, false, out).ok());
@@ -293,7 +297,8 @@ TEST(FrameCodec, encode_appends_and_refuses_pictures_of_another_size) {
   ASSERT_TRUE(encoder->encode(frame.depth_mm, frame.color, frame.seen, false, out).ok());
   EXPECT_EQ(out[0], 1);
   DecodedFrame decoded;
-  EXPECT_TRUE(decoder_for(kWidth, kHeight)->decode(std::span(out).subspan(3), decoded).ok());
+  EXPECT_TRUE(
+      decoder_for(kFrameWidth, kFrameHeight)->decode(std::span(out).subspan(3), decoded).ok());
 }
 
 TEST(FrameCodec, options_are_checked) {
@@ -312,19 +317,19 @@ TEST(FrameCodec, options_are_checked) {
 }
 
 TEST(FrameCodec, decode_refuses_another_size) {
-  Stream stream(options_for(kWidth, kHeight));
-  const Payload payload = stream.next(synthetic_frame(kWidth, kHeight, 0));
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  const Payload payload = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 0));
   DecodedFrame out;
-  EXPECT_FALSE(decoder_for(kWidth, kHeight + 2)->decode(payload.bytes, out).ok());
-  EXPECT_FALSE(decoder_for(kHeight, kWidth)->decode(payload.bytes, out).ok());
+  EXPECT_FALSE(decoder_for(kFrameWidth, kFrameHeight + 2)->decode(payload.bytes, out).ok());
+  EXPECT_FALSE(decoder_for(kFrameHeight, kFrameWidth)->decode(payload.bytes, out).ok());
 }
 
 TEST(FrameCodec, decode_refuses_colour_of_another_size) {
-  Stream small(options_for(48, 48)), right(options_for(kWidth, kHeight));
+  Stream small(options_for(48, 48)), right(options_for(kFrameWidth, kFrameHeight));
   const Payload from_small = small.next(synthetic_frame(48, 48, 0));
-  const Payload from_right = right.next(synthetic_frame(kWidth, kHeight, 0));
+  const Payload from_right = right.next(synthetic_frame(kFrameWidth, kFrameHeight, 0));
   const auto small_sections = parse_sections(from_small.bytes, 48, 48).value();
-  const auto sections = parse_sections(from_right.bytes, kWidth, kHeight).value();
+  const auto sections = parse_sections(from_right.bytes, kFrameWidth, kFrameHeight).value();
   std::vector<std::uint8_t> mixed;
   const auto append = [&](SectionKind kind, std::span<const std::uint8_t> bytes) {
     const std::size_t begin = begin_section(kind, 1, mixed);
@@ -335,15 +340,16 @@ TEST(FrameCodec, decode_refuses_colour_of_another_size) {
   append(SectionKind::kColor, small_sections.color);
   append(SectionKind::kColorMask, sections.color_mask);
   DecodedFrame out;
-  EXPECT_EQ(decoder_for(kWidth, kHeight)->decode(mixed, out).error().code, ErrorCode::kMalformed);
+  EXPECT_EQ(decoder_for(kFrameWidth, kFrameHeight)->decode(mixed, out).error().code,
+            ErrorCode::kMalformed);
 }
 
 TEST(FrameCodec, decode_recovers_with_the_next_key_frame_after_any_damage) {
   std::mt19937 random(3);
-  Stream stream(options_for(kWidth, kHeight));
-  const Payload key = stream.next(synthetic_frame(kWidth, kHeight, 0));
-  const Payload delta = stream.next(synthetic_frame(kWidth, kHeight, 1));
-  auto decoder = decoder_for(kWidth, kHeight);
+  Stream stream(options_for(kFrameWidth, kFrameHeight));
+  const Payload key = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 0));
+  const Payload delta = stream.next(synthetic_frame(kFrameWidth, kFrameHeight, 1));
+  auto decoder = decoder_for(kFrameWidth, kFrameHeight);
   DecodedFrame out;
   for (int trial = 0; trial < 150; ++trial) {
     for (const Payload* good : {&key, &delta}) {
@@ -355,7 +361,7 @@ TEST(FrameCodec, decode_recovers_with_the_next_key_frame_after_any_damage) {
       (void)decoder->decode(bytes, out);
     }
     ASSERT_TRUE(decoder->decode(key.bytes, out).ok()) << trial;
-    ASSERT_EQ(out.depth_mm, synthetic_frame(kWidth, kHeight, 0).depth_mm);
+    ASSERT_EQ(out.depth_mm, synthetic_frame(kFrameWidth, kFrameHeight, 0).depth_mm);
   }
 }
 

@@ -13,7 +13,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
+constexpr int kLiveWidth = 96, kLiveHeight = 80;
 
 struct Sent {
   EncodedFrameInfo info;
@@ -21,7 +21,7 @@ struct Sent {
   DepthImage shown;
 };
 
-DepthImage copy_of(DepthView view) {
+DepthImage depth_copy(DepthView view) {
   DepthImage image(view.width, view.height);
   for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), view.width, image.view().row(y));
   return image;
@@ -29,8 +29,8 @@ DepthImage copy_of(DepthView view) {
 
 SyntheticMotion scene() {
   SyntheticMotion scene;
-  scene.width = kWidth;
-  scene.height = kHeight;
+  scene.width = kLiveWidth;
+  scene.height = kLiveHeight;
   return scene;
 }
 
@@ -38,8 +38,8 @@ class LiveStream {
  public:
   explicit LiveStream(int layers) {
     FrameEncoderOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
+    options.width = kLiveWidth;
+    options.height = kLiveHeight;
     options.temporal_layers = layers;
     options.fps = 4;  // a key frame every 16 frames
     encoder_ = std::move(FrameEncoder::create(options)).value();
@@ -48,14 +48,14 @@ class LiveStream {
     return next_of(scene().reading(count_), with_color, want_key);
   }
   Sent next_of(DepthImage depth_mm, bool with_color = true, bool want_key = false) {
-    SyntheticFrame frame = synthetic_frame(kWidth, kHeight, count_++);
+    SyntheticFrame frame = synthetic_frame(kLiveWidth, kLiveHeight, count_++);
     frame.depth_mm = std::move(depth_mm);
     Sent sent;
     sent.info = encoder_
                     ->encode(frame.depth_mm, with_color ? ColorView(frame.color) : ColorView{},
                              with_color ? MaskView(frame.seen) : MaskView{}, want_key, sent.payload)
                     .value();
-    sent.shown = copy_of(encoder_->decoded_depth());
+    sent.shown = depth_copy(encoder_->decoded_depth());
     return sent;
   }
 
@@ -65,7 +65,7 @@ class LiveStream {
 };
 
 std::unique_ptr<FrameDecoder> new_decoder() {
-  return std::move(FrameDecoder::create(kWidth, kHeight)).value();
+  return std::move(FrameDecoder::create(kLiveWidth, kLiveHeight)).value();
 }
 
 class LiveFrames : public testing::TestWithParam<int> {};
@@ -146,7 +146,7 @@ TEST(LiveFrame, a_colour_mask_belongs_to_the_depth_that_is_shown) {
 }
 
 /// A room seen by a sensor that moves towards it.
-DepthImage nearer_by(int frames) {
+DepthImage wall_nearer_by(int frames) {
   return scene().reading_from_nearer(10 * frames);
 }
 
@@ -164,7 +164,7 @@ TEST(LiveFrame, readings_of_a_carried_sensor_are_kept_within_5_mm) {
   auto decoder = new_decoder();
   DecodedFrame out;
   for (int i = 0; i < 24; ++i) {
-    const DepthImage reading = nearer_by(i);
+    const DepthImage reading = wall_nearer_by(i);
     const Sent sent = stream.next_of(reading);
     ASSERT_TRUE(decoder->decode(sent.payload, out).ok()) << i;
     EXPECT_EQ(out.depth_mm, sent.shown);
@@ -180,14 +180,14 @@ TEST(LiveFrame, a_sensor_that_stands_again_begins_live_depth_with_a_key_frame) {
   auto decoder = new_decoder();
   DecodedFrame out;
   for (int i = 0; i < 12; ++i) {
-    ASSERT_TRUE(decoder->decode(stream.next_of(nearer_by(i)).payload, out).ok());
+    ASSERT_TRUE(decoder->decode(stream.next_of(wall_nearer_by(i)).payload, out).ok());
   }
   for (int i = 0; i < 28; ++i) {
-    const Sent sent = stream.next_of(nearer_by(11));
+    const Sent sent = stream.next_of(wall_nearer_by(11));
     ASSERT_TRUE(decoder->decode(sent.payload, out).ok()) << i;
     EXPECT_EQ(out.depth_mm, sent.shown);
     EXPECT_EQ(sent.info.key, i == kStandsAgain || i == kSetInterval) << i;
-    const auto sections = parse_sections(sent.payload, kWidth, kHeight);
+    const auto sections = parse_sections(sent.payload, kLiveWidth, kLiveHeight);
     EXPECT_EQ(sections->depth_codec, i < kStandsAgain ? kNearLosslessDepth : kLiveDepth) << i;
   }
 }

@@ -6,14 +6,14 @@
 namespace roomcast {
 namespace {
 
-constexpr int kWidth = 4, kHeight = 3;
+constexpr int kQuarteredWidth = 4, kQuarteredHeight = 3;
 
 /// A wall whose pixels are 3 colour pixels apart horizontally and 2 vertically.
 class QuarterPositions : public testing::Test {
  protected:
   QuarterPositions() {
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kQuarteredHeight; ++y) {
+      for (int x = 0; x < kQuarteredWidth; ++x) {
         u_.push_back(10 + 3 * static_cast<float>(x));
         v_.push_back(20 + 2 * static_cast<float>(y));
       }
@@ -22,8 +22,9 @@ class QuarterPositions : public testing::Test {
   }
 
   void find(int y) {
-    find_quarters({kWidth, kHeight, u_.data(), v_.data(), z_m_.data(), 1, 100, 100}, y, upper_,
-                  lower_);
+    find_quarters(
+        {kQuarteredWidth, kQuarteredHeight, u_.data(), v_.data(), z_m_.data(), 1, 100, 100}, y,
+        upper_, lower_);
   }
 
   std::vector<float> u_, v_, z_m_;
@@ -32,7 +33,7 @@ class QuarterPositions : public testing::Test {
 
 TEST_F(QuarterPositions, lie_a_quarter_of_a_step_beside_the_middle) {
   find(1);
-  ASSERT_EQ(upper_.u.size(), 2U * kWidth);
+  ASSERT_EQ(upper_.u.size(), 2U * kQuarteredWidth);
   EXPECT_FLOAT_EQ(upper_.u[2], 13 - 0.75F);
   EXPECT_FLOAT_EQ(upper_.u[3], 13 + 0.75F);
   EXPECT_FLOAT_EQ(upper_.v[3], 22 - 0.5F);

@@ -20,7 +20,7 @@ using Bytes = std::vector<std::uint8_t>;
 using Transcript = std::vector<std::string>;
 
 constexpr std::size_t kLimit = 100'000;
-constexpr MaskKey kKey = {0x37, 0xfa, 0x21, 0x3d};
+constexpr MaskKey kMaskingKey = {0x37, 0xfa, 0x21, 0x3d};
 
 std::string text_of(std::span<const std::uint8_t> bytes) {
   return {bytes.begin(), bytes.end()};
@@ -70,14 +70,14 @@ Transcript read_as_server(const Bytes& bytes, std::size_t limit = kLimit) {
 /// A frame with this first byte and payload; masked if from a client.
 Bytes frame(std::uint8_t first, std::string_view payload, bool masked) {
   const FrameHeader header = make_frame_header(Opcode::kBinary, payload.size(),
-                                               masked ? std::optional(kKey) : std::nullopt);
+                                               masked ? std::optional(kMaskingKey) : std::nullopt);
   Bytes bytes(header.view().begin(), header.view().end());
   bytes[0] = first;
   const std::size_t start = bytes.size();
   bytes.insert(bytes.end(), payload.begin(), payload.end());
   if (masked) {
     const auto body = std::span(bytes).subspan(start);
-    mask_copy(body, body, kKey, 0);
+    mask_copy(body, body, kMaskingKey, 0);
   }
   return bytes;
 }

@@ -15,7 +15,7 @@ namespace roomcast::sensor {
 namespace {
 
 constexpr double kLargestJitter_s = 0.002 + 1e-6;  // of the time stamps (SOURCE.md); files round
-const SourceOptions kFastOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
+const SourceOptions kFastAndOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
 struct Expected {
   const char* spec;  // @ stands for the data folder
@@ -37,7 +37,7 @@ TEST_P(SharedData, opens_and_gives_its_frames) {
   }
   std::string spec = GetParam().spec;
   spec.replace(spec.find('@'), 1, recording::shared_data().string());
-  auto source = open_source(spec, kFastOnce);
+  auto source = open_source(spec, kFastAndOnce);
   ASSERT_TRUE(source.ok()) << source.error().message;
   source::CapturedFrame frame;
   int frames = 0, with_color = 0;

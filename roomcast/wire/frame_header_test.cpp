@@ -26,20 +26,20 @@ FrameHeader some_header() {
   return header;
 }
 
-std::vector<std::uint8_t> message_of(const FrameHeader& header) {
+std::vector<std::uint8_t> framed(const FrameHeader& header) {
   std::vector<std::uint8_t> message(kFrameHeaderBytes + header.payload_length, 0x55);
   write_frame_header(header, std::span(message).first<kFrameHeaderBytes>());
   return message;
 }
 
 TEST(FrameHeader, what_was_written_is_read) {
-  const auto parsed = parse_frame(message_of(some_header()));
+  const auto parsed = parse_frame(framed(some_header()));
   ASSERT_TRUE(parsed.ok()) << parsed.error().message;
   EXPECT_EQ(*parsed, some_header());
 }
 
 TEST(FrameHeader, bytes_lie_where_the_spec_says) {
-  const auto message = message_of(some_header());
+  const auto message = framed(some_header());
   const std::vector<std::uint8_t> expected = {
       'R',  'C',  1,    1,    48,   0,    3,    0,     // magic, version, type, header length, flags
       0x34, 0x12, 1,    1,    0xDD, 0xCC, 0xBB, 0xAA,  // sensor, layer, codec, seq
@@ -52,7 +52,7 @@ TEST(FrameHeader, bytes_lie_where_the_spec_says) {
 }
 
 TEST(FrameHeader, a_longer_header_of_a_later_version_is_skipped) {
-  auto message = message_of(some_header());
+  auto message = framed(some_header());
   message.insert(message.begin() + kFrameHeaderBytes, 8, 0);
   message[4] = 56;
   const auto parsed = parse_frame(message);
@@ -62,7 +62,7 @@ TEST(FrameHeader, a_longer_header_of_a_later_version_is_skipped) {
 }
 
 TEST(FrameHeader, unknown_flags_and_reserved_bytes_are_ignored) {
-  auto message = message_of(some_header());
+  auto message = framed(some_header());
   message[7] = 0x80;
   message[44] = 1;
   const auto parsed = parse_frame(message);
@@ -71,7 +71,7 @@ TEST(FrameHeader, unknown_flags_and_reserved_bytes_are_ignored) {
 }
 
 TEST(FrameHeader, every_truncation_is_refused) {
-  const auto message = message_of(some_header());
+  const auto message = framed(some_header());
   for (std::size_t length = 0; length < message.size(); ++length) {
     EXPECT_FALSE(parse_frame(std::span(message).first(length)).ok()) << length;
   }
@@ -87,7 +87,7 @@ struct Damage {
 class DamagedFrame : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedFrame, is_refused_with_a_reason) {
-  auto message = message_of(some_header());
+  auto message = framed(some_header());
   message[GetParam().at] = GetParam().value;
   const auto parsed = parse_frame(message);
   ASSERT_FALSE(parsed.ok());
@@ -111,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(All, DamagedFrame,
 TEST(FrameHeader, a_frame_of_the_limit_passes_and_one_byte_more_does_not) {
   auto header = some_header();
   header.payload_length = kMaxFrameBytes - kFrameHeaderBytes;
-  EXPECT_TRUE(parse_frame(message_of(header)).ok());
+  EXPECT_TRUE(parse_frame(framed(header)).ok());
   ++header.payload_length;
-  const auto parsed = parse_frame(message_of(header));
+  const auto parsed = parse_frame(framed(header));
   ASSERT_FALSE(parsed.ok());
   EXPECT_EQ(parsed.error().code, ErrorCode::kTooLarge);
 }
@@ -121,25 +121,25 @@ TEST(FrameHeader, a_frame_of_the_limit_passes_and_one_byte_more_does_not) {
 TEST(FrameHeader, stamping_changes_the_set_and_the_last_flag_only) {
   auto header = some_header();
   header.last = false;
-  auto message = message_of(header);
+  auto message = framed(header);
   stamp_frame_set(message, SetId{99}, true);
   header.set = SetId{99};
   header.last = true;
-  EXPECT_EQ(message, message_of(header));
+  EXPECT_EQ(message, framed(header));
   stamp_frame_set(message, SetId{100}, false);
   header.set = SetId{100};
   header.last = false;
-  EXPECT_EQ(message, message_of(header));
+  EXPECT_EQ(message, framed(header));
 }
 
 TEST(FrameHeader, stamping_the_source_changes_sensor_and_time_only) {
   auto header = some_header();
-  auto message = message_of(header);
+  auto message = framed(header);
   header.sensor = SensorId{4321};
   header.capture_time += std::chrono::seconds(7);
   header.clock_error_us = 815;
   stamp_source(message, header);
-  EXPECT_EQ(message, message_of(header));
+  EXPECT_EQ(message, framed(header));
 }
 
 }  // namespace

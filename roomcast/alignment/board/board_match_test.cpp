@@ -47,17 +47,18 @@ class Hands {
   double apart_m_;
 };
 
-const RigidTransform kHere = world_from_optical_looking_at({-2.5, 2, 0}, {0, 1, 0});
-const RigidTransform kAcross = world_from_optical_looking_at({2.4, 1.8, 0.5}, {0, 1, 0});
+const RigidTransform kBoardSensor = world_from_optical_looking_at({-2.5, 2, 0}, {0, 1, 0});
+const RigidTransform kOppositeSensor = world_from_optical_looking_at({2.4, 1.8, 0.5}, {0, 1, 0});
 
-Result<BoardMatch> match(const Hands& hands) {
-  return match_boards(hands.seen_from(kHere, 0, 1), hands.seen_from(kAcross, 0.04, 2));
+Result<BoardMatch> match_of_hands(const Hands& hands) {
+  return match_boards(hands.seen_from(kBoardSensor, 0, 1),
+                      hands.seen_from(kOppositeSensor, 0.04, 2));
 }
 
 TEST(BoardMatch, several_places_of_a_tag_place_the_sensors) {
-  const auto found = match(Hands(8));
+  const auto found = match_of_hands(Hands(8));
   ASSERT_TRUE(found.ok()) << found.error().message;
-  const RigidTransform truth = kHere.inverse() * kAcross;
+  const RigidTransform truth = kBoardSensor.inverse() * kOppositeSensor;
   const Eigen::Vector3d ahead(0, 0, 2.5);
   EXPECT_LT((found->a_from_b * ahead - truth * ahead).norm(), 0.012);
   EXPECT_GT(found->expected_error_mm, 3);
@@ -65,19 +66,19 @@ TEST(BoardMatch, several_places_of_a_tag_place_the_sensors) {
 }
 
 TEST(BoardMatch, one_place_is_not_enough_however_long) {
-  const auto found =
-      match_boards(Hands(1).seen_from(kHere, 0, 1), Hands(1).seen_from(kAcross, 0.04, 2));
+  const auto found = match_boards(Hands(1).seen_from(kBoardSensor, 0, 1),
+                                  Hands(1).seen_from(kOppositeSensor, 0.04, 2));
   ASSERT_FALSE(found.ok());
   EXPECT_NE(found.error().message.find("four places"), std::string::npos);
 }
 
 TEST(BoardMatch, places_close_together_are_not_enough) {
-  EXPECT_FALSE(match(Hands(8, 0.08)));
+  EXPECT_FALSE(match_of_hands(Hands(8, 0.08)));
 }
 
 TEST(BoardMatch, two_boards_that_are_taken_for_one_are_refused) {
-  EXPECT_FALSE(
-      match_boards(Hands(8).seen_from(kHere, 0, 1), Hands(8, 0.9).seen_from(kAcross, 0.04, 2)));
+  EXPECT_FALSE(match_boards(Hands(8).seen_from(kBoardSensor, 0, 1),
+                            Hands(8, 0.9).seen_from(kOppositeSensor, 0.04, 2)));
 }
 
 TEST(BoardMatch, nothing_seen_is_refused) {

@@ -17,8 +17,8 @@
 namespace roomcast::alignment {
 namespace {
 
-struct Seen {
-  explicit Seen(const RigidTransform& pose, const RoomFixture& room = {})
+struct SeenWall {
+  explicit SeenWall(const RigidTransform& pose, const RoomFixture& room = {})
       : world_from_depth(pose),
         bundle(bundle_fixture(room, "s", pose)),
         surface(depth_surface(bundle.depth_mm, bundle.calibration.depth)),
@@ -33,7 +33,7 @@ struct Matched {
   double all = 0, right = 0;  // right: both features at the same place in the room
 };
 
-Matched matched(const Seen& one, const FeatureSet& of_one, const Seen& other,
+Matched matched(const SeenWall& one, const FeatureSet& of_one, const SeenWall& other,
                 const FeatureSet& of_other) {
   const auto matches = compare_features(of_one, of_other, 0.5F).matches;
   Matched count{double(matches.size())};
@@ -47,19 +47,19 @@ Matched matched(const Seen& one, const FeatureSet& of_one, const Seen& other,
   return count;
 }
 
-double right_share(const Seen& one, const FeatureSet& of_one, const Seen& other,
+double right_share(const SeenWall& one, const FeatureSet& of_one, const SeenWall& other,
                    const FeatureSet& of_other) {
   const Matched count = matched(one, of_one, other, of_other);
   EXPECT_GT(count.all, 20);
   return count.all == 0 ? 0 : count.right / count.all;
 }
 
-const RigidTransform kHere = corner_pose(2, 1.5);
+const RigidTransform kFrontOfWall = corner_pose(2, 1.5);
 const RigidTransform kBeside = world_from_optical_looking_at({1.7, 1.8, 1.6}, {0.3, 0.4, -0.3});
 const RigidTransform kNearShift = world_from_optical_looking_at({0.3, 1.9, 1.7}, {0.2, 0.4, -0.3});
 
 TEST(SiftDetector, gives_the_same_every_time) {
-  const Seen seen(kHere);
+  const SeenWall seen(kFrontOfWall);
   const auto one = detect_sift(seen.picture.grey, {}, {});
   const auto other = detect_sift(seen.picture.grey, {}, {});
   ASSERT_EQ(one.size(), other.size());
@@ -89,7 +89,7 @@ std::vector<float> differences_when_turned(const Image<std::uint8_t>& grey) {
 }
 
 TEST(SiftDetector, finds_the_same_places_in_a_picture_turned_by_half) {
-  const Seen seen(kHere);
+  const SeenWall seen(kFrontOfWall);
   Image<std::uint8_t> whole_tiles(400, 296);  // contrast is equalised in 8 x 8 tiles
   std::copy_n(seen.picture.grey.data(), whole_tiles.view().pixel_count(), whole_tiles.data());
   auto differences = differences_when_turned(whole_tiles);
@@ -105,7 +105,7 @@ TEST(SiftDetector, finds_nothing_in_tiny_or_even_pictures) {
 }
 
 TEST(SiftDetector, seeks_only_where_the_mask_lets_it) {
-  const Seen seen(kHere);
+  const SeenWall seen(kFrontOfWall);
   MaskImage left(seen.picture.grey.width(), seen.picture.grey.height());
   for (int y = 0; y < left.height(); ++y) std::fill_n(left.view().row(y), 200, 255);
   for (const SiftFeature& found : detect_sift(seen.picture.grey, left, {})) {
@@ -114,14 +114,14 @@ TEST(SiftDetector, seeks_only_where_the_mask_lets_it) {
 }
 
 TEST(PictureFeatures, match_between_neighbouring_views) {
-  const Seen one(kHere), other(kBeside);
+  const SeenWall one(kFrontOfWall), other(kBeside);
   EXPECT_GT(right_share(one, picture_features(one.picture, one.surface), other,
                         picture_features(other.picture, other.surface)),
             0.3);
 }
 
 TEST(AffineFeatures, match_between_views_aside_where_those_of_the_picture_hardly_do) {
-  const Seen one(kHere), other(kNearShift);
+  const SeenWall one(kFrontOfWall), other(kNearShift);
   const Matched as_seen = matched(one, picture_features(one.picture, one.surface), other,
                                   picture_features(other.picture, other.surface));
   const Matched from_aside = matched(one, affine_features(one.picture, one.surface), other,
@@ -131,7 +131,7 @@ TEST(AffineFeatures, match_between_views_aside_where_those_of_the_picture_hardly
 }
 
 TEST(AffineFeatures, are_none_in_even_pictures_and_the_same_every_time) {
-  const Seen grey(kHere), seen(kHere);
+  const SeenWall grey(kFrontOfWall), seen(kFrontOfWall);
   ColorPicture even = grey.picture;
   std::fill_n(even.grey.data(), even.grey.view().pixel_count(), std::uint8_t{90});
   EXPECT_EQ(affine_features(even, grey.surface).size(), 0u);
@@ -140,7 +140,7 @@ TEST(AffineFeatures, are_none_in_even_pictures_and_the_same_every_time) {
 }
 
 TEST(RectifiedFeatures, match_between_views_far_aside) {
-  const Seen one(kHere), other(kNearShift);
+  const SeenWall one(kFrontOfWall), other(kNearShift);
   const auto of_one =
       rectified_features(one.picture, one.surface, find_planes(one.surface.samples));
   const auto of_other =
@@ -152,7 +152,7 @@ TEST(RectifiedFeatures, match_between_views_far_aside) {
 TEST(RectifiedFeatures, of_a_rug_lie_on_the_rug) {
   RoomFixture room;
   room.boxes = {{Eigen::Vector3d(-1, 0, -0.8), Eigen::Vector3d(1, 0.02, 0.8)}};
-  const Seen here(kHere, room);
+  const SeenWall here(kFrontOfWall, room);
   const auto set =
       rectified_features(here.picture, here.surface, find_planes(here.surface.samples));
   std::vector<double> heights_m;
@@ -166,7 +166,7 @@ TEST(RectifiedFeatures, of_a_rug_lie_on_the_rug) {
 }
 
 TEST(RectifiedFeatures, of_no_planes_are_none) {
-  const Seen here(kHere);
+  const SeenWall here(kFrontOfWall);
   EXPECT_EQ(rectified_features(here.picture, here.surface, {}).size(), 0u);
 }
 

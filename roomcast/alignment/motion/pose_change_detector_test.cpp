@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-RigidTransform stand() {
+RigidTransform initial_pose() {
   return corner_pose(2, 1.5);
 }
 
@@ -27,14 +27,14 @@ RigidTransform pushed(double shift_m, double turn_rad) {
   RigidTransform push;
   push.translation_m = shift_m * Eigen::Vector3d(1, 1, 1).normalized();
   push.rotation = Eigen::AngleAxisd(turn_rad, Eigen::Vector3d(1, 1, 0).normalized()).matrix();
-  return stand() * push;
+  return initial_pose() * push;
 }
 
 /// The time from the change of the picture to `now` until its detection; nothing if it takes more
 /// than 15 s.
 std::optional<nanoseconds> noticed_after(const DepthImage& now) {
-  PoseChangeDetector watch(bundle_fixture({}, "s0", stand()));
-  const DepthImage still = seen_from(stand());
+  PoseChangeDetector watch(bundle_fixture({}, "s0", initial_pose()));
+  const DepthImage still = seen_from(initial_pose());
   constexpr auto kFrame = 33ms;
   HostTime time(1h);
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(watch.moved(still.view(), time += kFrame));
@@ -71,12 +71,12 @@ TEST(PoseChangeDetector, a_centimetre_and_a_fifth_of_a_degree_are_borne) {
 TEST(PoseChangeDetector, furniture_that_is_pushed_is_none_of_its_business) {
   RoomFixture room;
   room.boxes[0].translate(Eigen::Vector3d(0.3, 0, 0.2));
-  EXPECT_FALSE(noticed_after(seen_from(stand(), room)));
+  EXPECT_FALSE(noticed_after(seen_from(initial_pose(), room)));
 }
 
 TEST(PoseChangeDetector, a_knock_that_swings_back_is_none) {
-  PoseChangeDetector watch(bundle_fixture({}, "s0", stand()));
-  const DepthImage still = seen_from(stand()), knocked = seen_from(pushed(0.05, 0.02));
+  PoseChangeDetector watch(bundle_fixture({}, "s0", initial_pose()));
+  const DepthImage still = seen_from(initial_pose()), knocked = seen_from(pushed(0.05, 0.02));
   HostTime time(1h);
   for (int knock = 0; knock < 4; ++knock) {
     EXPECT_FALSE(watch.moved(knocked.view(), time += kCheckInterval));
@@ -87,14 +87,15 @@ TEST(PoseChangeDetector, a_knock_that_swings_back_is_none) {
 
 /// A person walks through the room, close to the sensor at the end.
 TEST(PoseChangeDetector, a_walker_is_no_motion_of_the_sensor) {
-  PoseChangeDetector watch(bundle_fixture({}, "s0", stand()));
+  PoseChangeDetector watch(bundle_fixture({}, "s0", initial_pose()));
   HostTime time(1h);
   for (double z_m = 3.5; z_m > 0.4; z_m -= 0.1) {
     RoomFixture room;
-    const Eigen::Vector3d at = stand() * Eigen::Vector3d(0.15 * z_m, 0.1, z_m);
+    const Eigen::Vector3d at = initial_pose() * Eigen::Vector3d(0.15 * z_m, 0.1, z_m);
     room.boxes.push_back({Eigen::Vector3d(at.x() - 0.25, 0, at.z() - 0.2),
                           Eigen::Vector3d(at.x() + 0.25, 1.75, at.z() + 0.2)});
-    EXPECT_FALSE(watch.moved(seen_from(stand(), room).view(), time += kCheckInterval)) << z_m;
+    EXPECT_FALSE(watch.moved(seen_from(initial_pose(), room).view(), time += kCheckInterval))
+        << z_m;
   }
 }
 

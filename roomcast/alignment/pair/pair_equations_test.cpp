@@ -23,7 +23,7 @@ RigidTransform nudged(const RigidTransform& pose, double angle_rad, double shift
 }
 
 /// Matches of the room's own surface: exact in space and in both pictures.
-std::vector<PointMatch> exact_matches(const ViewFixture& a, const ViewFixture& b) {
+std::vector<PointMatch> exact_matches_of(const ViewFixture& a, const ViewFixture& b) {
   const RigidTransform a_from_b = true_pose(a, b);
   std::vector<PointMatch> matches;
   for (std::size_t i = 0; i < b.view->surface.samples.size(); i += 20) {
@@ -123,7 +123,7 @@ TEST(SurfacePartners, lie_near_each_other_at_the_truth_and_apart_beside_it) {
 TEST(FeatureEquations, lead_back_to_the_true_pose_in_few_steps) {
   const auto& a = first_corner();
   const auto& b = second_corner();
-  const auto matches = exact_matches(a, b);
+  const auto matches = exact_matches_of(a, b);
   PairState state{nudged(true_pose(a, b), 0.01, 0.01), {}, {}};
   for (int i = 0; i < 10; ++i) {
     const auto equations = feature_equations(a.view->picture, b.view->picture, state, matches, {5});
@@ -171,7 +171,7 @@ double cost(const ViewFixture& a, const ViewFixture& b, const PairState& state,
 TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
   const auto& a = first_corner();
   const auto& b = second_corner();
-  auto matches = exact_matches(a, b);
+  auto matches = exact_matches_of(a, b);
   matches.resize(10);
   PairState state{nudged(true_pose(a, b), 0.003, 0.004), {}, {}};
   state.a.color_shift_px = {0.8, -0.5};
@@ -200,7 +200,7 @@ TEST(FeatureEquations, gradient_is_that_of_the_reprojection_error) {
 TEST(FeatureSigma, is_that_of_the_noise_within_reason) {
   const auto& a = first_corner();
   const auto& b = second_corner();
-  const auto matches = exact_matches(a, b);
+  const auto matches = exact_matches_of(a, b);
   const PairState truth{true_pose(a, b), {}, {}};
   EXPECT_NEAR(feature_sigma_px(a.view->picture, b.view->picture, truth, matches), 0.6, 1e-6);
   EXPECT_NEAR(feature_sigma_px(a.view->picture, b.view->picture, truth, {}), 3, 1e-6);
@@ -211,7 +211,7 @@ TEST(Settling, brings_a_hypothesis_to_where_surfaces_and_features_agree) {
   const auto& b = second_corner();
   const RigidTransform start = nudged(true_pose(a, b), 0.015, 0.03);
   const RigidTransform settled =
-      refined_pose(*a.view, *b.view, exact_matches(a, b), start).a_from_b;
+      refined_pose(*a.view, *b.view, exact_matches_of(a, b), start).a_from_b;
   EXPECT_LT(difference(settled, true_pose(a, b)).distance_m, 5 * kMillimetre);
 }
 
@@ -219,7 +219,7 @@ TEST(Settling, brings_a_hypothesis_to_where_surfaces_and_features_agree) {
 std::vector<PointMatch> matches_with_color_aside(const ViewFixture& a, const ViewFixture& b,
                                                  float right_px) {
   const PairState state{true_pose(a, b), {}, {Eigen::Vector2d(double(right_px), 0)}};
-  auto matches = corrected_matches(exact_matches(a, b), a.view->picture, b.view->picture, state);
+  auto matches = corrected_matches(exact_matches_of(a, b), a.view->picture, b.view->picture, state);
   for (PointMatch& match : matches) match.b_pixel.x() += right_px;
   return matches;
 }

@@ -12,14 +12,14 @@
 namespace roomcast::alignment {
 namespace {
 
-const RigidTransform kTruth = world_from_optical_looking_at({0.4, 1.2, -0.3}, {-1, 0.2, 0.8});
+const RigidTransform kTruePose = world_from_optical_looking_at({0.4, 1.2, -0.3}, {-1, 0.2, 0.8});
 
 std::vector<PointMatch> exact_matches() {
   std::vector<PointMatch> matches;
   for (const Eigen::Vector3d& b :
        {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 0, 2.5), Eigen::Vector3d(0, 1, 3),
         Eigen::Vector3d(-1, -0.5, 1.5), Eigen::Vector3d(0.5, 0.7, 2.2)}) {
-    matches.push_back({(kTruth * b).cast<float>(), b.cast<float>(), {0, 0}, {0, 0}});
+    matches.push_back({(kTruePose * b).cast<float>(), b.cast<float>(), {0, 0}, {0, 0}});
   }
   return matches;
 }
@@ -28,8 +28,8 @@ TEST(RigidFit, finds_the_motion_of_exact_matches) {
   const std::vector<float> weights(5, 1);
   const auto fitted = fit_a_from_b(exact_matches(), weights);
   ASSERT_TRUE(fitted.has_value());
-  EXPECT_LT(difference(*fitted, kTruth).angle_rad, 1e-5);
-  EXPECT_LT(difference(*fitted, kTruth).distance_m, 1e-5);
+  EXPECT_LT(difference(*fitted, kTruePose).angle_rad, 1e-5);
+  EXPECT_LT(difference(*fitted, kTruePose).distance_m, 1e-5);
   EXPECT_NEAR(fitted->rotation.determinant(), 1, 1e-9);
 }
 
@@ -38,7 +38,7 @@ TEST(RigidFit, what_has_no_weight_does_not_count) {
   matches[2].a_m += Eigen::Vector3f(5, 5, 5);
   const auto fitted = fit_a_from_b(matches, std::vector<float>{1, 1, 0, 1, 1});
   ASSERT_TRUE(fitted.has_value());
-  EXPECT_LT(difference(*fitted, kTruth).distance_m, 1e-5);
+  EXPECT_LT(difference(*fitted, kTruePose).distance_m, 1e-5);
 }
 
 TEST(RigidFit, refuses_too_few_points_and_points_on_a_line) {
@@ -72,8 +72,8 @@ TEST(MatchSupport, many_matches_in_one_place_are_one_witness) {
 TEST(MatchSupport, only_what_agrees_with_the_pose_counts) {
   auto matches = exact_matches();
   matches[1].a_m += Eigen::Vector3f(0.2F, 0, 0);
-  EXPECT_EQ(agreeing_matches(matches, kTruth, 0.05F).size(), 4u);
-  EXPECT_EQ(agreeing_matches(matches, kTruth, 0.5F).size(), 5u);
+  EXPECT_EQ(agreeing_matches(matches, kTruePose, 0.05F).size(), 4u);
+  EXPECT_EQ(agreeing_matches(matches, kTruePose, 0.5F).size(), 5u);
 }
 
 }  // namespace

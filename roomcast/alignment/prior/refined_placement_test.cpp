@@ -48,7 +48,7 @@ TEST(SettledPlace, where_nothing_is_shared_it_stays_as_it_was_found) {
 }
 
 /// A long grey corridor, lit from one side. Each sensor sees a different part of its walls.
-ViewFixture in_corridor(const std::string& name, double x_m, double towards_m) {
+ViewFixture facing_along_corridor(const std::string& name, double x_m, double towards_m) {
   RoomFixture corridor;
   corridor.walls = {Eigen::Vector3d(-30, 0, -1.2), Eigen::Vector3d(30, 2.6, 1.2)};
   corridor.boxes.clear();
@@ -60,7 +60,8 @@ ViewFixture in_corridor(const std::string& name, double x_m, double towards_m) {
 }
 
 TEST(SettledPlace, along_a_floor_that_is_all_they_share_it_stays_where_it_was_found) {
-  const ViewFixture a = in_corridor("a", -1.5, 0.3), b = in_corridor("b", 1.5, -0.3);
+  const ViewFixture a = facing_along_corridor("a", -1.5, 0.3),
+                    b = facing_along_corridor("b", 1.5, -0.3);
   const std::array placed = {PlacedView{a.view.get(), a.world_from_depth}};
   const EstimatedPlacement found{beside(b.world_from_depth, {0.03, 0.02, 0.03}, 0.005), kOfWalk_mm};
   const auto place = refined_placement(*b.view, found, placed);

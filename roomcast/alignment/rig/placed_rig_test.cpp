@@ -34,7 +34,8 @@ struct Group {
   float weight;
 };
 
-std::vector<PointMatch> matches_of(const ViewFixture& a, const ViewFixture& b, const Group& group) {
+std::vector<PointMatch> matches_in_group(const ViewFixture& a, const ViewFixture& b,
+                                         const Group& group) {
   const RigidTransform b_from_a = true_pose(a, b).inverse();
   const Eigen::Vector3d aside_m =
       group.aside_m * a.world_from_depth.rotation.transpose() * Eigen::Vector3d::UnitX();
@@ -55,7 +56,7 @@ TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
   // them only when restarted from the pose found with the others.
   std::vector<PointMatch> matches;
   for (const Group& group : {Group{43, 0.112, 1}, Group{20, 0.076, 0.01F}, Group{1, 0, 0.001F}}) {
-    const auto of_group = matches_of(a, b, group);
+    const auto of_group = matches_in_group(a, b, group);
     matches.insert(matches.end(), of_group.begin(), of_group.end());
   }
   const PairCandidates candidates(*a.view, *b.view, std::move(matches));

@@ -11,7 +11,8 @@
 namespace roomcast::alignment {
 namespace {
 
-const RigidTransform kLeft = alignment::corner_pose(2, 1.5), kRight = alignment::corner_pose(-2, 1.5);
+const RigidTransform kLeftSensor = alignment::corner_pose(2, 1.5),
+                     kRightSensor = alignment::corner_pose(-2, 1.5);
 
 class AlignmentWorkerTest : public testing::Test {
  protected:
@@ -36,8 +37,8 @@ class AlignmentWorkerTest : public testing::Test {
 
 TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_thought_with_their_numbers) {
   alignment_worker.set_known({}, true);
-  add("left", kLeft, 4);
-  add("right", kRight, 7);
+  add("left", kLeftSensor, 4);
+  add("right", kRightSensor, 7);
   const auto thought = thoughts.pop({});
   ASSERT_TRUE(thought);
   ASSERT_TRUE(find(*thought, "left") && find(*thought, "right"));
@@ -48,20 +49,20 @@ TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_thought_with_thei
 }
 
 TEST_F(AlignmentWorkerTest, a_guess_is_answered_though_nobody_is_lost) {
-  add("left", kLeft, 1);
-  add("right", kRight, 1);
+  add("left", kLeftSensor, 1);
+  add("right", kRightSensor, 1);
   KnownRoom known;
-  known.given = {{"left", kLeft}};
+  known.given = {{"left", kLeftSensor}};
   alignment_worker.set_known(known, false);
-  RigidTransform guess = kRight;
+  RigidTransform guess = kRightSensor;
   guess.translation_m.x() += 0.1;
   alignment_worker.nudge("right", guess);
   const auto thought = thoughts.pop({});
   ASSERT_TRUE(thought && find(*thought, "right"));
   ASSERT_TRUE(find(*thought, "right")->world_from_depth) << find(*thought, "right")->note;
-  EXPECT_LT(
-      (find(*thought, "right")->world_from_depth->translation_m - kRight.translation_m).norm(),
-      0.03);
+  EXPECT_LT((find(*thought, "right")->world_from_depth->translation_m - kRightSensor.translation_m)
+                .norm(),
+            0.03);
 }
 
 }  // namespace

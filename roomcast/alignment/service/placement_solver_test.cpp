@@ -82,16 +82,16 @@ bool same_bits(const std::optional<RigidTransform>& one, const RigidTransform& o
   return one && row_major_from_transform(*one) == row_major_from_transform(other);
 }
 
-const RigidTransform kLeft = alignment::corner_pose(2, 1.5),
-                     kRight = alignment::corner_pose(-2, 1.5);
+const RigidTransform kLeftCorner = alignment::corner_pose(2, 1.5),
+                     kRightCorner = alignment::corner_pose(-2, 1.5);
 const RigidTransform kThird = alignment::corner_pose(-2, -1.5);
 const RigidTransform kFirst = world_from_optical_looking_at({-1, 1.7, -1.6}, {-0.3, 0.6, 1});
 const RigidTransform kSecond = world_from_optical_looking_at({1, 1.7, -1.6}, {0.3, 0.6, 1});
 
 TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_joins) {
   PlacementSolver placing;
-  placing.add(alignment::bundle_fixture({}, "left", kLeft));
-  placing.add(alignment::bundle_fixture({}, "right", kRight));
+  placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
+  placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
   const auto two = placing.solve({});
   ASSERT_TRUE(of("left", two).world_from_depth && of("right", two).world_from_depth);
   KnownRoom room;
@@ -104,28 +104,28 @@ TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_join
 }
 
 TEST(PlacementSolver, a_room_that_is_remembered_is_verified_and_stays_where_it_was) {
-  const KnownPoses before = {{"left", kLeft}, {"right", kRight}};
+  const KnownPoses before = {{"left", kLeftCorner}, {"right", kRightCorner}};
   PlacementSolver placing;
-  placing.add(alignment::bundle_fixture({}, "left", kLeft));
+  placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
   const auto alone = placing.solve(remembered(before));
   EXPECT_FALSE(of("left", alone).world_from_depth) << "nothing to compare it with yet";
   EXPECT_FALSE(of("left", alone).withdrawn);
-  placing.add(alignment::bundle_fixture({}, "right", kRight));
+  placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
   const auto both = placing.solve(remembered(before));
-  EXPECT_TRUE(same_bits(of("left", both).world_from_depth, kLeft));
-  EXPECT_TRUE(same_bits(of("right", both).world_from_depth, kRight));
+  EXPECT_TRUE(same_bits(of("left", both).world_from_depth, kLeftCorner));
+  EXPECT_TRUE(same_bits(of("right", both).world_from_depth, kRightCorner));
   EXPECT_FALSE(placing.wants_sightings());
 }
 
 TEST(PlacementSolver, who_was_moved_while_it_was_away_is_placed_where_it_stands_now) {
   PlacementSolver placing;
-  placing.add(alignment::bundle_fixture({}, "left", kLeft));
-  placing.add(alignment::bundle_fixture({}, "right", kRight));
-  KnownRoom room = given({{"left", kLeft}});
+  placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
+  placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
+  KnownRoom room = given({{"left", kLeftCorner}});
   room.remembered = {{"right", kThird}};
   const auto right = of("right", placing.solve(room));
   ASSERT_TRUE(right.world_from_depth);
-  EXPECT_LT(apart_m(*right.world_from_depth, kRight), 0.02);
+  EXPECT_LT(apart_m(*right.world_from_depth, kRightCorner), 0.02);
 }
 
 TEST(PlacementSolver, who_was_moved_and_cannot_be_placed_anew_is_withdrawn) {

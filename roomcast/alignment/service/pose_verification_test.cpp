@@ -11,14 +11,14 @@ namespace {
 using alignment::StoredPoseCheck;
 using alignment::StoredPoseVerdict;
 
-RigidTransform at(double x) {
+RigidTransform stored_at(double x) {
   RigidTransform pose;
   pose.translation_m = {x, 1, 0};
   return pose;
 }
 
-/// Simulates sensors at these positions: their surfaces overlap when they are a metre apart at
-/// most.
+/// Simulates sensors stored_at these positions: their surfaces overlap when they are a metre apart
+/// stored_at most.
 PosePairCheck sees(std::map<std::string, double> truth) {
   return [truth = std::move(truth)](const NamedPose& a, const NamedPose& b) -> StoredPoseCheck {
     const double apart = truth.at(b.sensor) - truth.at(a.sensor);
@@ -30,14 +30,15 @@ PosePairCheck sees(std::map<std::string, double> truth) {
   };
 }
 
-const KnownPoses kRoom = {{"a", at(0)}, {"b", at(1)}, {"c", at(2)}, {"d", at(3)}};
+const KnownPoses kRoom = {
+    {"a", stored_at(0)}, {"b", stored_at(1)}, {"c", stored_at(2)}, {"d", stored_at(3)}};
 
 TEST(StoredPoseChecks, a_whole_room_confirms_itself) {
   const auto told = verify_stored_poses(kRoom, {}, sees({{"a", 0}, {"b", 1}, {"c", 2}, {"d", 3}}));
   EXPECT_EQ(told.confirmed.size(), 4U);
   EXPECT_TRUE(told.untold.empty());
   EXPECT_TRUE(told.contradicted.empty());
-  EXPECT_EQ(told.confirmed.at("c").world_from_depth->translation_m, at(2).translation_m);
+  EXPECT_EQ(told.confirmed.at("c").world_from_depth->translation_m, stored_at(2).translation_m);
   EXPECT_EQ(told.confirmed.at("c").expected_error_mm, 6);
 }
 
@@ -52,25 +53,26 @@ TEST(StoredPoseChecks, the_one_that_was_moved_is_found_out_by_the_others) {
 }
 
 TEST(StoredPoseChecks, one_alone_has_nothing_to_be_compared_with) {
-  const auto told = verify_stored_poses({{"a", at(0)}}, {}, sees({{"a", 0}}));
+  const auto told = verify_stored_poses({{"a", stored_at(0)}}, {}, sees({{"a", 0}}));
   EXPECT_TRUE(told.untold.contains("a"));
   EXPECT_TRUE(told.confirmed.empty() && told.contradicted.empty());
 }
 
 TEST(StoredPoseChecks, of_two_that_disagree_nobody_knows_which_was_moved) {
-  const auto told =
-      verify_stored_poses({{"a", at(0)}, {"b", at(1)}}, {}, sees({{"a", 0}, {"b", 0.5}}));
+  const auto told = verify_stored_poses({{"a", stored_at(0)}, {"b", stored_at(1)}}, {},
+                                        sees({{"a", 0}, {"b", 0.5}}));
   EXPECT_EQ(told.untold.size(), 2U);
 }
 
 TEST(StoredPoseChecks, beside_one_that_is_known_the_other_is_the_one_that_was_moved) {
-  const auto told =
-      verify_stored_poses({{"b", at(1)}}, {{"a", at(0)}}, sees({{"a", 0}, {"b", 0.5}}));
+  const auto told = verify_stored_poses({{"b", stored_at(1)}}, {{"a", stored_at(0)}},
+                                        sees({{"a", 0}, {"b", 0.5}}));
   EXPECT_TRUE(told.contradicted.contains("b"));
 }
 
 TEST(StoredPoseChecks, who_sees_nothing_of_the_others_stays_untold) {
-  const auto told = verify_stored_poses({{"d", at(3)}}, {{"a", at(0)}}, sees({{"a", 0}, {"d", 3}}));
+  const auto told =
+      verify_stored_poses({{"d", stored_at(3)}}, {{"a", stored_at(0)}}, sees({{"a", 0}, {"d", 3}}));
   EXPECT_TRUE(told.untold.contains("d"));
 }
 

@@ -6,7 +6,7 @@
 namespace roomcast::alignment {
 namespace {
 
-RigidTransform at(double x) {
+RigidTransform pose_at_x(double x) {
   RigidTransform pose;
   pose.translation_m = {x, 1, 0};
   return pose;
@@ -22,7 +22,7 @@ alignment::SensorReport placed(const std::string& id, double x) {
   alignment::SensorReport sensor;
   sensor.id = id;
   sensor.placed = true;
-  sensor.world_from_depth = at(x);
+  sensor.world_from_depth = pose_at_x(x);
   return sensor;
 }
 
@@ -44,7 +44,7 @@ KnownRoom found(const KnownPoses& poses) {
   return known({}, poses);
 }
 
-KnownRoom remembered(const KnownPoses& poses) {
+KnownRoom remembered_poses(const KnownPoses& poses) {
   KnownRoom room;
   room.remembered = poses;
   return room;
@@ -62,20 +62,20 @@ TEST(RoomWorld, without_a_known_pose_the_world_is_the_reports) {
 
 TEST(RoomWorld, a_sensor_that_was_found_before_stays_and_the_others_come_to_it) {
   const auto placements =
-      RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}), found({{"b", at(10)}}));
+      RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}), found({{"b", pose_at_x(10)}}));
   EXPECT_EQ(x_of(placements[0]), 8);
   EXPECT_EQ(x_of(placements[1]), 10);
 }
 
 TEST(RoomWorld, a_given_pose_goes_before_one_that_was_found) {
   const auto placements = RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}),
-                                            known({{"b", at(20)}}, {{"a", at(1)}}));
+                                            known({{"b", pose_at_x(20)}}, {{"a", pose_at_x(1)}}));
   EXPECT_EQ(x_of(placements[0]), 18);
   EXPECT_EQ(x_of(placements[1]), 20);
 }
 
 TEST(RoomWorld, one_that_was_moved_unnoticed_does_not_take_the_room_along) {
-  const KnownPoses before = {{"a", at(1)}, {"b", at(3)}, {"c", at(5)}};
+  const KnownPoses before = {{"a", pose_at_x(1)}, {"b", pose_at_x(3)}, {"c", pose_at_x(5)}};
   const auto placements = RoomWorld().place(
       report_of({placed("a", 0), placed("b", 2.5), placed("c", 4.5)}), found(before));
   EXPECT_DOUBLE_EQ(x_of(placements[0]), 0.5);
@@ -93,14 +93,14 @@ RoomWorld provisional_world() {
 TEST(RoomWorld, a_provisional_one_stays_while_nobody_gives_another) {
   RoomWorld world = provisional_world();
   const auto placements =
-      world.place(report_of({placed("a", 0), placed("b", 2)}), found({{"a", at(1)}}));
+      world.place(report_of({placed("a", 0), placed("b", 2)}), found({{"a", pose_at_x(1)}}));
   EXPECT_EQ(x_of(placements[0]), 1);
   EXPECT_EQ(x_of(placements[1]), 3);
 }
 
 TEST(RoomWorld, a_provisional_one_ends_when_somebody_gives_a_place_that_nothing_connects_with_it) {
   RoomWorld world = provisional_world();
-  const KnownRoom room = known({{"b", at(20)}}, {{"a", at(1)}});
+  const KnownRoom room = known({{"b", pose_at_x(20)}}, {{"a", pose_at_x(1)}});
   const auto placements = world.place(report_of({lost("a"), lost("b")}), room);
   EXPECT_FALSE(placements[0].world_from_depth);
   EXPECT_TRUE(placements[0].withdrawn);
@@ -110,8 +110,8 @@ TEST(RoomWorld, a_provisional_one_ends_when_somebody_gives_a_place_that_nothing_
 
 TEST(RoomWorld, who_is_placed_without_those_whose_places_are_given_has_no_place) {
   RoomWorld world = provisional_world();
-  const auto placements =
-      world.place(report_of({placed("a", 1)}), known({{"b", at(20)}}, {{"a", at(1)}}));
+  const auto placements = world.place(report_of({placed("a", 1)}),
+                                      known({{"b", pose_at_x(20)}}, {{"a", pose_at_x(1)}}));
   EXPECT_FALSE(placements[0].world_from_depth);
   EXPECT_TRUE(placements[0].withdrawn);
   EXPECT_FALSE(placements[0].note.empty());
@@ -119,12 +119,12 @@ TEST(RoomWorld, who_is_placed_without_those_whose_places_are_given_has_no_place)
 
 TEST(RoomWorld, a_provisional_one_joins_the_given_one_where_something_connects_them) {
   RoomWorld world = provisional_world();
-  const KnownPoses given = {{"b", at(20)}};
+  const KnownPoses given = {{"b", pose_at_x(20)}};
   const auto placements =
-      world.place(report_of({placed("a", 1), placed("b", 3)}), known(given, {{"a", at(1)}}));
+      world.place(report_of({placed("a", 1), placed("b", 3)}), known(given, {{"a", pose_at_x(1)}}));
   EXPECT_EQ(x_of(placements[0]), 18);
   EXPECT_EQ(x_of(placements[1]), 20);
-  const auto later = world.place(report_of({placed("a", 1)}), known(given, {{"a", at(18)}}));
+  const auto later = world.place(report_of({placed("a", 1)}), known(given, {{"a", pose_at_x(18)}}));
   EXPECT_EQ(x_of(later[0]), 18) << "it stands in the given world now";
 }
 
@@ -135,7 +135,7 @@ alignment::SensorReport placed_within(const std::string& id, double x, double ex
 }
 
 TEST(RoomWorld, a_pose_that_is_as_exact_as_expected_stays_bit_for_bit_when_another_joins) {
-  const KnownPoses before = {{"a", at(1)}, {"b", at(3)}};
+  const KnownPoses before = {{"a", pose_at_x(1)}, {"b", pose_at_x(3)}};
   const auto report =
       report_of({placed("a", 1), placed_within("b", 3.006, 4), placed_within("c", 5, 4)});
   const auto placements = RoomWorld().place(report, found(before));
@@ -146,22 +146,23 @@ TEST(RoomWorld, a_pose_that_is_as_exact_as_expected_stays_bit_for_bit_when_anoth
 }
 
 TEST(RoomWorld, a_pose_that_was_wrong_is_corrected) {
-  const KnownPoses before = {{"a", at(1)}, {"b", at(3)}};
+  const KnownPoses before = {{"a", pose_at_x(1)}, {"b", pose_at_x(3)}};
   const auto placements =
       RoomWorld().place(report_of({placed("a", 1), placed_within("b", 3.03, 4)}), found(before));
   EXPECT_DOUBLE_EQ(x_of(placements[1]), 3.03);
 }
 
 TEST(RoomWorld, a_whole_room_that_is_remembered_stays_where_it_was) {
-  const auto placements = RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}),
-                                            remembered({{"a", at(11)}, {"b", at(13)}}));
+  const auto placements =
+      RoomWorld().place(report_of({placed("a", 1), placed("b", 3)}),
+                        remembered_poses({{"a", pose_at_x(11)}, {"b", pose_at_x(13)}}));
   EXPECT_EQ(x_of(placements[0]), 11);
   EXPECT_EQ(x_of(placements[1]), 13);
 }
 
 TEST(RoomWorld, one_that_is_remembered_and_alone_is_not_verified_by_itself) {
   const auto placements =
-      RoomWorld().place(report_of({placed("a", 0)}), remembered({{"a", at(11)}}));
+      RoomWorld().place(report_of({placed("a", 0)}), remembered_poses({{"a", pose_at_x(11)}}));
   EXPECT_FALSE(placements[0].world_from_depth);
   EXPECT_FALSE(placements[0].withdrawn);
   EXPECT_FALSE(placements[0].note.empty());
@@ -169,9 +170,9 @@ TEST(RoomWorld, one_that_is_remembered_and_alone_is_not_verified_by_itself) {
 
 TEST(RoomWorld, beside_one_that_is_remembered_others_are_placed_where_nothing_better_is_here) {
   const auto report = report_of({placed("a", 1), placed("b", 3)});
-  KnownRoom room = remembered({{"a", at(11)}});
+  KnownRoom room = remembered_poses({{"a", pose_at_x(11)}});
   EXPECT_EQ(x_of(RoomWorld().place(report, room)[1]), 13);
-  room.found = {{"elsewhere", at(0)}};
+  room.found = {{"elsewhere", pose_at_x(0)}};
   const auto placements = RoomWorld().place(report, room);
   EXPECT_FALSE(placements[0].world_from_depth);
   EXPECT_FALSE(placements[1].world_from_depth);
@@ -181,15 +182,15 @@ TEST(RoomWorld, beside_one_that_is_remembered_others_are_placed_where_nothing_be
 
 TEST(RoomWorld, one_that_stood_alone_gives_way_to_others_who_stand_together) {
   RoomWorld world = provisional_world();
-  const auto placements =
-      world.place(report_of({lost("a"), placed("b", 2), placed("c", 3)}), found({{"a", at(1)}}));
+  const auto placements = world.place(report_of({lost("a"), placed("b", 2), placed("c", 3)}),
+                                      found({{"a", pose_at_x(1)}}));
   EXPECT_TRUE(placements[0].withdrawn);
   EXPECT_EQ(x_of(placements[1]), 2);
 }
 
 TEST(RoomWorld, two_worlds_that_nothing_connects_are_not_laid_over_one_another) {
   const auto placements = RoomWorld().place(report_of({placed("a", 1), placed("b", 3), lost("c")}),
-                                            found({{"c", at(2)}}));
+                                            found({{"c", pose_at_x(2)}}));
   EXPECT_FALSE(placements[0].world_from_depth);
   EXPECT_FALSE(placements[1].world_from_depth);
   EXPECT_FALSE(placements[0].note.empty());

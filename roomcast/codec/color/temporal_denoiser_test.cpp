@@ -9,12 +9,12 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kDenoisedWidth = 64, kDenoisedHeight = 48;
 
 I420Image grey(int level) {
   I420Image image;
-  image.resize(kWidth, kHeight);
-  image.y.resize(kWidth, kHeight, static_cast<std::uint8_t>(level));
+  image.resize(kDenoisedWidth, kDenoisedHeight);
+  image.y.resize(kDenoisedWidth, kDenoisedHeight, static_cast<std::uint8_t>(level));
   return image;
 }
 
@@ -59,7 +59,7 @@ TEST(TemporalDenoiser, a_still_scene_comes_to_rest_nearer_to_the_truth_than_the_
     }
     before = shown;
   }
-  EXPECT_LT(changed, 29 * kWidth * kHeight / 100) << "nearly every pixel stays";
+  EXPECT_LT(changed, 29 * kDenoisedWidth * kDenoisedHeight / 100) << "nearly every pixel stays";
   EXPECT_LT(rms(before, clean), 1.5);
   EXPECT_NEAR(hold.noise_sigma(), 3, 0.6);
 }

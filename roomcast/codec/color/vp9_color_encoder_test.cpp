@@ -11,19 +11,19 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 128;
+constexpr int kColorWidth = 160, kColorHeight = 128;
 
 /// A picture of patches of random grey.
 ColorImage patches(unsigned seed = 0) {
   constexpr int kPatch = 3;
   std::mt19937 random(seed);
-  Image<std::uint8_t> grey(kWidth / kPatch + 1, kHeight / kPatch + 1);
+  Image<std::uint8_t> grey(kColorWidth / kPatch + 1, kColorHeight / kPatch + 1);
   for (std::size_t i = 0; i < grey.view().pixel_count(); ++i) {
     grey.data()[i] = static_cast<std::uint8_t>(60 + random() % 120);
   }
-  ColorImage color(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  ColorImage color(kColorWidth, kColorHeight);
+  for (int y = 0; y < kColorHeight; ++y) {
+    for (int x = 0; x < kColorWidth; ++x) {
       const std::uint8_t value = grey.at(x / kPatch, y / kPatch);
       color.at(x, y) = {value, value, value};
     }
@@ -32,18 +32,18 @@ ColorImage patches(unsigned seed = 0) {
 }
 
 ColorImage with_something_before(ColorImage color) {
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth / 2; ++x) color.at(x, y) = {90, 90, 90};
+  for (int y = 0; y < kColorHeight; ++y) {
+    for (int x = 0; x < kColorWidth / 2; ++x) color.at(x, y) = {90, 90, 90};
   }
   return color;
 }
 
-class Stream {
+class EncodedStream {
  public:
-  Stream()
-      : seen_(kWidth, kHeight, 255),
+  EncodedStream()
+      : seen_(kColorWidth, kColorHeight, 255),
         encoder_(Vp9ColorEncoder::create(options()).value()),
-        decoder_(Vp9ColorDecoder::create(kWidth, kHeight).value()) {}
+        decoder_(Vp9ColorDecoder::create(kColorWidth, kColorHeight).value()) {}
 
   /// Encodes a frame and returns its number of bytes.
   std::size_t next(const ColorImage& color, bool key = false) {
@@ -59,8 +59,8 @@ class Stream {
  private:
   static FrameEncoderOptions options() {
     FrameEncoderOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
+    options.width = kColorWidth;
+    options.height = kColorHeight;
     options.temporal_layers = 1;
     return options;
   }
@@ -71,7 +71,7 @@ class Stream {
 };
 
 TEST(Vp9ColorEncoder, what_comes_into_view_again_looks_at_once_as_it_did) {
-  Stream stream;
+  EncodedStream stream;
   const ColorImage room = patches(), covered = with_something_before(room);
   const std::size_t first = stream.next(room, true);
   const double rms = stream.rms(room);
@@ -83,7 +83,7 @@ TEST(Vp9ColorEncoder, what_comes_into_view_again_looks_at_once_as_it_did) {
 
 /// Ratio of the bytes of the second key frame to those of the first, of the same picture.
 double later_key_share(bool moving) {
-  Stream stream;
+  EncodedStream stream;
   const std::size_t first = stream.next(patches(), true);
   for (unsigned i = 1; i < 60; ++i) stream.next(patches(moving ? i : 0));
   return static_cast<double>(stream.next(patches(), true)) / static_cast<double>(first);

@@ -11,7 +11,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 61, kHeight = 37;
+constexpr int kHostileWidth = 61, kHostileHeight = 37;
 
 std::vector<std::uint16_t> pixels_of(const DepthImage& image) {
   return {image.data(), image.data() + image.view().pixel_count()};
@@ -27,9 +27,9 @@ void make_acceptable(const LiveDepthDecoder& decoder, std::vector<std::uint8_t>&
 
 TEST(LiveHostile, every_corner_of_the_format_decodes_to_what_was_written) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    RandomLiveStream stream(kWidth, kHeight, seed);
+    RandomLiveStream stream(kHostileWidth, kHostileHeight, seed);
     LiveDepthDecoder decoder;
-    DepthImage out(kWidth, kHeight);
+    DepthImage out(kHostileWidth, kHostileHeight);
     for (int i = 0; i < 12; ++i) {
       const auto section = stream.next(i % 9 == 0, i % 2 == 0);
       ASSERT_TRUE(decoder.decode(section, out.view()).ok()) << seed << "," << i;
@@ -41,9 +41,9 @@ TEST(LiveHostile, every_corner_of_the_format_decodes_to_what_was_written) {
 // Under the sanitizers this test detects the errors that a fuzzer would find early.
 TEST(LiveHostile, any_damage_is_survived_even_when_the_hash_fits) {
   std::mt19937 random(5);
-  DepthImage out(kWidth, kHeight);
+  DepthImage out(kHostileWidth, kHostileHeight);
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    RandomLiveStream stream(kWidth, kHeight, seed);
+    RandomLiveStream stream(kHostileWidth, kHostileHeight, seed);
     LiveDepthDecoder decoder;
     for (int i = 0; i < 10; ++i) {
       auto section = stream.next(i == 0, i % 3 != 2);
@@ -54,15 +54,15 @@ TEST(LiveHostile, any_damage_is_survived_even_when_the_hash_fits) {
       make_acceptable(decoder, section, out.view());
       (void)decoder.decode(section, out.view());
     }
-    const auto key = RandomLiveStream(kWidth, kHeight, seed).next(true, true);
+    const auto key = RandomLiveStream(kHostileWidth, kHostileHeight, seed).next(true, true);
     ASSERT_TRUE(decoder.decode(key, out.view()).ok());
   }
 }
 
 TEST(LiveHostile, what_is_cut_short_is_refused) {
-  const auto key = RandomLiveStream(kWidth, kHeight, 1).next(true, true);
+  const auto key = RandomLiveStream(kHostileWidth, kHostileHeight, 1).next(true, true);
   LiveDepthDecoder decoder;
-  DepthImage out(kWidth, kHeight);
+  DepthImage out(kHostileWidth, kHostileHeight);
   for (std::size_t length = 0; length + 8 < key.size(); ++length) {
     const std::span<const std::uint8_t> cut(key.data(), length);
     ASSERT_FALSE(decoder.decode(cut, out.view()).ok()) << length;
@@ -70,9 +70,9 @@ TEST(LiveHostile, what_is_cut_short_is_refused) {
 }
 
 TEST(LiveHostile, a_damaged_noise_table_is_noticed) {
-  const auto key = RandomLiveStream(kWidth, kHeight, 1).next(true, true);
+  const auto key = RandomLiveStream(kHostileWidth, kHostileHeight, 1).next(true, true);
   LiveDepthDecoder decoder;
-  DepthImage out(kWidth, kHeight);
+  DepthImage out(kHostileWidth, kHostileHeight);
   for (std::size_t at = 7; at < 7 + kSigmaKnotCount; ++at) {
     std::vector<std::uint8_t> bytes = key;
     bytes[at] ^= 1;
@@ -81,9 +81,9 @@ TEST(LiveHostile, a_damaged_noise_table_is_noticed) {
 }
 
 TEST(LiveHostile, flags_of_a_later_version_and_illegal_steps_are_refused) {
-  const auto key = RandomLiveStream(kWidth, kHeight, 1).next(true, true);
+  const auto key = RandomLiveStream(kHostileWidth, kHostileHeight, 1).next(true, true);
   LiveDepthDecoder decoder;
-  DepthImage out(kWidth, kHeight);
+  DepthImage out(kHostileWidth, kHostileHeight);
   const auto refusal_with = [&](std::size_t at, std::uint8_t value) {
     std::vector<std::uint8_t> bytes = key;
     bytes[at] = value;
@@ -97,9 +97,9 @@ TEST(LiveHostile, flags_of_a_later_version_and_illegal_steps_are_refused) {
 }
 
 TEST(LiveHostile, a_frame_of_another_size_needs_a_key_frame) {
-  RandomLiveStream stream(kWidth, kHeight, 1);
+  RandomLiveStream stream(kHostileWidth, kHostileHeight, 1);
   LiveDepthDecoder decoder;
-  DepthImage out(kWidth, kHeight), other(kWidth + 3, kHeight);
+  DepthImage out(kHostileWidth, kHostileHeight), other(kHostileWidth + 3, kHostileHeight);
   ASSERT_TRUE(decoder.decode(stream.next(true, true), out.view()).ok());
   EXPECT_FALSE(decoder.decode(stream.next(false, true), other.view()).ok());
 }

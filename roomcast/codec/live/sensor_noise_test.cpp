@@ -9,7 +9,7 @@
 namespace roomcast::codec {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kNoiseWidth = 160, kNoiseHeight = 120;
 
 double sigma_in(const SigmaCodes& codes, int depth_mm) {
   int knot = 0;
@@ -24,10 +24,10 @@ double sigma_in(const SigmaCodes& codes, int depth_mm) {
 template <class Sigma>
 DepthImage floor_with_noise(Sigma sigma, std::mt19937& random) {
   std::normal_distribution<double> gauss;
-  DepthImage depth(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const double z = 1000 + 4000.0 * y / kHeight;
+  DepthImage depth(kNoiseWidth, kNoiseHeight);
+  for (int y = 0; y < kNoiseHeight; ++y) {
+    for (int x = 0; x < kNoiseWidth; ++x) {
+      const double z = 1000 + 4000.0 * y / kNoiseHeight;
       depth.at(x, y) = static_cast<std::uint16_t>(std::lround(z + sigma(z / 1000) * gauss(random)));
     }
   }
@@ -71,7 +71,7 @@ TEST(SensorNoise, things_that_move_do_not_count) {
   SensorNoise noise;
   for (int frame = 0; frame < 12; ++frame) {
     DepthImage depth = floor_with_noise(sigma, random);
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kNoiseHeight; ++y) {
       for (int x = 10 * frame; x < 10 * frame + 30; ++x) depth.at(x, y) = 1000;
     }
     noise.observe(depth);
@@ -80,10 +80,10 @@ TEST(SensorNoise, things_that_move_do_not_count) {
 }
 
 TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
-  DepthImage depth(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const double z = 1000 + 4000.0 * (y + x / double{kWidth}) / kHeight;
+  DepthImage depth(kNoiseWidth, kNoiseHeight);
+  for (int y = 0; y < kNoiseHeight; ++y) {
+    for (int x = 0; x < kNoiseWidth; ++x) {
+      const double z = 1000 + 4000.0 * (y + x / double{kNoiseWidth}) / kNoiseHeight;
       const double disparity = std::floor(350000 / z);  // quantised in 1/z, no other noise
       depth.at(x, y) = static_cast<std::uint16_t>(350000 / disparity);
     }
@@ -99,9 +99,10 @@ TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
 
 TEST(SensorNoise, without_noise_there_are_still_levels_for_every_distance) {
   SensorNoise noise;
-  DepthImage depth(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) depth.at(x, y) = static_cast<std::uint16_t>(500 + 60 * y + x);
+  DepthImage depth(kNoiseWidth, kNoiseHeight);
+  for (int y = 0; y < kNoiseHeight; ++y) {
+    for (int x = 0; x < kNoiseWidth; ++x)
+      depth.at(x, y) = static_cast<std::uint16_t>(500 + 60 * y + x);
   }
   for (int frame = 0; frame < 4; ++frame) noise.observe(depth);
   DepthDomain domain;

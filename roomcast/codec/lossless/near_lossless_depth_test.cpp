@@ -13,7 +13,7 @@
 namespace roomcast::codec {
 namespace {
 
-std::vector<std::uint8_t> encoded(DepthView depth, int bound_mm) {
+std::vector<std::uint8_t> encoded_within(DepthView depth, int bound_mm) {
   LosslessDepthEncoder encoder;
   std::vector<std::uint8_t> section;
   encoder.encode_near_lossless(depth, bound_mm, section);
@@ -65,9 +65,9 @@ TEST(BoundedResidual, is_within_the_bound_and_never_zero_at_the_ends_of_the_rang
 
 TEST(NearLosslessDepth, a_larger_bound_takes_fewer_bytes) {
   const DepthImage room = synthetic_room(320, 240, 4);
-  std::size_t before = encoded(room, 1).size();
+  std::size_t before = encoded_within(room, 1).size();
   for (const int bound : {2, 5, 10}) {
-    const std::size_t now = encoded(room, bound).size();
+    const std::size_t now = encoded_within(room, bound).size();
     EXPECT_LT(now, before);
     before = now;
   }
@@ -75,12 +75,12 @@ TEST(NearLosslessDepth, a_larger_bound_takes_fewer_bytes) {
 
 TEST(NearLosslessDepth, few_distances_are_sent_as_indices_still) {
   const DepthImage room = synthetic_disparity_room(320, 240);
-  EXPECT_EQ(encoded(room, 1)[0], 0) << "exact indices";
-  EXPECT_EQ(encoded(synthetic_room(320, 240, 3), 1)[0], 1);
+  EXPECT_EQ(encoded_within(room, 1)[0], 0) << "exact indices";
+  EXPECT_EQ(encoded_within(synthetic_room(320, 240, 3), 1)[0], 1);
 }
 
 TEST(NearLosslessDepth, decode_refuses_a_section_cut_anywhere) {
-  const auto section = encoded(synthetic_room(48, 32, 1), 2);
+  const auto section = encoded_within(synthetic_room(48, 32, 1), 2);
   LosslessDepthDecoder decoder;
   DepthImage out(48, 32);
   for (std::size_t length = 0; length < section.size(); ++length) {
@@ -93,17 +93,17 @@ TEST(NearLosslessDepth, decode_refuses_a_section_cut_anywhere) {
 
 TEST(NearLosslessDepth, decode_refuses_a_bound_out_of_range_and_one_beside_a_table) {
   DepthImage out(48, 32);
-  auto section = encoded(synthetic_room(48, 32, 1), 2);
+  auto section = encoded_within(synthetic_room(48, 32, 1), 2);
   section[0] = kMaxBound_mm + 1;
   EXPECT_FALSE(LosslessDepthDecoder().decode_near_lossless(section, out.view()).ok());
-  auto mapped = encoded(synthetic_disparity_room(48, 32), 1);
+  auto mapped = encoded_within(synthetic_disparity_room(48, 32), 1);
   ASSERT_EQ(mapped[0], 0);
   mapped[0] = 1;
   EXPECT_FALSE(LosslessDepthDecoder().decode_near_lossless(mapped, out.view()).ok());
 }
 
 TEST(NearLosslessDepth, decode_survives_flipped_bits_and_garbage) {
-  const auto good = encoded(synthetic_room(48, 32, 1), 2);
+  const auto good = encoded_within(synthetic_room(48, 32, 1), 2);
   LosslessDepthDecoder decoder;
   DepthImage out(48, 32);
   std::mt19937 random(3);

@@ -17,7 +17,8 @@ struct CodedMask {
   std::vector<std::uint8_t> section;
 };
 
-CodedMask encoded(ColorMaskEncoder& encoder, const SyntheticFrame& frame, FrameRole role) {
+CodedMask encoded_color_mask(ColorMaskEncoder& encoder, const SyntheticFrame& frame,
+                             FrameRole role) {
   CodedMask coded{role.key ? kIntraMask : kMaskChange, {}};
   encoder.encode(frame.seen, frame.depth_mm, role, coded.section);
   return coded;
@@ -47,7 +48,7 @@ TEST_P(ColorMaskSizes, every_mask_of_a_stream_comes_back) {
     for (int flips = 0; flips < 40; ++flips) {
       frame.seen.data()[random() % frame.seen.view().pixel_count()] ^= 255;
     }
-    expect_decodes(decoder, encoded(encoder, frame, schedule.next(false)), frame);
+    expect_decodes(decoder, encoded_color_mask(encoder, frame, schedule.next(false)), frame);
   }
 }
 
@@ -62,7 +63,7 @@ TEST(ColorMask, frames_of_layer_one_can_be_left_out) {
   for (int i = 0; i < 12; ++i) {
     const SyntheticFrame frame = synthetic_frame(75, 51, i);
     const FrameRole role = schedule.next(false);
-    const CodedMask coded = encoded(encoder, frame, role);
+    const CodedMask coded = encoded_color_mask(encoder, frame, role);
     if (role.layer == 0) expect_decodes(decoder, coded, frame);
   }
 }
@@ -71,7 +72,7 @@ TEST(ColorMask, a_repeated_mask_is_shown_again) {
   ColorMaskEncoder encoder;
   ColorMaskDecoder decoder;
   const SyntheticFrame frame = synthetic_frame(64, 48, 0);
-  expect_decodes(decoder, encoded(encoder, frame, {true, 0}), frame);
+  expect_decodes(decoder, encoded_color_mask(encoder, frame, {true, 0}), frame);
   CodedMask again{kMaskChange, {}};
   ColorMaskEncoder::repeat(again.section);
   expect_decodes(decoder, again, frame);
@@ -80,16 +81,16 @@ TEST(ColorMask, a_repeated_mask_is_shown_again) {
 TEST(ColorMask, a_mask_that_stays_takes_a_few_bytes) {
   ColorMaskEncoder encoder;
   const SyntheticFrame frame = synthetic_frame(320, 240, 1);
-  const std::size_t key_bytes = encoded(encoder, frame, {true, 0}).section.size();
-  EXPECT_LT(encoded(encoder, frame, {false, 0}).section.size(), 8u);
+  const std::size_t key_bytes = encoded_color_mask(encoder, frame, {true, 0}).section.size();
+  EXPECT_LT(encoded_color_mask(encoder, frame, {false, 0}).section.size(), 8u);
   EXPECT_GT(key_bytes, 50u);
 }
 
 TEST(ColorMask, decode_refuses_changes_to_a_mask_that_never_came) {
   ColorMaskEncoder encoder;
   const SyntheticFrame frame = synthetic_frame(32, 32, 1);
-  (void)encoded(encoder, frame, {true, 0});
-  const CodedMask change = encoded(encoder, frame, {false, 0});
+  (void)encoded_color_mask(encoder, frame, {true, 0});
+  const CodedMask change = encoded_color_mask(encoder, frame, {false, 0});
   MaskImage mask(32, 32);
   EXPECT_FALSE(
       ColorMaskDecoder().decode(change.codec, change.section, frame.depth_mm, mask.view()).ok());
@@ -99,7 +100,7 @@ TEST(ColorMask, decode_refuses_an_illegal_first_byte_and_takes_any_bytes_after_i
   ColorMaskEncoder encoder;
   ColorMaskDecoder decoder;
   const SyntheticFrame frame = synthetic_frame(40, 32, 1);
-  expect_decodes(decoder, encoded(encoder, frame, {true, 0}), frame);
+  expect_decodes(decoder, encoded_color_mask(encoder, frame, {true, 0}), frame);
   MaskImage mask(40, 32);
   const std::vector<std::uint8_t> wrong = {2, 0, 0};
   EXPECT_FALSE(decoder.decode(kMaskChange, {}, frame.depth_mm, mask.view()).ok());

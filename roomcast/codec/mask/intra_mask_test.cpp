@@ -10,7 +10,7 @@
 namespace roomcast::codec {
 namespace {
 
-std::vector<std::uint8_t> encoded(const MaskImage& mask, const DepthImage& depth) {
+std::vector<std::uint8_t> encoded_mask(const MaskImage& mask, const DepthImage& depth) {
   std::vector<std::uint8_t> bytes;
   MaskImage known(mask.width(), mask.height());
   encode_intra_mask(mask, depth, known.view(), bytes);
@@ -23,7 +23,7 @@ MaskImage decoded(std::span<const std::uint8_t> bytes, const DepthImage& depth) 
   return known;
 }
 
-void expect_round_trip(const MaskImage& mask, const DepthImage& depth) {
+void expect_mask_round_trip(const MaskImage& mask, const DepthImage& depth) {
   std::vector<std::uint8_t> bytes;
   MaskImage known(mask.width(), mask.height());
   encode_intra_mask(mask, depth, known.view(), bytes);
@@ -38,23 +38,23 @@ TEST(IntraMask, gives_back_every_mask_where_there_is_depth) {
   std::mt19937 random(5);
   for (const auto& [width, height] : {std::pair{16, 16}, {17, 31}, {63, 20}, {4096, 16}}) {
     const SyntheticFrame frame = synthetic_frame(width, height, 1);
-    expect_round_trip(frame.seen, frame.depth_mm);
+    expect_mask_round_trip(frame.seen, frame.depth_mm);
     MaskImage noise(width, height);
     for (std::size_t i = 0; i < noise.view().pixel_count(); ++i) {
       noise.data()[i] = static_cast<std::uint8_t>(random() & random());
     }
     for (const NamedDepth& depth : synthetic_depths(width, height)) {
-      expect_round_trip(noise, depth.depth_mm);
-      expect_round_trip(MaskImage(width, height, 255), depth.depth_mm);
-      expect_round_trip(MaskImage(width, height, 0), depth.depth_mm);
+      expect_mask_round_trip(noise, depth.depth_mm);
+      expect_mask_round_trip(MaskImage(width, height, 255), depth.depth_mm);
+      expect_mask_round_trip(MaskImage(width, height, 0), depth.depth_mm);
     }
   }
 }
 
 TEST(IntraMask, a_mask_like_a_sensors_takes_far_less_than_a_bit_per_pixel) {
   const SyntheticFrame frame = synthetic_frame(320, 240, 1);
-  EXPECT_LT(encoded(frame.seen, frame.depth_mm).size(), 320u * 240u / 8 / 20);
-  EXPECT_LT(encoded(MaskImage(320, 240, 255), frame.depth_mm).size(), 20u);
+  EXPECT_LT(encoded_mask(frame.seen, frame.depth_mm).size(), 320u * 240u / 8 / 20);
+  EXPECT_LT(encoded_mask(MaskImage(320, 240, 255), frame.depth_mm).size(), 20u);
 }
 
 TEST(IntraMask, garbage_gives_some_mask) {

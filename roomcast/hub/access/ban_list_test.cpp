@@ -8,51 +8,51 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr HostTime at(std::chrono::seconds time) {
+constexpr HostTime host_time(std::chrono::seconds time) {
   return HostTime(1h + time);
 }
 
 TEST(BanList, a_few_mistakes_are_forgiven) {
   BanList bans({.faults = 3});
-  EXPECT_FALSE(bans.fault("a", at(0s)));
-  EXPECT_FALSE(bans.fault("a", at(1s)));
-  EXPECT_FALSE(bans.is_banned("a", at(1s)));
+  EXPECT_FALSE(bans.fault("a", host_time(0s)));
+  EXPECT_FALSE(bans.fault("a", host_time(1s)));
+  EXPECT_FALSE(bans.is_banned("a", host_time(1s)));
 }
 
 TEST(BanList, too_many_in_a_row_are_not_and_others_do_not_suffer) {
   BanList bans({.faults = 3, .ban = 300s});
-  bans.fault("a", at(0s));
-  bans.fault("a", at(1s));
-  EXPECT_TRUE(bans.fault("a", at(2s)));
-  EXPECT_TRUE(bans.is_banned("a", at(301s)));
-  EXPECT_FALSE(bans.is_banned("b", at(3s)));
-  EXPECT_FALSE(bans.is_banned("a", at(302s)));
-  EXPECT_EQ(bans.banned_count(at(3s)), 1U);
+  bans.fault("a", host_time(0s));
+  bans.fault("a", host_time(1s));
+  EXPECT_TRUE(bans.fault("a", host_time(2s)));
+  EXPECT_TRUE(bans.is_banned("a", host_time(301s)));
+  EXPECT_FALSE(bans.is_banned("b", host_time(3s)));
+  EXPECT_FALSE(bans.is_banned("a", host_time(302s)));
+  EXPECT_EQ(bans.banned_count(host_time(3s)), 1U);
 }
 
 TEST(BanList, mistakes_of_long_ago_do_not_count) {
   BanList bans({.faults = 2, .within = 60s});
-  bans.fault("a", at(0s));
-  EXPECT_FALSE(bans.fault("a", at(61s)));
+  bans.fault("a", host_time(0s));
+  EXPECT_FALSE(bans.fault("a", host_time(61s)));
 }
 
 TEST(BanList, whoever_goes_on_after_a_ban_is_banned_again) {
   BanList bans({.faults = 2, .within = 60s, .ban = 10s});
-  bans.fault("a", at(0s));
-  EXPECT_TRUE(bans.fault("a", at(1s)));
-  EXPECT_FALSE(bans.fault("a", at(20s)));
-  EXPECT_TRUE(bans.fault("a", at(21s)));
+  bans.fault("a", host_time(0s));
+  EXPECT_TRUE(bans.fault("a", host_time(1s)));
+  EXPECT_FALSE(bans.fault("a", host_time(20s)));
+  EXPECT_TRUE(bans.fault("a", host_time(21s)));
 }
 
 TEST(BanList, remembers_no_more_than_it_may) {
   BanList bans({.faults = 2, .max_peers = 100});
-  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(bans.fault(std::to_string(i), at(0s)));
-  EXPECT_FALSE(bans.fault("0", at(1s))) << "its first fault was forgotten";
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(bans.fault(std::to_string(i), host_time(0s)));
+  EXPECT_FALSE(bans.fault("0", host_time(1s))) << "its first fault was forgotten";
 }
 
 TEST(BanList, without_rules_nobody_is_banned) {
   BanList bans({.faults = 0});
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(bans.fault("a", at(0s)));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(bans.fault("a", host_time(0s)));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Claims for_a_viewer() {
           .expires_at = kNow + 60};
 }
 
-pb::ErrorCode fault_in(const std::string& token, UnixSeconds now = kNow) {
+pb::ErrorCode token_fault(const std::string& token, UnixSeconds now = kNow) {
   const auto verdict = TokenSigner(kSecret).verify(token, now);
   const Refusal* why = refusal(verdict);
   return why == nullptr ? pb::ERROR_UNSPECIFIED : why->code;
@@ -55,8 +55,8 @@ TEST(TokenSigner, what_it_signed_it_reads_back) {
 
 TEST(TokenSigner, a_token_holds_until_its_last_second) {
   const std::string token = TokenSigner(kSecret).sign(for_a_viewer());
-  EXPECT_EQ(fault_in(token, kNow + 59), pb::ERROR_UNSPECIFIED);
-  EXPECT_EQ(fault_in(token, kNow + 60), pb::ERROR_TOKEN_EXPIRED);
+  EXPECT_EQ(token_fault(token, kNow + 59), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(token_fault(token, kNow + 60), pb::ERROR_TOKEN_EXPIRED);
 }
 
 TEST(TokenSigner, every_changed_letter_is_noticed) {
@@ -64,36 +64,36 @@ TEST(TokenSigner, every_changed_letter_is_noticed) {
   for (std::size_t i = 0; i < token.size(); ++i) {
     std::string changed = token;
     changed[i] = changed[i] == 'A' ? 'Q' : 'A';  // differ in an upper bit, which base64 keeps
-    EXPECT_EQ(fault_in(changed), pb::ERROR_TOKEN_INVALID) << "letter " << i;
+    EXPECT_EQ(token_fault(changed), pb::ERROR_TOKEN_INVALID) << "letter " << i;
   }
 }
 
 TEST(TokenSigner, another_secrets_token_is_refused) {
-  EXPECT_EQ(fault_in(TokenSigner(HubSecret{4, 5, 6}).sign(for_a_viewer())),
+  EXPECT_EQ(token_fault(TokenSigner(HubSecret{4, 5, 6}).sign(for_a_viewer())),
             pb::ERROR_TOKEN_INVALID);
 }
 
 TEST(TokenSigner, an_unsigned_token_is_refused) {
-  EXPECT_EQ(fault_in(forged(JWT_ALG_NONE, "")), pb::ERROR_TOKEN_INVALID);
+  EXPECT_EQ(token_fault(forged(JWT_ALG_NONE, "")), pb::ERROR_TOKEN_INVALID);
 }
 
 TEST(TokenSigner, another_algorithm_is_refused_even_with_the_right_secret) {
   const std::string secret(kSecret.begin(), kSecret.end());
-  EXPECT_EQ(fault_in(forged(JWT_ALG_HS256, secret)), pb::ERROR_UNSPECIFIED);
-  EXPECT_EQ(fault_in(forged(JWT_ALG_HS384, secret)), pb::ERROR_TOKEN_INVALID);
-  EXPECT_EQ(fault_in(forged(JWT_ALG_HS512, secret)), pb::ERROR_TOKEN_INVALID);
+  EXPECT_EQ(token_fault(forged(JWT_ALG_HS256, secret)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(token_fault(forged(JWT_ALG_HS384, secret)), pb::ERROR_TOKEN_INVALID);
+  EXPECT_EQ(token_fault(forged(JWT_ALG_HS512, secret)), pb::ERROR_TOKEN_INVALID);
 }
 
 TEST(TokenSigner, a_token_without_an_end_has_ended) {
   Claims claims = for_a_viewer();
   claims.expires_at = 0;
-  EXPECT_EQ(fault_in(TokenSigner(kSecret).sign(claims)), pb::ERROR_TOKEN_EXPIRED);
+  EXPECT_EQ(token_fault(TokenSigner(kSecret).sign(claims)), pb::ERROR_TOKEN_EXPIRED);
 }
 
 TEST(TokenSigner, nonsense_is_refused) {
   const std::vector<std::string> nonsense = {
       "", ".", "..", "a.b.c", "e30.e30.", std::string(9999, 'a'), std::string("\0\0\0", 3)};
-  for (const auto& text : nonsense) EXPECT_EQ(fault_in(text), pb::ERROR_TOKEN_INVALID) << text;
+  for (const auto& text : nonsense) EXPECT_EQ(token_fault(text), pb::ERROR_TOKEN_INVALID) << text;
 }
 
 }  // namespace

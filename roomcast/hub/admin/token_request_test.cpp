@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string fault_in(const Json& json) {
+std::string request_fault(const Json& json) {
   const auto request = read_token_request(json);
   return request ? "" : request.error().message;
 }
@@ -24,12 +24,12 @@ TEST(TokenRequest, says_room_role_name_and_for_how_long) {
 }
 
 TEST(TokenRequest, what_is_wrong_is_named) {
-  EXPECT_NE(fault_in({{"room", "lab"}}), "");
-  EXPECT_NE(fault_in({{"role", "viewer"}}), "");
-  EXPECT_NE(fault_in({{"room", "lab"}, {"role", "king"}}).find("role"), std::string::npos);
-  EXPECT_NE(fault_in({{"room", "lab"}, {"role", "viewer"}, {"ttl_s", "x"}}).find("ttl_s"),
+  EXPECT_NE(request_fault({{"room", "lab"}}), "");
+  EXPECT_NE(request_fault({{"role", "viewer"}}), "");
+  EXPECT_NE(request_fault({{"room", "lab"}, {"role", "king"}}).find("role"), std::string::npos);
+  EXPECT_NE(request_fault({{"room", "lab"}, {"role", "viewer"}, {"ttl_s", "x"}}).find("ttl_s"),
             std::string::npos);
-  EXPECT_NE(fault_in({{"room", "lab"}, {"role", "viewer"}, {"colour", 1}}).find("colour"),
+  EXPECT_NE(request_fault({{"room", "lab"}, {"role", "viewer"}, {"colour", 1}}).find("colour"),
             std::string::npos);
 }
 

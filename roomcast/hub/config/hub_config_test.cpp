@@ -16,7 +16,7 @@ HubConfig parsed(std::string_view text) {
   return config ? *config : HubConfig();
 }
 
-std::string fault_in(std::string_view text) {
+std::string config_fault(std::string_view text) {
   const auto config = read_config({}, text);
   return config ? "" : config.error().message;
 }
@@ -80,21 +80,21 @@ TEST(HubConfig, each_mistake_is_one_sentence_with_its_line) {
       {"room = 3", "rooms are written as [[room]] (line 1)"},
       {"[[room]]\ntitle = \"x\"", "a room needs a name (line 1)"},
       {"[[room]]\nname = \"a\"\nview = \"me\"", "this is no value for a room's \"view\" (line 1)"}};
-  for (const auto& [text, sentence] : mistakes) EXPECT_EQ(fault_in(text), sentence) << text;
-  EXPECT_NE(fault_in("listen = "), "");
-  EXPECT_NE(fault_in("listen = ").find("line 1"), std::string::npos);
+  for (const auto& [text, sentence] : mistakes) EXPECT_EQ(config_fault(text), sentence) << text;
+  EXPECT_NE(config_fault("listen = "), "");
+  EXPECT_NE(config_fault("listen = ").find("line 1"), std::string::npos);
 }
 
 TEST(HubConfig, sites_names_and_addresses_are_read_as_they_are_usually_written) {
-  EXPECT_EQ(fault_in("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"),
-            "");
-  EXPECT_NE(fault_in("[access]\norigins = [\"https://rooms.example.org/\"]"), "");
-  EXPECT_NE(fault_in("[access]\norigins = [\"ws://rooms.example.org\"]"), "");
-  EXPECT_EQ(fault_in("[access]\nhosts = [\"hub.example.org\", \"lab-hub\"]"), "");
-  EXPECT_NE(fault_in("[access]\nhosts = [\"https://hub\"]"), "");
-  EXPECT_EQ(fault_in("[access]\nproxies = [\"10.0.0.1\", \"2001:db8::5\"]"), "");
-  EXPECT_EQ(fault_in("public_url = \"wss://hub.example.org:7600\""), "");
-  EXPECT_NE(fault_in("public_url = \"ftp://hub\"").find("public_url: "), std::string::npos);
+  EXPECT_EQ(
+      config_fault("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"), "");
+  EXPECT_NE(config_fault("[access]\norigins = [\"https://rooms.example.org/\"]"), "");
+  EXPECT_NE(config_fault("[access]\norigins = [\"ws://rooms.example.org\"]"), "");
+  EXPECT_EQ(config_fault("[access]\nhosts = [\"hub.example.org\", \"lab-hub\"]"), "");
+  EXPECT_NE(config_fault("[access]\nhosts = [\"https://hub\"]"), "");
+  EXPECT_EQ(config_fault("[access]\nproxies = [\"10.0.0.1\", \"2001:db8::5\"]"), "");
+  EXPECT_EQ(config_fault("public_url = \"wss://hub.example.org:7600\""), "");
+  EXPECT_NE(config_fault("public_url = \"ftp://hub\"").find("public_url: "), std::string::npos);
 }
 
 TEST(HubConfig, two_rooms_of_one_name_are_refused) {

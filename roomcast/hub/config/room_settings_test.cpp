@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string fault_in(const Json& changes) {
+std::string settings_fault(const Json& changes) {
   const auto result = changed({}, changes);
   return result ? "" : result.error().message;
 }
@@ -41,23 +41,23 @@ TEST(RoomSettings, what_is_not_named_stays) {
 }
 
 TEST(RoomSettings, a_wrong_field_or_value_is_named) {
-  EXPECT_NE(fault_in({{"colour", "red"}}).find("colour"), std::string::npos);
-  EXPECT_NE(fault_in({{"view", "friends"}}).find("view"), std::string::npos);
-  EXPECT_NE(fault_in({{"max_viewers", -1}}).find("max_viewers"), std::string::npos);
-  EXPECT_NE(fault_in({{"max_viewers", 100'000}}).find("max_viewers"), std::string::npos);
-  EXPECT_NE(fault_in({{"max_sensors", 0}}).find("max_sensors"), std::string::npos);
-  EXPECT_NE(fault_in({{"start_positions", {{{"x", 1}}}}}).find("start_positions"),
+  EXPECT_NE(settings_fault({{"colour", "red"}}).find("colour"), std::string::npos);
+  EXPECT_NE(settings_fault({{"view", "friends"}}).find("view"), std::string::npos);
+  EXPECT_NE(settings_fault({{"max_viewers", -1}}).find("max_viewers"), std::string::npos);
+  EXPECT_NE(settings_fault({{"max_viewers", 100'000}}).find("max_viewers"), std::string::npos);
+  EXPECT_NE(settings_fault({{"max_sensors", 0}}).find("max_sensors"), std::string::npos);
+  EXPECT_NE(settings_fault({{"start_positions", {{{"x", 1}}}}}).find("start_positions"),
             std::string::npos);
-  EXPECT_NE(fault_in({{"start_positions", {{{"x", 1e300}, {"z", 0}}}}}), "");
-  EXPECT_NE(fault_in({{"listed", 1}}), "");
-  EXPECT_NE(fault_in(Json::array()), "");
+  EXPECT_NE(settings_fault({{"start_positions", {{{"x", 1e300}, {"z", 0}}}}}), "");
+  EXPECT_NE(settings_fault({{"listed", 1}}), "");
+  EXPECT_NE(settings_fault(Json::array()), "");
 }
 
 TEST(RoomSettings, a_room_needs_a_name_that_can_be_one) {
-  EXPECT_NE(fault_in({{"name", ""}}), "");
-  EXPECT_NE(fault_in({{"name", "*"}}), "") << "it would be all rooms in a token";
-  EXPECT_NE(fault_in({{"name", std::string(65, 'x')}}), "");
-  EXPECT_NE(fault_in({{"name", "a\nb"}}), "");
+  EXPECT_NE(settings_fault({{"name", ""}}), "");
+  EXPECT_NE(settings_fault({{"name", "*"}}), "") << "it would be all rooms in a token";
+  EXPECT_NE(settings_fault({{"name", std::string(65, 'x')}}), "");
+  EXPECT_NE(settings_fault({{"name", "a\nb"}}), "");
 }
 
 TEST(RoomSettings, a_start_position_looks_where_it_says) {

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 constexpr double kFps = 20;  // a period of 50 ms
 constexpr SensorId kLeft{0}, kRight{1};
 
-RoomTime at(nanoseconds since_start) {
+RoomTime captured_at(nanoseconds since_start) {
   return RoomTime(1h + since_start);
 }
 
@@ -37,14 +37,14 @@ class Builder : public testing::Test {
   }
 
   bool add(SensorId sensor, nanoseconds captured, nanoseconds arrived) {
-    wire::FrameHeader header{.sensor = sensor, .capture_time = at(captured)};
-    return builder.add_frame(header, message_of(header), at(arrived));
+    wire::FrameHeader header{.sensor = sensor, .capture_time = captured_at(captured)};
+    return builder.add_frame(header, message_of(header), captured_at(arrived));
   }
 
   /// The sensors of each set that has closed, sorted.
   std::vector<std::vector<int>> closed(nanoseconds now) {
     std::vector<std::vector<int>> sets;
-    for (const auto& set : builder.take_closed(at(now))) {
+    for (const auto& set : builder.take_closed(captured_at(now))) {
       auto& sensors = sets.emplace_back();
       for (const auto& frame : set->frames) sensors.push_back(frame.header.sensor.value);
       std::sort(sensors.begin(), sensors.end());
@@ -73,7 +73,7 @@ TEST_F(Builder, a_set_closes_when_all_sensors_have_delivered) {
 TEST_F(Builder, a_set_does_not_wait_beyond_its_deadline) {
   both_deliver_once();
   add(kLeft, 50ms, 52ms);
-  EXPECT_EQ(builder.next_deadline(), at(102ms));
+  EXPECT_EQ(builder.next_deadline(), captured_at(102ms));
   EXPECT_THAT(closed(101ms), IsEmpty());
   EXPECT_THAT(closed(102ms), ElementsAre(ElementsAre(0)));
   EXPECT_EQ(builder.next_deadline(), std::nullopt);
@@ -83,14 +83,14 @@ TEST_F(Builder, the_deadline_is_a_period_where_that_is_longer) {
   FrameSynchronizer slow;
   slow.add_sensor(kLeft, 5);
   slow.add_sensor(kRight, 5);
-  wire::FrameHeader header{.sensor = kLeft, .capture_time = at(0ms)};
-  slow.add_frame(header, message_of(header), at(0ms));
+  wire::FrameHeader header{.sensor = kLeft, .capture_time = captured_at(0ms)};
+  slow.add_frame(header, message_of(header), captured_at(0ms));
   header.sensor = kRight;
-  slow.add_frame(header, message_of(header), at(0ms));
-  EXPECT_EQ(slow.take_closed(at(0ms)).size(), 1u);
-  header.capture_time = at(200ms);
-  slow.add_frame(header, message_of(header), at(200ms));
-  EXPECT_EQ(slow.next_deadline(), at(400ms));
+  slow.add_frame(header, message_of(header), captured_at(0ms));
+  EXPECT_EQ(slow.take_closed(captured_at(0ms)).size(), 1u);
+  header.capture_time = captured_at(200ms);
+  slow.add_frame(header, message_of(header), captured_at(200ms));
+  EXPECT_EQ(slow.next_deadline(), captured_at(400ms));
 }
 
 TEST_F(Builder, nobody_waits_for_a_sensor_that_has_not_delivered_yet) {
@@ -120,13 +120,13 @@ TEST_F(Builder, a_sensor_of_half_the_rate_is_awaited_every_other_time) {
   mixed.add_sensor(kLeft, 20);
   mixed.add_sensor(kRight, 10);
   const auto add_frame = [&](SensorId sensor, nanoseconds time) {
-    wire::FrameHeader header{.sensor = sensor, .capture_time = at(time)};
-    mixed.add_frame(header, message_of(header), at(time));
-    return mixed.take_closed(at(time)).size();
+    wire::FrameHeader header{.sensor = sensor, .capture_time = captured_at(time)};
+    mixed.add_frame(header, message_of(header), captured_at(time));
+    return mixed.take_closed(captured_at(time)).size();
   };
   add_frame(kLeft, 0ms);
   add_frame(kRight, 0ms);
-  EXPECT_EQ(mixed.take_closed(at(60ms)).size(), 1u)
+  EXPECT_EQ(mixed.take_closed(captured_at(60ms)).size(), 1u)
       << "the slow one came late for the set that went without it";
   EXPECT_EQ(add_frame(kRight, 100ms), 0u);
   EXPECT_EQ(add_frame(kLeft, 100ms), 1u);
@@ -150,11 +150,12 @@ TEST_F(Builder, a_sensor_that_always_comes_last_is_in_step_from_its_second_frame
     add(kLeft, i * 50ms, i * 50ms + 1ms);
     const auto early = closed(i * 50ms + 1ms);
     add(kRight, i * 50ms, i * 50ms + 21ms);
-    const auto sets = builder.take_closed(at(i * 50ms + 21ms));
+    const auto sets = builder.take_closed(captured_at(i * 50ms + 21ms));
     if (i < 2) continue;
     EXPECT_THAT(early, IsEmpty()) << i;
     ASSERT_EQ(sets.size(), 1u) << i;
-    for (const auto& frame : sets[0]->frames) EXPECT_EQ(frame.header.capture_time, at(i * 50ms));
+    for (const auto& frame : sets[0]->frames)
+      EXPECT_EQ(frame.header.capture_time, captured_at(i * 50ms));
   }
 }
 
@@ -193,11 +194,11 @@ TEST_F(Builder, a_sensor_that_catches_up_is_back_in_step_at_once) {
   for (int i = 2; i < 5; ++i) {
     add(kLeft, i * 50ms, i * 50ms + 1ms);
     add(kRight, i * 50ms, i * 50ms + 1ms);
-    const auto sets = builder.take_closed(at(i * 50ms + 1ms));
+    const auto sets = builder.take_closed(captured_at(i * 50ms + 1ms));
     ASSERT_EQ(sets.size(), 1u) << i;
     for (const auto& frame : sets[0]->frames) {
       if (i > 2) {
-        EXPECT_EQ(frame.header.capture_time, at(i * 50ms));
+        EXPECT_EQ(frame.header.capture_time, captured_at(i * 50ms));
       }
     }
   }
@@ -228,7 +229,7 @@ TEST_F(Builder, a_sensor_that_outruns_its_rate_does_not_hurry_the_room) {
     if (ms % 5 == 2) add(kRight, ms * 1ms, ms * 1ms);  // ten times its rate
     sets += closed(ms * 1ms).size();
   }
-  EXPECT_LE(sets, 45U) << "2 s at 20 a second";
+  EXPECT_LE(sets, 45U) << "2 s captured_at 20 a second";
   EXPECT_GE(sets, 35U);
 }
 
@@ -244,8 +245,9 @@ class BuilderOfTwoHubs : public Builder {
     closed(0ms);
   }
   void add_last(SensorId sensor, nanoseconds captured, nanoseconds arrived) {
-    const wire::FrameHeader header{.last = true, .sensor = sensor, .capture_time = at(captured)};
-    builder.add_frame(header, message_of(header), at(arrived));
+    const wire::FrameHeader header{
+        .last = true, .sensor = sensor, .capture_time = captured_at(captured)};
+    builder.add_frame(header, message_of(header), captured_at(arrived));
   }
 };
 
@@ -289,7 +291,7 @@ TEST_F(Builder, set_ids_grow_by_one_and_are_stamped_into_the_messages) {
     add(kLeft, i * 50ms, i * 50ms);
     add(kRight, i * 50ms, i * 50ms);
   }
-  const auto sets = builder.take_closed(at(1s));
+  const auto sets = builder.take_closed(captured_at(1s));
   ASSERT_EQ(sets.size(), 3u);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     EXPECT_EQ(sets[i]->id.value, i + 1);
@@ -316,7 +318,7 @@ TEST_F(Builder, waiting_sets_are_bounded) {
   both_deliver_once();
   for (int i = 1; i <= 100; ++i)
     add(kLeft, i * 50ms, 10ms);  // no frame of the right sensor, and no time passes
-  EXPECT_GE(builder.take_closed(at(10ms)).size(), 100 - FrameSynchronizer::kMaxOpenSets);
+  EXPECT_GE(builder.take_closed(captured_at(10ms)).size(), 100 - FrameSynchronizer::kMaxOpenSets);
 }
 
 TEST_F(Builder, without_sensors_there_is_no_rate) {

@@ -10,11 +10,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-RoomTime at(nanoseconds since_start) {
+RoomTime relayed_at(nanoseconds since_start) {
   return RoomTime(1h + since_start);
 }
 
-wire::pb::ViewerPose pose_at(float x) {
+wire::pb::ViewerPose viewer_pose_at(float x) {
   wire::pb::ViewerPose pose;
   pose.set_viewer_id(12345);  // a forged ID; the hub replaces it
   pose.mutable_head()->set_x(x);
@@ -24,26 +24,26 @@ wire::pb::ViewerPose pose_at(float x) {
 TEST(PoseRelay, the_newest_pose_goes_out_under_the_viewers_id_at_most_20_times_a_second) {
   PoseRelay relay;
   EXPECT_FALSE(relay.next());
-  relay.set(ViewerId{1}, pose_at(1), at(10ms));
-  relay.set(ViewerId{1}, pose_at(2), at(20ms));
-  const auto message = relay.take(at(30ms));
+  relay.set(ViewerId{1}, viewer_pose_at(1), relayed_at(10ms));
+  relay.set(ViewerId{1}, viewer_pose_at(2), relayed_at(20ms));
+  const auto message = relay.take(relayed_at(30ms));
   ASSERT_TRUE(message);
   ASSERT_EQ(message->viewer_poses().poses_size(), 1);
   EXPECT_EQ(message->viewer_poses().poses(0).viewer_id(), 1U);
   EXPECT_EQ(message->viewer_poses().poses(0).head().x(), 2);
   EXPECT_FALSE(relay.next());
-  relay.set(ViewerId{1}, pose_at(3), at(40ms));
-  EXPECT_FALSE(relay.take(at(41ms)));
-  EXPECT_EQ(relay.next(), at(80ms));
-  EXPECT_TRUE(relay.take(at(80ms)));
+  relay.set(ViewerId{1}, viewer_pose_at(3), relayed_at(40ms));
+  EXPECT_FALSE(relay.take(relayed_at(41ms)));
+  EXPECT_EQ(relay.next(), relayed_at(80ms));
+  EXPECT_TRUE(relay.take(relayed_at(80ms)));
 }
 
 TEST(PoseRelay, who_comes_is_told_where_the_others_are) {
   PoseRelay relay;
-  relay.set(ViewerId{1}, pose_at(1), at(0ms));
-  EXPECT_TRUE(relay.take(at(0ms)));
+  relay.set(ViewerId{1}, viewer_pose_at(1), relayed_at(0ms));
+  EXPECT_TRUE(relay.take(relayed_at(0ms)));
   relay.resend_all();
-  const auto message = relay.take(at(1s));
+  const auto message = relay.take(relayed_at(1s));
   ASSERT_TRUE(message);
   EXPECT_EQ(message->viewer_poses().poses_size(), 1);
 }
@@ -52,28 +52,29 @@ TEST(PoseRelay, a_crowd_is_told_less_often) {
   constexpr int kMany = 40;
   PoseRelay relay;
   const auto all_move = [&](nanoseconds when) {
-    for (std::uint32_t i = 0; i < kMany; ++i) relay.set(ViewerId{i}, pose_at(1), at(when));
+    for (std::uint32_t i = 0; i < kMany; ++i)
+      relay.set(ViewerId{i}, viewer_pose_at(1), relayed_at(when));
   };
   all_move(0ms);
-  EXPECT_TRUE(relay.take(at(0ms)));
+  EXPECT_TRUE(relay.take(relayed_at(0ms)));
   all_move(10ms);
-  EXPECT_EQ(relay.next(), at(kMany * wire::kIntervalPerPose));
+  EXPECT_EQ(relay.next(), relayed_at(kMany * wire::kIntervalPerPose));
 }
 
 TEST(PoseRelay, poses_of_a_chatterbox_are_dropped) {
   PoseRelay relay;
   for (int i = 0; i < 2 * wire::kMaxPosesPerSecond; ++i) {
-    relay.set(ViewerId{1}, pose_at(static_cast<float>(i)), at(i * 1ms));
+    relay.set(ViewerId{1}, viewer_pose_at(static_cast<float>(i)), relayed_at(i * 1ms));
   }
-  EXPECT_EQ(relay.take(at(500ms))->viewer_poses().poses(0).head().x(),
+  EXPECT_EQ(relay.take(relayed_at(500ms))->viewer_poses().poses(0).head().x(),
             wire::kMaxPosesPerSecond - 1);
 }
 
 TEST(PoseRelay, who_has_left_is_not_told_of) {
   PoseRelay relay;
-  relay.set(ViewerId{1}, pose_at(1), at(0ms));
+  relay.set(ViewerId{1}, viewer_pose_at(1), relayed_at(0ms));
   relay.forget(ViewerId{1});
-  EXPECT_FALSE(relay.take(at(1s)));
+  EXPECT_FALSE(relay.take(relayed_at(1s)));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace pb = wire::pb;
 
 constexpr RemotePresence::Teller kHub{ConnectionId{1}, ViewerId{7}}, kOther{ConnectionId{2}};
 
-pb::PeopleHere people(std::initializer_list<std::uint32_t> ids) {
+pb::PeopleHere people_here(std::initializer_list<std::uint32_t> ids) {
   pb::PeopleHere message;
   for (const auto id : ids) {
     message.add_people()->set_id(id);
@@ -39,19 +39,19 @@ class RemotePresenceTest : public testing::Test {
 };
 
 TEST_F(RemotePresenceTest, each_has_an_id_of_this_room_that_stays) {
-  EXPECT_TRUE(tell(kHub, people({1, 2})).is_news);
-  EXPECT_TRUE(tell(kOther, people({1})).is_news);
+  EXPECT_TRUE(tell(kHub, people_here({1, 2})).is_news);
+  EXPECT_TRUE(tell(kOther, people_here({1})).is_news);
   EXPECT_EQ(elsewhere.find(ConnectionId{1}, 1), ViewerId{101});
   EXPECT_EQ(elsewhere.find(ConnectionId{2}, 1), ViewerId{103});
-  EXPECT_FALSE(tell(kHub, people({2, 1})).is_news);
-  const auto change = tell(kHub, people({2}));
+  EXPECT_FALSE(tell(kHub, people_here({2, 1})).is_news);
+  const auto change = tell(kHub, people_here({2}));
   EXPECT_EQ(change.gone, std::vector{ViewerId{101}});
   EXPECT_EQ(elsewhere.find(ConnectionId{1}, 1), std::nullopt);
   EXPECT_EQ(elsewhere.find(ConnectionId{1}, 2), ViewerId{102});
 }
 
 TEST_F(RemotePresenceTest, the_roster_says_behind_whom_they_are_and_how_far) {
-  auto message = people({1});
+  auto message = people_here({1});
   message.mutable_people(0)->set_color_rgb(0xFF00FF00);
   message.mutable_people(0)->set_hubs_away(1);
   message.mutable_people(0)->set_through(55);
@@ -64,8 +64,8 @@ TEST_F(RemotePresenceTest, the_roster_says_behind_whom_they_are_and_how_far) {
 }
 
 TEST_F(RemotePresenceTest, are_gone_with_the_hub_that_told_of_them) {
-  tell(kHub, people({1, 2}));
-  tell(kOther, people({1}));
+  tell(kHub, people_here({1, 2}));
+  tell(kOther, people_here({1}));
   EXPECT_EQ(elsewhere.forget(ConnectionId{1}).gone.size(), 2u);
   EXPECT_FALSE(elsewhere.forget(ConnectionId{1}).is_news);
   EXPECT_EQ(roster().viewers_size(), 1);
@@ -76,16 +76,16 @@ TEST_F(RemotePresenceTest, are_so_many_and_no_more_and_from_so_far_away_and_no_f
   for (std::uint32_t i = 0; i <= wire::kMaxPeopleElsewhere; ++i) many.add_people()->set_id(i);
   tell(kHub, many);
   EXPECT_EQ(roster().viewers_size(), int{wire::kMaxPeopleElsewhere});
-  EXPECT_FALSE(tell(kOther, people({1})).is_news);
+  EXPECT_FALSE(tell(kOther, people_here({1})).is_news);
   elsewhere.forget(ConnectionId{1});
-  EXPECT_TRUE(tell(kOther, people({1})).is_news) << "there is room again";
-  auto far = people({5});
+  EXPECT_TRUE(tell(kOther, people_here({1})).is_news) << "there is room again";
+  auto far = people_here({5});
   far.mutable_people(0)->set_hubs_away(wire::kMaxHubsAway);
   EXPECT_FALSE(tell(kHub, far).is_news);
 }
 
 TEST_F(RemotePresenceTest, a_full_roster_has_no_place_for_them) {
-  tell(kHub, people({1, 2}));
+  tell(kHub, people_here({1, 2}));
   pb::Roster full;
   for (std::size_t i = 1; i < wire::kMaxViewers; ++i) full.add_viewers();
   elsewhere.write_to(full);

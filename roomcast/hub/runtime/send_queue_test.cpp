@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr SensorId kSensor{0}, kOther{1};
+constexpr SensorId kSensor{0}, kOtherSensor{1};
 
 net::FramedMessagePtr some_message() {
   return net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}));
@@ -25,7 +25,7 @@ struct FrameSpec {
   std::uint8_t layer = 0;
 };
 
-FrameSetPtr set_of(std::vector<FrameSpec> specs) {
+FrameSetPtr frame_set_of(std::vector<FrameSpec> specs) {
   auto set = std::make_shared<FrameSet>();
   for (const auto& spec : specs) {
     wire::FrameHeader header{.key = spec.seq == spec.base_seq,
@@ -46,7 +46,7 @@ int drain(SendQueue& send_queue) {
 
 TEST(SendQueue, control_goes_before_frames) {
   SendQueue send_queue;
-  const auto set = set_of({{kSensor, 0, 0}});
+  const auto set = frame_set_of({{kSensor, 0, 0}});
   send_queue.push_set(set);
   const auto control = some_message();
   ASSERT_TRUE(send_queue.push_control(control));
@@ -59,7 +59,7 @@ TEST(SendQueue, the_oldest_unbegun_set_gives_way) {
   SendQueue send_queue;
   std::vector<FrameSetPtr> sets;
   for (std::uint32_t i = 0; i < 5; ++i) {
-    sets.push_back(set_of({{kSensor, i, i}}));
+    sets.push_back(frame_set_of({{kSensor, i, i}}));
     send_queue.push_set(sets.back());
   }
   EXPECT_EQ(send_queue.dropped_sets(), 5 - wire::kMaxQueuedSets);
@@ -69,12 +69,12 @@ TEST(SendQueue, the_oldest_unbegun_set_gives_way) {
 
 TEST(SendQueue, sets_of_upper_layers_give_way_first) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 2);
-  const auto base = set_of({{kSensor, 1, 0}, {kOther, 1, 0}});
+  const auto base = frame_set_of({{kSensor, 1, 0}, {kOtherSensor, 1, 0}});
   send_queue.push_set(base);
-  send_queue.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 1, 1}}));  // dropped
-  const auto next_base = set_of({{kSensor, 3, 1}, {kOther, 3, 1}});
+  send_queue.push_set(frame_set_of({{kSensor, 2, 1, 1}, {kOtherSensor, 2, 1, 1}}));  // dropped
+  const auto next_base = frame_set_of({{kSensor, 3, 1}, {kOtherSensor, 3, 1}});
   send_queue.push_set(next_base);
   EXPECT_EQ(send_queue.next(), base->frames[0].message);
   EXPECT_EQ(send_queue.next(), base->frames[1].message);
@@ -86,12 +86,12 @@ TEST(SendQueue, sets_of_upper_layers_give_way_first) {
 // The sensors are out of step: in every set, one of them sends a base frame and the other does not.
 TEST(SendQueue, of_mixed_sets_the_upper_layers_give_way_and_nothing_breaks) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 2);
-  send_queue.push_set(set_of({{kSensor, 1, 0}, {kOther, 1, 0, 1}}));
-  send_queue.push_set(set_of({{kSensor, 2, 1, 1}, {kOther, 2, 0}}));
-  send_queue.push_set(set_of({{kSensor, 3, 1}, {kOther, 3, 2, 1}}));
-  send_queue.push_set(set_of({{kSensor, 4, 3, 1}, {kOther, 4, 2}}));
+  send_queue.push_set(frame_set_of({{kSensor, 1, 0}, {kOtherSensor, 1, 0, 1}}));
+  send_queue.push_set(frame_set_of({{kSensor, 2, 1, 1}, {kOtherSensor, 2, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 3, 1}, {kOtherSensor, 3, 2, 1}}));
+  send_queue.push_set(frame_set_of({{kSensor, 4, 3, 1}, {kOtherSensor, 4, 2}}));
   EXPECT_EQ(drain(send_queue), 4) << "four base frames, two sets' worth";
   EXPECT_EQ(send_queue.dropped_sets(), 0U);
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
@@ -99,72 +99,72 @@ TEST(SendQueue, of_mixed_sets_the_upper_layers_give_way_and_nothing_breaks) {
 
 TEST(SendQueue, base_frames_are_bounded_too) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}, {kOther, 0, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 2);
   for (std::uint32_t seq = 1; seq <= 100; ++seq) {
-    send_queue.push_set(set_of({{kSensor, seq, seq}, {kOther, seq, 0, 1}}));
+    send_queue.push_set(frame_set_of({{kSensor, seq, seq}, {kOtherSensor, seq, 0, 1}}));
   }
   EXPECT_LE(drain(send_queue), 2 * static_cast<int>(wire::kMaxQueuedSets));
 }
 
 TEST(SendQueue, a_set_that_has_begun_is_finished) {
   SendQueue send_queue;
-  const auto begun = set_of({{kSensor, 0, 0}, {kOther, 0, 0}});
+  const auto begun = frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}});
   send_queue.push_set(begun);
   EXPECT_EQ(send_queue.next(), begun->frames[0].message);
-  for (std::uint32_t i = 1; i < 6; ++i) send_queue.push_set(set_of({{kSensor, i, i}}));
+  for (std::uint32_t i = 1; i < 6; ++i) send_queue.push_set(frame_set_of({{kSensor, i, i}}));
   EXPECT_EQ(send_queue.next(), begun->frames[1].message);
 }
 
 TEST(SendQueue, the_first_frame_has_to_be_a_key_frame) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 8, 7}}));
+  send_queue.push_set(frame_set_of({{kSensor, 8, 7}}));
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
-  send_queue.push_set(set_of({{kSensor, 9, 9}}));
+  send_queue.push_set(frame_set_of({{kSensor, 9, 9}}));
   EXPECT_EQ(drain(send_queue), 1);
 }
 
 TEST(SendQueue, after_a_lost_base_frame_nothing_goes_out_up_to_the_next_key_frame) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
   for (std::uint32_t seq = 1; seq <= 3; ++seq)
-    send_queue.push_set(set_of({{kSensor, seq, seq - 1}}));  // set 1 is dropped
+    send_queue.push_set(frame_set_of({{kSensor, seq, seq - 1}}));  // set 1 is dropped
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
-  send_queue.push_set(set_of({{kSensor, 4, 3}}));
+  send_queue.push_set(frame_set_of({{kSensor, 4, 3}}));
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty()) << "a gap is reported once";
-  send_queue.push_set(set_of({{kSensor, 5, 5}}));
-  send_queue.push_set(set_of({{kSensor, 6, 5}}));
+  send_queue.push_set(frame_set_of({{kSensor, 5, 5}}));
+  send_queue.push_set(frame_set_of({{kSensor, 6, 5}}));
   EXPECT_EQ(drain(send_queue), 2);
 }
 
 TEST(SendQueue, a_lost_droppable_frame_harms_nothing) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
-  send_queue.push_set(set_of({{kSensor, 1, 0, 1}}));  // dropped
-  send_queue.push_set(set_of({{kSensor, 2, 0}}));
-  send_queue.push_set(set_of({{kSensor, 3, 2, 1}}));
+  send_queue.push_set(frame_set_of({{kSensor, 1, 0, 1}}));  // dropped
+  send_queue.push_set(frame_set_of({{kSensor, 2, 0}}));
+  send_queue.push_set(frame_set_of({{kSensor, 3, 2, 1}}));
   EXPECT_EQ(drain(send_queue), 2);
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
 }
 
 TEST(SendQueue, sensors_do_not_harm_each_other) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 0, 0}, {kOther, 5, 4}}));
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 5, 4}}));
   EXPECT_EQ(drain(send_queue), 1);
-  EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kOther));
+  EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kOtherSensor));
 }
 
 TEST(SendQueue, a_sensor_that_starts_anew_has_to_begin_with_a_key_frame) {
   SendQueue send_queue;
-  send_queue.push_set(set_of({{kSensor, 4, 4}}));
+  send_queue.push_set(frame_set_of({{kSensor, 4, 4}}));
   EXPECT_EQ(drain(send_queue), 1);
   send_queue.forget(kSensor);
-  send_queue.push_set(set_of({{kSensor, 5, 4}}));
+  send_queue.push_set(frame_set_of({{kSensor, 5, 4}}));
   EXPECT_EQ(drain(send_queue), 0);
 }
 

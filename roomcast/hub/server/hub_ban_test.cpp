@@ -17,11 +17,11 @@ namespace asio = boost::asio;
 constexpr std::size_t kFaults = 3;
 
 /// A base class, so that it outlives the hub.
-struct WithFolder {
+struct HubWithFolder {
   TemporaryFolder folder;
 };
 
-class HubBanTest : protected WithFolder, public HubServerTest {
+class HubBanTest : protected HubWithFolder, public HubServerTest {
  protected:
   explicit HubBanTest(std::vector<std::string> proxies = {})
       : HubServerTest({.data_folder = folder.path(),

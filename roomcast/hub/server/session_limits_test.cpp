@@ -27,7 +27,7 @@ pb::Control aligner_join() {
   return control;
 }
 
-pb::Control hub_join() {
+pb::Control join_as_hub() {
   pb::Control control = viewer_join();
   control.mutable_join()->mutable_viewer()->set_relays(true);
   return control;
@@ -36,7 +36,7 @@ pb::Control hub_join() {
 std::vector<Case> cases() {
   return {{"sensor", sensor_join("left"), 40},
           {"viewer", viewer_join(), 10},
-          {"hub", hub_join(), 20},
+          {"hub", join_as_hub(), 20},
           {"aligner", aligner_join(), 15}};
 }
 

@@ -10,13 +10,13 @@ namespace {
 
 namespace pb = wire::pb;
 
-constexpr UnixSeconds kNow = 1'800'000'000;
+constexpr UnixSeconds kStoredNow = 1'800'000'000;
 
-Claims claims(const std::string& id, const std::string& room) {
+Claims stored_claims(const std::string& id, const std::string& room) {
   return {.id = id,
           .grant = {.room = room, .role = TokenRole::kSensor, .name = "left"},
-          .issued_at = kNow,
-          .expires_at = kNow + 60};
+          .issued_at = kStoredNow,
+          .expires_at = kStoredNow + 60};
 }
 
 class TokenStoreTest : public testing::Test {
@@ -29,8 +29,8 @@ class TokenStoreTest : public testing::Test {
 };
 
 TEST_F(TokenStoreTest, lists_what_was_made_newest_first) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
-  ASSERT_TRUE(tokens.add(claims("b", "kitchen")).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("b", "kitchen")).ok());
   const auto all = *tokens.list(kAllRooms);
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].claims.id, "b");
@@ -40,48 +40,48 @@ TEST_F(TokenStoreTest, lists_what_was_made_newest_first) {
 }
 
 TEST_F(TokenStoreTest, a_revoked_token_stays_revoked) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
   EXPECT_FALSE(*tokens.is_revoked("a"));
-  ASSERT_TRUE(tokens.revoke("a", kNow).ok());
-  ASSERT_TRUE(tokens.revoke("a", kNow + 1).ok());
+  ASSERT_TRUE(tokens.revoke("a", kStoredNow).ok());
+  ASSERT_TRUE(tokens.revoke("a", kStoredNow + 1).ok());
   EXPECT_TRUE(*tokens.is_revoked("a"));
   EXPECT_TRUE(tokens.find("a")->revoked);
-  ASSERT_EQ(tokens.revoked(kNow)->size(), 1u);
-  EXPECT_EQ(tokens.revoked(kNow)->front().id, "a");
-  EXPECT_TRUE(tokens.revoked(kNow + 60)->empty()) << "it has expired anyway";
+  ASSERT_EQ(tokens.revoked(kStoredNow)->size(), 1u);
+  EXPECT_EQ(tokens.revoked(kStoredNow)->front().id, "a");
+  EXPECT_TRUE(tokens.revoked(kStoredNow + 60)->empty()) << "it has expired anyway";
 }
 
 TEST_F(TokenStoreTest, a_rooms_tokens_and_codes_are_revoked_together) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
-  ASSERT_TRUE(tokens.add(claims("b", "kitchen")).ok());
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
-  ASSERT_TRUE(tokens.revoke_all("lab", kNow).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("b", "kitchen")).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
+  ASSERT_TRUE(tokens.revoke_all("lab", kStoredNow).ok());
   EXPECT_TRUE(*tokens.is_revoked("a"));
   EXPECT_FALSE(*tokens.is_revoked("b"));
-  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_REVOKED);
 }
 
 TEST_F(TokenStoreTest, what_another_hub_has_revoked_holds_no_more_whoever_made_it) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")));
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")));
   for (const char* id : {"a", "elsewhere", "elsewhere"}) {
-    ASSERT_TRUE(tokens.add_revoked(claims(id, "lab"), kNow));
+    ASSERT_TRUE(tokens.add_revoked(stored_claims(id, "lab"), kStoredNow));
     EXPECT_TRUE(*tokens.is_revoked(id));
   }
-  EXPECT_EQ(tokens.revoked(kNow)->size(), 2u);
+  EXPECT_EQ(tokens.revoked(kStoredNow)->size(), 2u);
 }
 
 TEST_F(TokenStoreTest, what_was_not_made_here_cannot_be_revoked) {
-  EXPECT_EQ(tokens.revoke("nobody's", kNow).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(tokens.revoke("nobody's", kStoredNow).error().code, ErrorCode::kNotFound);
   EXPECT_EQ(tokens.find("nobody's").error().code, ErrorCode::kNotFound);
 }
 
 TEST_F(TokenStoreTest, a_code_is_good_for_once) {
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
-  const auto redeemed = tokens.redeem(code, kNow);
+  ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
+  const auto redeemed = tokens.redeem(code, kStoredNow);
   ASSERT_EQ(refusal(redeemed), nullptr);
   EXPECT_EQ(std::get<CodeGrant>(redeemed).grant.name, "Ada");
   EXPECT_EQ(std::get<CodeGrant>(redeemed).token_ttl, 600);
-  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_CODE_USED);
+  EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_CODE_USED);
 }
 
 TEST_F(TokenStoreTest, a_used_code_stays_used_after_a_restart) {
@@ -89,54 +89,54 @@ TEST_F(TokenStoreTest, a_used_code_stays_used_after_a_restart) {
   {
     const auto before = *Database::open(folder / "hub.sqlite");
     TokenStore store(*before);
-    ASSERT_TRUE(store.add_code(code, grant, kNow, kNow + 60).ok());
-    ASSERT_EQ(refusal(store.redeem(code, kNow)), nullptr);
+    ASSERT_TRUE(store.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
+    ASSERT_EQ(refusal(store.redeem(code, kStoredNow)), nullptr);
   }
   const auto after = *Database::open(folder / "hub.sqlite");
-  EXPECT_EQ(refusal(TokenStore(*after).redeem(code, kNow))->code, pb::ERROR_CODE_USED);
+  EXPECT_EQ(refusal(TokenStore(*after).redeem(code, kStoredNow))->code, pb::ERROR_CODE_USED);
 }
 
 TEST_F(TokenStoreTest, a_code_is_listed_until_it_is_used_and_then_its_token_is) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow + 1, kNow + 60).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow + 1, kStoredNow + 60).ok());
   const auto listed = *tokens.list("lab");
   ASSERT_EQ(listed.size(), 2U);
   EXPECT_TRUE(listed[0].is_code);
   EXPECT_EQ(listed[0].claims.id, id_of_code(code));
   EXPECT_EQ(listed[0].claims.grant.name, "Ada");
-  EXPECT_EQ(listed[0].claims.expires_at, kNow + 60);
+  EXPECT_EQ(listed[0].claims.expires_at, kStoredNow + 60);
   EXPECT_FALSE(listed[1].is_code);
-  ASSERT_EQ(refusal(tokens.redeem(code, kNow + 2)), nullptr);
+  ASSERT_EQ(refusal(tokens.redeem(code, kStoredNow + 2)), nullptr);
   EXPECT_EQ(tokens.list("lab")->size(), 1U);
-  EXPECT_EQ(tokens.revoke(id_of_code(code), kNow + 3).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(tokens.revoke(id_of_code(code), kStoredNow + 3).error().code, ErrorCode::kNotFound);
 }
 
 TEST_F(TokenStoreTest, a_revoked_code_is_good_for_nothing) {
   const CodeDigest other = *digest_of_code("7K1M-90XA-0C4T-VW3J");
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
-  ASSERT_TRUE(tokens.add_code(other, grant, kNow, kNow + 60).ok());
+  ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
+  ASSERT_TRUE(tokens.add_code(other, grant, kStoredNow, kStoredNow + 60).ok());
   EXPECT_EQ(tokens.find(id_of_code(code))->claims.grant.room, "lab");
-  ASSERT_TRUE(tokens.revoke(id_of_code(code), kNow).ok());
+  ASSERT_TRUE(tokens.revoke(id_of_code(code), kStoredNow).ok());
   EXPECT_TRUE(tokens.find(id_of_code(code))->revoked);
-  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_REVOKED);
-  EXPECT_EQ(refusal(tokens.redeem(other, kNow)), nullptr);
-  EXPECT_TRUE(tokens.revoked(kNow)->empty()) << "nobody holds a token of it";
+  EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(refusal(tokens.redeem(other, kStoredNow)), nullptr);
+  EXPECT_TRUE(tokens.revoked(kStoredNow)->empty()) << "nobody holds a token of it";
 }
 
 TEST_F(TokenStoreTest, a_code_has_an_end) {
-  ASSERT_TRUE(tokens.add_code(code, grant, kNow, kNow + 60).ok());
-  EXPECT_EQ(refusal(tokens.redeem(code, kNow + 60))->code, pb::ERROR_TOKEN_EXPIRED);
+  ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
+  EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow + 60))->code, pb::ERROR_TOKEN_EXPIRED);
 }
 
 TEST_F(TokenStoreTest, an_unknown_code_is_refused) {
-  EXPECT_EQ(refusal(tokens.redeem(code, kNow))->code, pb::ERROR_TOKEN_INVALID);
+  EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_INVALID);
 }
 
 TEST_F(TokenStoreTest, forgets_what_ended_long_ago) {
-  ASSERT_TRUE(tokens.add(claims("a", "lab")).ok());
-  ASSERT_TRUE(tokens.tidy(kNow + 3600).ok());
+  ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
+  ASSERT_TRUE(tokens.tidy(kStoredNow + 3600).ok());
   EXPECT_EQ(tokens.list(kAllRooms)->size(), 1U);
-  ASSERT_TRUE(tokens.tidy(kNow + 365 * 24 * 3600).ok());
+  ASSERT_TRUE(tokens.tidy(kStoredNow + 365 * 24 * 3600).ok());
   EXPECT_TRUE(tokens.list(kAllRooms)->empty());
 }
 

@@ -19,7 +19,7 @@
 namespace roomcast::net {
 namespace {
 
-using Outcome = TlsSession::Outcome;
+using HandshakeOutcome = TlsSession::Outcome;
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -52,9 +52,9 @@ class TlsSessionTest : public ::testing::Test {
   TlsTrust pinned() const { return {"anything", certificate_.fingerprint()}; }
 
   /// Runs both until neither waits; returns the client's outcome.
-  static Outcome shake_hands(TlsSession& server, TlsSession& client) {
-    Outcome outcome = Outcome::kWaitsToRead;
-    for (int turn = 0; turn < 10 && outcome == Outcome::kWaitsToRead; ++turn) {
+  static HandshakeOutcome shake_hands(TlsSession& server, TlsSession& client) {
+    HandshakeOutcome outcome = HandshakeOutcome::kWaitsToRead;
+    for (int turn = 0; turn < 10 && outcome == HandshakeOutcome::kWaitsToRead; ++turn) {
       outcome = client.handshake().outcome;
       server.handshake();
     }
@@ -69,35 +69,35 @@ class TlsSessionTest : public ::testing::Test {
 TEST_F(TlsSessionTest, carries_bytes_both_ways_once_the_pin_is_right) {
   auto server = this->server();
   auto client = this->client(pinned());
-  ASSERT_EQ(shake_hands(server, client), Outcome::kDone) << client.fault();
+  ASSERT_EQ(shake_hands(server, client), HandshakeOutcome::kDone) << client.fault();
   std::array<std::uint8_t, 16> buffer{};
   EXPECT_EQ(client.write(bytes_of("hello")).size, 5U);
   EXPECT_EQ(server.read(buffer).size, 5U);
   EXPECT_EQ(server.write(bytes_of("good day")).size, 8U);
   EXPECT_EQ(client.read(buffer).size, 8U);
   EXPECT_EQ(std::string(buffer.begin(), buffer.begin() + 8), "good day");
-  EXPECT_EQ(client.read(buffer).outcome, Outcome::kWaitsToRead);
+  EXPECT_EQ(client.read(buffer).outcome, HandshakeOutcome::kWaitsToRead);
 }
 
 TEST_F(TlsSessionTest, does_not_trust_another_certificate_than_the_pinned_one) {
   auto server = this->server();
   auto client = this->client({"localhost", self_signed().fingerprint()});
-  EXPECT_EQ(shake_hands(server, client), Outcome::kFailed);
+  EXPECT_EQ(shake_hands(server, client), HandshakeOutcome::kFailed);
   EXPECT_NE(client.fault().find(to_string(certificate_.fingerprint())), std::string::npos);
-  EXPECT_EQ(client.write(bytes_of("secret")).outcome, Outcome::kFailed);
+  EXPECT_EQ(client.write(bytes_of("secret")).outcome, HandshakeOutcome::kFailed);
 }
 
 TEST_F(TlsSessionTest, without_a_pin_only_authorities_are_trusted) {
   auto server = this->server();
   auto client = this->client({"localhost", {}});
-  EXPECT_EQ(shake_hands(server, client), Outcome::kFailed);
+  EXPECT_EQ(shake_hands(server, client), HandshakeOutcome::kFailed);
   EXPECT_NE(client.fault().find("cannot be trusted"), std::string::npos) << client.fault();
 }
 
 TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
   auto server = this->server();
   auto client = this->client(pinned());
-  ASSERT_EQ(shake_hands(server, client), Outcome::kDone);
+  ASSERT_EQ(shake_hands(server, client), HandshakeOutcome::kDone);
   std::vector<std::uint8_t> sent(1 << 20), received;
   for (std::size_t i = 0; i < sent.size(); ++i)
     sent[i] = static_cast<std::uint8_t>(i * 7 + (i >> 8));
@@ -106,10 +106,11 @@ TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
   for (std::size_t at = 0; received.size() < sent.size();) {
     const auto step = server.write(std::span<const std::uint8_t>(sent).subspan(at));
     at += step.size;
-    if (at < sent.size() && step.outcome != Outcome::kWaitsToWrite) continue;
-    waited = waited || step.outcome == Outcome::kWaitsToWrite;
+    if (at < sent.size() && step.outcome != HandshakeOutcome::kWaitsToWrite) continue;
+    waited = waited || step.outcome == HandshakeOutcome::kWaitsToWrite;
     const auto got = client.read(buffer);
-    ASSERT_TRUE(got.outcome == Outcome::kDone || got.outcome == Outcome::kWaitsToRead);
+    ASSERT_TRUE(got.outcome == HandshakeOutcome::kDone ||
+                got.outcome == HandshakeOutcome::kWaitsToRead);
     received.insert(received.end(), buffer.begin(),
                     buffer.begin() + static_cast<std::ptrdiff_t>(got.size));
   }
@@ -127,8 +128,8 @@ TEST_F(TlsSessionTest, authorities_of_a_file_are_believed_and_no_others) {
     auto client = *TlsSession::connect(fds_[1], **context, {"localhost", std::nullopt});
     return shake_hands(server, client);
   };
-  EXPECT_EQ(outcome(file("own")), Outcome::kDone);
-  EXPECT_EQ(outcome(file("another")), Outcome::kFailed);
+  EXPECT_EQ(outcome(file("own")), HandshakeOutcome::kDone);
+  EXPECT_EQ(outcome(file("another")), HandshakeOutcome::kFailed);
 }
 
 TEST_F(TlsSessionTest, a_client_shows_its_certificate_to_a_server_that_asks) {
@@ -144,8 +145,8 @@ TEST_F(TlsSessionTest, a_client_shows_its_certificate_to_a_server_that_asks) {
     shake_hands(server, client);
     return server.handshake().outcome;
   };
-  EXPECT_EQ(server_outcome({.certificate_file = file, .key_file = file}), Outcome::kDone);
-  EXPECT_EQ(server_outcome({}), Outcome::kFailed);
+  EXPECT_EQ(server_outcome({.certificate_file = file, .key_file = file}), HandshakeOutcome::kDone);
+  EXPECT_EQ(server_outcome({}), HandshakeOutcome::kFailed);
 }
 
 TEST(TlsClientContext, files_that_hold_something_else_are_named) {
@@ -164,13 +165,13 @@ TEST(TlsClientContext, files_that_hold_something_else_are_named) {
 TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing) {
   auto server = this->server();
   auto client = this->client(pinned());
-  ASSERT_EQ(shake_hands(server, client), Outcome::kDone);
+  ASSERT_EQ(shake_hands(server, client), HandshakeOutcome::kDone);
   std::array<std::uint8_t, 16> buffer{};
   server.say_goodbye();
-  EXPECT_EQ(client.read(buffer).outcome, Outcome::kEnded);
+  EXPECT_EQ(client.read(buffer).outcome, HandshakeOutcome::kEnded);
   ::close(std::exchange(fds_[1], -1));
-  EXPECT_EQ(server.read(buffer).outcome, Outcome::kEnded);
-  EXPECT_NE(server.write(bytes_of("x")).outcome, Outcome::kDone);  // without SIGPIPE
+  EXPECT_EQ(server.read(buffer).outcome, HandshakeOutcome::kEnded);
+  EXPECT_NE(server.write(bytes_of("x")).outcome, HandshakeOutcome::kDone);  // without SIGPIPE
 }
 
 TEST_F(TlsSessionTest, recognises_who_does_not_speak_tls) {
@@ -178,7 +179,7 @@ TEST_F(TlsSessionTest, recognises_who_does_not_speak_tls) {
   constexpr std::string_view kRequest = "GET / HTTP/1.1\r\n\r\n";
   ASSERT_EQ(::send(fds_[1], kRequest.data(), kRequest.size(), 0),
             static_cast<ssize_t>(kRequest.size()));
-  EXPECT_EQ(server.handshake().outcome, Outcome::kFailed);
+  EXPECT_EQ(server.handshake().outcome, HandshakeOutcome::kFailed);
   EXPECT_TRUE(server.peer_speaks_plain_http());
 }
 
@@ -187,9 +188,9 @@ TEST_F(TlsSessionTest, garbage_is_a_failure_that_stays_one) {
   const std::vector<std::uint8_t> garbage(1000, 0x5A);
   ASSERT_GT(::send(fds_[1], garbage.data(), garbage.size(), 0), 0);
   std::array<std::uint8_t, 16> buffer{};
-  EXPECT_EQ(server.read(buffer).outcome, Outcome::kFailed);
+  EXPECT_EQ(server.read(buffer).outcome, HandshakeOutcome::kFailed);
   EXPECT_FALSE(server.fault().empty());
-  EXPECT_EQ(server.read(buffer).outcome, Outcome::kFailed);
+  EXPECT_EQ(server.read(buffer).outcome, HandshakeOutcome::kFailed);
   EXPECT_FALSE(server.peer_speaks_plain_http());
 }
 

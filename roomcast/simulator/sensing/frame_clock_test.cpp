@@ -48,14 +48,14 @@ TEST(FrameClock, loses_the_share_asked_for_in_ones_and_in_bursts) {
   TimingOptions options;
   options.lost_share = 0.04;
   const FrameClock clock(options, 30.0, 6);
-  constexpr std::uint64_t kFrames = 100'000;
+  constexpr std::uint64_t kDrawnFrames = 100'000;
   double lost = 0, alone = 0;
-  for (std::uint64_t frame = 1; frame < kFrames; ++frame) {
+  for (std::uint64_t frame = 1; frame < kDrawnFrames; ++frame) {
     if (!clock.is_lost(frame)) continue;
     ++lost;
     alone += !clock.is_lost(frame - 1) && !clock.is_lost(frame + 1);
   }
-  EXPECT_NEAR(lost / kFrames, 0.04, 0.004);
+  EXPECT_NEAR(lost / kDrawnFrames, 0.04, 0.004);
   EXPECT_NEAR(alone / lost, 0.5, 0.1);
   EXPECT_FALSE(clock.is_lost(0));
 }

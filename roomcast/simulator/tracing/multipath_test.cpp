@@ -15,14 +15,15 @@ namespace roomcast::simulator {
 namespace {
 
 /// A camera 1 m above the origin, facing -z.
-PlacedCamera camera_at(double scale) {
+PlacedCamera camera_in_corner(double scale) {
   const CameraIntrinsics lens = make_unit({}, 1, 0).exact.depth;
   return {resampled(lens, scale), world_from_optical_looking_at({0, 1, 0}, {0, 1, -3})};
 }
 
 Image<float> detours(const Room& room, int threads = 0) {
   const auto rays = RayScene::build(room.mesh).value();
-  return trace_depth_plate(room, *rays, camera_at(1.0), camera_at(2.0), true, threads).detour_m;
+  return trace_depth_plate(room, *rays, camera_in_corner(1.0), camera_in_corner(2.0), true, threads)
+      .detour_m;
 }
 
 Room wall_at_3_m() {
@@ -80,7 +81,7 @@ float summed_detour_m(const PlacedCamera& camera, const Eigen::Vector3f& point_m
 }
 
 TEST(Multipath, a_corner_bends_by_what_light_from_all_of_its_other_wall_adds_up_to) {
-  const PlacedCamera camera = camera_at(1.0);
+  const PlacedCamera camera = camera_in_corner(1.0);
   const Image<float> detour_m = detours(corner(0.6F));
   float most_m = 0.0F;
   for (const float beside_m : {0.1F, 0.2F, 0.3F, 0.5F, 0.8F}) {

@@ -78,12 +78,12 @@ TEST(StaticPlate, every_pixel_of_every_sensor_sees_something_near_enough) {
   }
 }
 
-using Cell = std::tuple<int, int, int>;
+using PlateCell = std::tuple<int, int, int>;
 
 /// The room's surface cells of 10 cm that the sensor sees.
-std::set<Cell> cells_seen(const Room& room, const RayScene& scene, int sensor) {
+std::set<PlateCell> cells_seen(const Room& room, const RayScene& scene, int sensor) {
   const PlacedCamera camera = depth_camera(room, sensor);
-  std::set<Cell> cells;
+  std::set<PlateCell> cells;
   for (int y = 0; y < camera.height(); y += 2) {
     for (int x = 0; x < camera.width(); x += 2) {
       const auto hit = scene.first_hit(camera.eye_m(), camera.direction(x, y));
@@ -100,7 +100,7 @@ TEST(StaticPlate, three_sensors_overlap_and_each_sees_something_alone) {
   for (const char* name : {"livingroom", "office"}) {
     const Room room = build_room(name, 1).value();
     const auto scene = *RayScene::build(room.mesh);
-    std::array<std::set<Cell>, 3> seen;
+    std::array<std::set<PlateCell>, 3> seen;
     for (int sensor = 0; sensor < 3; ++sensor) {
       seen[static_cast<std::size_t>(sensor)] = cells_seen(room, *scene, sensor);
     }
@@ -108,7 +108,7 @@ TEST(StaticPlate, three_sensors_overlap_and_each_sees_something_alone) {
       const auto& first = seen[(a + 1) % 3];
       const auto& second = seen[(a + 2) % 3];
       double alone = 0, shared = 0;
-      for (const Cell& cell : seen[a]) {
+      for (const PlateCell& cell : seen[a]) {
         const bool others = first.count(cell) > 0 || second.count(cell) > 0;
         ++(others ? shared : alone);
       }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr HubId kOwn{5}, kLower{3}, kHigher{8};
+constexpr HubId kOwnHub{5}, kLowerHub{3}, kHigherHub{8};
 
 std::uint64_t ns(HostTime time) {
   return static_cast<std::uint64_t>(time.time_since_epoch().count());
@@ -33,23 +33,23 @@ pb::RoomHere& add_room(pb::Heartbeat& heartbeat, std::uint32_t sensors) {
 }
 
 TEST(HubDirectory, a_hub_is_there_until_it_is_silent_or_leaves) {
-  HubDirectory directory(kOwn);
+  HubDirectory directory(kOwnHub);
   const HostTime start(100s);
-  EXPECT_TRUE(directory.take(heartbeat_of(kLower), start));
-  EXPECT_TRUE(directory.take(heartbeat_of(kHigher), start + kGoneAfter));
+  EXPECT_TRUE(directory.take(heartbeat_of(kLowerHub), start));
+  EXPECT_TRUE(directory.take(heartbeat_of(kHigherHub), start + kGoneAfter));
   EXPECT_TRUE(directory.take_gone(start + kGoneAfter).empty());
-  EXPECT_EQ(directory.take_gone(start + kGoneAfter + 1ms), std::vector{kLower});
+  EXPECT_EQ(directory.take_gone(start + kGoneAfter + 1ms), std::vector{kLowerHub});
   EXPECT_TRUE(directory.take_gone(start + kGoneAfter + 1ms).empty()) << "once";
-  auto leaving = heartbeat_of(kHigher);
+  auto leaving = heartbeat_of(kHigherHub);
   leaving.set_leaves(true);
   EXPECT_TRUE(directory.take(leaving, start + kGoneAfter));
-  EXPECT_EQ(directory.take_gone(start + kGoneAfter), std::vector{kHigher});
+  EXPECT_EQ(directory.take_gone(start + kGoneAfter), std::vector{kHigherHub});
   EXPECT_FALSE(directory.take(leaving, start)) << "who was never there does not go";
 }
 
 TEST(HubDirectory, own_heartbeats_and_nonsense_are_not_taken) {
-  HubDirectory directory(kOwn);
-  EXPECT_FALSE(directory.take(heartbeat_of(kOwn), {}));
+  HubDirectory directory(kOwnHub);
+  EXPECT_FALSE(directory.take(heartbeat_of(kOwnHub), {}));
   EXPECT_FALSE(directory.take(heartbeat_of(HubId{0}), {}));
   for (std::uint64_t id = 10; id < 10 + kMaxHubs; ++id) directory.take(heartbeat_of(HubId{id}), {});
   EXPECT_FALSE(directory.take(heartbeat_of(HubId{1'000}), {}));
@@ -59,17 +59,17 @@ TEST(HubDirectory, own_heartbeats_and_nonsense_are_not_taken) {
 
 TEST(HubDirectory, heartbeats_that_answer_each_other_tell_the_clock) {
   constexpr auto kAhead = 7s;  // of the other hub's clock
-  HubDirectory here(kOwn), there(kLower);
+  HubDirectory here(kOwnHub), there(kLowerHub);
   HostTime now(100s);
   for (int i = 0; i < 10; ++i, now += 150ms) {
-    auto own = heartbeat_of(kOwn, now);
+    auto own = heartbeat_of(kOwnHub, now);
     here.write_heard(own);
     there.take(own, now + 2ms + kAhead);
-    auto theirs = heartbeat_of(kLower, now + 80ms + kAhead);
+    auto theirs = heartbeat_of(kLowerHub, now + 80ms + kAhead);
     there.write_heard(theirs);
     here.take(theirs, now + 82ms);
   }
-  const auto estimate = here.find(kLower)->clock.estimate();
+  const auto estimate = here.find(kLowerHub)->clock.estimate();
   ASSERT_TRUE(estimate);
   EXPECT_LE(std::chrono::abs(estimate->room_minus_host - kAhead), 10us);
   EXPECT_GE(estimate->error, 2ms) << "half of what the way there and back takes";
@@ -77,36 +77,36 @@ TEST(HubDirectory, heartbeats_that_answer_each_other_tell_the_clock) {
 }
 
 TEST(HubDirectory, a_clock_needs_an_answer) {
-  HubDirectory directory(kOwn);
-  directory.take(heartbeat_of(kLower, HostTime(1s)), HostTime(2s));
-  EXPECT_FALSE(directory.find(kLower)->clock.estimate().has_value());
+  HubDirectory directory(kOwnHub);
+  directory.take(heartbeat_of(kLowerHub, HostTime(1s)), HostTime(2s));
+  EXPECT_FALSE(directory.find(kLowerHub)->clock.estimate().has_value());
 }
 
 TEST(HubDirectory, an_answer_from_before_its_question_says_nothing) {
-  HubDirectory directory(kOwn);
-  auto heartbeat = heartbeat_of(kLower, HostTime(1s));
+  HubDirectory directory(kOwnHub);
+  auto heartbeat = heartbeat_of(kLowerHub, HostTime(1s));
   pb::Heard& heard = *heartbeat.add_heard();
-  heard.set_hub(kOwn.value);
+  heard.set_hub(kOwnHub.value);
   heard.set_sent_ns(ns(HostTime(1s)));
   heard.set_received_ns(ns(HostTime(2s)));
   directory.take(heartbeat, HostTime(2s));
-  EXPECT_FALSE(directory.find(kLower)->clock.estimate().has_value());
+  EXPECT_FALSE(directory.find(kLowerHub)->clock.estimate().has_value());
 }
 
 TEST(HubDirectory, frames_are_wanted_as_long_as_one_hub_wants_them) {
-  HubDirectory directory(kOwn);
-  auto heartbeat = heartbeat_of(kLower);
+  HubDirectory directory(kOwnHub);
+  auto heartbeat = heartbeat_of(kLowerHub);
   add_room(heartbeat, 0).set_wants_frames(true);
   directory.take(heartbeat, {});
   EXPECT_TRUE(directory.is_wanted("lab"));
   EXPECT_FALSE(directory.is_wanted("kitchen"));
-  directory.take(heartbeat_of(kLower), {});
+  directory.take(heartbeat_of(kLowerHub), {});
   EXPECT_FALSE(directory.is_wanted("lab"));
 }
 
 TEST(HubDirectory, says_where_else_a_room_is) {
-  HubDirectory directory(kOwn);
-  for (const auto& [hub, url] : {std::pair(kLower, "wss://b"), std::pair(kHigher, "wss://a"),
+  HubDirectory directory(kOwnHub);
+  for (const auto& [hub, url] : {std::pair(kLowerHub, "wss://b"), std::pair(kHigherHub, "wss://a"),
                                  std::pair(HubId{9}, ""), std::pair(HubId{10}, "wss://other")}) {
     auto heartbeat = heartbeat_of(hub);
     heartbeat.set_public_url(url);
@@ -119,7 +119,7 @@ TEST(HubDirectory, says_where_else_a_room_is) {
 }
 
 TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
-  HubDirectory directory(kOwn);
+  HubDirectory directory(kOwnHub);
   const auto hear = [&](std::uint64_t id, const std::string& url, float load, float cores,
                         const std::string& room = "lab") {
     auto heartbeat = heartbeat_of(HubId{id});
@@ -136,12 +136,12 @@ TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
   hear(15, "wss://says-nothing", 0, 0);
   hear(16, "wss://nonsense", std::numeric_limits<float>::quiet_NaN(), 2);
   hear(17, "wss://another-room", 0, 2, "kitchen");
-  auto own = heartbeat_of(kOwn);
+  auto own = heartbeat_of(kOwnHub);
   own.set_load(3.2F);
   own.set_cores(4);
   EXPECT_EQ(directory.less_busy_with("lab", own),
             (std::vector<std::string>{"wss://idle", "wss://half"}));
-  EXPECT_FALSE(busy_share(heartbeat_of(kOwn)).has_value());
+  EXPECT_FALSE(busy_share(heartbeat_of(kOwnHub)).has_value());
 }
 
 /// The owner that `who` computes from the heartbeats of all hubs; every hub must get the same
@@ -157,24 +157,26 @@ std::optional<HubId> owner_as_seen_by(HubId who, const std::vector<pb::Heartbeat
 }
 
 TEST(RoomOwner, is_the_lowest_of_those_with_sensors_and_all_agree) {
-  std::vector hubs{heartbeat_of(kOwn), heartbeat_of(kLower), heartbeat_of(kHigher)};
+  std::vector hubs{heartbeat_of(kOwnHub), heartbeat_of(kLowerHub), heartbeat_of(kHigherHub)};
   add_room(hubs[0], 1);
   add_room(hubs[1], 0);
   add_room(hubs[2], 2);
-  for (const HubId who : {kOwn, kLower, kHigher}) EXPECT_EQ(owner_as_seen_by(who, hubs), kOwn);
+  for (const HubId who : {kOwnHub, kLowerHub, kHigherHub})
+    EXPECT_EQ(owner_as_seen_by(who, hubs), kOwnHub);
   hubs[0].mutable_rooms(0)->set_sensors(0);
-  for (const HubId who : {kOwn, kLower, kHigher}) EXPECT_EQ(owner_as_seen_by(who, hubs), kHigher);
+  for (const HubId who : {kOwnHub, kLowerHub, kHigherHub})
+    EXPECT_EQ(owner_as_seen_by(who, hubs), kHigherHub);
 }
 
 TEST(RoomOwner, is_one_that_can_place_sensors_of_a_room_that_had_some) {
-  std::vector hubs{heartbeat_of(kOwn), heartbeat_of(kLower)};
-  EXPECT_EQ(owner_as_seen_by(kOwn, hubs), std::nullopt) << "nobody has the room";
+  std::vector hubs{heartbeat_of(kOwnHub), heartbeat_of(kLowerHub)};
+  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt) << "nobody has the room";
   add_room(hubs[1], 0).set_revision(0);
-  EXPECT_EQ(owner_as_seen_by(kOwn, hubs), std::nullopt) << "it has never had a sensor";
+  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt) << "it has never had a sensor";
   hubs[1].mutable_rooms(0)->set_revision(1);
-  EXPECT_EQ(owner_as_seen_by(kOwn, hubs), kLower);
+  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), kLowerHub);
   hubs[1].set_aligns(false);
-  EXPECT_EQ(owner_as_seen_by(kOwn, hubs), std::nullopt);
+  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt);
 }
 
 }  // namespace

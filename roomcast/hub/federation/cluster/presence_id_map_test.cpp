@@ -8,7 +8,7 @@
 namespace roomcast::hub::federation {
 namespace {
 
-constexpr HubId kOne{3}, kOther{8};
+constexpr HubId kOne{3}, kOtherOrigin{8};
 
 PresenceIdMap::Entries people(std::initializer_list<std::uint32_t> ids) {
   PresenceIdMap::Entries entries;
@@ -19,7 +19,7 @@ PresenceIdMap::Entries people(std::initializer_list<std::uint32_t> ids) {
 TEST(PresenceIdMap, have_numbers_of_their_own_that_stay) {
   PresenceIdMap hubs;
   hubs.are(kOne, people({1, 2}));
-  hubs.are(kOther, people({1}));
+  hubs.are(kOtherOrigin, people({1}));
   const auto before = hubs.all();
   ASSERT_EQ(before.people_size(), 3);
   EXPECT_NE(before.people(0).id(), before.people(2).id());
@@ -39,7 +39,7 @@ TEST(PresenceIdMap, poses_are_those_of_whom_the_same_hub_has_told) {
   poses.add_poses()->set_viewer_id(2);
   ASSERT_EQ(hubs.renamed(kOne, poses).poses_size(), 1);
   EXPECT_EQ(hubs.renamed(kOne, poses).poses(0).viewer_id(), hubs.all().people(0).id());
-  EXPECT_EQ(hubs.renamed(kOther, poses).poses_size(), 0);
+  EXPECT_EQ(hubs.renamed(kOtherOrigin, poses).poses_size(), 0);
 }
 
 TEST(PresenceIdMap, of_one_hub_are_bounded_in_number) {
