@@ -67,38 +67,26 @@ bool all_zero(const std::uint16_t* flags) {
 }
 
 /// Number of a pixel's neighbours within its block.
-int neighbours_in_block(int x, int y) {
-  return (x == 0 || x == 7 ? 2 : 3) * (y == 0 || y == 7 ? 2 : 3) - 1;
-}
-
-std::int32_t rounded(float value, float step, float rounding) {
-  const auto size = static_cast<std::int32_t>(std::abs(value) / step + rounding);
-  return value < 0 ? -size : size;
+float neighbours_in_block(std::size_t k) {
+  const std::size_t x = k % kBlockSide, y = k / kBlockSide;
+  return static_cast<float>((x == 0 || x == 7 ? 2 : 3) * (y == 0 || y == 7 ? 2 : 3) - 1);
 }
 
 }  // namespace
 
 void BlockPlanner::resize() {
-  refined_.assign(state_.block_count(), 0);
+  refined_.assign(state_.grid.block_count(), 0);
 }
 
 void BlockPlanner::begin_frame(bool reference) {
   reference_ = reference;
   refinements_left_ = reference ? kRefinementsPerFrame : 0;
   if (reference) ++frame_;
-  sensor_moves_ = 2 * labelled_blocks_ > state_.block_count();
+  sensor_moves_ = 2 * labelled_blocks_ > state_.grid.block_count();
   labelled_blocks_ = 0;
 }
 
-BlockPlanner::Area BlockPlanner::area(int bx, int by) const {
-  const int x0 = bx * kBlockSide, y0 = by * kBlockSide;
-  return {x0, y0, std::min(kBlockSide, state_.width - x0),
-          std::min(kBlockSide, state_.height - y0)};
-}
-
-void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target) {
-  const Area here = area(bx, by);
-  const std::size_t block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
+void BlockPlanner::plan(const BlockView& here, bool drifts, BlockCode& code, BlockTarget& target) {
   code.mode = BlockMode::kSkip;
 
   if (urgency(here, drifts) >= min_urgency()) {
@@ -106,8 +94,8 @@ void BlockPlanner::plan(int bx, int by, bool drifts, BlockCode& code, BlockTarge
       code.mode = BlockMode::kLabels;
       ++labelled_blocks_;
     }
-  } else if (refinements_left_ > 0 && (block + frame_) % kRefinementTurns == 0 &&
-             plan_refinement(here, block, code)) {
+  } else if (refinements_left_ > 0 && (here.index() + frame_) % kRefinementTurns == 0 &&
+             plan_refinement(here, code)) {
     --refinements_left_;
     code.mode = BlockMode::kRefine;
   }
@@ -118,13 +106,14 @@ int BlockPlanner::min_urgency() const {
   return reference_ ? kMinUrgency : kMinUrgencyNonReference;
 }
 
-int BlockPlanner::urgency(const Area& here, bool drifts) const {
+int BlockPlanner::urgency(const BlockView& here, bool drifts) const {
+  const int columns = here.columns(), rows = here.rows();
   int urgency = 0;
-  for (int y = 0; y < here.rows; ++y) {
-    const std::uint16_t* flags = &change_.flags[pixel(here, 0, y)];
-    if (!drifts && here.columns == kBlockSide && all_zero(flags)) continue;
-    const std::uint16_t* close = &change_.close[pixel(here, 0, y)];
-    for (int x = 0; x < here.columns; ++x) {
+  for (int y = 0; y < rows; ++y) {
+    const std::uint16_t* flags = &change_.flags[here.row(y)];
+    if (!drifts && columns == kBlockSide && all_zero(flags)) continue;
+    const std::uint16_t* close = &change_.close[here.row(y)];
+    for (int x = 0; x < columns; ++x) {
       if (flags[x] & kPersistent) {
         if (reference_) urgency += flags[x] & kOverdue ? kMinUrgency : kPersistentUrgency;
       } else {
@@ -135,19 +124,15 @@ int BlockPlanner::urgency(const Area& here, bool drifts) const {
   return urgency;
 }
 
-bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
+bool BlockPlanner::plan_labels(const BlockView& here, bool drifts, BlockCode& code,
                                BlockTarget& target) {
   code.labels.fill(PixelLabel::kUnchanged);
   target.fill(0);
-  for (int y = 0; y < here.rows; ++y) {
-    for (int x = 0; x < here.columns; ++x) {
-      const std::size_t at = pixel(here, x, y);
-      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
-      const bool biased = change_.flags[at] == kBiased || (drifts && change_.close[at]);
-      target[k] = change_.reading[at];
-      code.labels[k] = label_of(at, here.x0 + x, here.y0 + y, biased);
-    }
-  }
+  here.for_each_pixel([&](const BlockPixel& p) {
+    const bool biased = change_.flags[p.at] == kBiased || (drifts && change_.close[p.at]);
+    target[p.k] = change_.reading[p.at];
+    code.labels[p.k] = label_of(p, biased);
+  });
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds && smooth_labels(here, code, target); ++round) {
   }
@@ -155,9 +140,10 @@ bool BlockPlanner::plan_labels(const Area& here, bool drifts, BlockCode& code,
                      [](PixelLabel label) { return label != PixelLabel::kUnchanged; });
 }
 
-PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) const {
+PixelLabel BlockPlanner::label_of(const BlockPixel& pixel, bool biased) const {
+  const std::size_t at = pixel.at;
   const int reading = change_.reading[at], old = state_.picture[at], back = state_.background[at];
-  if (reading == 0) return label_of_missing(at, x, y);
+  if (reading == 0) return label_of_missing(pixel);
   const int same = kSameSurface * history_.sigma(at);
   const auto near = [same, reading](int value) {
     return value != 0 && std::abs(reading - value) <= same;
@@ -168,16 +154,17 @@ PixelLabel BlockPlanner::label_of(std::size_t at, int x, int y, bool biased) con
   return PixelLabel::kFirst;
 }
 
-PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
+PixelLabel BlockPlanner::label_of_missing(const BlockPixel& pixel) const {
+  const int x = pixel.x, y = pixel.y;
+  const std::size_t at = pixel.at;
+  const BlockGrid& grid = state_.grid;
   const int old = state_.picture[at], back = state_.background[at];
   if (old == 0) return PixelLabel::kUnchanged;
   if (history_.missing[at] >= kMaxMissingFrames) return PixelLabel::kVanished;
   int readings = 0, like_old = 0, like_back = 0;
-  for (int yy = std::max(0, y - 2); yy <= std::min(state_.height - 1, y + 2); ++yy) {
-    for (int xx = std::max(0, x - 2); xx <= std::min(state_.width - 1, x + 2); ++xx) {
-      const int near =
-          change_.reading[static_cast<std::size_t>(yy) * static_cast<std::size_t>(state_.width) +
-                          static_cast<std::size_t>(xx)];
+  for (int yy = std::max(0, y - 2); yy <= std::min(grid.height - 1, y + 2); ++yy) {
+    for (int xx = std::max(0, x - 2); xx <= std::min(grid.width - 1, x + 2); ++xx) {
+      const int near = change_.reading[grid.pixel(xx, yy)];
       if (near == 0) continue;
       ++readings;
       like_old += std::abs(near - old) < kReach;
@@ -192,107 +179,94 @@ PixelLabel BlockPlanner::label_of_missing(std::size_t at, int x, int y) const {
 
 // An unchanged pixel among new ones at its distance joins their surface, which shortens contours.
 // An isolated new pixel becomes unchanged again.
-bool BlockPlanner::smooth_labels(const Area& here, BlockCode& code,
+bool BlockPlanner::smooth_labels(const BlockView& here, BlockCode& code,
                                  const BlockTarget& target) const {
   if (std::all_of(code.labels.begin(), code.labels.end(), on_surface)) return false;
   bool any = false;
   const Neighbourhoods around = surfaces_around(code, target);
-  for (int y = 0; y < here.rows; ++y) {
-    for (int x = 0; x < here.columns; ++x) {
-      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
-      const std::size_t at = pixel(here, x, y);
-      const float all = static_cast<float>(neighbours_in_block(x, y));
-      const float fresh = around.count[k];
-      PixelLabel& label = code.labels[k];
-      if (label == PixelLabel::kUnchanged && fresh > 0) {
-        const bool joins = target[k] > 0
-                               ? fresh * 3 >= all && std::abs(target[k] * fresh - around.value[k]) <
-                                                         static_cast<float>(kReach) * fresh
-                               : fresh * 4 >= all * 3 && state_.picture[at] != 0;
-        if (joins) label = PixelLabel::kFirst;
-        any |= joins;
-      } else if (label == PixelLabel::kFirst && fresh <= 1 && all >= 5 && state_.picture[at] != 0 &&
-                 !(change_.flags[at] & kPersistent)) {
-        label = PixelLabel::kUnchanged;
-        any = true;
-      }
+  here.for_each_pixel([&](const BlockPixel& p) {
+    const float all = neighbours_in_block(p.k), fresh = around.count[p.k], value = target[p.k];
+    PixelLabel& label = code.labels[p.k];
+    if (label == PixelLabel::kUnchanged && fresh > 0) {
+      const bool joins = value > 0
+                             ? fresh * 3 >= all && std::abs(value * fresh - around.value[p.k]) <
+                                                       static_cast<float>(kReach) * fresh
+                             : fresh * 4 >= all * 3 && state_.picture[p.at] != 0;
+      if (joins) label = PixelLabel::kFirst;
+      any |= joins;
+    } else if (label == PixelLabel::kFirst && fresh <= 1 && all >= 5 && state_.picture[p.at] != 0 &&
+               !(change_.flags[p.at] & kPersistent)) {
+      label = PixelLabel::kUnchanged;
+      any = true;
     }
-  }
+  });
   return any;
 }
 
 // Refines once the averaged difference from the reference exceeds the noise that remains in the
 // average.
-bool BlockPlanner::plan_refinement(const Area& here, std::size_t block, BlockCode& code) {
-  const bool again = refined_[block] != 0;
+bool BlockPlanner::plan_refinement(const BlockView& here, BlockCode& code) const {
+  const bool again = refined_[here.index()] != 0;
   const int least = again ? kNextRefinement : kFirstRefinement;
   std::array<float, kBlockPixels> mean{};
   float energy = 0, noise = 0;
   int pixels = 0;
-  for (int y = 0; y < here.rows; ++y) {
-    for (int x = 0; x < here.columns; ++x) {
-      const std::size_t at = pixel(here, x, y);
-      const int count = history_.count[at];
-      if (state_.picture[at] == 0 || count < 8) continue;
-      if (count < least) return false;
-      const auto sigma = static_cast<float>(history_.deviation[at]) * (1.25f / (1 << kNoiseShift));
-      const float off = static_cast<float>(history_.sum[at]) / static_cast<float>(count);
-      mean[static_cast<std::size_t>(y * kBlockSide + x)] = off;
-      energy += off * off;
-      noise += sigma * sigma / static_cast<float>(count);
-      ++pixels;
-    }
-  }
-  if (pixels < 16 ||
+  bool enough = true;
+  here.for_each_pixel([&](const BlockPixel& p) {
+    const int count = history_.count[p.at];
+    if (!enough || state_.picture[p.at] == 0 || count < 8) return;
+    enough = count >= least;
+    const auto sigma = static_cast<float>(history_.deviation[p.at]) * (1.25f / (1 << kNoiseShift));
+    const float off = static_cast<float>(history_.sum[p.at]) / static_cast<float>(count);
+    mean[p.k] = off;
+    energy += off * off;
+    noise += sigma * sigma / static_cast<float>(count);
+    ++pixels;
+  });
+  if (!enough || pixels < 16 ||
       energy - noise <= kRefinementGain * kRefinementGain * static_cast<float>(pixels))
     return false;
   std::array<float, kBlockPixels> coefficients;
   forward_transform(mean, coefficients);
   bool any = false;
   for (std::size_t k = 0; k + 1 < kBlockPixels; ++k) {
-    code.refinement[k] = rounded(coefficients[k], kRefinementStep, kRefinementRounding);
+    code.refinement[k] = quantised(coefficients[k], kRefinementStep, kRefinementRounding);
     any |= code.refinement[k] != 0;
   }
   code.refinement[kBlockPixels - 1] = 0;
   return any;
 }
 
-bool BlockPlanner::coded(int bx, int by, const BlockCode& code,
+bool BlockPlanner::coded(const BlockView& here, const BlockCode& code,
                          const std::array<std::uint16_t, kBlockPixels>& before) {
-  const Area here = area(bx, by);
   const bool refined = code.mode == BlockMode::kRefine;
 
   const bool moved = std::count_if(code.labels.begin(), code.labels.end(), on_surface) >= kMinMoved;
-  refined_[static_cast<std::size_t>(by * state_.blocks_wide + bx)] = refined;
-  for (int y = 0; y < here.rows; ++y) {
-    for (int x = 0; x < here.columns; ++x) {
-      const std::size_t at = pixel(here, x, y);
-      const auto k = static_cast<std::size_t>(y * kBlockSide + x);
-      if (refined) {
-        const int shift = state_.picture[at] - before[k];
-        history_.sum[at] = static_cast<std::int16_t>(
-            std::clamp(history_.sum[at] - shift * history_.count[at], -8000, 8000));
-        continue;
-      }
-      if (code.labels[k] == PixelLabel::kUnchanged) continue;
-      const unsigned flags = change_.flags[at];
-      if (flags & kPersistent) {
-        history_.patience[at] =
-            static_cast<std::uint16_t>(std::min(history_.patience[at] * 2 + 4, kMaxPatience));
-        history_.persistence[at] = 0;
-      } else if (flags != 0) {
-        history_.patience[at] /= 2;
-      }
-      history_.sum[at] = 0;
-      history_.count[at] = 0;
-      if (on_surface(code.labels[k]) && moved) {
-        constexpr int kFresh = 6 << kNoiseShift;
-        history_.deviation[at] =
-            static_cast<std::uint16_t>((history_.deviation[at] + 3 * kFresh) / 4);
-      }
+  refined_[here.index()] = refined;
+  here.for_each_pixel([&](const BlockPixel& p) {
+    if (refined) {
+      history_.follow(p.at, state_.picture[p.at] - before[p.k]);
+    } else if (code.labels[p.k] != PixelLabel::kUnchanged) {
+      restart_history(p.at, moved && on_surface(code.labels[p.k]));
     }
-  }
+  });
   return moved && !refined;
+}
+
+void BlockPlanner::restart_history(std::size_t at, bool moved) {
+  const unsigned flags = change_.flags[at];
+  if (flags & kPersistent) {
+    history_.patience[at] =
+        static_cast<std::uint16_t>(std::min(history_.patience[at] * 2 + 4, kMaxPatience));
+    history_.persistence[at] = 0;
+  } else if (flags != 0) {
+    history_.patience[at] /= 2;
+  }
+  history_.sum[at] = 0;
+  history_.count[at] = 0;
+  if (!moved) return;
+  constexpr int kFresh = 6 << kNoiseShift;
+  history_.deviation[at] = static_cast<std::uint16_t>((history_.deviation[at] + 3 * kFresh) / 4);
 }
 
 }  // namespace roomcast::codec

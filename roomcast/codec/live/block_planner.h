@@ -27,30 +27,24 @@ class BlockPlanner {
   void begin_frame(bool reference);
   /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and
   /// `target`; with kRefine code.refinement.
-  void plan(int bx, int by, bool drifts, BlockCode& code, BlockTarget& target);
+  void plan(const BlockView& here, bool drifts, BlockCode& code, BlockTarget& target);
   /// Call after coding a block of a reference frame; `before` contains its previous levels. Returns
   /// whether a large part of the block moved.
-  bool coded(int bx, int by, const BlockCode& code,
+  bool coded(const BlockView& here, const BlockCode& code,
              const std::array<std::uint16_t, kBlockPixels>& before);
 
  private:
-  struct Area {
-    int x0, y0, columns, rows;
-  };
-  [[nodiscard]] Area area(int bx, int by) const;
-  [[nodiscard]] std::size_t pixel(const Area& area, int x, int y) const {
-    return static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(state_.width) +
-           static_cast<std::size_t>(area.x0 + x);
-  }
   [[nodiscard]] int min_urgency() const;
-  [[nodiscard]] int urgency(const Area& area, bool drifts) const;
-  [[nodiscard]] bool plan_labels(const Area& area, bool drifts, BlockCode& code,
+  [[nodiscard]] int urgency(const BlockView& here, bool drifts) const;
+  [[nodiscard]] bool plan_labels(const BlockView& here, bool drifts, BlockCode& code,
                                  BlockTarget& target);
-  [[nodiscard]] PixelLabel label_of(std::size_t at, int x, int y, bool biased) const;
-  [[nodiscard]] PixelLabel label_of_missing(std::size_t at, int x, int y) const;
+  [[nodiscard]] PixelLabel label_of(const BlockPixel& pixel, bool biased) const;
+  [[nodiscard]] PixelLabel label_of_missing(const BlockPixel& pixel) const;
   /// Returns whether any label changed.
-  bool smooth_labels(const Area& area, BlockCode& code, const BlockTarget& target) const;
-  [[nodiscard]] bool plan_refinement(const Area& area, std::size_t block, BlockCode& code);
+  bool smooth_labels(const BlockView& here, BlockCode& code, const BlockTarget& target) const;
+  [[nodiscard]] bool plan_refinement(const BlockView& here, BlockCode& code) const;
+  /// The pixel got a new level; `moved`: that of a moving surface.
+  void restart_history(std::size_t pixel, bool moved);
 
   const LiveState& state_;
   PixelHistory& history_;

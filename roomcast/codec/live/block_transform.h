@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace roomcast::codec {
@@ -24,6 +25,12 @@ void inverse_transform(const BlockCoefficients& coefficients, int rows, BlockVal
 
 /// The same, one number at a time as in the specification. For tests.
 void inverse_transform_reference(const BlockCoefficients& coefficients, BlockValues& values);
+
+/// `value` in steps of `step`; `rounding`: 0.5 rounds to the nearest one, less rather towards 0.
+[[nodiscard]] inline std::int32_t quantised(float value, float step, float rounding) {
+  const auto size = static_cast<std::int32_t>(std::abs(value) / step + rounding);
+  return value < 0 ? -size : size;
+}
 
 /// For encoders; need not be exact.
 void forward_transform(const std::array<float, kBlockPixels>& values,

@@ -38,27 +38,23 @@ void add_row(const std::int16_t* off, const std::uint16_t* close, const std::uin
 
 }  // namespace
 
-void DriftDetector::resize(int width, int height, int blocks_wide, int blocks_high) {
-  width_ = width;
-  height_ = height;
-  blocks_wide_ = blocks_wide;
-  const auto padded = static_cast<std::size_t>(blocks_wide * kBlockSide);
+void DriftDetector::resize(const BlockGrid& grid) {
+  grid_ = grid;
+  const auto padded = static_cast<std::size_t>(grid.wide * kBlockSide);
   column_off_.assign(padded, 0);
   column_close_.assign(padded, 0);
   column_deviation_.assign(padded, 0);
-  const std::size_t blocks =
-      static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
-  offset_.assign(4 * blocks, 0);
-  frames_since_motion_.assign(blocks, kLately_frames);
+  offset_.assign(4 * grid.block_count(), 0);
+  frames_since_motion_.assign(grid.block_count(), kLately_frames);
 }
 
 void DriftDetector::update(const FrameChange& change, const PixelHistory& history) {
   for (std::uint8_t& frames : frames_since_motion_) {
     frames = std::min<std::uint8_t>(kLately_frames, frames + 1);
   }
-  for (int y = 0; y < height_; y += kPatchSide) {
+  for (int y = 0; y < grid_.height; y += kPatchSide) {
     add_up_rows(change, history, y);
-    for (int x = 0; x < width_; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
+    for (int x = 0; x < grid_.width; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
   }
 }
 
@@ -67,9 +63,9 @@ void DriftDetector::add_up_rows(const FrameChange& change, const PixelHistory& h
   std::fill(column_close_.begin(), column_close_.end(), std::uint16_t{0});
   std::fill(column_deviation_.begin(), column_deviation_.end(), std::uint16_t{0});
   const Columns columns{column_off_.data(), column_close_.data(), column_deviation_.data()};
-  for (int row = y; row < std::min(height_, y + kPatchSide); ++row) {
-    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
-    add_row(&change.off[at], &change.close[at], &history.deviation[at], width_, columns);
+  for (int row = y; row < std::min(grid_.height, y + kPatchSide); ++row) {
+    const std::size_t at = grid_.pixel(0, row);
+    add_row(&change.off[at], &change.close[at], &history.deviation[at], grid_.width, columns);
   }
 }
 
@@ -82,9 +78,7 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
     deviation += column_deviation_[i];
   }
   if (close < kMinSamples) return;
-  const std::size_t block =
-      static_cast<std::size_t>(patch_y / 2) * static_cast<std::size_t>(blocks_wide_) +
-      static_cast<std::size_t>(patch_x / 2);
+  const std::size_t block = grid_.block(patch_x / 2, patch_y / 2);
   float& offset = offset_[4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2))];
   // The mean absolute value of Gaussian noise is 4/5 of its standard deviation.
   const float sigma = std::max(static_cast<float>(kLevelsPerSigma),

@@ -13,7 +13,7 @@ namespace roomcast::codec {
 
 class DriftDetector {
  public:
-  void resize(int width, int height, int blocks_wide, int blocks_high);
+  void resize(const BlockGrid& grid);
   /// Adds the newest frame to the averages.
   void update(const FrameChange& change, const PixelHistory& history);
   /// Whether the block, or a patch of it, has drifted away from the reference.
@@ -27,7 +27,7 @@ class DriftDetector {
   void add_up_rows(const FrameChange& change, const PixelHistory& history, int y);
   void update_patch(int patch_x, int patch_y);
 
-  int width_ = 0, height_ = 0, blocks_wide_ = 0;
+  BlockGrid grid_;
   std::vector<std::int16_t> column_off_;
   std::vector<std::uint16_t> column_close_, column_deviation_;
   std::vector<std::uint8_t> frames_since_motion_;

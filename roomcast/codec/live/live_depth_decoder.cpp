@@ -6,10 +6,6 @@
 namespace roomcast::codec {
 namespace {
 
-Error malformed(const char* message) {
-  return Error{ErrorCode::kMalformed, message};
-}
-
 void copy_picture(const std::vector<std::uint16_t>& from, ImageView<std::uint16_t> to) {
   const auto width = static_cast<std::size_t>(to.width);
   for (int y = 0; y < to.height; ++y) {
@@ -24,7 +20,7 @@ Status LiveDepthDecoder::decode(std::span<const std::uint8_t> section,
   std::uint32_t expected_hash = 0;
   const auto head = read_live_head(section, expected_hash);
   if (!head.ok()) return head.error();
-  if (state_.width != depth_mm.width || state_.height != depth_mm.height) {
+  if (state_.grid.width != depth_mm.width || state_.grid.height != depth_mm.height) {
     if (!head->key) return malformed("Live depth begins with a key frame.");
     state_.resize(depth_mm.width, depth_mm.height);
     scratch_.resize(state_);
@@ -69,9 +65,7 @@ std::uint32_t LiveDepthDecoder::decode_pass(LiveReader& reader, LiveContexts& co
                                             bool reference, std::uint16_t* shown_mm) {
   PicturePass pass(state_, scratch_, contexts, reader, step, reference, shown_mm);
   BlockCode code;
-  for (int by = 0; by < state_.blocks_high; ++by) {
-    for (int bx = 0; bx < state_.blocks_wide; ++bx) pass.block(bx, by, code);
-  }
+  state_.grid.for_each_block([&](const BlockView& here) { pass.block(here, code); });
   pass.finish();
   return pass.hash();
 }

@@ -35,7 +35,7 @@ LiveDepthEncoder::LiveDepthEncoder(const LiveDepthOptions& options)
   analysis_.resize(options.width, options.height);
   history_.resize(pixels);
   change_.resize(pixels);
-  drift_.resize(options.width, options.height, state_.blocks_wide, state_.blocks_high);
+  drift_.resize(state_.grid);
   planner_.resize();
   memory_.resize(pixels);
   old_picture_.resize(pixels);
@@ -100,56 +100,40 @@ void LiveDepthEncoder::choose_background_target() {
 
 void LiveDepthEncoder::encode_background(LiveWriter& writer) {
   Pass pass(state_, scratch_, state_.contexts, writer, options_.key_step, true, nullptr);
-  for (int by = 0; by < state_.blocks_high; ++by) {
-    for (int bx = 0; bx < state_.blocks_wide; ++bx) encode_background_block(pass, bx, by);
-  }
+  state_.grid.for_each_block([&](const BlockView& here) { encode_background_block(pass, here); });
   pass.finish();
   state_.remember_picture_as_background();
 }
 
-void LiveDepthEncoder::encode_background_block(Pass& pass, int bx, int by) {
+void LiveDepthEncoder::encode_background_block(Pass& pass, const BlockView& here) {
   code_.mode = BlockMode::kSkip;
   code_.labels.fill(PixelLabel::kUnchanged);
   target_.fill(0);
-  for (int y = by * kBlockSide; y < std::min(state_.height, (by + 1) * kBlockSide); ++y) {
-    for (int x = bx * kBlockSide; x < std::min(state_.width, (bx + 1) * kBlockSide); ++x) {
-      const std::uint16_t wanted =
-          memory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
-                  static_cast<std::size_t>(x)];
-      if (wanted == 0) continue;
-      const auto k = static_cast<std::size_t>(y % kBlockSide * kBlockSide + x % kBlockSide);
-      target_[k] = wanted;
-      code_.labels[k] = PixelLabel::kFirst;
-      code_.mode = BlockMode::kLabels;
-    }
-  }
-  if (code_.mode == BlockMode::kLabels)
-    prepare_surfaces(pass, bx, by, options_.key_step, code_, target_);
-  pass.block(bx, by, code_);
+  here.for_each_pixel([&](const BlockPixel& p) {
+    if (memory_[p.at] == 0) return;
+    target_[p.k] = memory_[p.at];
+    code_.labels[p.k] = PixelLabel::kFirst;
+    code_.mode = BlockMode::kLabels;
+  });
+  if (code_.mode == BlockMode::kLabels) prepare_surfaces(pass, here, options_.key_step);
+  pass.block(here, code_);
 }
 
-void LiveDepthEncoder::prepare_surfaces(Pass& pass, int bx, int by, int step, BlockCode& code,
-                                        BlockTarget& target) {
-  split_surfaces(code, target);
+void LiveDepthEncoder::prepare_surfaces(const Pass& pass, const BlockView& here, int step) {
+  split_surfaces(code_, target_);
   bool bounded = true;
-  for (std::size_t which = 0; which < code.surface_count; ++which) {
-    const SurfaceCandidates candidates =
-        surface_candidates(state_, scratch_.trace, bx, by, which, pass.last_surface(which));
+  for (std::size_t which = 0; which < code_.surface_count; ++which) {
     const PixelLabel label = which == 0 ? PixelLabel::kFirst : PixelLabel::kSecond;
-    bounded =
-        encode_surface(candidates, label, step, code, target, code.surfaces[which]) && bounded;
+    bounded = encode_surface(pass.candidates(here, which), label, step, code_, target_,
+                             code_.surfaces[which]) &&
+              bounded;
   }
   if (bounded) return;
-  code.mode = BlockMode::kRaw;
-  for (int y = by * kBlockSide; y < std::min(state_.height, (by + 1) * kBlockSide); ++y) {
-    for (int x = bx * kBlockSide; x < std::min(state_.width, (bx + 1) * kBlockSide); ++x) {
-      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
-                             static_cast<std::size_t>(x);
-      const auto k = static_cast<std::size_t>(y % kBlockSide * kBlockSide + x % kBlockSide);
-      code.readings[k] =
-          wanted_level(code.labels[k], target[k], state_.picture[at], state_.background[at]);
-    }
-  }
+  code_.mode = BlockMode::kRaw;
+  here.for_each_pixel([&](const BlockPixel& p) {
+    code_.readings[p.k] = wanted_level(code_.labels[p.k], target_[p.k], state_.picture[p.at],
+                                       state_.background[p.at]);
+  });
 }
 
 // Adapts the averages to the newly coded reference.
@@ -160,11 +144,10 @@ void LiveDepthEncoder::follow_new_reference() {
       history_.sum[i] = 0;
       history_.count[i] = 0;
     } else {
-      history_.sum[i] = static_cast<std::int16_t>(
-          std::clamp(history_.sum[i] - moved * history_.count[i], -8000, 8000));
+      history_.follow(i, moved);
     }
   }
-  for (std::size_t block = 0; block < state_.block_count(); ++block) drift_.reset(block);
+  for (std::size_t block = 0; block < state_.grid.block_count(); ++block) drift_.reset(block);
 }
 
 std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool reference) {
@@ -176,37 +159,25 @@ std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool referenc
   planner_.begin_frame(reference);
   Pass pass(state_, scratch_, reference ? state_.contexts : non_reference_contexts_, writer,
             options_.step, reference, scratch_.shown_mm.data());
-  for (int by = 0; by < state_.blocks_high; ++by) {
-    for (int bx = 0; bx < state_.blocks_wide; ++bx) {
-      encode_block(pass, bx, by, reference);
-    }
-  }
+  state_.grid.for_each_block([&](const BlockView& here) { encode_block(pass, here, reference); });
   pass.finish();
   return pass.hash();
 }
 
-void LiveDepthEncoder::encode_block(Pass& pass, int bx, int by, bool reference) {
-  const auto block = static_cast<std::size_t>(by * state_.blocks_wide + bx);
-  planner_.plan(bx, by, drift_.drifts(block), code_, target_);
-  if (code_.mode == BlockMode::kLabels)
-    prepare_surfaces(pass, bx, by, options_.step, code_, target_);
-  if (code_.mode == BlockMode::kSkip || !reference) return pass.block(bx, by, code_);
+void LiveDepthEncoder::encode_block(Pass& pass, const BlockView& here, bool reference) {
+  planner_.plan(here, drift_.drifts(here.index()), code_, target_);
+  if (code_.mode == BlockMode::kLabels) prepare_surfaces(pass, here, options_.step);
+  if (code_.mode == BlockMode::kSkip || !reference) return pass.block(here, code_);
   std::array<std::uint16_t, kBlockPixels> before{};
-  for (int y = by * kBlockSide; y < std::min(state_.height, (by + 1) * kBlockSide); ++y) {
-    for (int x = bx * kBlockSide; x < std::min(state_.width, (bx + 1) * kBlockSide); ++x) {
-      before[static_cast<std::size_t>(y % kBlockSide * kBlockSide + x % kBlockSide)] =
-          state_.picture[static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
-                         static_cast<std::size_t>(x)];
-    }
-  }
-  pass.block(bx, by, code_);
-  drift_.reset(block);
-  if (planner_.coded(bx, by, code_, before)) drift_.expect_motion(block);
+  here.for_each_pixel([&](const BlockPixel& p) { before[p.k] = state_.picture[p.at]; });
+  pass.block(here, code_);
+  drift_.reset(here.index());
+  if (planner_.coded(here, code_, before)) drift_.expect_motion(here.index());
 }
 
 DepthView LiveDepthEncoder::shown_mm() const {
   const auto& shown = shown_is_reference_ ? state_.picture_mm : scratch_.shown_mm;
-  return {shown.data(), state_.width, state_.height, state_.width};
+  return {shown.data(), state_.grid.width, state_.grid.height, state_.grid.width};
 }
 
 }  // namespace roomcast::codec

@@ -44,10 +44,10 @@ class LiveDepthEncoder {
   void encode_background(LiveWriter& writer);
   void begin_anew(const SigmaCodes& sigma);
   void choose_background_target();
-  void encode_background_block(Pass& pass, int bx, int by);
+  void encode_background_block(Pass& pass, const BlockView& here);
   std::uint32_t encode_changes(LiveWriter& writer, bool reference);
-  void encode_block(Pass& pass, int bx, int by, bool reference);
-  void prepare_surfaces(Pass& pass, int bx, int by, int step, BlockCode& code, BlockTarget& target);
+  void encode_block(Pass& pass, const BlockView& here, bool reference);
+  void prepare_surfaces(const Pass& pass, const BlockView& here, int step);
   void follow_new_reference();
 
   LiveDepthOptions options_;

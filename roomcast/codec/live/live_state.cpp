@@ -7,15 +7,11 @@
 
 namespace roomcast::codec {
 
-void LiveState::resize(int new_width, int new_height) {
-  width = new_width;
-  height = new_height;
-  blocks_wide = (width + kBlockSide - 1) / kBlockSide;
-  blocks_high = (height + kBlockSide - 1) / kBlockSide;
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  for (auto* plane : {&picture, &picture_mm, &background}) plane->resize(pixels);
-  static_age.resize(block_count());
-  trace.resize(block_count());
+void LiveState::resize(int width, int height) {
+  grid = BlockGrid(width, height);
+  for (auto* plane : {&picture, &picture_mm, &background}) plane->resize(grid.pixel_count());
+  static_age.resize(grid.block_count());
+  trace.resize(grid.block_count());
   begin_anew({});
 }
 

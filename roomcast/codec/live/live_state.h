@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomcast/codec/live/block_view.h"
 #include "roomcast/codec/live/depth_domain.h"
 #include "roomcast/codec/live/live_contexts.h"
 
@@ -27,8 +28,7 @@ struct BlockTrace {
 };
 
 struct LiveState {
-  int width = 0, height = 0;
-  int blocks_wide = 0, blocks_high = 0;
+  BlockGrid grid;
   DepthDomain domain;
   std::vector<std::uint16_t> picture;     // levels, 0 = no reading
   std::vector<std::uint16_t> picture_mm;  // the same in millimetres
@@ -38,14 +38,10 @@ struct LiveState {
   LiveContexts contexts;
   std::uint32_t hash = 0;
 
-  void resize(int new_width, int new_height);
+  void resize(int width, int height);
   /// Clears the state for a key frame with these levels. Keeps memory.
   void begin_anew(const SigmaCodes& sigma);
   void remember_picture_as_background() { background = picture; }
-
-  [[nodiscard]] std::size_t block_count() const {
-    return static_cast<std::size_t>(blocks_wide) * static_cast<std::size_t>(blocks_high);
-  }
 };
 
 }  // namespace roomcast::codec

@@ -3,6 +3,7 @@
 // reference. All in levels. Used by the live encoder only.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
@@ -38,6 +39,11 @@ struct PixelHistory {
   std::vector<std::uint16_t> patience;  // additional persistence that a flickering pixel needs
 
   void resize(std::size_t pixels);
+  /// Adapts the sum of offsets to a reference that has changed by `shift` levels.
+  void follow(std::size_t pixel, int shift) {
+    sum[pixel] =
+        static_cast<std::int16_t>(std::clamp(sum[pixel] - shift * count[pixel], -8000, 8000));
+  }
   /// Standard deviation of the pixel's noise in levels, at least kLevelsPerSigma.
   [[nodiscard]] int sigma(std::size_t pixel) const {
     const int measured = deviation[pixel] * 5 >> (kNoiseShift + 2);

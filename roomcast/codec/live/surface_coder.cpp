@@ -98,11 +98,6 @@ void fill(const Membership& on_it, const BlockTarget& target, const Plane& plane
   }
 }
 
-std::int32_t rounded(float value, float step, float rounding) {
-  const auto size = static_cast<std::int32_t>(std::abs(value) / step + rounding);
-  return value < 0 ? -size : size;
-}
-
 /// Increases with the bits of the three lowest coefficients: roughly 2 to the power of their
 /// number.
 float prediction_cost(const std::array<float, kBlockPixels>& wanted, const SurfaceParameters& by,
@@ -150,9 +145,9 @@ void quantise(std::array<float, kBlockPixels> wanted, const SurfaceParameters& p
   }
   const auto width = static_cast<float>(step);
   for (std::size_t k = 0; k < kBlockPixels; ++k) {
-    steps[k] = std::abs(wanted[k]) < least ? 0 : rounded(wanted[k], width, kHighRounding);
+    steps[k] = std::abs(wanted[k]) < least ? 0 : quantised(wanted[k], width, kHighRounding);
   }
-  for (const std::size_t k : {0, 1, 8}) steps[k] = rounded(wanted[k], width, kLowRounding);
+  for (const std::size_t k : {0, 1, 8}) steps[k] = quantised(wanted[k], width, kLowRounding);
   steps[kBlockPixels - 1] = 0;  // the highest frequency is never coded
 }
 

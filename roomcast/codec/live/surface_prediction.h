@@ -28,27 +28,25 @@ inline constexpr std::int32_t kMaxCoefficient = 1 << 20;
 
 using SurfaceCandidates = std::array<SurfaceParameters, kSurfaceCandidates>;
 
-/// Candidates for surface `which` (0, 1) of block (bx, by): left and upper block (same surface),
+/// Candidates for surface `which` (0, 1) of the block `here`: left and upper block (same surface),
 /// the block itself in the reference frame, left and upper block (the other surface), the surface
 /// coded last.
 [[nodiscard]] inline SurfaceCandidates surface_candidates(const LiveState& state,
                                                           const std::vector<BlockTrace>& now,
-                                                          int bx, int by, std::size_t which,
+                                                          const BlockView& here, std::size_t which,
                                                           const SurfaceParameters& last) {
-  const std::size_t block =
-      static_cast<std::size_t>(by) * static_cast<std::size_t>(state.blocks_wide) +
-      static_cast<std::size_t>(bx);
   SurfaceCandidates candidates;
-  if (bx > 0) {
-    candidates[0] = continued(now[block - 1].surfaces[which], true, false);
-    candidates[3] = continued(now[block - 1].surfaces[1 - which], true, false);
+  if (here.has_left()) {
+    const BlockTrace& left = now[here.left()];
+    candidates[0] = continued(left.surfaces[which], true, false);
+    candidates[3] = continued(left.surfaces[1 - which], true, false);
   }
-  if (by > 0) {
-    const BlockTrace& above = now[block - static_cast<std::size_t>(state.blocks_wide)];
+  if (here.has_above()) {
+    const BlockTrace& above = now[here.above()];
     candidates[1] = continued(above.surfaces[which], false, true);
     candidates[4] = continued(above.surfaces[1 - which], false, true);
   }
-  candidates[2] = state.trace[block].surfaces[which];
+  candidates[2] = state.trace[here.index()].surfaces[which];
   candidates[5] = last;
   return candidates;
 }

@@ -51,17 +51,15 @@ class RandomLiveStream {
 
   std::uint32_t write_pass(LiveWriter& writer, LiveContexts& contexts, int step, bool reference) {
     Pass pass(state_, scratch_, contexts, writer, step, reference, scratch_.shown_mm.data());
-    for (int by = 0; by < state_.blocks_high; ++by) {
-      for (int bx = 0; bx < state_.blocks_wide; ++bx) {
-        BlockCode code = any_block(pass, bx, by);
-        pass.block(bx, by, code);
-      }
-    }
+    state_.grid.for_each_block([&](const BlockView& here) {
+      BlockCode code = any_block(pass, here);
+      pass.block(here, code);
+    });
     pass.finish();
     return pass.hash();
   }
 
-  BlockCode any_block(const Pass& pass, int bx, int by) {
+  BlockCode any_block(const Pass& pass, const BlockView& here) {
     BlockCode code;
     const auto dice = random_() % 10;
     code.mode = dice < 4   ? BlockMode::kSkip
@@ -75,17 +73,16 @@ class RandomLiveStream {
       level = random_() % 8 ? reading : static_cast<std::uint16_t>(random_() % 3 * 32767);
     }
     code.surface_count = static_cast<std::uint8_t>(random_() % 3);
-    for (std::size_t which = 0; which < 2; ++which) choose_surface(pass, bx, by, which, code);
-    for (std::size_t k = 0; k < kBlockPixels; ++k) code.labels[k] = any_label(bx, by, k, code);
+    for (std::size_t which = 0; which < 2; ++which) choose_surface(pass, here, which, code);
+    here.for_each_pixel([&](const BlockPixel& p) { code.labels[p.k] = any_label(p.at, code); });
     return code;
   }
 
-  void choose_surface(const Pass& pass, int bx, int by, std::size_t which, BlockCode& code) {
+  void choose_surface(const Pass& pass, const BlockView& here, std::size_t which, BlockCode& code) {
     SurfaceCode& surface = code.surfaces[which];
     fill_steps(surface.steps);
     surface.finer = static_cast<std::uint8_t>(random_() % 3);
-    const SurfaceCandidates candidates =
-        surface_candidates(state_, scratch_.trace, bx, by, which, pass.last_surface(which));
+    const SurfaceCandidates candidates = pass.candidates(here, which);
     for (std::uint8_t i = 0; i < kSurfaceCandidates; ++i) {
       if (candidates[i].known && (!candidates[surface.candidate].known || random_() % 2)) {
         surface.candidate = i;
@@ -103,12 +100,7 @@ class RandomLiveStream {
     if (random_() % 64 == 0) steps[kZigzag[random_() % 63]] = 1 << (10 + random_() % 9);
   }
 
-  PixelLabel any_label(int bx, int by, std::size_t k, const BlockCode& code) {
-    const int x = bx * kBlockSide + static_cast<int>(k % 8),
-              y = by * kBlockSide + static_cast<int>(k / 8);
-    if (x >= state_.width || y >= state_.height) return PixelLabel::kUnchanged;
-    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(state_.width) +
-                           static_cast<std::size_t>(x);
+  PixelLabel any_label(std::size_t at, const BlockCode& code) {
     const int old = state_.picture[at], back = state_.background[at];
     const auto dice = random_() % 6;
     if (dice < 2 && code.surface_count > 0) return PixelLabel::kFirst;
