@@ -50,15 +50,11 @@ class SectionFrameDecoder final : public FrameDecoder {
   std::unique_ptr<Vp9ColorDecoder> color_;  // created with the first colour section
 };
 
-bool is_side(int side) {
-  return side >= kMinGridSide && side <= kMaxGridSide;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<FrameDecoder>> FrameDecoder::create(int width, int height) {
-  if (!is_side(width) || !is_side(height)) {
-    return Error{ErrorCode::kInvalidArgument, "A depth grid is 16..4096 pixels wide and high."};
+  if (!is_grid_side(width) || !is_grid_side(height)) {
+    return invalid_argument("A depth grid is 16..4096 pixels wide and high.");
   }
   return std::unique_ptr<FrameDecoder>(std::make_unique<SectionFrameDecoder>(width, height));
 }

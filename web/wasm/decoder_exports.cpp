@@ -41,7 +41,7 @@ Status take_color(Decoder& decoder, const PayloadSections& sections) {
   const auto header = parse_vp9_header(sections.color);
   if (!header.ok()) return header.error();
   if (header->width != 0 && (header->width != decoder.width || header->height != decoder.height)) {
-    return Error{ErrorCode::kMalformed, "The colour is not of the sensor's size."};
+    return malformed("The colour is not of the sensor's size.");
   }
   const Status mask = decoder.mask_decoder.decode(sections.mask_codec, sections.color_mask,
                                                   decoder.depth, decoder.mask.view());
@@ -63,16 +63,12 @@ Status decode(Decoder& decoder, std::size_t length) {
   return take_color(decoder, *sections);
 }
 
-bool legal_side(int side) {
-  return side >= kMinGridSide && side <= kMaxGridSide;
-}
-
 }  // namespace
 
 extern "C" {
 
 ROOMCAST_EXPORT("decoder_create") Decoder* decoder_create(int width, int height) {
-  if (!legal_side(width) || !legal_side(height)) return nullptr;
+  if (!is_grid_side(width) || !is_grid_side(height)) return nullptr;
   auto decoder = std::make_unique<Decoder>();
   decoder->width = width;
   decoder->height = height;
@@ -95,7 +91,7 @@ std::uint8_t* decoder_input(Decoder* decoder, std::uint32_t length) {
 
 ROOMCAST_EXPORT("decoder_decode") int decoder_decode(Decoder* decoder, std::uint32_t length) {
   if (length > decoder->payload.size()) {
-    return failed(*decoder, {ErrorCode::kMalformed, "More bytes than were asked room for."});
+    return failed(*decoder, malformed("More bytes than were asked room for."));
   }
   const Status status = decode(*decoder, length);
   return status.ok() ? kOk : failed(*decoder, status.error());

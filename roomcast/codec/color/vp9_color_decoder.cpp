@@ -56,7 +56,7 @@ Status Vp9ColorDecoder::decode(std::span<const std::uint8_t> frame, ColorImage& 
   frame_alone(frame, framed_);
   if (vpx_codec_decode(&codec_->context, framed_.data(), static_cast<unsigned>(framed_.size()),
                        nullptr, 0) != VPX_CODEC_OK) {
-    return Error{ErrorCode::kMalformed, "The colour section's VP9 frame is damaged."};
+    return malformed("The colour section's VP9 frame is damaged.");
   }
   Status status = take_picture(color);
   needs_key_ = !status.ok();
@@ -67,7 +67,7 @@ Status Vp9ColorDecoder::check_header(std::span<const std::uint8_t> frame) {
   const auto header = parse_vp9_header(frame);
   if (!header.ok()) return header.error();
   if (header->width != 0 && !take_size(*header)) {
-    return Error{ErrorCode::kMalformed, "The colour is not of the sensor's size."};
+    return malformed("The colour is not of the sensor's size.");
   }
   if (needs_key_ && !header->key) {
     return Error{ErrorCode::kMalformed,
@@ -95,8 +95,7 @@ Status Vp9ColorDecoder::take_picture(ColorImage& color) {
   const vpx_image_t* picture = vpx_codec_get_frame(&codec_->context, &position);
   if (picture == nullptr || picture->fmt != VPX_IMG_FMT_I420 ||
       static_cast<int>(picture->d_w) != width_ || static_cast<int>(picture->d_h) != height_) {
-    return Error{ErrorCode::kMalformed,
-                 "The colour section gives no picture of the sensor's size."};
+    return malformed("The colour section gives no picture of the sensor's size.");
   }
   const int chroma_width = (width_ + 1) / 2, chroma_height = (height_ + 1) / 2;
   const I420View planes{

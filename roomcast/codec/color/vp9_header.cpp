@@ -63,7 +63,7 @@ void take_inter_start(BitReader& bits, bool error_resilient, Vp9Header& header) 
 Result<Vp9Header> parse_vp9_header(std::span<const std::uint8_t> frame) {
   BitReader bits(frame);
   if (bits.take(2) != kFrameMarker) {
-    return Error{ErrorCode::kMalformed, "The colour section is not a VP9 frame."};
+    return malformed("The colour section is not a VP9 frame.");
   }
   const std::uint32_t profile = bits.take(2);
   const bool repeats_earlier = bits.take(1) != 0;
@@ -76,11 +76,11 @@ Result<Vp9Header> parse_vp9_header(std::span<const std::uint8_t> frame) {
                  "The colour section holds a kind of VP9 frame that roomcast does not use."};
   }
   if (header.key && !take_key_start(bits, header)) {
-    return Error{ErrorCode::kMalformed, "The colour section's VP9 key frame is damaged."};
+    return malformed("The colour section's VP9 key frame is damaged.");
   }
   if (!header.key) take_inter_start(bits, error_resilient, header);
   if (bits.overran()) {
-    return Error{ErrorCode::kMalformed, "The colour section's VP9 frame is cut short."};
+    return malformed("The colour section's VP9 frame is cut short.");
   }
   return header;
 }

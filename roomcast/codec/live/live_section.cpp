@@ -14,7 +14,7 @@ constexpr std::size_t kKeyHeadLength = kHeadLength + 1 + kSigmaKnotCount;
 constexpr std::uint8_t kMinStep = 4;  // so that a quarter of it is at least 1
 
 Error cut_short() {
-  return {ErrorCode::kMalformed, "The live depth section is cut short."};
+  return malformed("The live depth section is cut short.");
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Result<LiveSectionHead> read_live_head(std::span<const std::uint8_t>& bytes, std
     std::copy_n(bytes.begin() + kHeadLength + 1, kSigmaKnotCount, head.sigma.begin());
   }
   if (head.step < kMinStep || (head.key && (!head.reference || head.key_step < kMinStep))) {
-    return Error{ErrorCode::kMalformed, "The head of the live depth section is damaged."};
+    return malformed("The head of the live depth section is damaged.");
   }
   bytes = bytes.subspan(head.key ? kKeyHeadLength : kHeadLength);
   return head;

@@ -16,10 +16,6 @@ constexpr std::uint32_t kStateLow = 1u << 16;
 // A pixel takes at most two words (one after its token, one after its plain bits).
 constexpr std::size_t kMaxBytesPerPixel = 4;
 
-Error malformed(const char* message) {
-  return Error{ErrorCode::kMalformed, message};
-}
-
 /// One slot of a table: token, frequency - 1 and slot - start packed in one word: one load instead
 /// of three.
 constexpr std::uint32_t pack_slot(std::uint32_t token, std::uint32_t frequency,

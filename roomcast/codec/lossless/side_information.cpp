@@ -48,12 +48,12 @@ Status get_values(ArithmeticDecoder& decoder, SideInformation& side) {
   side.mapped = decoder.get_raw(1) != 0;
   if (!side.mapped) return {};
   const std::uint32_t count = decoder.get_raw(kValueCountBits);
-  if (count == 0) return Error{ErrorCode::kMalformed, "The depth section's value table is empty."};
+  if (count == 0) return malformed("The depth section's value table is empty.");
   GapModel model;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t value = side.values.back() + get_gap(decoder, model) + 1;
     if (value >= kDepthValueCount) {
-      return Error{ErrorCode::kMalformed, "The depth section's value table goes beyond 65535."};
+      return malformed("The depth section's value table goes beyond 65535.");
     }
     side.values.push_back(static_cast<std::uint16_t>(value));
   }
@@ -108,7 +108,7 @@ Status get_side_information(std::span<const std::uint8_t> bytes, SideInformation
     if (c == 0 || decoder.get(has_own_table)) {
       side.tables.emplace_back();
       if (!get_weights(decoder, model, side.tables.back())) {
-        return Error{ErrorCode::kMalformed, "The depth section has an impossible frequency table."};
+        return malformed("The depth section has an impossible frequency table.");
       }
     }
     side.table_of_context[c] = static_cast<std::uint8_t>(side.tables.size() - 1);

@@ -50,10 +50,10 @@ Status ColorMaskDecoder::decode(std::uint8_t codec, std::span<const std::uint8_t
     return {};
   }
   if (section.empty() || section[0] > 1) {
-    return Error{ErrorCode::kMalformed, "The colour mask has no legal first byte."};
+    return malformed("The colour mask has no legal first byte.");
   }
   if (!same_size(reference_.view(), depth_mm)) {
-    return Error{ErrorCode::kMalformed, "The colour mask builds on one that never came."};
+    return malformed("The colour mask builds on one that never came.");
   }
   now_ = reference_;
   decode_mask_change(section.subspan(1), depth_mm, now_.view());

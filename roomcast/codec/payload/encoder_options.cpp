@@ -13,15 +13,12 @@ constexpr double kMaxFps = 240;
 constexpr int kMaxLayers = 3;
 constexpr double kMaxKeyInterval_s = 3600;
 
-bool is_side(int side) {
-  return side >= kMinGridSide && side <= kMaxGridSide;
-}
-
 }  // namespace
 
 Status FrameEncoderOptions::check() const {
-  if (!is_side(width)) return invalid_argument("FrameEncoderOptions.width must be 16..4096.");
-  if (!is_side(height)) return invalid_argument("FrameEncoderOptions.height must be 16..4096.");
+  if (!is_grid_side(width)) return invalid_argument("FrameEncoderOptions.width must be 16..4096.");
+  if (!is_grid_side(height))
+    return invalid_argument("FrameEncoderOptions.height must be 16..4096.");
   if (!std::isfinite(fps) || fps <= 0 || fps > kMaxFps) {
     return invalid_argument("FrameEncoderOptions.fps must be above 0 and at most 240.");
   }

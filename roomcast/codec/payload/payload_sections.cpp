@@ -38,7 +38,7 @@ Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload, in
   std::uint32_t kinds = 0;  // bit k: kind k was present
   while (!payload.empty()) {
     if (payload.size() < kSectionHeaderLength) {
-      return Error{ErrorCode::kMalformed, "The frame ends within a section's header."};
+      return malformed("The frame ends within a section's header.");
     }
     const std::uint8_t kind = payload[0];
     const std::uint32_t length = read_u32(payload.data() + kLengthOffset);
@@ -49,10 +49,10 @@ Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload, in
     }
     payload = payload.subspan(kSectionHeaderLength);
     if (length > payload.size()) {
-      return Error{ErrorCode::kMalformed, "The frame ends within a section."};
+      return malformed("The frame ends within a section.");
     }
     if (kinds >> kind != 0) {
-      return Error{ErrorCode::kMalformed, "The frame's sections are doubled or out of order."};
+      return malformed("The frame's sections are doubled or out of order.");
     }
     kinds |= 1u << kind;
     *place = payload.first(length);
@@ -60,8 +60,8 @@ Result<PayloadSections> parse_sections(std::span<const std::uint8_t> payload, in
   }
   constexpr std::uint32_t kDepthAlone = 1u << 1, kDepthAndColor = 1u << 1 | 1u << 2 | 1u << 3;
   if (kinds != kDepthAlone && kinds != kDepthAndColor) {
-    return Error{ErrorCode::kMalformed,
-                 "The frame lacks depth, or has one of colour and colour mask without the other."};
+    return malformed(
+        "The frame lacks depth, or has one of colour and colour mask without the other.");
   }
   sections.has_color = kinds == kDepthAndColor;
   return sections;

@@ -18,6 +18,10 @@ inline constexpr std::uint8_t kIntraMask = 1, kMaskChange = 2;
 
 inline constexpr std::size_t kSectionHeaderLength = 8;
 inline constexpr int kMinGridSide = 16, kMaxGridSide = 4096;
+/// Whether a depth grid may be so many pixels wide or high.
+[[nodiscard]] constexpr bool is_grid_side(int pixels) {
+  return pixels >= kMinGridSide && pixels <= kMaxGridSide;
+}
 /// Maximum number of colour pixels for each depth pixel, per direction. The colour picture is also
 /// limited to the largest depth grid, which bounds a decoder's memory.
 inline constexpr int kMaxColorScale = 2;
