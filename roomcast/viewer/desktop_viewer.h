@@ -2,29 +2,22 @@
 // DesktopViewer: `roomcast view` in a window. Draws the newest RoomSnapshot, moves the viewer and
 // sends the viewer's pose to the hub. Never waits for the network: when the hub or a sensor is
 // lost, it keeps drawing the last data and reports the loss. Threading: the window's thread only.
+//
+// One way: DesktopInput and the panel turn events into movement and commands, DesktopState is what
+// follows from them, from time and from the room, and DesktopDisplay draws it.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "roomcast/client/subscriber.h"
 #include "roomcast/io/numbered_files.h"
 #include "roomcast/viewer/capture/capture_writer.h"
+#include "roomcast/viewer/desktop_display.h"
+#include "roomcast/viewer/desktop_state.h"
 #include "roomcast/viewer/hub_report.h"
-#include "roomcast/viewer/panel/panel.h"
-#include "roomcast/viewer/panel/panel_layer.h"
-#include "roomcast/viewer/report/room_report.h"
-#include "roomcast/viewer/report/toasts.h"
-#include "roomcast/viewer/view/render_scale.h"
-#include "roomcast/viewer/view/room_picture.h"
-#include "roomcast/viewer/view/room_view.h"
-#include "roomcast/viewer/view/view_settings.h"
-#include "roomcast/viewer/walk/navigation.h"
 #include "roomcast/viewer/window/desktop_input.h"
-#include "roomcast/viewer/window/view_window.h"
-#include "roomcast/viewer/xr/headset_view.h"
 
 namespace roomcast::viewer {
 
@@ -40,8 +33,7 @@ struct DesktopViewerOptions {
 
 class DesktopViewer {
  public:
-  /// `hub` must outlive the viewer. Errors as ViewWindow::open, PanelLayer::create and
-  /// RoomView::create.
+  /// `hub` must outlive the viewer. Errors as DesktopDisplay::open.
   static Result<std::unique_ptr<DesktopViewer>> open(client::Subscriber& hub,
                                                      DesktopViewerOptions options);
 
@@ -51,81 +43,48 @@ class DesktopViewer {
 
   /// The window's content: the room and the panel.
   [[nodiscard]] ColorImage window_picture();
-  [[nodiscard]] const ViewState& view() const { return navigation_.view(); }
-  [[nodiscard]] std::vector<Toast> toasts() const;
-  [[nodiscard]] std::uint64_t pictures_drawn() const { return pictures_drawn_; }
+  [[nodiscard]] const ViewState& view() const { return state_.view(); }
+  [[nodiscard]] std::vector<Toast> toasts() const { return state_.toasts(now()); }
+  [[nodiscard]] std::uint64_t pictures_drawn() const { return state_.pictures_drawn(); }
 
  private:
-  DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options,
-                std::unique_ptr<ViewWindow> window, std::unique_ptr<PanelLayer> panel_layer,
-                RoomView room_view);
+  DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options, DesktopDisplay display);
 
   [[nodiscard]] HostTime now() const { return clock_.now(); }
-  void take_events();
-  void obey(ViewerCommand command);
-  void choose_mode(ViewerCommand command);
+  // Input. Returns whether there was any.
+  bool take_events();
+  void run(ViewerCommand command);
   void set_mouse_look(bool on);
   void release();
+  // State.
   void advance(HostTime now);
   void follow_room(HostTime now);
-  void go_to_start();
-  void point();
-  [[nodiscard]] bool must_draw() const;
-  void draw_room(HostTime now);
-  void note_shown_pictures(HostTime begin);
-  void apply_settings();
-  void show(HostTime now);
+  void poll_headset(HostTime now);
+  // Display.
+  void draw(HostTime now);
+  [[nodiscard]] std::optional<Eigen::Vector3d> pointed_at() const;
+  void take_drawn(const DrawnPicture& picture);
   void draw_window();
-  [[nodiscard]] PanelFacts facts(HostTime now) const;
-  [[nodiscard]] render::ViewCamera camera() const;
-  [[nodiscard]] client::PersonPose pose_publisher() const;
-  [[nodiscard]] bool may_keep_pictures();
+  // Screenshots and videos.
+  [[nodiscard]] bool may_capture();
   void save_screenshot();
   void start_or_stop_video();
-  void record_on();
-  void say(const Toast& toast);
-  void look_for_headset(HostTime now);
-  [[nodiscard]] bool is_in_headset() const { return headset_ && headset_->is_running(); }
-  void draw_headset(HostTime now);
-  void headset_is_over(const Error& why, HostTime now);
-  [[nodiscard]] ViewState start_view() const;
-  [[nodiscard]] const render::OffscreenTarget* shown_picture() const;
+  void continue_video();
+  [[nodiscard]] client::PersonPose own_pose() const;
+  void notify(const Toast& toast) { state_.notify(toast, now()); }
+  void notify_error(const Status& status);
 
   SteadyClock clock_;
   client::Subscriber& hub_;
   DesktopViewerOptions options_;
-  ViewSettings settings_, applied_;
-  std::unique_ptr<ViewWindow> window_;  // before the members that need its GL context
-  std::unique_ptr<PanelLayer> panel_layer_;
-  RoomView room_view_;
-  RoomPicture picture_;
-  std::unique_ptr<viewer::xr::HeadsetView> headset_;  // null while there is none
-  std::string driver_;
-
-  std::shared_ptr<const client::RoomSnapshot> room_ =
-      std::make_shared<const client::RoomSnapshot>();
-  std::unordered_map<SensorId, std::uint32_t> shown_seq_;
-  Navigation navigation_;
+  DesktopDisplay display_;
   DesktopInput input_;
-  std::optional<client::PointerBeam> pointer_;
   Panel panel_;
-  RoomReport report_;
-  LatencyBudget latency_;
+  DesktopState state_;
+  CaptureWriter capture_;
   HubReport hub_report_;
-  CaptureWriter keeper_;
-  Toasts toasts_;
-  RenderScale automatic_scale_;
-
-  bool wants_to_leave_ = false;
-  bool has_start_ = false;      // the view is at the start position, or the user has moved
-  bool picture_is_old_ = true;  // the room, the people or the settings have changed
-  bool had_input_ = false;
-  std::optional<render::ViewCamera> drawn_camera_;
-  RateMeter drawn_rate_;
-  std::uint64_t pictures_drawn_ = 0;
-  nanoseconds drawing_time_{};
-  HostTime last_step_{}, last_report_{}, last_shown_{}, headset_looked_for_{};
-  std::string headset_trouble_;  // the last one shown
+  HostTime last_step_{};
+  bool wants_to_quit_ = false;
 };
 
 }  // namespace roomcast::viewer

@@ -57,7 +57,7 @@ class DesktopViewerTest : public testing::Test {
   }
 
   /// The hub disconnects and sends the new permission to reconnecting viewers.
-  void join_a_hub_that_lets_record(bool lets) {
+  void reconnect_with_recording(bool lets) {
     on_hub([lets](client::FakeHub& h) {
       h.lets_record = lets;
       h.hang_up();
@@ -103,7 +103,7 @@ class DesktopViewerTest : public testing::Test {
   std::unique_ptr<DesktopViewer> viewer;
 };
 
-TEST_F(DesktopViewerTest, draws_an_empty_room_and_says_that_it_is_empty) {
+TEST_F(DesktopViewerTest, draws_an_empty_room_and_reports_that_it_is_empty) {
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   EXPECT_TRUE(steps_until([&] { return says("No sensor is in the room yet."); }));
   const ColorImage picture = viewer->window_picture();
@@ -111,25 +111,26 @@ TEST_F(DesktopViewerTest, draws_an_empty_room_and_says_that_it_is_empty) {
   EXPECT_EQ(picture.at(160, 5), render::RenderOptions{}.background);
 }
 
-TEST_F(DesktopViewerTest, walks_and_tells_the_hub_where_it_is) {
+TEST_F(DesktopViewerTest, walks_and_sends_its_pose_to_the_hub) {
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   const Eigen::Vector3d before = viewer->view().position_m;
   press(SDLK_w);
   EXPECT_TRUE(steps_until([&] { return (viewer->view().position_m - before).norm() > 0.3; }));
   press(SDLK_w, false);
-  const auto told = [&] {
-    bool is_told = false;
+  const auto hub_has_pose = [&] {
+    bool has_pose = false;
     const Eigen::Vector3d here = viewer->view().position_m;
     on_hub([&](client::FakeHub& h) {
       const auto& last = h.heard.back();
-      is_told = last.has_viewer_pose() && std::abs(last.viewer_pose().head().z() - here.z()) < 1e-4;
+      has_pose =
+          last.has_viewer_pose() && std::abs(last.viewer_pose().head().z() - here.z()) < 1e-4;
     });
-    return is_told;
+    return has_pose;
   };
-  EXPECT_TRUE(steps_until(told));
+  EXPECT_TRUE(steps_until(hub_has_pose));
 }
 
-TEST_F(DesktopViewerTest, begins_where_the_hub_says_and_goes_back_there) {
+TEST_F(DesktopViewerTest, starts_at_the_hubs_start_position_and_returns_to_it) {
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   const Eigen::Vector3d start = viewer->view().position_m;
   EXPECT_EQ(start, world_from_start_view(*subscriber->snapshot()).translation_m);
@@ -147,7 +148,7 @@ TEST_F(DesktopViewerTest, rests_while_nothing_happens) {
   EXPECT_LE(viewer->pictures_drawn(), drawn + 1);
 }
 
-TEST_F(DesktopViewerTest, shows_its_panel_and_its_help_when_asked) {
+TEST_F(DesktopViewerTest, shows_panel_and_help_on_command) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
   const ColorImage plain = viewer->window_picture();
   press(SDLK_TAB);
@@ -159,7 +160,7 @@ TEST_F(DesktopViewerTest, shows_its_panel_and_its_help_when_asked) {
   EXPECT_NE(with_panel.at(300, 120), viewer->window_picture().at(300, 120));
 }
 
-TEST_F(DesktopViewerTest, keeps_pictures_of_the_room_without_the_panel) {
+TEST_F(DesktopViewerTest, saves_screenshots_without_the_panel) {
   press(SDLK_TAB);
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   press(SDLK_p);
@@ -169,7 +170,7 @@ TEST_F(DesktopViewerTest, keeps_pictures_of_the_room_without_the_panel) {
   EXPECT_TRUE(says("Saved as"));
 }
 
-TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
+TEST_F(DesktopViewerTest, records_a_video_until_the_second_command) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
@@ -184,8 +185,8 @@ TEST_F(DesktopViewerTest, keeps_a_video_until_it_is_told_to_stop) {
   EXPECT_EQ(written[0], "frame-000001.png");
 }
 
-TEST_F(DesktopViewerTest, keeps_no_picture_where_the_room_does_not_let_viewers_record) {
-  join_a_hub_that_lets_record(false);
+TEST_F(DesktopViewerTest, saves_nothing_where_viewers_may_not_record) {
+  reconnect_with_recording(false);
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   press(SDLK_p);
   EXPECT_TRUE(steps_until([&] { return says("this room does not let viewers record"); }));
@@ -196,19 +197,19 @@ TEST_F(DesktopViewerTest, keeps_no_picture_where_the_room_does_not_let_viewers_r
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST_F(DesktopViewerTest, a_video_ends_when_the_room_lets_viewers_record_no_more) {
+TEST_F(DesktopViewerTest, a_video_ends_when_viewers_may_no_longer_record) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   press(SDLK_v);
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
-  join_a_hub_that_lets_record(false);
+  reconnect_with_recording(false);
   EXPECT_TRUE(steps_until([&] { return says("this room does not let viewers record"); }));
   EXPECT_TRUE(says("Saved as"));
   ::setenv("PATH", path.c_str(), 1);
 }
 
-TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resumes) {
+TEST_F(DesktopViewerTest, keeps_drawing_without_its_hub_reports_the_loss_and_resumes) {
   EXPECT_TRUE(steps_until([&] { return says("No sensor"); }));
   const auto hang_up_and_let_wait = [&](bool wait) {
     on_hub([wait](client::FakeHub& h) {
@@ -225,7 +226,7 @@ TEST_F(DesktopViewerTest, goes_on_drawing_without_its_hub_and_says_so_and_resume
   EXPECT_TRUE(steps_until([&] { return says("The hub is back"); }));
 }
 
-TEST_F(DesktopViewerTest, shows_who_else_is_there) {
+TEST_F(DesktopViewerTest, shows_the_other_people) {
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
   const ColorImage alone = viewer->window_picture();
   on_hub([&](client::FakeHub& h) {
@@ -249,7 +250,7 @@ TEST_F(DesktopViewerTest, shows_who_else_is_there) {
   }));
 }
 
-TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken_off_or_lost) {
+TEST_F(DesktopViewerTest, goes_on_on_the_desktop_when_the_headset_is_taken_off_or_lost) {
   viewer::xr::TestRuntime& runtime = viewer::xr::TestRuntime::instance();
   runtime.reset();
   ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
@@ -257,12 +258,12 @@ TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken
   open();
   EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
   EXPECT_TRUE(steps_until([&] {
-    bool hands_are_told = false;
+    bool hub_has_hands = false;
     on_hub([&](client::FakeHub& h) {
       const auto& last = h.heard.back();
-      hands_are_told = last.has_viewer_pose() && last.viewer_pose().has_right_hand();
+      hub_has_hands = last.has_viewer_pose() && last.viewer_pose().has_right_hand();
     });
-    return hands_are_told;
+    return hub_has_hands;
   }));
   runtime.take_off();
   const auto frames = runtime.frames;
@@ -279,7 +280,7 @@ TEST_F(DesktopViewerTest, with_a_headset_goes_on_on_the_desktop_when_it_is_taken
   EXPECT_TRUE(runtime.violations.empty());
 }
 
-TEST_F(DesktopViewerTest, without_a_headset_says_so_and_shows_the_room) {
+TEST_F(DesktopViewerTest, without_a_headset_reports_that_and_shows_the_room) {
   ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
   ::setenv("XR_LOADER_DEBUG", "none", 1);
   options.headset = true;

@@ -9,8 +9,8 @@ constexpr std::chrono::seconds kStatsInterval{1};
 }  // namespace
 
 void HubReport::follow(const client::RoomSnapshot& room) {
-  const bool is_anew = room.self != self_ || room.connected != connected_;
-  if (is_anew || room.people.size() > people_) own_.tell_again();
+  const bool is_new = room.self != self_ || room.connected != connected_;
+  if (is_new || room.people.size() > people_) pose_.send_again();
   self_ = room.self;
   connected_ = room.connected;
   people_ = room.people.size();
@@ -22,11 +22,11 @@ void HubReport::shown(const client::RoomSnapshot& room, HostTime now) {
   shown_rate_.count(now, ++shown_);
 }
 
-void HubReport::tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
+void HubReport::send(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
                      HostTime now) {
-  own_.is(own);
+  pose_.set(own);
   if (connected_) {
-    if (const auto pose = own_.take(now)) hub_.send_pose(*pose);
+    if (const auto pose = pose_.take(now)) hub_.send_pose(*pose);
   }
   if (now - stats_sent_ < kStatsInterval) return;
   stats_sent_ = now;

@@ -21,14 +21,14 @@ class HubReport {
   /// Counts a drawn frame set.
   void shown(const client::RoomSnapshot& room, HostTime now);
   /// Call it once per iteration; sends the reports that are due.
-  void tell(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
+  void send(const client::PersonPose& own, const std::optional<LatencyStages>& latency,
             HostTime now);
 
   [[nodiscard]] double shown_per_s() const { return shown_rate_.per_second(); }
 
  private:
   client::Subscriber& hub_;
-  PosePublisher own_;
+  PosePublisher pose_;
   ViewerId self_{};
   std::size_t people_ = 0;
   bool connected_ = false;

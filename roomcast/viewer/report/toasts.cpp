@@ -20,18 +20,18 @@ Toast::Kind kind_of(const RoomProblem& problem) {
 
 }  // namespace
 
-void Toasts::say(Toast::Kind kind, std::string sentence, HostTime now) {
+void Toasts::add(Toast::Kind kind, std::string sentence, HostTime now) {
   passing_.push_back({{kind, std::move(sentence)}, now + kShownFor});
   if (passing_.size() > kMax) passing_.erase(passing_.begin());
 }
 
-void Toasts::problems_are(std::vector<RoomProblem> problems, HostTime now) {
+void Toasts::set_problems(std::vector<RoomProblem> problems, HostTime now) {
   const bool hub_is_lost =
       std::ranges::find(problems, "hub", &RoomProblem::about) != problems.end();
   for (const RoomProblem& known : problems_) {
     const bool persists =
         std::ranges::find(problems, known.about, &RoomProblem::about) != problems.end();
-    if (!persists && !hub_is_lost) say(Toast::Kind::kGood, good_news(known), now);
+    if (!persists && !hub_is_lost) add(Toast::Kind::kGood, good_news(known), now);
   }
   problems_ = std::move(problems);
 }

@@ -25,9 +25,9 @@ class Toasts {
   static constexpr std::size_t kMax = 6;
 
   /// Adds a sentence about an event.
-  void say(Toast::Kind kind, std::string sentence, HostTime now);
+  void add(Toast::Kind kind, std::string sentence, HostTime now);
   /// Replaces the list of current problems.
-  void problems_are(std::vector<RoomProblem> problems, HostTime now);
+  void set_problems(std::vector<RoomProblem> problems, HostTime now);
 
   /// Problems before other sentences; at most kMax.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;

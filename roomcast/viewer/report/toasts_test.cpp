@@ -16,42 +16,42 @@ RoomProblem lost_hub() {
   return {RoomProblem::Severity::kError, "hub", "The hub is lost."};
 }
 
-TEST(Toasts, what_has_happened_is_shown_for_a_while) {
+TEST(Toasts, a_sentence_about_an_event_is_shown_for_a_while) {
   Toasts toasts;
-  toasts.say(Toast::Kind::kGood, "Saved.", at(0s));
+  toasts.add(Toast::Kind::kGood, "Saved.", at(0s));
   ASSERT_EQ(toasts.current(at(4s)).size(), 1U);
   EXPECT_EQ(toasts.current(at(4s))[0].sentence, "Saved.");
   EXPECT_TRUE(toasts.current(at(6s)).empty());
 }
 
-TEST(Toasts, a_problem_stays_until_it_is_gone_and_then_that_is_said) {
+TEST(Toasts, a_problem_stays_until_it_is_solved_and_then_good_news_is_shown) {
   Toasts toasts;
-  toasts.problems_are({lost_hub()}, at(0s));
+  toasts.set_problems({lost_hub()}, at(0s));
   EXPECT_EQ(toasts.current(at(1h)).at(0).kind, Toast::Kind::kError);
-  toasts.problems_are({}, at(1h));
+  toasts.set_problems({}, at(1h));
   ASSERT_EQ(toasts.current(at(1h)).size(), 1U);
   EXPECT_EQ(toasts.current(at(1h))[0].kind, Toast::Kind::kGood);
   EXPECT_EQ(toasts.current(at(1h))[0].sentence, "The hub is back.");
 }
 
-TEST(Toasts, a_sensor_is_not_said_to_be_well_because_the_hub_is_lost) {
+TEST(Toasts, a_lost_hub_does_not_count_as_a_solved_sensor_problem) {
   Toasts toasts;
-  toasts.problems_are({{RoomProblem::Severity::kNotice, "left", "Sensor left is gone."}}, at(0s));
-  toasts.problems_are({lost_hub()}, at(1s));
+  toasts.set_problems({{RoomProblem::Severity::kNotice, "left", "Sensor left is gone."}}, at(0s));
+  toasts.set_problems({lost_hub()}, at(1s));
   ASSERT_EQ(toasts.current(at(1s)).size(), 1U);
 }
 
 TEST(Toasts, a_sentence_that_counts_seconds_is_no_new_problem) {
   Toasts toasts;
-  toasts.problems_are({{RoomProblem::Severity::kError, "left", "silent for 3 s."}}, at(0s));
-  toasts.problems_are({{RoomProblem::Severity::kError, "left", "silent for 4 s."}}, at(1s));
+  toasts.set_problems({{RoomProblem::Severity::kError, "left", "silent for 3 s."}}, at(0s));
+  toasts.set_problems({{RoomProblem::Severity::kError, "left", "silent for 4 s."}}, at(1s));
   ASSERT_EQ(toasts.current(at(1s)).size(), 1U);
   EXPECT_EQ(toasts.current(at(1s))[0].sentence, "silent for 4 s.");
 }
 
 TEST(Toasts, never_fill_the_screen) {
   Toasts toasts;
-  for (int i = 0; i < 100; ++i) toasts.say(Toast::Kind::kNotice, std::to_string(i), at(0s));
+  for (int i = 0; i < 100; ++i) toasts.add(Toast::Kind::kNotice, std::to_string(i), at(0s));
   EXPECT_EQ(toasts.current(at(1s)).size(), Toasts::kMax);
   EXPECT_EQ(toasts.current(at(1s)).back().sentence, "99");
 }

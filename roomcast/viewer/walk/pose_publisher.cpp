@@ -27,16 +27,16 @@ bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
 
 }  // namespace
 
-void PosePublisher::is(const client::PersonPose& pose) {
+void PosePublisher::set(const client::PersonPose& pose) {
   if (pose_ && is_same(*pose_, pose)) return;
   pose_ = pose;
-  is_news_ = true;
+  is_unsent_ = true;
 }
 
 std::optional<client::PersonPose> PosePublisher::take(HostTime now) {
   const bool is_soon = sent_ && now - *sent_ < kInterval;
-  if (!is_news_ || is_soon || !pose_) return std::nullopt;
-  is_news_ = false;
+  if (!is_unsent_ || is_soon || !pose_) return std::nullopt;
+  is_unsent_ = false;
   sent_ = now;
   return pose_;
 }

@@ -16,14 +16,14 @@ class PosePublisher {
  public:
   static constexpr std::chrono::milliseconds kInterval{50};
 
-  void is(const client::PersonPose& pose);
-  void tell_again() { is_news_ = true; }
+  void set(const client::PersonPose& pose);
+  void send_again() { is_unsent_ = true; }
   /// The pose to send now, if any.
   [[nodiscard]] std::optional<client::PersonPose> take(HostTime now);
 
  private:
   std::optional<client::PersonPose> pose_;
-  bool is_news_ = false;
+  bool is_unsent_ = false;
   std::optional<HostTime> sent_;
 };
 

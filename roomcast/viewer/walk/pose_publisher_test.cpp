@@ -18,39 +18,39 @@ client::PersonPose pose_at(double x) {
   return pose;
 }
 
-TEST(PosePublisher, is_told_at_most_20_times_a_second_and_the_last_place_always) {
+TEST(PosePublisher, is_sent_at_most_20_times_a_second_and_the_last_pose_always) {
   PosePublisher own;
   EXPECT_FALSE(own.take(at(0ms)));
-  own.is(pose_at(1));
+  own.set(pose_at(1));
   EXPECT_TRUE(own.take(at(1ms)));
-  own.is(pose_at(2));
-  own.is(pose_at(3));
+  own.set(pose_at(2));
+  own.set(pose_at(3));
   EXPECT_FALSE(own.take(at(20ms)));
   const auto last = own.take(at(51ms));
   ASSERT_TRUE(last);
   EXPECT_EQ(last->world_from_head.translation_m.x(), 3);
-  EXPECT_FALSE(own.take(at(200ms))) << "nothing is said while nothing moves";
+  EXPECT_FALSE(own.take(at(200ms))) << "no change, no message";
 }
 
-TEST(PosePublisher, is_no_news_while_it_stays_the_same) {
+TEST(PosePublisher, is_not_sent_while_it_stays_the_same) {
   PosePublisher own;
-  own.is(pose_at(1));
+  own.set(pose_at(1));
   EXPECT_TRUE(own.take(at(0ms)));
-  own.is(pose_at(1));
+  own.set(pose_at(1));
   EXPECT_FALSE(own.take(at(100ms)));
   client::PersonPose pointing = pose_at(1);
   pointing.pointer = client::PointerBeam{{0, 1, 0}, {0, 1, -1}};
-  own.is(pointing);
+  own.set(pointing);
   EXPECT_TRUE(own.take(at(200ms)));
-  own.is(pose_at(1));
-  EXPECT_TRUE(own.take(at(300ms))) << "that it points no more is news, too";
+  own.set(pose_at(1));
+  EXPECT_TRUE(own.take(at(300ms))) << "the end of pointing is a change, too";
 }
 
-TEST(PosePublisher, is_told_again_to_who_has_just_come) {
+TEST(PosePublisher, is_sent_again_to_people_who_arrive) {
   PosePublisher own;
-  own.is(pose_at(1));
+  own.set(pose_at(1));
   EXPECT_TRUE(own.take(at(0ms)));
-  own.tell_again();
+  own.send_again();
   EXPECT_TRUE(own.take(at(100ms)));
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/viewer/desktop_display.h"
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace roomcast::viewer {
+namespace {
+
+constexpr std::chrono::seconds kHeadsetRetry{5};
+
+std::string driver_name() {
+  const GLubyte* const words = glGetString(GL_RENDERER);
+  return words != nullptr ? reinterpret_cast<const char*>(words) : "";
+}
+
+Toast without_headset(const std::string& why) {
+  return {Toast::Kind::kNotice, "The room is shown on the desktop only: " + why + "."};
+}
+
+}  // namespace
+
+Result<DesktopDisplay> DesktopDisplay::open(const ViewWindowOptions& options) {
+  auto window = ViewWindow::open(options);
+  if (!window) return window.error();
+  auto panel_layer = PanelLayer::create(**window);
+  if (!panel_layer) return panel_layer.error();
+  auto room_view = RoomView::create();
+  if (!room_view) return room_view.error();
+  return DesktopDisplay(std::move(*window), std::move(*panel_layer), std::move(*room_view));
+}
+
+DesktopDisplay::DesktopDisplay(std::unique_ptr<ViewWindow> window,
+                               std::unique_ptr<PanelLayer> panel_layer, RoomView room_view)
+    : window_(std::move(window)),
+      panel_layer_(std::move(panel_layer)),
+      room_view_(std::move(room_view)),
+      driver_(driver_name()) {}
+
+Status DesktopDisplay::apply(const ViewSettings& settings, const client::RoomSnapshot& room) {
+  render::RenderOptions options;
+  options.unseen = settings.unseen;
+  options.floor_grid = settings.floor_grid;
+  Status status = room_view_.set_options(options);
+  if (settings.hidden != hidden_) {
+    hidden_ = settings.hidden;
+    room_view_.hide(hidden_);
+    static_cast<void>(room_view_.show(room));  // its errors have been shown
+  }
+  return status;
+}
+
+Result<DrawnPicture> DesktopDisplay::draw_room(const DesktopState& state, HostTime now) {
+  room_view_.people().set_own(state.pointer() ? std::optional(state.own_pose()) : std::nullopt);
+  const render::ViewCamera camera = state.camera(window_->size());
+  if (auto status = picture_.draw(room_view_, camera, state.settings().mode); !status) {
+    return status.error();
+  }
+  return DrawnPicture{now, camera, picture_.take_drawing_time()};
+}
+
+Result<DrawnPicture> DesktopDisplay::draw_headset(const DesktopState& state, HostTime now) {
+  if (auto status = headset_->draw(room_view_, state.settings(), state.start_view()); !status) {
+    return status.error();
+  }
+  return DrawnPicture{now, std::nullopt, headset_->take_drawing_time()};
+}
+
+const render::OffscreenTarget* DesktopDisplay::picture() const {
+  return is_in_headset() && headset_->left_eye() != nullptr ? headset_->left_eye()
+                                                            : picture_.target();
+}
+
+std::optional<ViewerCommand> DesktopDisplay::draw_window(PanelFacts facts, Panel& panel,
+                                                         ViewSettings& settings) {
+  if (const render::OffscreenTarget* shown = picture()) window_->show(*shown);
+  facts.driver = driver_;
+  if (headset_) facts.headset = headset_->report();
+  panel_layer_->begin();
+  const auto command = panel.draw(facts, settings);
+  panel_layer_->end();
+  return command;
+}
+
+std::optional<Eigen::Vector3d> DesktopDisplay::surface_at(
+    const std::optional<render::ViewCamera>& camera, double x, double y) const {
+  if (!camera || picture_.target() == nullptr) return std::nullopt;
+  return viewer::surface_at(*picture_.target(), *camera, static_cast<int>(x * camera->width),
+                            static_cast<int>(y * camera->height));
+}
+
+std::optional<Toast> DesktopDisplay::poll_headset(HostTime now) {
+  if (headset_) {
+    if (auto status = headset_->poll(); !status) return close_headset(status.error(), now);
+    return std::nullopt;
+  }
+  if (headset_tried_ != HostTime{} && now - headset_tried_ < kHeadsetRetry) return std::nullopt;
+  headset_tried_ = now;
+  auto opened = xr::HeadsetView::open();
+  if (!opened) {
+    const std::string why = opened.error().message;
+    if (std::exchange(headset_error_, why) == why) return std::nullopt;  // show it once
+    return without_headset(why);
+  }
+  headset_ = std::move(*opened);
+  headset_error_.clear();
+  return Toast{Toast::Kind::kGood, "The headset is connected."};
+}
+
+void DesktopDisplay::recenter_headset() {
+  if (headset_) headset_->recenter();
+}
+
+Toast DesktopDisplay::close_headset(const Error& why, HostTime now) {
+  const Toast news = without_headset(why.message);
+  headset_.reset();
+  headset_tried_ = now;
+  return news;
+}
+
+}  // namespace roomcast::viewer
