@@ -115,7 +115,7 @@ class ViewerResilience : public testing::Test {
     // SDL may deliver an event one step later.
     for (int i = 0; i < 3 && viewer->pictures_drawn() == before; ++i) viewer->step();
     EXPECT_GT(viewer->pictures_drawn(), before);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s) << "it waited for somebody";
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s) << "the viewer waited";
   }
 
   std::optional<hub::RunningHub> hub{std::in_place};
@@ -124,7 +124,7 @@ class ViewerResilience : public testing::Test {
   std::unique_ptr<viewer::DesktopViewer> viewer;
 };
 
-TEST_F(ViewerResilience, without_its_hub_it_shows_what_it_has_and_resumes) {
+TEST_F(ViewerResilience, without_its_hub_it_shows_the_last_pictures_and_resumes) {
   const std::uint16_t port = hub->port();
   hub.reset();
   sensor.reset();
@@ -137,7 +137,7 @@ TEST_F(ViewerResilience, without_its_hub_it_shows_what_it_has_and_resumes) {
   EXPECT_TRUE(rounds_until([&] { return shows_wall() && !says("No sensor"); }));
 }
 
-TEST_F(ViewerResilience, without_a_sensor_it_says_which_one_is_gone_and_resumes) {
+TEST_F(ViewerResilience, without_a_sensor_it_names_the_missing_one_and_resumes) {
   sensor.reset();
   EXPECT_TRUE(rounds_until([&] { return says("All sensors are gone"); }));
   expect_goes_on_drawing();

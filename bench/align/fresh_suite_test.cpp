@@ -47,7 +47,7 @@ TEST(FreshSuite, counts_pairs_with_and_without_an_answer) {
   EXPECT_EQ(suite.sharing_answered(), 1);
 }
 
-TEST(FreshSuite, counts_what_shares_enough_by_scene) {
+TEST(FreshSuite, counts_sufficient_overlaps_by_scene) {
   const auto scenes = two_and_a_stranger().scenes();
   ASSERT_EQ(scenes.size(), 2u);
   EXPECT_EQ(scenes[0].scene, "fixture");
@@ -59,7 +59,8 @@ TEST(FreshSuite, counts_what_shares_enough_by_scene) {
 TEST(FreshSuite, sensors_of_one_other_room_are_held_against_this_room_only) {
   const SimulatedView here = seen(alignment::first_corner());
   FreshSuite suite;
-  suite.add({"fixture", {here}, {seen(alignment::one_side()), seen(alignment::other_side())}, true});
+  suite.add(
+      {"fixture", {here}, {seen(alignment::one_side()), seen(alignment::other_side())}, true});
   EXPECT_EQ(suite.pairs(), 2);
   ASSERT_EQ(suite.rows().size(), 1u);
   EXPECT_EQ(suite.rows()[0].overlap, "alike");

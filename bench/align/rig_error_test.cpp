@@ -25,7 +25,7 @@ std::vector<RigidTransform> corners() {
           turned(-0.7, {-2, 2, 2})};
 }
 
-TEST(RigError, what_all_sensors_are_off_by_alike_is_none) {
+TEST(RigError, a_common_offset_of_all_sensors_is_no_error) {
   std::vector<RigidTransform> found;
   for (const RigidTransform& pose : corners()) found.push_back(turned(1.1, {3, 4, 5}) * pose);
   const RigError error = rig_error(corners(), found, kMiddle_m);
@@ -43,7 +43,7 @@ TEST(RigError, one_sensor_that_is_shifted_moves_the_mean_by_a_quarter) {
   EXPECT_LT(error.from_all_deg, 1e-4);
 }
 
-TEST(RigError, a_turn_on_the_spot_moves_what_is_seen_in_the_middle) {
+TEST(RigError, a_turn_on_the_spot_moves_the_middle_of_the_view) {
   std::vector<RigidTransform> found = corners();
   const double turn_rad = 0.2 * std::numbers::pi / 180;
   found[0].rotation = found[0].rotation * turned(turn_rad, {0, 0, 0}).rotation;

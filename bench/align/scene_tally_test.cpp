@@ -37,7 +37,7 @@ TEST(SceneTally, counts_each_scene_by_overlap_in_the_order_of_the_scenes) {
   EXPECT_EQ(rows[2].refused, 1);
 }
 
-TEST(SceneTally, tells_rooms_of_one_kind_from_other_rooms) {
+TEST(SceneTally, separates_rooms_of_one_kind_from_other_rooms) {
   SceneTally tally;
   tally.of("bare").add_unanswerable(std::nullopt, Unanswerable::kOtherRooms);
   tally.of("bare").add_unanswerable(aside(1), Unanswerable::kRoomsOfOneKind);

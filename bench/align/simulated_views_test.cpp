@@ -6,7 +6,7 @@
 namespace roomcast::bench {
 namespace {
 
-TEST(SimulatedViews, are_what_the_sensors_of_a_room_see) {
+TEST(SimulatedViews, are_the_views_of_a_rooms_sensors) {
   SimulatedViewsOptions options;
   options.scene = "bare";
   options.sensors = 1;
@@ -19,7 +19,7 @@ TEST(SimulatedViews, are_what_the_sensors_of_a_room_see) {
   ASSERT_NE(seen.view, nullptr);
   ASSERT_TRUE(seen.view->floor.has_value());
   EXPECT_NEAR(double(seen.view->floor->offset_m), seen.world_from_depth.translation_m.y(), 0.02)
-      << "it stands as high above its floor as the truth says";
+      << "its height above the floor is the true one";
 }
 
 TEST(SimulatedViews, of_an_unknown_scene_are_refused) {

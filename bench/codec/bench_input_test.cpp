@@ -42,7 +42,7 @@ TEST_F(SimulatedRig, gives_depth_with_its_truth_and_colour_with_a_denoised_refer
   }
 }
 
-TEST_F(SimulatedRig, knows_no_truth_where_none_lies) {
+TEST_F(SimulatedRig, has_no_truth_without_a_truth_folder) {
   std::filesystem::remove_all(folder_ / "rig/truth");
   auto input = open_bench_input(rig());
   ASSERT_TRUE(input.ok());
@@ -52,7 +52,7 @@ TEST_F(SimulatedRig, knows_no_truth_where_none_lies) {
   EXPECT_TRUE(truth.depth_mm.empty());
 }
 
-TEST(BenchInput, takes_clean_colour_from_the_truth_where_it_lies) {
+TEST(BenchInput, takes_clean_colour_from_the_truth_if_there_is_one) {
   TemporaryFolder folder;
   simulator::SimulateRigOptions options;
   options.sensor_count = 1;
@@ -69,7 +69,7 @@ TEST(BenchInput, takes_clean_colour_from_the_truth_where_it_lies) {
   EXPECT_EQ(truth.color.width(), frame.color.width());
 }
 
-TEST(BenchInput, the_simulator_knows_clean_depth_and_colour) {
+TEST(BenchInput, the_simulator_gives_clean_depth_and_colour) {
   auto input = open_bench_input("sim#1");
   ASSERT_TRUE(input.ok()) << input.error().message;
   EXPECT_EQ((*input)->color_reference(), ColorReference::kClean);
@@ -81,7 +81,7 @@ TEST(BenchInput, the_simulator_knows_clean_depth_and_colour) {
   EXPECT_EQ(truth.color.width(), frame.color.width());
 }
 
-TEST(BenchInput, refuses_what_is_no_input) {
+TEST(BenchInput, refuses_unknown_inputs) {
   for (const char* input : {"simulator", "sim#x", "sim:no such scene", "sim#99", "nowhere:else",
                             "rig:/no/such/folder", "rig:/no/such/folder#s0", "tum:/no/such"}) {
     EXPECT_FALSE(open_bench_input(input).ok()) << input;

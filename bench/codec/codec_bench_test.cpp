@@ -91,7 +91,7 @@ TEST(Candidate, is_refused_when_it_breaks_its_bound) {
   EXPECT_TRUE(fixed_candidate(30, {}).run(kFlat, {}, {}, true).ok());
 }
 
-TEST(CodecBench, counts_what_each_codec_sends) {
+TEST(CodecBench, counts_the_bytes_of_each_codec) {
   InputFixture input(3);
   input.with_color = true;
   const auto report = run_codec_bench(input);
@@ -117,7 +117,7 @@ TEST(CodecBench, counts_what_each_codec_sends) {
   EXPECT_EQ(color.color_psnr_y, color.color_psnr_surface_y) << "it has no depth to be wrong";
 }
 
-TEST(CodecBench, colour_on_a_surface_that_was_not_measured_counts_apart) {
+TEST(CodecBench, colour_without_a_reading_counts_separately) {
   // Where a surface appears in one frame only, the live codec keeps the previous depth and colour.
   InputFixture input(4);
   input.with_color = true;

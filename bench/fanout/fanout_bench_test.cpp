@@ -32,7 +32,7 @@ TEST(FanoutBench, hub_and_limit_deliver_under_every_load) {
   }
 }
 
-TEST(FanoutBench, what_is_not_there_is_said) {
+TEST(FanoutBench, an_unavailable_transport_is_reported) {
   const auto report = run_fanout_bench(brief("no such engine"));
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().code, ErrorCode::kInvalidArgument);

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr int kSensors = 3, kSimulatedFrames = 45;
-constexpr auto kSettle = 3s;  // time for the codec to adapt to the room
+constexpr auto kWarmUp = 3s;  // time for the codec to adapt to the room
 
 /// The age of pictures when a viewer could draw them.
 class DecodedAges {
@@ -75,7 +75,7 @@ Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
   if (!viewer) return viewer.error();
   SetWatcher watcher((*hub)->url());
   DecodedAges decoded(**viewer);
-  std::this_thread::sleep_for(kSettle);
+  std::this_thread::sleep_for(kWarmUp);
   (void)watcher.take();
   decoded.start_counting();
   std::this_thread::sleep_for(duration);

@@ -31,13 +31,13 @@ TEST(LinkQueue, packets_leave_one_after_the_other) {
   EXPECT_EQ(link.next_arrival(), kBegin + 27ms);
 }
 
-TEST(LinkQueue, what_would_wait_too_long_is_dropped) {
+TEST(LinkQueue, a_packet_that_would_wait_too_long_is_dropped) {
   LinkQueue link(ten_mbit(), 1);
   for (int i = 0; i < 20; ++i) link.push(kBegin, kPacket);
   EXPECT_EQ(link.carried_bytes(), 6 * kPacket.size()) << "one on the wire and five in the queue";
 }
 
-TEST(LinkQueue, loses_the_share_it_is_told_to) {
+TEST(LinkQueue, loses_the_requested_share) {
   LinkSpec spec = ten_mbit();
   spec.loss = 0.1;
   LinkQueue link(spec, 7);

@@ -19,7 +19,7 @@ constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are no
 
 std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor,
                                                 const BoardSuiteOptions& options, nanoseconds phase,
-                                                double& look_ms) {
+                                                double& detector_ms) {
   alignment::TagTracker tags(sensor.calibration());
   std::vector<alignment::TagSighting> sightings;
   const int frames = static_cast<int>(options.seconds * options.fps);
@@ -29,7 +29,7 @@ std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor,
     const ColorImage& color = sensor.color();
     const CpuStopwatch watch;
     const auto found = tags.find(depth_mm.view(), color.view());
-    look_ms += watch.ms() / frames;
+    detector_ms += watch.ms() / frames;
     for (const auto& tag : found)
       sightings.push_back({1e-9 * static_cast<double>(time.count()), tag.id, tag.corners_m});
   }
@@ -45,7 +45,7 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuit
   double a_ms = 0, b_ms = 0;
   const auto seen_by_a = watch_board(sensors->first, options, {}, a_ms);
   const auto seen_by_b = watch_board(sensors->second, options, kPhase, b_ms);
-  result.look_ms = (a_ms + b_ms) / 2;
+  result.detector_ms = (a_ms + b_ms) / 2;
   const auto match = alignment::match_boards(seen_by_a, seen_by_b);
   if (match) {
     place(*sensors, {match->a_from_b, match->expected_error_mm}, result);

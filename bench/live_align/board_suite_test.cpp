@@ -6,7 +6,7 @@
 namespace roomcast::bench {
 namespace {
 
-TEST(BoardSuite, a_board_that_is_carried_about_places_a_sensor_about_as_well_as_expected) {
+TEST(BoardSuite, a_carried_board_places_a_sensor_about_as_well_as_expected) {
   BoardSuiteOptions options;
   options.rooms = 1;
   options.seconds = 60;

@@ -69,7 +69,7 @@ class Scene {
     sensing.count = kSensors;
     sensing.seed = options_.seed;
     sensing.sensing.half_color = true;
-    sensing.stand_from_depth = push;
+    sensing.mount_from_depth = push;
     return FilmedSensor::open(room_, sensing);
   }
 
@@ -83,15 +83,15 @@ class Scene {
       const CpuStopwatch stopwatch;
       const bool alarm = watch.moved(depth_mm.view(), HostTime(time));
       cpu += stopwatch.ms();
-      ++row.looks;
+      ++row.checks;
       if (!alarm) continue;
       ++row.alarms;
       watch = alignment::PoseChangeDetector(bundle);
     }
-    row.look_ms = cpu / std::max(1, row.looks);
+    row.detector_ms = cpu / std::max(1, row.checks);
   }
 
-  /// Measures the detection time of a push between two looks.
+  /// Measures the detection time of a push between two checks.
   Status watch_push(FilmedSensor& still, const alignment::CalibrationBundle& bundle,
                     const RigidTransform& push, PushTally& tally) {
     auto pushed = open(push);
@@ -103,7 +103,7 @@ class Scene {
     ++tally.pushes;
     constexpr nanoseconds kFirstFrame = std::chrono::milliseconds(33);
     for (nanoseconds since = kFirstFrame; since < kGiveUp; since += alignment::kCheckInterval) {
-      // Right after a look, when the time until the next look is longest.
+      // Right after a check, when the time until the next one is longest.
       const nanoseconds time = begin + since + alignment::kCheckInterval - kFirstFrame;
       if (!watch.moved(pushed->depth_mm(time).view(), HostTime(time))) continue;
       ++tally.noticed;
@@ -149,11 +149,11 @@ void print_table(const std::vector<MovedRow>& rows, std::ostream& out) {
   out << "             not moved        noticed of pushed, longest               should be borne\n"
          "scene        looks  alarms    2 cm           0.5 deg        1 cm           0.2 deg       "
          " "
-         "CPU of a look\n";
+         "CPU of a check\n";
   for (const MovedRow& row : rows) {
-    out << fmt::format("{:<12} {:5}  {:6}    {}   {}   {}   {}   {:.1f} ms\n", row.scene, row.looks,
-                       row.alarms, text_of(row.two_cm), text_of(row.half_degree),
-                       text_of(row.one_cm), text_of(row.fifth_degree), row.look_ms);
+    out << fmt::format("{:<12} {:5}  {:6}    {}   {}   {}   {}   {:.1f} ms\n", row.scene,
+                       row.checks, row.alarms, text_of(row.two_cm), text_of(row.half_degree),
+                       text_of(row.one_cm), text_of(row.fifth_degree), row.detector_ms);
   }
 }
 
@@ -161,13 +161,13 @@ void print_json(const std::vector<MovedRow>& rows, std::ostream& out) {
   nlohmann::json all = nlohmann::json::array();
   for (const MovedRow& row : rows) {
     all.push_back({{"scene", row.scene},
-                   {"looks", row.looks},
+                   {"looks", row.checks},
                    {"alarms", row.alarms},
                    {"two_cm", json_of(row.two_cm)},
                    {"half_degree", json_of(row.half_degree)},
                    {"one_cm", json_of(row.one_cm)},
                    {"fifth_degree", json_of(row.fifth_degree)},
-                   {"look_cpu_ms", row.look_ms}});
+                   {"look_cpu_ms", row.detector_ms}});
   }
   out << nlohmann::json{{"rows", all}}.dump(2) << '\n';
 }

@@ -29,10 +29,10 @@ struct PushTally {
 
 struct MovedRow {
   std::string scene;
-  int looks = 0, alarms = 0;       // of the unmoved sensor
+  int checks = 0, alarms = 0;      // of the unmoved sensor
   PushTally two_cm, half_degree;   // must be detected
   PushTally one_cm, fifth_degree;  // should be tolerated
-  double look_ms = 0;              // CPU time of one look
+  double detector_ms = 0;          // CPU time of one check
 };
 
 [[nodiscard]] Result<std::vector<MovedRow>> run_moved_suite(

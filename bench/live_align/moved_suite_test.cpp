@@ -8,7 +8,7 @@
 namespace roomcast::bench {
 namespace {
 
-TEST(MovedSuite, pushes_are_noticed_in_time_and_people_are_not) {
+TEST(MovedSuite, pushes_are_detected_in_time_and_people_are_no_alarm) {
   MovedSuiteOptions options;
   options.minutes = 0.2;
   options.pushes = 1;
@@ -17,7 +17,7 @@ TEST(MovedSuite, pushes_are_noticed_in_time_and_people_are_not) {
   ASSERT_TRUE(rows.ok()) << rows.error().message;
   ASSERT_EQ(rows->size(), 1U);
   const MovedRow& row = rows->front();
-  EXPECT_EQ(row.looks, 30);
+  EXPECT_EQ(row.checks, 30);
   EXPECT_EQ(row.alarms, 0);
   EXPECT_EQ(row.two_cm.noticed, 1);
   EXPECT_EQ(row.half_degree.noticed, 1);

@@ -109,7 +109,7 @@ void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_fro
   result.turn_error_deg = kDegrees * Eigen::AngleAxisd(turned).angle();
 }
 
-void place_settled(const SensorPair& sensors, const StillViews& views,
+void place_refined(const SensorPair& sensors, const StillViews& views,
                    const alignment::EstimatedPlacement& a_from_b, PairCase& result) {
   const std::array placed = {alignment::PlacedView{&views.first.view, {}}};
   place(sensors,
@@ -164,7 +164,7 @@ void print_json(const std::vector<PairCase>& cases, std::ostream& out) {
                     {"turn_error_deg", one.turn_error_deg},
                     {"expected_error_mm", one.expected_error_mm},
                     {"found_error_mm", one.found_error_mm},
-                    {"look_cpu_ms", one.look_ms}});
+                    {"look_cpu_ms", one.detector_ms}});
   }
   const Summary summary = summary_of(cases);
   out << nlohmann::json{{"rows", rows},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two simulated sensors that are placed by moving people or boards and then, where possible,
-// refined on the surfaces that both see, with the resulting errors. Shared by the suites of walkers
+// refined on the surfaces that both see, with the resulting errors. Shared by the suites of people
 // and boards. Single-threaded.
 #pragma once
 
@@ -29,7 +29,7 @@ struct PairCase {
   double turn_error_deg = 0;
   double found_error_mm = 0;  // before pose refinement
   double expected_error_mm = 0;
-  double look_ms = 0;  // CPU time per picture
+  double detector_ms = 0;  // CPU time per picture
 };
 
 using SensorPair = std::pair<FilmedSensor, FilmedSensor>;
@@ -56,7 +56,7 @@ using StillViews = std::pair<StillView, StillView>;
 void place(const SensorPair& sensors, const alignment::EstimatedPlacement& a_from_b,
            PairCase& result);
 /// As place(), with pose refinement where it is possible.
-void place_settled(const SensorPair& sensors, const StillViews& views,
+void place_refined(const SensorPair& sensors, const StillViews& views,
                    const alignment::EstimatedPlacement& a_from_b, PairCase& result);
 
 /// Runs one case for each of `rooms` rooms with increasing seeds, in scenes with walking people.

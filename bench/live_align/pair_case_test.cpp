@@ -8,7 +8,7 @@
 namespace roomcast::bench {
 namespace {
 
-TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift_until_it_settles) {
+TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift_until_it_is_refined) {
   const auto room = simulator::SimulatedRoom::build("bare", 1).value();
   auto sensors = sensors_apart(room, 1, 90).value();
   const auto still = still_views(sensors);
@@ -23,9 +23,9 @@ TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift_until_
   place(sensors, {a_from_b, 30}, found);
   EXPECT_NEAR(found.error_mm, 30, 1e-6);
   EXPECT_EQ(found.found_error_mm, found.error_mm);
-  place_settled(sensors, *still, {a_from_b, 30}, found);
+  place_refined(sensors, *still, {a_from_b, 30}, found);
   EXPECT_NEAR(found.found_error_mm, 30, 1e-6);
-  EXPECT_LT(found.error_mm, 25) << "it settles";
+  EXPECT_LT(found.error_mm, 25) << "refined";
   std::ostringstream table, json;
   print_table({found}, table);
   print_json({found}, json);
@@ -33,10 +33,10 @@ TEST(PairCase, an_exact_pose_has_no_error_and_a_shifted_one_has_its_shift_until_
   EXPECT_NE(json.str().find("worst_error_mm"), std::string::npos);
 }
 
-TEST(RunRooms, passes_over_rooms_in_which_nobody_walks_and_stops_at_other_errors) {
+TEST(RunRooms, skips_rooms_without_a_walking_person_and_stops_at_other_errors) {
   const auto progress = [](std::string_view) {};
   const auto odd_ones = [](const char*, std::uint64_t seed) -> Result<PairCase> {
-    if (seed % 2 == 0) return Error{ErrorCode::kInvalidArgument, "nobody walks"};
+    if (seed % 2 == 0) return Error{ErrorCode::kInvalidArgument, "no walking person"};
     PairCase one;
     one.seed = seed;
     return one;
@@ -50,9 +50,9 @@ TEST(RunRooms, passes_over_rooms_in_which_nobody_walks_and_stops_at_other_errors
   };
   EXPECT_FALSE(run_rooms(3, 4, broken, progress).ok());
   const auto empty = [](const char*, std::uint64_t) -> Result<PairCase> {
-    return Error{ErrorCode::kInvalidArgument, "nobody walks"};
+    return Error{ErrorCode::kInvalidArgument, "no walking person"};
   };
-  EXPECT_FALSE(run_rooms(3, 4, empty, progress).ok()) << "it does not look for ever";
+  EXPECT_FALSE(run_rooms(3, 4, empty, progress).ok()) << "it gives up";
 }
 
 }  // namespace

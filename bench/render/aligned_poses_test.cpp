@@ -39,7 +39,7 @@ class AlignedPosesTest : public testing::Test {
   recording::RigDescription rig;
 };
 
-TEST_F(AlignedPosesTest, the_first_sensor_stands_where_the_rig_says) {
+TEST_F(AlignedPosesTest, the_first_sensor_has_the_rigs_pose) {
   write("true");
   const auto poses = read_aligned_poses(report, rig);
   ASSERT_TRUE(poses.ok()) << poses.error().message;

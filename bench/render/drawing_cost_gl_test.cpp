@@ -18,7 +18,7 @@ TEST_F(DrawingCostTest, of_both_eyes_is_measured_both_ways) {
   EXPECT_GT(cost->one_by_one_cpu_ms, 0);
 }
 
-TEST_F(DrawingCostTest, of_what_cannot_be_drawn_is_an_error) {
+TEST_F(DrawingCostTest, of_an_invalid_view_is_an_error) {
   render::ViewCamera camera = render::eye_of(kLens, RigidTransform{});
   camera.near_m = 0;
   EXPECT_FALSE(stereo_cost(*room_, camera, render::RenderMode::kMesh, 1).ok());

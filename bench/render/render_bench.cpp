@@ -77,7 +77,7 @@ class RenderBench {
   [[nodiscard]] bool is_compared(std::size_t sensor, std::uint64_t number) const;
   [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
   [[nodiscard]] std::set<int> instants() const;
-  void tell(const std::string& what) const {
+  void report_progress(const std::string& what) const {
     if (progress_) progress_(what);
   }
 
@@ -92,7 +92,7 @@ class RenderBench {
 };
 
 Status RenderBench::judge_views() {
-  tell("true views");
+  report_progress("true views");
   std::map<std::pair<int, int>, TruthView> truths;
   for (const TruthViewEntry& entry : views_.entries) {
     auto truth = load(entry);
@@ -160,7 +160,7 @@ Status RenderBench::warm_up(render::RoomRenderer& room, render::RenderMode mode)
     longest = std::max(longest, sensor.recording.frames.size());
   }
   for (std::size_t i = 0; i < longest; ++i) {
-    tell(fmt::format("{}: background, frame {} of {}", name_of(mode), i + 1, longest));
+    report_progress(fmt::format("{}: background, frame {} of {}", name_of(mode), i + 1, longest));
     for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
       const auto& files = frames_.sensors()[s].recording.frames;
       if (i >= files.size() || is_compared(s, files[i].index)) continue;
@@ -269,7 +269,8 @@ Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
     }
     std::vector<DrawnView> drawn;
     for (const JudgedView* view : views) {
-      tell(fmt::format("{}: view {} of instant {}", row.mode, view->entry.view, instant));
+      report_progress(
+          fmt::format("{}: view {} of instant {}", row.mode, view->entry.view, instant));
       auto picture = draw(*room, *view, mode, &row);
       if (!picture) return picture.error();
       scores.push_back(score(*picture, view->truth, view->classes));

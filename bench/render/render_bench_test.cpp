@@ -92,7 +92,7 @@ TEST_F(RenderBenchTest, damaged_views_are_named) {
   EXPECT_NE(report.error().message.find("json"), std::string::npos) << report.error().message;
 }
 
-TEST_F(RenderBenchTest, poses_that_are_off_make_pictures_worse) {
+TEST_F(RenderBenchTest, wrong_poses_make_pictures_worse) {
   ASSERT_NO_FATAL_FAILURE(write_rig());
   RenderBenchOptions options{.rig = folder / "rig", .modes = {render::RenderMode::kMesh}};
   const auto right = run_render_bench(options, {});

@@ -35,7 +35,7 @@ TEST(ColorSight, does_not_see_what_something_in_front_hides_from_the_colour_came
   EXPECT_TRUE(sight.sees({-0.6, 0, 2}));
 }
 
-TEST(Classify, what_differs_between_two_instants_moves_with_a_border_and_specks_do_not) {
+TEST(Classify, differences_between_two_instants_move_with_a_border_and_specks_do_not) {
   TruthViewEntry entry;
   entry.camera.width = entry.camera.height = 40;
   entry.camera.vertical_fov_rad = 1.5;
@@ -50,7 +50,7 @@ TEST(Classify, what_differs_between_two_instants_moves_with_a_border_and_specks_
   EXPECT_EQ(classes.moving.at(30, 30), 0);
 }
 
-TEST(Classify, colour_is_seen_where_a_sensor_sees_the_surface_with_both_cameras) {
+TEST(Classify, colour_is_valid_where_both_cameras_of_a_sensor_see_the_surface) {
   TruthViewEntry entry;
   entry.camera.world_from_view = render::optical_from_view();  // the eye looks along the world's z
   entry.camera.width = 64;

@@ -45,7 +45,7 @@ TEST(ViewScore, an_error_of_ten_levels_is_28_decibels) {
   EXPECT_NEAR(score(scene.drawn, scene.truth, scene.classes).psnr_visible, expected, 1e-6);
 }
 
-TEST(ViewScore, what_no_sensor_sees_counts_among_the_covered_only) {
+TEST(ViewScore, unseen_surfaces_count_among_the_covered_only) {
   Scene scene;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 3 * kSide / 4; x < kSide; ++x) scene.drawn.color.at(x, y) = {255, 0, 0};
@@ -84,7 +84,7 @@ TEST(ViewScore, flicker_is_of_still_surfaces_that_both_pictures_show) {
   EXPECT_NEAR(flicker(scene.drawn, next, scene.truth, scene.classes), expected, 1e-9);
 }
 
-TEST(ViewScore, where_nothing_moves_its_picture_is_not_judged) {
+TEST(ViewScore, the_moving_part_is_not_judged_where_nothing_moves) {
   Scene scene;
   EXPECT_TRUE(std::isnan(score(scene.drawn, scene.truth, scene.classes).psnr_moving));
   ViewScore still, moving{.psnr_moving = 20};

@@ -12,7 +12,7 @@
 #include "bench/align/join_suite.h"
 #include "bench/live_align/board_suite.h"
 #include "bench/live_align/moved_suite.h"
-#include "bench/live_align/walker_suite.h"
+#include "bench/live_align/person_suite.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
@@ -114,20 +114,20 @@ struct AlignBenchCommand {
   std::vector<std::string> folders;
   std::string suite_name;
   bool json = false;
-  int rooms = 16;                   // rooms of the suites of corners, joins, walkers and boards
+  int rooms = 16;                   // of the suites corners, join, walker, passers-by, board
   std::vector<std::string> scenes;  // of the suites of fresh rooms and of moved sensors; empty: all
   bench::FreshSuiteOptions suite;
   bench::CornersSuiteOptions corners;
   bench::JoinSuiteOptions join;
   bench::MovedSuiteOptions moved;
-  bench::WalkerSuiteOptions walker;
+  bench::PersonSuiteOptions person;
   bench::BoardSuiteOptions board;
 };
 
 Status run(AlignBenchCommand command) {
-  command.moved.seed = command.walker.seed = command.board.seed = command.corners.seed =
+  command.moved.seed = command.person.seed = command.board.seed = command.corners.seed =
       command.join.seed = command.suite.seed;
-  command.board.rooms = command.walker.rooms = command.corners.rooms = command.join.rooms =
+  command.board.rooms = command.person.rooms = command.corners.rooms = command.join.rooms =
       command.rooms;
   command.suite.scenes = command.moved.scenes = command.scenes;
   StatusLine line;
@@ -140,9 +140,9 @@ Status run(AlignBenchCommand command) {
     return print(bench::run_moved_suite(command.moved, show), command.json);
   if (command.suite_name == "board")
     return print(bench::run_board_suite(command.board, show), command.json);
-  command.walker.unaware = command.suite_name == "passers-by";
-  if (command.suite_name == "walker" || command.walker.unaware)
-    return print(bench::run_walker_suite(command.walker, show), command.json);
+  command.person.unaware = command.suite_name == "passers-by";
+  if (command.suite_name == "walker" || command.person.unaware)
+    return print(bench::run_person_suite(command.person, show), command.json);
   if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
   return Error{ErrorCode::kInvalidArgument,
@@ -163,10 +163,10 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
           "--suite", values->suite_name,
           "fresh: simulated rooms of every scene, half of the pairs without an answer; "
           "corners: how exactly four sensors in the corners of a room are placed; "
-          "join: what it costs that a sensor joins four; moved: sensors that are pushed, "
+          "join: the cost of a sensor joining four others; moved: sensors that are pushed, "
           "or not, with people about; walker: opposite "
-          "sensors placed by somebody who walks about; passers-by: by people who do what they "
-          "do there; board: by a printed board")
+          "sensors placed by a walking person; passers-by: by people at their usual activities; "
+          "board: by a printed board")
       ->check(
           CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "passers-by", "board"}));
   command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")

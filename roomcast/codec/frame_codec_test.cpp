@@ -112,7 +112,7 @@ MaskImage twice_as_fine(const MaskImage& mask) {
   return fine;
 }
 
-TEST(FrameCodec, colour_is_sent_where_nothing_is_read_but_not_as_seen) {
+TEST(FrameCodec, colour_is_sent_without_a_reading_but_not_marked_valid) {
   for (const DepthMode mode : {DepthMode::kLossless, DepthMode::kLive}) {
     FrameEncoderOptions options = options_for(kFrameWidth, kFrameHeight);
     options.depth_mode = mode;

@@ -26,7 +26,7 @@ std::uint32_t crc_of(const Image<T>& image) {
   return crc32(std::as_bytes(std::span(image.data(), image.view().pixel_count())));
 }
 
-TEST(GoldenFrames, decode_to_what_they_were_made_from) {
+TEST(GoldenFrames, decode_to_their_sources) {
   std::ifstream in(kFolder + "/frames.json");
   const nlohmann::json list = nlohmann::json::parse(in);
   ASSERT_GE(list.size(), 10u);

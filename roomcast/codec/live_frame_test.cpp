@@ -174,7 +174,7 @@ TEST(LiveFrame, readings_of_a_carried_sensor_are_kept_within_5_mm) {
   }
 }
 
-TEST(LiveFrame, a_sensor_that_stands_again_begins_live_depth_with_a_key_frame) {
+TEST(LiveFrame, live_depth_restarts_with_a_key_frame_when_a_sensor_stops_moving) {
   constexpr int kStandsAgain = 13, kSetInterval = 4;
   LiveStream stream(2);
   auto decoder = new_decoder();

@@ -18,13 +18,13 @@ TEST(SensorMotion, a_carried_sensor_moves_within_an_eighth_of_a_second_and_a_lit
   for (int i = 0; i < 12; ++i) EXPECT_EQ(motion.update(nearer_by(i)), i >= 6) << i;
 }
 
-TEST(SensorMotion, it_stands_again_after_half_a_second) {
+TEST(SensorMotion, stops_half_a_second_after_the_last_motion) {
   SensorMotion motion;
   for (int i = 0; i < 12; ++i) (void)motion.update(nearer_by(i));
   for (int i = 0; i < 20; ++i) EXPECT_EQ(motion.update(nearer_by(11)), i < 13) << i;
 }
 
-TEST(SensorMotion, noise_and_what_crosses_the_view_are_no_motion) {
+TEST(SensorMotion, noise_and_objects_crossing_the_view_are_no_motion) {
   SensorMotion motion;
   const SyntheticMotion room;
   for (int i = 0; i < 60; ++i) EXPECT_FALSE(motion.update(room.reading(i))) << i;

@@ -40,7 +40,7 @@ simulator::TriangleMesh whole_mesh(const simulator::Room& room, nanoseconds time
   return mesh;
 }
 
-TEST(DepthCamera, drawing_what_moves_over_the_still_room_gives_what_a_full_trace_gives) {
+TEST(DepthCamera, drawing_moving_things_over_the_static_room_equals_a_full_trace) {
   const auto room = SimulatedRoom::build("office", 1).value();
   for (const int index : {0, 2}) {
     const auto sensor = SimulatedSensor::open(room, perfect(index)).value();
@@ -99,7 +99,7 @@ std::vector<double> disagreement_mm(const SimulatedSensor& from, const DepthImag
   return differences;
 }
 
-TEST(DepthCamera, sensors_agree_within_a_millimetre_on_what_they_both_see) {
+TEST(DepthCamera, sensors_agree_within_a_millimetre_on_common_surfaces) {
   const auto room = SimulatedRoom::build("livingroom", 1).value();
   std::vector<std::unique_ptr<SimulatedSensor>> sensors;
   std::vector<DepthImage> seen;
@@ -121,7 +121,7 @@ TEST(DepthCamera, sensors_agree_within_a_millimetre_on_what_they_both_see) {
   }
 }
 
-TEST(DepthCamera, noise_of_the_empty_room_does_not_depend_on_who_is_in_it) {
+TEST(DepthCamera, noise_of_the_empty_room_does_not_depend_on_the_people) {
   const auto room = SimulatedRoom::build("office", 1).value();
   SimulatedSensor::Options options = perfect(0);
   options.sensing = {};

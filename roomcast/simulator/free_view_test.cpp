@@ -65,7 +65,7 @@ TEST_F(FreeViews, viewpoints_are_apart_in_the_room_and_the_same_for_the_same_see
   EXPECT_NE(free_viewpoints(*room_, pointers_, 4, 2)[0].translation_m, places[0].translation_m);
 }
 
-TEST_F(FreeViews, depth_is_the_distance_to_the_room_and_who_is_in_it) {
+TEST_F(FreeViews, depth_is_the_distance_to_the_room_and_the_people) {
   const auto places = free_viewpoints(*room_, pointers_, 1, 1);
   FreeView view(*room_, small_lens(), places[0], 0);
   simulator::MovingThings things(room_->room());

@@ -30,15 +30,16 @@ Result<std::shared_ptr<const SimulatedRoom>> SimulatedRoom::build(std::string_vi
   auto room = simulator::build_room(scene, seed);
   if (!room) return std::move(room).error();
   if (!let_in(visitor, *room)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "in the scene \"" + room->name + "\" nobody walks whose ways a visitor could go"};
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "the scene \"" + room->name + "\" has no walking person whose way a visitor could take"};
   }
   std::shared_ptr<SimulatedRoom> built(new SimulatedRoom(*std::move(room)));
   auto rays = simulator::RayScene::build(built->room_.mesh);
   if (!rays) return std::move(rays).error();
   built->rays_ = *std::move(rays);
-  built->texels_ =
-      std::make_unique<simulator::SurfaceTexels>(built->room_, simulator::MovingThings(built->room_));
+  built->texels_ = std::make_unique<simulator::SurfaceTexels>(
+      built->room_, simulator::MovingThings(built->room_));
   return std::shared_ptr<const SimulatedRoom>(std::move(built));
 }
 

@@ -23,8 +23,8 @@ Status check(const SimulatedSensor::Options& options) {
   return {};
 }
 
-RigidTransform stand_pose(const simulator::SensorMount& stand) {
-  return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
+RigidTransform world_from_mount(const simulator::SensorMount& mount) {
+  return world_from_optical_looking_at(mount.eye_m.cast<double>(), mount.target_m.cast<double>());
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
       options_(options),
       unit_(simulator::make_unit(options.sensing, options.seed, options.index)),
       world_from_depth_(
-          stand_pose(room_->room().sensor_mounts[static_cast<std::size_t>(options.index)]) *
-          options.stand_from_depth),
+          world_from_mount(room_->room().sensor_mounts[static_cast<std::size_t>(options.index)]) *
+          options.mount_from_depth),
       depth_(*room_, unit_, world_from_depth_, options.sensing, options.threads),
       color_(*room_, unit_, world_from_depth_ * unit_.exact.color_from_depth.inverse(),
              options.threads) {}
@@ -54,7 +54,7 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
 std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
   const auto key = simulator::hash_of(unit_.key, 6);
   return simulator::hash_of(simulator::hash_of(key, static_cast<std::uint32_t>(frame)),
-                      static_cast<std::uint32_t>(frame >> 32));
+                            static_cast<std::uint32_t>(frame >> 32));
 }
 
 void SimulatedSensor::look(nanoseconds scene_time, Moment& moment) const {

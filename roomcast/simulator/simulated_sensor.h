@@ -29,7 +29,7 @@ class SimulatedSensor {
     double speed = 1;        // of all motion: 0.05 is slow motion, 0 no motion
     int threads = 0;         // for tracing the empty room; 0: all cores
     simulator::SensingOptions sensing;
-    RigidTransform stand_from_depth = {};  // displacement from its mount
+    RigidTransform mount_from_depth = {};  // displacement from its mount
   };
 
   /// The sensor's view at an instant, with the memory of one thread.

@@ -22,21 +22,21 @@ class SimulatedSource final : public source::FrameSource {
  public:
   SimulatedSource(std::unique_ptr<SimulatedSensor> sensor, int index,
                   const SimulatedSourceOptions& options)
-      : stand_(std::move(sensor)),
+      : mounted_(std::move(sensor)),
         pace_(options.pace),
         period_s_(1.0 / options.fps),
         phase_(pace_ == source::Pace::kRealTime ? kPhaseStep * index : nanoseconds{}),
         device_offset_(kDeviceOffset * (index + 1)) {
     description_.name = "s" + std::to_string(index);
-    description_.calibration = stand_.sensor->calibration();
-    description_.world_from_depth = stand_.sensor->world_from_depth();
+    description_.calibration = mounted_.sensor->calibration();
+    description_.world_from_depth = mounted_.sensor->world_from_depth();
     description_.fps = options.fps;
     if (pace_ == source::Pace::kRealTime) next_instant_ = first_instant_after(SteadyClock().now());
   }
 
   /// Replaces the sensor by `moved` from that time on.
   void bump_at(nanoseconds after_opening, std::unique_ptr<SimulatedSensor> moved) {
-    bump_ = Bump{time_of(next_instant_) + after_opening, Stand(std::move(moved))};
+    bump_ = Bump{time_of(next_instant_) + after_opening, MountedSensor(std::move(moved))};
   }
 
   const source::SensorDescription& description() const override { return description_; }
@@ -51,15 +51,15 @@ class SimulatedSource final : public source::FrameSource {
     frame.index = frame_count_++;
     frame.capture_time = HostTime(scene_time);
     frame.device_time = scene_time + device_offset_;
-    capture(bump_ && scene_time >= bump_->at ? bump_->stand : stand_, scene_time, frame);
+    capture(bump_ && scene_time >= bump_->at ? bump_->mounted : mounted_, scene_time, frame);
     return true;
   }
 
  private:
   /// The sensor at one pose, with the memory of one thread.
-  struct Stand {
-    explicit Stand(std::unique_ptr<SimulatedSensor> standing)
-        : sensor(std::move(standing)),
+  struct MountedSensor {
+    explicit MountedSensor(std::unique_ptr<SimulatedSensor> opened)
+        : sensor(std::move(opened)),
           moment(sensor->make_moment()),
           exposure(sensor->auto_exposure()) {}
     std::unique_ptr<SimulatedSensor> sensor;
@@ -68,15 +68,16 @@ class SimulatedSource final : public source::FrameSource {
   };
   struct Bump {
     nanoseconds at;  // scene time
-    Stand stand;
+    MountedSensor mounted;
   };
 
-  static void capture(Stand& stand, nanoseconds scene_time, source::CapturedFrame& frame) {
-    const SimulatedSensor& sensor = *stand.sensor;
-    sensor.look(scene_time, stand.moment);
-    sensor.read_depth(frame.index, stand.moment, frame.depth_mm);
-    const float exposure = sensor.next_exposure(scene_time, stand.moment, stand.exposure);
-    sensor.read_color(frame.index, exposure, stand.moment, frame.color);
+  static void capture(MountedSensor& mounted, nanoseconds scene_time,
+                      source::CapturedFrame& frame) {
+    const SimulatedSensor& sensor = *mounted.sensor;
+    sensor.look(scene_time, mounted.moment);
+    sensor.read_depth(frame.index, mounted.moment, frame.depth_mm);
+    const float exposure = sensor.next_exposure(scene_time, mounted.moment, mounted.exposure);
+    sensor.read_color(frame.index, exposure, mounted.moment, frame.color);
   }
 
   [[nodiscard]] nanoseconds time_of(std::int64_t instant) const {
@@ -92,7 +93,7 @@ class SimulatedSource final : public source::FrameSource {
     next_instant_ = std::max(next_instant_, first_instant_after(SteadyClock().now()) - 1);
   }
 
-  Stand stand_;
+  MountedSensor mounted_;
   std::optional<Bump> bump_;
   source::Pace pace_;
   double period_s_;
@@ -126,7 +127,7 @@ Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
   if (!sensor) return std::move(sensor).error();
   auto source = std::make_unique<SimulatedSource>(*std::move(sensor), sensor_index, options);
   if (spec->bump_at_s) {
-    sensing.stand_from_depth = spec->bump.stand_from_depth();
+    sensing.mount_from_depth = spec->bump.mount_from_depth();
     auto moved = SimulatedSensor::open(*room, sensing);
     if (!moved) return std::move(moved).error();
     source->bump_at(nanoseconds(std::llround(1e9 * *spec->bump_at_s)), *std::move(moved));

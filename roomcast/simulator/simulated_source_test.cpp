@@ -33,7 +33,7 @@ TEST(SimulatedSource, describes_its_sensor) {
   EXPECT_EQ(source->description().calibration.depth.width, 512);
 }
 
-TEST(SimulatedSource, frames_count_from_scene_time_zero_at_the_rate_asked_for) {
+TEST(SimulatedSource, frames_count_from_scene_time_zero_at_the_requested_rate) {
   const auto source = open_simulated_source("", 2, as_fast_as_possible()).value();
   source::CapturedFrame frame;
   for (int i = 0; i < 4; ++i) {

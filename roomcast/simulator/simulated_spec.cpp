@@ -82,7 +82,7 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
 
 }  // namespace
 
-RigidTransform SimulatedBump::stand_from_depth() const {
+RigidTransform SimulatedBump::mount_from_depth() const {
   RigidTransform bump;
   const Eigen::Vector3d axis = Eigen::Vector3d(0.4, 1, 0.2).normalized();
   bump.rotation = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();

@@ -23,7 +23,7 @@ struct SimulatedBump {
   double shift_cm = 5, angle_deg = 3;
 
   /// The displaced pose in the sensor's original frame: sideways and back, turned left and down.
-  [[nodiscard]] RigidTransform stand_from_depth() const;
+  [[nodiscard]] RigidTransform mount_from_depth() const;
 };
 
 struct SimulatedSpec {

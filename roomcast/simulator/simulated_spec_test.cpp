@@ -36,12 +36,12 @@ TEST(SimulatedSpec, a_bump_has_its_time_and_size) {
   EXPECT_TRUE(parse_simulated_spec("lab,board")->board);
   const auto spec = parse_simulated_spec("lab,bump_at=20.5,bump_cm=2,bump_deg=0").value();
   EXPECT_EQ(spec.bump_at_s, 20.5);
-  const RigidTransform bump = spec.bump.stand_from_depth();
+  const RigidTransform bump = spec.bump.mount_from_depth();
   EXPECT_NEAR(bump.translation_m.norm(), 0.02, 1e-12);
   EXPECT_TRUE(bump.rotation.isIdentity());
 }
 
-TEST(SimulatedSpec, what_is_no_option_is_named) {
+TEST(SimulatedSpec, an_unknown_option_is_named) {
   for (const char* text :
        {"lab,", "lab,fast", "lab,camera=leica", "lab,speed=", "lab,speed=-1", "lab,speed=11",
         "lab,speed=1x", "lab,color=grey", "lab,clean=yes", "lab,interference=nan", "lab,bump_at=-1",

@@ -219,9 +219,9 @@ export const problemTexts = {
   unverified: (name: string, why: string) =>
     `Sensor ${name} is shown where it stood before it was away; nothing has confirmed yet that it still does.${why}`,
   unplaced: (name: string, why: string) =>
-    `Nobody knows yet where sensor ${name} stands: ${why} is shown at a place that was made up.`,
+    `The place of sensor ${name} is not known yet: ${why} is shown at a provisional place.`,
   unplacedOnes: (names: string[]) =>
-    `Nobody knows yet where sensors ${new Intl.ListFormat('en').format(names)} stand: they are shown at places that were made up.`,
+    `The places of sensors ${new Intl.ListFormat('en').format(names)} are not known yet: they are shown at provisional places.`,
 };
 
 export const nudgeTexts = {

@@ -48,7 +48,7 @@ TEST(DepthError, counts_readings_lost_and_invented) {
   EXPECT_EQ(error.rms_input_mm(), 0);
 }
 
-TEST(DepthError, tells_static_slow_and_moving_apart) {
+TEST(DepthError, separates_static_slow_and_moving_pixels) {
   DepthError error;
   const DepthImage decoded = row_of({1003, 2004, 3005, 4030, 0});
   const DepthImage truth = row_of({1000, 2000, 3000, 4000, 5000});

@@ -22,7 +22,7 @@ TEST(LumaError, one_grey_level_is_48_db) {
   EXPECT_NEAR(error.psnr_db().value(), 20 * std::log10(255.0), 1e-9);
 }
 
-TEST(LumaError, leaves_out_what_is_not_seen) {
+TEST(LumaError, leaves_out_unseen_pixels) {
   ColorImage decoded(2, 1, {9, 9, 9});
   decoded.at(1, 0) = {200, 200, 200};
   MaskImage seen = kSeen;

@@ -26,7 +26,7 @@ TEST(TemporalMean, takes_the_mean_of_near_colours) {
   EXPECT_EQ(mean_of(100, grey(103), kSeenInEveryFrame, grey(106)), 103);
 }
 
-TEST(TemporalMean, leaves_out_what_is_far_or_not_seen) {
+TEST(TemporalMean, leaves_out_far_and_unseen_pixels) {
   EXPECT_EQ(mean_of(100, grey(111), kSeenInEveryFrame, grey(102)), 101);
   EXPECT_EQ(mean_of(100, grey(108), kUnseen, grey(102)), 101);
 }

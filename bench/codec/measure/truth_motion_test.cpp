@@ -22,7 +22,7 @@ std::vector<Motion> motions(std::initializer_list<int> truth_mm) {
 
 constexpr Motion kStatic = Motion::kStatic, kSlow = Motion::kSlow, kMoving = Motion::kMoving;
 
-TEST(TruthMotion, what_never_changes_is_static) {
+TEST(TruthMotion, unchanged_pixels_are_static) {
   EXPECT_EQ(motions({2000, 2000, 2000}), (std::vector{kStatic, kStatic, kStatic}));
 }
 
@@ -38,7 +38,7 @@ TEST(TruthMotion, at_fewer_frames_a_second_the_same_speed_takes_larger_steps) {
   EXPECT_EQ(truth.motion().at(0, 0), kSlow);
 }
 
-TEST(TruthMotion, what_drifted_within_half_a_second_is_slow) {
+TEST(TruthMotion, a_drift_within_half_a_second_is_slow) {
   TruthMotion truth(30);
   truth.add(DepthImage(1, 1, 2000));
   for (int i = 0; i < 15; ++i) {
@@ -49,7 +49,7 @@ TEST(TruthMotion, what_drifted_within_half_a_second_is_slow) {
   EXPECT_EQ(truth.motion().at(0, 0), kStatic);
 }
 
-TEST(TruthMotion, what_is_uncovered_is_static_again_at_once) {
+TEST(TruthMotion, uncovered_background_is_static_again_at_once) {
   EXPECT_EQ(motions({2000, 1990, 3000, 3000}), (std::vector{kStatic, kMoving, kMoving, kStatic}));
 }
 

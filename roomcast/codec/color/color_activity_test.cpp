@@ -36,7 +36,7 @@ TEST(ColorActivity, a_key_frame_is_active_everywhere) {
   EXPECT_EQ(count(active), 6);
 }
 
-TEST(ColorActivity, after_a_key_frame_only_frames_that_others_build_on_improve_it) {
+TEST(ColorActivity, after_a_key_frame_only_reference_frames_improve_it) {
   ColorActivity activity;
   activity.update(kNothing, kKey);
   EXPECT_EQ(count(activity.update(kNothing, kUpper)), 0);
@@ -50,7 +50,7 @@ TEST(ColorActivity, a_still_picture_comes_to_rest) {
   EXPECT_EQ(count(activity.update(kNothing, kBase)), 0);
 }
 
-TEST(ColorActivity, what_changes_is_active_in_any_layer_and_improved_for_a_while) {
+TEST(ColorActivity, changes_are_active_in_any_layer_and_improved_for_a_while) {
   ColorActivity activity;
   activity.update(kNothing, kKey);
   come_to_rest(activity);

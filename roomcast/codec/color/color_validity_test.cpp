@@ -14,20 +14,20 @@ bool counts(std::uint16_t measured_mm, std::uint16_t shown_mm) {
   return surface.seen().at(0, 0) != 0;
 }
 
-TEST(ColorValidity, a_reading_on_the_color_validity_counts) {
+TEST(ColorValidity, a_reading_on_the_coloured_surface_counts) {
   EXPECT_TRUE(counts(2000, 2000));
   EXPECT_TRUE(counts(2070, 2000)) << "noise";
   EXPECT_TRUE(counts(1930, 2000));
 }
 
-TEST(ColorValidity, a_reading_of_another_surface_does_not) {
+TEST(ColorValidity, a_reading_of_another_surface_does_not_count) {
   EXPECT_FALSE(counts(2080, 2000));
   EXPECT_FALSE(counts(1200, 2000));
   EXPECT_FALSE(counts(0, 2000));
   EXPECT_FALSE(counts(2000, 0));
 }
 
-TEST(ColorValidity, what_is_not_seen_stays_so) {
+TEST(ColorValidity, an_unseen_pixel_stays_unseen) {
   ColorValidity surface;
   surface.update(DepthImage(1, 1, 900), DepthImage(1, 1, 900), MaskImage(1, 1, 0));
   EXPECT_EQ(surface.seen().at(0, 0), 0);
@@ -41,7 +41,7 @@ TEST(ColorValidity, a_color_without_a_reading_is_sent_but_does_not_count) {
   EXPECT_EQ(surface.seen().at(0, 0), 0);
   EXPECT_EQ(surface.colored().at(0, 0), 255);
   surface.update(DepthImage(1, 1), DepthImage(1, 1, 900), known);
-  EXPECT_EQ(surface.colored().at(0, 0), 0) << "a reading that vanished for a moment is shown on";
+  EXPECT_EQ(surface.colored().at(0, 0), 0) << "a reading that vanished for a moment is kept";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 using Plane = Image<std::uint8_t>;
 
-TEST(HoleFill, keeps_what_is_known_and_fills_the_rest_from_it) {
+TEST(HoleFill, keeps_known_pixels_and_fills_the_rest_from_them) {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {16, 16}, {33, 17}}) {
     Plane plane(width, height, 3);
     MaskImage known(width, height);
@@ -19,7 +19,7 @@ TEST(HoleFill, keeps_what_is_known_and_fills_the_rest_from_it) {
   }
 }
 
-TEST(HoleFill, stays_within_the_range_of_what_is_known) {
+TEST(HoleFill, stays_within_the_range_of_known_pixels) {
   Plane plane(40, 30);
   MaskImage known(40, 30);
   for (int y = 0; y < 30; ++y) {
@@ -36,7 +36,7 @@ TEST(HoleFill, stays_within_the_range_of_what_is_known) {
   EXPECT_LT(plane.at(9, 15), plane.at(30, 15));
 }
 
-TEST(HoleFill, leaves_a_plane_of_which_nothing_is_known) {
+TEST(HoleFill, leaves_a_plane_without_known_pixels) {
   Plane plane(20, 20, 77);
   HoleFill().fill(plane.view(), MaskImage(20, 20));
   EXPECT_EQ(plane, Plane(20, 20, 77));

@@ -73,7 +73,7 @@ TEST(TemporalDenoiser, a_still_scene_does_not_change_in_frames_that_leave_no_tra
   for (int i = 0; i < 30; ++i) EXPECT_EQ(hold.apply(camera.picture(clean), false).y, settled.y);
 }
 
-TEST(TemporalDenoiser, what_is_not_as_in_the_newest_reference_counts_as_changed) {
+TEST(TemporalDenoiser, differences_from_the_newest_reference_count_as_changes) {
   NoisyCamera camera(2);
   TemporalDenoiser hold;
   for (int i = 0; i < 30; ++i) (void)hold.apply(camera.picture(grey(120)), true);
@@ -85,12 +85,12 @@ TEST(TemporalDenoiser, what_is_not_as_in_the_newest_reference_counts_as_changed)
   (void)hold.apply(camera.picture(scene), false);
   EXPECT_TRUE(changed());
   (void)hold.apply(camera.picture(scene), true);
-  EXPECT_TRUE(changed()) << "the reference has yet to learn of it";
+  EXPECT_TRUE(changed()) << "the reference does not have it yet";
   for (int i = 0; i < 12; ++i) (void)hold.apply(camera.picture(scene), true);
   EXPECT_FALSE(changed());
 }
 
-TEST(TemporalDenoiser, what_changes_passes_at_once) {
+TEST(TemporalDenoiser, changes_pass_at_once) {
   NoisyCamera camera(2);
   TemporalDenoiser hold;
   for (int i = 0; i < 30; ++i) (void)hold.apply(camera.picture(grey(120)), true);

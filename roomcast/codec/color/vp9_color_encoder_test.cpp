@@ -70,7 +70,7 @@ class EncodedStream {
   std::unique_ptr<Vp9ColorDecoder> decoder_;
 };
 
-TEST(Vp9ColorEncoder, what_comes_into_view_again_looks_at_once_as_it_did) {
+TEST(Vp9ColorEncoder, a_surface_that_comes_back_into_view_is_as_fine_as_before) {
   EncodedStream stream;
   const ColorImage room = patches(), covered = with_something_before(room);
   const std::size_t first = stream.next(room, true);

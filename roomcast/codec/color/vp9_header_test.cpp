@@ -72,7 +72,7 @@ TEST(Vp9Header, finds_the_size_that_an_inter_frame_hides) {
   EXPECT_EQ(parse_vp9_header(bits.bytes())->width, 16000);
 }
 
-TEST(Vp9Header, refuses_what_colour_sections_do_not_carry) {
+TEST(Vp9Header, refuses_frames_that_colour_sections_do_not_carry) {
   EXPECT_EQ(parse_vp9_header(start(1, false, false, true, false).bytes()).error().code,
             ErrorCode::kUnsupported);
   EXPECT_EQ(parse_vp9_header(start(0, true, false, true, false).bytes()).error().code,

@@ -59,7 +59,7 @@ TEST(LiveHostile, any_damage_is_survived_even_when_the_hash_fits) {
   }
 }
 
-TEST(LiveHostile, what_is_cut_short_is_refused) {
+TEST(LiveHostile, a_truncated_section_is_refused) {
   const auto key = RandomLiveStream(kHostileWidth, kHostileHeight, 1).next(true, true);
   LiveDepthDecoder decoder;
   DepthImage out(kHostileWidth, kHostileHeight);

@@ -51,21 +51,21 @@ double error_ratio(const SyntheticMotion& scene, int frames, const Counts& count
   return ratio.value();
 }
 
-TEST(LiveQuality, what_stands_still_is_shown_better_than_the_sensor_sees_it) {
+TEST(LiveQuality, static_surfaces_are_better_than_the_sensors_readings) {
   const auto still = [](const DepthImage& truth, const DepthImage& before, int x, int y) {
     return truth.at(x, y) == before.at(x, y);
   };
   EXPECT_LT(error_ratio({}, 60, still), 0.6);
 }
 
-TEST(LiveQuality, what_moves_is_shown_no_worse_than_the_sensor_sees_it) {
+TEST(LiveQuality, moving_surfaces_are_no_worse_than_the_sensors_readings) {
   const auto moves = [](const DepthImage& truth, const DepthImage& before, int x, int y) {
     return std::abs(truth.at(x, y) - before.at(x, y)) > 1;
   };
   EXPECT_LT(error_ratio({}, 40, moves), 1.0);
 }
 
-TEST(LiveQuality, what_creeps_towards_the_sensor_is_followed) {
+TEST(LiveQuality, a_slowly_approaching_surface_is_followed) {
   SyntheticMotion scene;
   scene.ball_speed = 0;
   scene.ball_approach_mm = 0.4;  // per frame: far less than the noise
@@ -100,7 +100,7 @@ TEST(LiveQuality, a_change_of_any_size_is_shown_within_half_a_second) {
   }
 }
 
-TEST(LiveQuality, what_vanishes_is_gone_within_half_a_second) {
+TEST(LiveQuality, a_vanished_surface_is_gone_within_half_a_second) {
   constexpr int kHalfSecond = 15;
   LiveDepthEncoder encoder({128, 96});
   LayerSchedule schedule(2, 1000);

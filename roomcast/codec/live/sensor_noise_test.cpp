@@ -110,7 +110,7 @@ TEST(SensorNoise, without_noise_there_are_still_levels_for_every_distance) {
   EXPECT_LT(domain.level_of(65535), kMaxLevel);
 }
 
-TEST(SensorNoise, is_sane_before_anything_was_seen) {
+TEST(SensorNoise, has_usable_values_before_the_first_frame) {
   const SigmaCodes codes = SensorNoise().table();
   EXPECT_GT(sigma_in(codes, 1000), 0.5);
   EXPECT_LT(sigma_in(codes, 1000), 5);

@@ -60,7 +60,7 @@ TEST(LosslessDepth, reads_a_picture_with_gaps_between_its_rows) {
   }
 }
 
-TEST(LosslessDepth, the_same_picture_gives_the_same_bytes_whatever_came_before) {
+TEST(LosslessDepth, the_same_picture_gives_the_same_bytes_after_any_other) {
   LosslessDepthEncoder encoder;
   std::vector<std::uint8_t> before, after;
   encoder.encode(synthetic_disparity_room(64, 48), before);

@@ -21,7 +21,7 @@ std::string shown(const std::string& frames) {
   return out;
 }
 
-TEST(SteadyMask, what_lasts_is_shown_after_four_frames_and_hidden_after_six) {
+TEST(SteadyMask, lasting_changes_are_shown_after_four_frames_and_hidden_after_six) {
   EXPECT_EQ(shown("1111"), "1111");
   EXPECT_EQ(shown("0000"), "0000");
   EXPECT_EQ(shown("011111"), "000011");
@@ -43,7 +43,7 @@ TEST(SteadyMask, hiding_takes_twice_as_long_after_each_change) {
             "0001");
 }
 
-TEST(SteadyMask, what_was_known_stays_while_there_is_no_reading) {
+TEST(SteadyMask, the_last_value_stays_while_there_is_no_reading) {
   EXPECT_EQ(shown("1..1"), "1111");
   EXPECT_EQ(shown("0..0"), "0000");
 }

@@ -177,8 +177,8 @@ Lean lean_of(const Waypoint& stop, const Itinerary::Stay& stay, double time_s) {
   return lean;
 }
 
-HandTarget palm_wish(const Waypoint& stop, const Itinerary::Stay& stay, Side side, double time_s,
-                     const Isometry3f& body, const Measures& m) {
+HandTarget hand_target(const Waypoint& stop, const Itinerary::Stay& stay, Side side, double time_s,
+                       const Isometry3f& body, const Measures& m) {
   const bool right = side == Side::kRight;
   const float depth = depth_of(stay, kReach_s);
   switch (stop.activity) {

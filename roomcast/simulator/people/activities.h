@@ -34,9 +34,9 @@ struct HandTarget {
   float share = 0;
 };
 /// `body`: heading frame at the hips (y up, z ahead); `chest`: the chest's frame.
-[[nodiscard]] HandTarget palm_wish(const Waypoint& stop, const Itinerary::Stay& stay, Side side,
-                                   double time_s, const Eigen::Isometry3f& body,
-                                   const Measures& measures);
+[[nodiscard]] HandTarget hand_target(const Waypoint& stop, const Itinerary::Stay& stay, Side side,
+                                     double time_s, const Eigen::Isometry3f& body,
+                                     const Measures& measures);
 
 /// Palms facing each other, fingers ahead and `up_rad` above the horizon.
 [[nodiscard]] Eigen::Quaternionf palms_inward(const Eigen::Isometry3f& body, float up_rad);

@@ -17,12 +17,12 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 /// Bones that share one cloth and are collinear in the cutting pose, such as a leg or an arm.
-struct Roll {
+struct ClothCylinder {
   Bone first;      // the cloth uses its frame
   float radius_m;  // radius of the cylinder that the cloth is wrapped around
 };
 
-Roll roll_of(Bone bone) {
+ClothCylinder cylinder_of(Bone bone) {
   switch (bone) {
     case Bone::kPelvis:
     case Bone::kChest:
@@ -154,30 +154,30 @@ void BodySkin::add_piece(const BodyPiece& piece, const std::vector<BodyPiece>& a
 
   // A vertex is copied for each cloth it belongs to and each side of that cloth's seam.
   std::map<std::tuple<std::uint32_t, Bone, int>, std::uint32_t> copies;
-  const auto vertex = [&](std::uint32_t number, const Roll& roll, float middle_angle) {
-    const Vector3f local = cutting.of(roll.first).inverse() * net.positions[number];
+  const auto vertex = [&](std::uint32_t number, const ClothCylinder& cylinder, float middle_angle) {
+    const Vector3f local = cutting.of(cylinder.first).inverse() * net.positions[number];
     const float angle = std::atan2(local.x(), local.z());
     const int wrap = static_cast<int>(std::lround((middle_angle - angle) / (2.0F * kPi)));
     const auto [copy, is_new] = copies.try_emplace(
-        {number, roll.first, wrap}, static_cast<std::uint32_t>(mesh_.positions.size()));
+        {number, cylinder.first, wrap}, static_cast<std::uint32_t>(mesh_.positions.size()));
     if (is_new) {
       const float around = angle + 2.0F * kPi * static_cast<float>(wrap);
       mesh_.positions.push_back(net.positions[number]);
       mesh_.normals.push_back(normals[number]);
-      mesh_.uv_m.emplace_back(roll.radius_m * around, local.y());
+      mesh_.uv_m.emplace_back(cylinder.radius_m * around, local.y());
       openness_.push_back(open[number]);
       holds_.push_back(holds[number]);
     }
     return copy->second;
   };
   for (const auto& quad : net.quads) {
-    const Roll roll = roll_of(static_cast<Bone>(holds[quad[0]].bone[0]));
+    const ClothCylinder cylinder = cylinder_of(static_cast<Bone>(holds[quad[0]].bone[0]));
     const Vector3f middle = 0.25F * (net.positions[quad[0]] + net.positions[quad[1]] +
                                      net.positions[quad[2]] + net.positions[quad[3]]);
-    const Vector3f local = cutting.of(roll.first).inverse() * middle;
+    const Vector3f local = cutting.of(cylinder.first).inverse() * middle;
     const float angle = std::atan2(local.x(), local.z());
     std::array<std::uint32_t, 4> corner{};
-    for (std::size_t i = 0; i < 4; ++i) corner[i] = vertex(quad[i], roll, angle);
+    for (std::size_t i = 0; i < 4; ++i) corner[i] = vertex(quad[i], cylinder, angle);
     mesh_.triangles.push_back({corner[0], corner[1], corner[2]});
     mesh_.triangles.push_back({corner[0], corner[2], corner[3]});
     mesh_.surface.insert(mesh_.surface.end(), 2, piece.surface);

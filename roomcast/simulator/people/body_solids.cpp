@@ -18,19 +18,19 @@ class BodyMesher {
       : piece_(piece), pose_(pose), s_(measures.scale) {}
 
   void bar(Bone bone, Vector3f from, Vector3f to, Vector2f radii, Vector2f flat = {1.0F, 1.0F},
-           float melt_m = 0.03F) {
+           float blend_m = 0.03F) {
     piece_.solid.add(pose_.of(bone),
-                     {s_ * from, s_ * to, s_ * radii.x(), s_ * radii.y(), flat, s_ * melt_m});
+                     {s_ * from, s_ * to, s_ * radii.x(), s_ * radii.y(), flat, s_ * blend_m});
   }
   /// A bar along a limb's bone, between two fractions of the bone's length.
-  void sleeve(Bone bone, float length_m, Vector2f shares, Vector2f radii, float melt_m = 0.03F) {
+  void sleeve(Bone bone, float length_m, Vector2f shares, Vector2f radii, float blend_m = 0.03F) {
     const Vector3f down(0, -length_m, 0);
     piece_.solid.add(pose_.of(bone), {down * shares.x(),
                                       down * shares.y(),
                                       s_ * radii.x(),
                                       s_ * radii.y(),
                                       {1.0F, 1.0F},
-                                      s_ * melt_m});
+                                      s_ * blend_m});
   }
   /// Cuts the cloth at a point along a bone; keeps the part nearer to the bone's joint.
   void cut_across(Bone bone, float down_m, float reach_m) {

@@ -57,7 +57,7 @@ TEST_F(Outline, is_where_moving_and_still_meet) {
   EXPECT_LT(both, moving / 2);
 }
 
-TEST_F(Outline, its_tiles_are_drawn_as_if_everything_were) {
+TEST_F(Outline, its_tiles_equal_a_full_drawing) {
   MovingLayer all(fine_camera_.width(), fine_camera_.height()), tiles = all;
   all.draw(things_, fine_camera_);
   tiles.draw(things_, fine_camera_, &outline_.fine_tiles());
@@ -73,7 +73,7 @@ TEST_F(Outline, its_tiles_are_drawn_as_if_everything_were) {
   }
 }
 
-TEST_F(Outline, is_nowhere_when_nobody_is_in_front) {
+TEST_F(Outline, is_empty_without_people_in_front) {
   wall_m_ = Image<float>(camera_.width(), camera_.height(), 0.1F);
   outline_.find(layer_, wall_m_);
   const PixelBox& box = outline_.box();

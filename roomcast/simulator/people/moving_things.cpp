@@ -60,7 +60,7 @@ constexpr std::size_t kToeBalls = 2;
 
 }  // namespace
 
-struct MovingThings::Actor {
+struct MovingThings::MovingPerson {
   Performance performance;
   BodySkin skin;
   TriangleMesh burden;
@@ -73,28 +73,28 @@ MovingThings::MovingThings(const Room& room, double speed) : speed_(speed) {
   for (const Person& person : room.people) {
     Performance performance(person);
     BodySkin skin(person.build, person.outfit, performance.measures());
-    Actor actor{std::move(performance), std::move(skin), {}, 0, 0, 0, 0, 0};
-    actor.first_part = parts_.size();
-    actor.first_ball = shade_balls_.size();
-    actor.first_vertex = appended(mesh_, actor.skin.mesh()).first_vertex;
+    MovingPerson moving{std::move(performance), std::move(skin), {}, 0, 0, 0, 0, 0};
+    moving.first_part = parts_.size();
+    moving.first_ball = shade_balls_.size();
+    moving.first_vertex = appended(mesh_, moving.skin.mesh()).first_vertex;
     const auto first_triangle =
-        static_cast<std::uint32_t>(mesh_.triangles.size() - actor.skin.mesh().triangles.size());
-    openness_.insert(openness_.end(), actor.skin.openness().begin(), actor.skin.openness().end());
-    for (MovingPart piece : actor.skin.pieces()) {
-      piece.first_vertex += actor.first_vertex;
+        static_cast<std::uint32_t>(mesh_.triangles.size() - moving.skin.mesh().triangles.size());
+    openness_.insert(openness_.end(), moving.skin.openness().begin(), moving.skin.openness().end());
+    for (MovingPart piece : moving.skin.pieces()) {
+      piece.first_vertex += moving.first_vertex;
       piece.first_triangle += first_triangle;
       parts_.push_back(piece);
     }
     shade_balls_.resize(shade_balls_.size() + kBalls.size() + kToeBalls);
     if (person.burden) {
-      actor.burden = person.burden->mesh;
-      actor.burden_radius_m = person.burden->half_size_m.head<2>().minCoeff();
-      parts_.push_back(appended(mesh_, actor.burden));
-      actor.burden_vertex = parts_.back().first_vertex;
+      moving.burden = person.burden->mesh;
+      moving.burden_radius_m = person.burden->half_size_m.head<2>().minCoeff();
+      parts_.push_back(appended(mesh_, moving.burden));
+      moving.burden_vertex = parts_.back().first_vertex;
       openness_.resize(mesh_.positions.size(), 1.0F);
       shade_balls_.resize(shade_balls_.size() + 1);
     }
-    actors_.push_back(std::move(actor));
+    people_.push_back(std::move(moving));
   }
   move_to(nanoseconds{0});
 }
@@ -107,18 +107,18 @@ void MovingThings::move_to(nanoseconds scene_time) {
   if (scene_time_ == scene_time) return;
   scene_time_ = scene_time;
   const double time_s = speed_ * 1e-9 * static_cast<double>(scene_time.count());
-  for (Actor& actor : actors_) {
-    const Performance::Instant now = actor.performance.at(time_s);
-    actor.skin.bend(now.pose, mesh_, actor.first_vertex);
-    const float scale = actor.performance.measures().scale;
-    ShadeBall* ball = &shade_balls_[actor.first_ball];
+  for (MovingPerson& moving : people_) {
+    const Performance::Instant now = moving.performance.at(time_s);
+    moving.skin.bend(now.pose, mesh_, moving.first_vertex);
+    const float scale = moving.performance.measures().scale;
+    ShadeBall* ball = &shade_balls_[moving.first_ball];
     for (const BallOnBone& on : kBalls)
       *ball++ = {now.pose.of(on.bone) * Vector3f(0, -scale * on.down_m, 0), scale * on.radius_m};
     for (const Bone foot : {Bone::kLeftFoot, Bone::kRightFoot})
       *ball++ = {now.pose.of(foot) * Vector3f(0, -0.04F * scale, 0.12F * scale), 0.05F * scale};
-    if (actor.burden.positions.empty()) continue;
-    place_rigid(actor.burden, now.world_from_burden, mesh_, actor.burden_vertex);
-    *ball = {now.world_from_burden.translation(), actor.burden_radius_m};
+    if (moving.burden.positions.empty()) continue;
+    place_rigid(moving.burden, now.world_from_burden, mesh_, moving.burden_vertex);
+    *ball = {now.world_from_burden.translation(), moving.burden_radius_m};
   }
   for (MovingPart& part : parts_) {
     part.box_m.setEmpty();

@@ -48,8 +48,8 @@ class MovingThings {
   [[nodiscard]] std::span<const ShadeBall> shade_balls() const { return shade_balls_; }
 
  private:
-  struct Actor;
-  std::vector<Actor> actors_;
+  struct MovingPerson;
+  std::vector<MovingPerson> people_;
   double speed_;
   std::optional<nanoseconds> scene_time_;
   TriangleMesh mesh_;

@@ -20,7 +20,7 @@ Room test_room() {
   return build_room("livingroom", 1).value();
 }
 
-TEST(MovingThings, an_instant_is_the_same_whatever_was_asked_before) {
+TEST(MovingThings, an_instant_does_not_depend_on_earlier_instants) {
   const Room room = test_room();
   MovingThings first(room), second(room);
   for (int i = 0; i < 5; ++i) second.move_to(milliseconds(317 * i));
@@ -98,7 +98,7 @@ PlacedCamera camera_at(const Vector3f& eye_m, const Vector3f& target_m) {
   return {lens, world_from_optical_looking_at(eye_m.cast<double>(), target_m.cast<double>())};
 }
 
-TEST(MovingLayer, shows_what_a_ray_caster_hits_through_a_distorting_lens) {
+TEST(MovingLayer, equals_ray_casting_through_a_distorting_lens) {
   const Room room = test_room();
   MovingThings things(room);
   MovingLayer layer(256, 212);

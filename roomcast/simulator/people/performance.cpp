@@ -242,19 +242,19 @@ Vector3f Performance::grip(const Burden& burden, Side side) {
 
 HandGoal Performance::hand_at(const Moment& now, Side side) const {
   HandGoal goal = hanging(now, side);
-  HandTarget wish;
+  HandTarget target;
   if (burden_ && now.held > 0.0F) {
-    wish = {now.burden * grip(*burden_, side), palms_inward(now.body, 0.15F), now.held};
+    target = {now.burden * grip(*burden_, side), palms_inward(now.body, 0.15F), now.held};
   } else if (now.stay) {
-    wish = palm_wish(*now.stop, *now.stay, side, now.time_s, now.body, measures_);
+    target = hand_target(*now.stop, *now.stay, side, now.time_s, now.body, measures_);
   }
-  if (wish.share <= 0.0F) return goal;
-  const Vector3f wrist = wish.palm_m - wish.turned * palm_in_hand(side, measures_);
-  goal.wrist_m += wish.share * (wrist - goal.wrist_m);
+  if (target.share <= 0.0F) return goal;
+  const Vector3f wrist = target.palm_m - target.turned * palm_in_hand(side, measures_);
+  goal.wrist_m += target.share * (wrist - goal.wrist_m);
   const Vector3f elbow = now.body.linear() * Vector3f(0.55F * sign_of(side), -0.7F, -0.5F);
-  goal.elbow_way += wish.share * (elbow - goal.elbow_way);
-  goal.turned = wish.turned;
-  goal.turned_share = wish.share;
+  goal.elbow_way += target.share * (elbow - goal.elbow_way);
+  goal.turned = target.turned;
+  goal.turned_share = target.share;
   return goal;
 }
 

@@ -148,7 +148,7 @@ TEST(Performance, both_palms_are_at_the_burden_while_it_is_carried) {
   EXPECT_GT(carried, 100);
 }
 
-TEST(Performance, the_burden_rests_where_it_was_put_and_never_jumps) {
+TEST(Performance, the_burden_stays_at_its_place_and_never_jumps) {
   const Person person = carrier();
   const Performance performance(person);
   Vector3f last = performance.at(-kFrame_s).world_from_burden.translation();
@@ -181,7 +181,7 @@ TEST(Performance, nothing_jumps_from_frame_to_frame_nor_where_the_round_begins_a
   }
 }
 
-TEST(Performance, who_sits_has_the_hips_over_the_seat) {
+TEST(Performance, a_sitting_person_has_the_hips_over_the_seat) {
   const Person person = sitter();
   const Performance performance(person);
   float nearest = 10.0F;
@@ -192,7 +192,7 @@ TEST(Performance, who_sits_has_the_hips_over_the_seat) {
   EXPECT_LT(nearest, 0.11F);
 }
 
-TEST(Performance, the_right_palm_reaches_what_is_plugged_high_or_low) {
+TEST(Performance, the_right_palm_reaches_plugs_high_and_low) {
   for (const float height_m : {0.35F, 0.8F, 1.1F}) {
     Person person;
     Waypoint stop;
@@ -208,7 +208,7 @@ TEST(Performance, the_right_palm_reaches_what_is_plugged_high_or_low) {
   }
 }
 
-TEST(Performance, who_exercises_goes_down_and_swings_both_hands_above_the_head) {
+TEST(Performance, exercise_goes_down_and_swings_both_hands_above_the_head) {
   const Performance performance(exerciser());
   float lowest = 10.0F, highest = 0.0F;
   float left_above = 0.0F, right_above = 0.0F;

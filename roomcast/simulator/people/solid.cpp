@@ -14,10 +14,10 @@ using Eigen::Isometry3f;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-/// Smooth minimum of two distances: rounded where they differ by less than `melt`.
-float melted(float a, float b, float melt) {
-  const float h = std::max(0.0F, melt - std::abs(a - b)) / melt;
-  return std::min(a, b) - 0.25F * h * h * melt;
+/// Smooth minimum of two distances: rounded where they differ by less than `blend`.
+float smooth_minimum(float a, float b, float blend) {
+  const float h = std::max(0.0F, blend - std::abs(a - b)) / blend;
+  return std::min(a, b) - 0.25F * h * h * blend;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void Solid::add(const Isometry3f& frame, const Bar& bar) {
   part.sine = (bar.from_radius_m - bar.to_radius_m) / part.length;
   ROOMCAST_ASSERT(std::abs(part.sine) < 1.0F);
   part.cosine = std::sqrt(1.0F - part.sine * part.sine);
-  part.melt = bar.melt_m;
+  part.blend = bar.blend_m;
   part.smallest_scale = std::min({1.0F, bar.flat.x(), bar.flat.y()});
   parts_.push_back(part);
 
@@ -74,7 +74,8 @@ float Solid::distance_to(const Part& part, const Vector3f& at) {
 
 float Solid::distance(const Vector3f& at) const {
   float nearest = 1e3F;
-  for (const Part& part : parts_) nearest = melted(nearest, distance_to(part, at), part.melt);
+  for (const Part& part : parts_)
+    nearest = smooth_minimum(nearest, distance_to(part, at), part.blend);
   for (const Cut& cut : cuts_) {
     const Vector3f way = at - cut.point;
     nearest = std::max(nearest, std::min(cut.normal.dot(way), cut.reach - way.norm()));

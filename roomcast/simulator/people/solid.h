@@ -19,7 +19,7 @@ class Solid {
     float from_radius_m, to_radius_m;
     /// Scales the cross-section along x and z of the frame in which the bar is given.
     Eigen::Vector2f flat = {1.0F, 1.0F};
-    float melt_m = 0.02F;  // width of the blend with existing parts
+    float blend_m = 0.02F;  // width of the blend with existing parts
   };
   void add(const Eigen::Isometry3f& frame, const Bar& bar);
   /// Removes the parts within `reach_m` of `point` on the side that `normal` points to.
@@ -33,7 +33,7 @@ class Solid {
  private:
   struct Part {
     Eigen::Affine3f local_from_world;
-    float from_radius, to_radius, length, sine, cosine, melt, smallest_scale;
+    float from_radius, to_radius, length, sine, cosine, blend, smallest_scale;
   };
   struct Cut {
     Eigen::Vector3f point, normal;

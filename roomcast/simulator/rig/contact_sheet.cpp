@@ -32,22 +32,22 @@ CameraIntrinsics lens_of(int width, double focal_share) {
   return lens;
 }
 
-RigidTransform pose_of(const simulator::SensorMount& stand) {
-  return world_from_optical_looking_at(stand.eye_m.cast<double>(), stand.target_m.cast<double>());
+RigidTransform pose_of(const simulator::SensorMount& mount) {
+  return world_from_optical_looking_at(mount.eye_m.cast<double>(), mount.target_m.cast<double>());
 }
 
 /// Renders pictures of a room with its people.
-class Studio {
+class RoomPhotographer {
  public:
-  Studio(const SimulatedRoom& room, int threads)
+  RoomPhotographer(const SimulatedRoom& room, int threads)
       : room_(room), threads_(threads), things_(room.room()) {}
 
-  void pass_to(nanoseconds scene_time) { things_.move_to(scene_time); }
+  void move_to(nanoseconds scene_time) { things_.move_to(scene_time); }
 
   /// Share of the picture that shows people not hidden by furniture, limited to kEnough.
-  [[nodiscard]] float people_in_view(const simulator::SensorMount& stand, double lens) {
+  [[nodiscard]] float people_in_view(const simulator::SensorMount& mount, double lens) {
     constexpr float kEnough = 0.05F;
-    const simulator::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(stand));
+    const simulator::PlacedCamera camera(lens_of(kScoutWidth, lens), pose_of(mount));
     simulator::MovingLayer layer(camera.width(), camera.height());
     layer.draw(things_, camera);
     int seen = 0, all = 0;
@@ -62,8 +62,8 @@ class Studio {
     return std::min(kEnough, static_cast<float>(seen) / static_cast<float>(all));
   }
 
-  [[nodiscard]] ColorImage photograph(const simulator::SensorMount& stand, int width, double lens) {
-    const simulator::PlacedCamera camera(lens_of(width, lens), pose_of(stand));
+  [[nodiscard]] ColorImage photograph(const simulator::SensorMount& mount, int width, double lens) {
+    const simulator::PlacedCamera camera(lens_of(width, lens), pose_of(mount));
     const auto plate = simulator::trace_color_plate(room_.room(), room_.rays(), camera, threads_);
     ColorImage picture = plate.color;
     simulator::MovingLayer layer(camera.width(), camera.height());
@@ -79,33 +79,33 @@ class Studio {
   [[nodiscard]] simulator::SensorMount free_view() {
     const Eigen::Vector3f middle(0, 0.75F, 0);
     simulator::SensorMount best;
-    float most = -1.0F;
+    float largest = -1.0F;
     for (int corner = 0; corner < 4; ++corner) {
       const float x = (corner & 1) != 0 ? 1.0F : -1.0F;
       const float z = (corner & 2) != 0 ? 1.0F : -1.0F;
-      const simulator::SensorMount stand{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
+      const simulator::SensorMount mount{{x * (0.5F * room_.room().size_m.x() - 0.3F), 1.95F,
                                           z * (0.5F * room_.room().size_m.z() - 0.3F)},
                                          middle};
-      const float seen = people_in_view(stand, kFreeLens);
-      if (seen <= most) continue;
-      most = seen;
-      best = stand;
+      const float seen = people_in_view(mount, kFreeLens);
+      if (seen <= largest) continue;
+      largest = seen;
+      best = mount;
     }
     return best;
   }
 
-  /// The instant within 30 s at which the sensors see the most of the people.
+  /// The instant within 30 s at which the sensors see the largest of the people.
   [[nodiscard]] nanoseconds lively_instant() {
     nanoseconds best{};
-    float most = -1.0F;
+    float largest = -1.0F;
     for (int second = 1; second < 30; second += 2) {
-      pass_to(std::chrono::seconds(second));
+      move_to(std::chrono::seconds(second));
       float seen = 0.0F;
       for (int i = 0; i < kSensors; ++i)
         seen +=
             people_in_view(room_.room().sensor_mounts[static_cast<std::size_t>(i)], kSensorLens);
-      if (seen <= most) continue;
-      most = seen;
+      if (seen <= largest) continue;
+      largest = seen;
       best = std::chrono::seconds(second);
     }
     return best;
@@ -131,16 +131,17 @@ Result<ColorImage> contact_sheet(std::string_view scene, const ContactSheetOptio
   }
   const auto room = SimulatedRoom::build(scene, options.seed);
   if (!room) return room.error();
-  Studio studio(**room, options.threads);
-  studio.pass_to(studio.lively_instant());
+  RoomPhotographer photographer(**room, options.threads);
+  photographer.move_to(photographer.lively_instant());
 
   const int width = options.cell_width;
   const int height = height_of(width);
   ColorImage sheet(4 * width, 2 * height);
-  paste(studio.photograph(studio.free_view(), 2 * width, kFreeLens), 0, 0, sheet.view());
+  paste(photographer.photograph(photographer.free_view(), 2 * width, kFreeLens), 0, 0,
+        sheet.view());
   for (int i = 0; i < kSensors; ++i) {
-    const auto& stand = (*room)->room().sensor_mounts[static_cast<std::size_t>(i)];
-    paste(studio.photograph(stand, width, kSensorLens), (2 + i % 2) * width, (i / 2) * height,
+    const auto& mount = (*room)->room().sensor_mounts[static_cast<std::size_t>(i)];
+    paste(photographer.photograph(mount, width, kSensorLens), (2 + i % 2) * width, (i / 2) * height,
           sheet.view());
   }
   return sheet;

@@ -43,20 +43,20 @@ Status check(const SimulateRigOptions& options) {
 }
 
 /// One sensor of the recording with its clock and its exposure.
-struct Actor {
+struct Device {
   std::unique_ptr<SimulatedSensor> sensor;
   simulator::FrameClock clock;
   std::vector<float> exposures;  // by frame
 };
-using Actors = std::vector<Actor>;
+using Devices = std::vector<Device>;
 
 void report(const SimulateWatcher& watcher, std::string_view doing, int done, int total) {
   if (watcher) watcher({doing, done, total});
 }
 
-Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
-                           const SimulateRigOptions& options, const SimulateWatcher& watcher) {
-  Actors actors;
+Result<Devices> open_devices(const std::shared_ptr<const SimulatedRoom>& room,
+                             const SimulateRigOptions& options, const SimulateWatcher& watcher) {
+  Devices devices;
   const int count = std::max(options.sensor_count, 1);
   for (int i = 0; i < count; ++i) {
     report(watcher, "looking at the empty room", i, count);
@@ -64,41 +64,41 @@ Result<Actors> open_actors(const std::shared_ptr<const SimulatedRoom>& room,
                                                options.threads, options.sensing});
     if (!sensor) return std::move(sensor).error();
     const simulator::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
-    actors.push_back({*std::move(sensor), clock, {}});
+    devices.push_back({*std::move(sensor), clock, {}});
   }
-  return actors;
+  return devices;
 }
 
 /// Exposure depends on the previous frames, so it is computed before frames are rendered in
 /// parallel.
-Status meter(Actors& actors, int frames, int threads) {
+Status meter(Devices& devices, int frames, int threads) {
   const auto meter_one = [&](int, int number) {
-    Actor& actor = actors[static_cast<std::size_t>(number)];
-    auto moment = actor.sensor->make_moment();
-    auto control = actor.sensor->auto_exposure();
+    Device& device = devices[static_cast<std::size_t>(number)];
+    auto moment = device.sensor->make_moment();
+    auto control = device.sensor->auto_exposure();
     for (int i = 0; i < frames; ++i) {
-      const nanoseconds time = actor.clock.true_time(static_cast<std::uint64_t>(i));
-      actor.exposures.push_back(actor.sensor->next_exposure(time, moment, control));
+      const nanoseconds time = device.clock.true_time(static_cast<std::uint64_t>(i));
+      device.exposures.push_back(device.sensor->next_exposure(time, moment, control));
     }
     return Status();
   };
-  return run_in_order(static_cast<int>(actors.size()), threads, meter_one,
+  return run_in_order(static_cast<int>(devices.size()), threads, meter_one,
                       [](int) { return Status(); });
 }
 
 enum class Calibration { kReported, kExact };
 
-std::vector<recording::RigSensor> rig_sensors(const Actors& actors, Calibration which) {
+std::vector<recording::RigSensor> rig_sensors(const Devices& devices, Calibration which) {
   std::vector<recording::RigSensor> rig;
-  for (const Actor& actor : actors) {
-    const SimulatedSensor& sensor = *actor.sensor;
+  for (const Device& device : devices) {
+    const SimulatedSensor& sensor = *device.sensor;
     recording::RigSensor entry;
     entry.description.name = "s" + std::to_string(rig.size());
     entry.description.calibration =
         which == Calibration::kExact ? sensor.exact_calibration() : sensor.calibration();
     entry.description.world_from_depth = sensor.world_from_depth();
-    entry.clock_offset_s = actor.clock.clock_offset_s();
-    entry.rate_ppm = actor.clock.rate_ppm();
+    entry.clock_offset_s = device.clock.clock_offset_s();
+    entry.rate_ppm = device.clock.rate_ppm();
     rig.push_back(std::move(entry));
   }
   return rig;
@@ -110,52 +110,53 @@ std::string provenance(const SimulateRigOptions& options, const simulator::Room&
          (options.sensing.noise ? "" : ", without noise");
 }
 
-/// Renders and writes frames. A Desk is the memory of one thread.
-class Production {
+/// Renders and writes frames.
+class FrameWriter {
  public:
-  Production(const SimulateRigOptions& options, const Actors& actors, recording::RigWriter& rig,
-             RigTruth& truth, int threads)
-      : options_(options), actors_(actors), rig_(rig), truth_(truth) {
-    desks_.resize(static_cast<std::size_t>(threads));
+  FrameWriter(const SimulateRigOptions& options, const Devices& devices, recording::RigWriter& rig,
+              RigTruth& truth, int threads)
+      : options_(options), devices_(devices), rig_(rig), truth_(truth) {
+    buffers_.resize(static_cast<std::size_t>(threads));
   }
 
   /// Task order: all sensors of a frame, then the next frame.
   [[nodiscard]] std::size_t sensor_of(int task) const {
-    return static_cast<std::size_t>(task) % actors_.size();
+    return static_cast<std::size_t>(task) % devices_.size();
   }
   [[nodiscard]] std::uint64_t frame_of(int task) const {
-    return static_cast<std::uint64_t>(task) / actors_.size();
+    return static_cast<std::uint64_t>(task) / devices_.size();
   }
 
   Status write_pictures(int thread, int task) {
-    Desk& desk = desks_[static_cast<std::size_t>(thread)];
-    while (desk.moments.size() < actors_.size())
-      desk.moments.push_back(actors_[desk.moments.size()].sensor->make_moment());
+    Buffers& buffers = buffers_[static_cast<std::size_t>(thread)];
+    while (buffers.moments.size() < devices_.size())
+      buffers.moments.push_back(devices_[buffers.moments.size()].sensor->make_moment());
     const std::size_t number = sensor_of(task);
-    const Actor& actor = actors_[number];
-    SimulatedSensor::Moment& moment = desk.moments[number];
-    actor.sensor->look(actor.clock.true_time(frame_of(task)), moment);
-    if (!actor.clock.is_lost(frame_of(task))) {
-      if (Status written = write_reported(number, frame_of(task), moment, desk); !written)
+    const Device& device = devices_[number];
+    SimulatedSensor::Moment& moment = buffers.moments[number];
+    device.sensor->look(device.clock.true_time(frame_of(task)), moment);
+    if (!device.clock.is_lost(frame_of(task))) {
+      if (Status written = write_reported(number, frame_of(task), moment, buffers); !written)
         return written;
     }
-    return write_truth(number, frame_of(task), moment, desk);
+    return write_truth(number, frame_of(task), moment, buffers);
   }
 
   Status list(int task) {
     const std::size_t number = sensor_of(task);
     const std::uint64_t frame = frame_of(task);
-    const Actor& actor = actors_[number];
-    std::array<float, 3> gains = actor.sensor->unit().color_gain;
-    for (float& gain : gains) gain *= actor.exposures[frame];
-    const nanoseconds time = actor.clock.true_time(frame);
+    const Device& device = devices_[number];
+    std::array<float, 3> gains = device.sensor->unit().color_gain;
+    for (float& gain : gains) gain *= device.exposures[frame];
+    const nanoseconds time = device.clock.true_time(frame);
     if (Status listed = truth_.list(number, frame, time, gains); !listed) return listed;
-    if (actor.clock.is_lost(frame)) return rig_.drop(number, frame);
-    return rig_.list(number, frame, true, actor.clock.stamp(frame));
+    if (device.clock.is_lost(frame)) return rig_.drop(number, frame);
+    return rig_.list(number, frame, true, device.clock.stamp(frame));
   }
 
  private:
-  struct Desk {
+  /// The memory of one thread.
+  struct Buffers {
     std::vector<SimulatedSensor::Moment> moments;  // by sensor
     source::CapturedFrame frame;
     MaskImage moving;
@@ -163,57 +164,58 @@ class Production {
   };
 
   Status write_reported(std::size_t number, std::uint64_t frame, SimulatedSensor::Moment& moment,
-                        Desk& desk) {
-    const Actor& actor = actors_[number];
-    desk.frame.index = frame;
-    actor.sensor->read_depth(frame, moment, desk.frame.depth_mm);
-    actor.sensor->read_color(frame, actor.exposures[frame], moment, desk.frame.color);
-    return rig_.write_pictures(number, desk.frame);
+                        Buffers& buffers) {
+    const Device& device = devices_[number];
+    buffers.frame.index = frame;
+    device.sensor->read_depth(frame, moment, buffers.frame.depth_mm);
+    device.sensor->read_color(frame, device.exposures[frame], moment, buffers.frame.color);
+    return rig_.write_pictures(number, buffers.frame);
   }
 
   Status write_truth(std::size_t number, std::uint64_t frame, const SimulatedSensor::Moment& moment,
-                     Desk& desk) {
-    const Actor& actor = actors_[number];
+                     Buffers& buffers) {
+    const Device& device = devices_[number];
     if (options_.truth_color) {
-      actor.sensor->clean_color(actor.exposures[frame], moment, desk.color);
-      if (Status written = truth_.write_color(number, frame, desk.color); !written) return written;
+      device.sensor->clean_color(device.exposures[frame], moment, buffers.color);
+      if (Status written = truth_.write_color(number, frame, buffers.color); !written)
+        return written;
     }
-    actor.sensor->mark_moving(moment, desk.moving);
-    return truth_.write_depth(number, frame, actor.sensor->clean_depth_mm(moment), desk.moving);
+    device.sensor->mark_moving(moment, buffers.moving);
+    return truth_.write_depth(number, frame, device.sensor->clean_depth_mm(moment), buffers.moving);
   }
 
   const SimulateRigOptions& options_;
-  const Actors& actors_;
+  const Devices& devices_;
   recording::RigWriter& rig_;
   RigTruth& truth_;
-  std::vector<Desk> desks_;
+  std::vector<Buffers> buffers_;
 };
 
-Status write_frames(const SimulateRigOptions& options, const Actors& actors, int frames,
+Status write_frames(const SimulateRigOptions& options, const Devices& devices, int frames,
                     int threads, recording::RigWriter& rig, RigTruth& truth,
                     const SimulateWatcher& watcher, const std::stop_token& stop) {
-  Production production(options, actors, rig, truth, threads);
-  const int tasks = frames * static_cast<int>(actors.size());
+  FrameWriter writer(options, devices, rig, truth, threads);
+  const int tasks = frames * static_cast<int>(devices.size());
   return run_in_order(
-      tasks, threads, [&](int thread, int task) { return production.write_pictures(thread, task); },
+      tasks, threads, [&](int thread, int task) { return writer.write_pictures(thread, task); },
       [&](int task) -> Status {
-        if (Status listed = production.list(task); !listed) return listed;
+        if (Status listed = writer.list(task); !listed) return listed;
         report(watcher, "writing frames", task + 1, tasks);
-        if (stop.stop_requested() && production.sensor_of(task + 1) == 0)
+        if (stop.stop_requested() && writer.sensor_of(task + 1) == 0)
           return Error{ErrorCode::kClosed, "stopped; what was written until then can be played"};
         return {};
       });
 }
 
 Status write_views(const fs::path& folder, const SimulateRigOptions& options,
-                   const SimulatedRoom& room, const Actors& actors, int frames,
+                   const SimulatedRoom& room, const Devices& devices, int frames,
                    const SimulateWatcher& watcher) {
   if (options.views == 0) return {};
   std::vector<const SimulatedSensor*> sensors;
   std::vector<simulator::FrameClock> clocks;
-  for (const Actor& actor : actors) {
-    sensors.push_back(actor.sensor.get());
-    clocks.push_back(actor.clock);
+  for (const Device& device : devices) {
+    sensors.push_back(device.sensor.get());
+    clocks.push_back(device.clock);
   }
   return write_rig_views(
       folder, room, sensors, clocks,
@@ -230,18 +232,18 @@ void remove_contents(const fs::path& directory) {
 }
 
 Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
-                 const SimulatedRoom& room, Actors& actors, recording::RigWriter& rig,
+                 const SimulatedRoom& room, Devices& devices, recording::RigWriter& rig,
                  const SimulateWatcher& watcher, const std::stop_token& stop) {
   const std::string source = provenance(options, room.room());
   const int threads = thread_count(options.threads);
   const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
   auto truth =
-      RigTruth::create(directory / "truth", options.fps, rig_sensors(actors, Calibration::kExact),
+      RigTruth::create(directory / "truth", options.fps, rig_sensors(devices, Calibration::kExact),
                        source, options.truth_color);
   if (!truth) return std::move(truth).error();
-  if (Status metered = meter(actors, frames, threads); !metered) return metered;
-  Status written = write_frames(options, actors, frames, threads, rig, *truth, watcher, stop);
-  if (written) written = write_views(directory / "truth", options, room, actors, frames, watcher);
+  if (Status metered = meter(devices, frames, threads); !metered) return metered;
+  Status written = write_frames(options, devices, frames, threads, rig, *truth, watcher, stop);
+  if (written) written = write_views(directory / "truth", options, room, devices, frames, watcher);
   if (!written && written.error().code != ErrorCode::kClosed) return written;
   if (Status finished = rig.finish(); !finished) return finished;
   return written;
@@ -254,13 +256,13 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   if (Status legal = check(options); !legal) return legal;
   auto room = SimulatedRoom::build(options.scene, options.seed);
   if (!room) return std::move(room).error();
-  auto actors = open_actors(*room, options, watcher);
-  if (!actors) return std::move(actors).error();
+  auto devices = open_devices(*room, options, watcher);
+  if (!devices) return std::move(devices).error();
   auto rig = recording::RigWriter::create(directory, options.fps,
-                                          rig_sensors(*actors, Calibration::kReported),
+                                          rig_sensors(*devices, Calibration::kReported),
                                           {provenance(options, (*room)->room()), 90});
   if (!rig) return std::move(rig).error();
-  Status written = write_rig(directory, options, **room, *actors, *rig, watcher, stop);
+  Status written = write_rig(directory, options, **room, *devices, *rig, watcher, stop);
   if (!written && written.error().code != ErrorCode::kClosed) remove_contents(directory);
   return written;
 }

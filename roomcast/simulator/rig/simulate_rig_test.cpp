@@ -56,7 +56,7 @@ SimulateRigOptions brief() {
   return options;
 }
 
-TEST_F(SimulateRig, what_it_writes_plays_as_the_live_source_shows_it) {
+TEST_F(SimulateRig, its_recording_equals_the_live_source) {
   SimulateRigOptions options = brief();
   options.timing = simulator::TimingOptions::perfect();
   ASSERT_TRUE(simulate_rig(folder_, options));
@@ -96,7 +96,7 @@ TEST_F(SimulateRig, truth_is_the_recording_without_noise) {
             (std::vector<std::string>{"0 1.00000 1.00000 1.00000", "1 1.00000 1.00000 1.00000"}));
 }
 
-TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still) {
+TEST_F(SimulateRig, truth_has_masks_and_clean_colour_and_nothing_moves_at_speed_0) {
   SimulateRigOptions options = brief();
   options.truth_color = true;
   options.speed = 0;
@@ -123,7 +123,7 @@ TEST_F(SimulateRig, truth_holds_masks_and_clean_colour_and_speed_0_stands_still)
   EXPECT_LT(rms, 4.0);
 }
 
-TEST_F(SimulateRig, clocks_and_losses_are_as_the_rig_says) {
+TEST_F(SimulateRig, clocks_and_losses_are_those_in_rig_json) {
   SimulateRigOptions options = brief();
   options.sensor_count = 2;
   options.seconds = 2;
@@ -271,7 +271,7 @@ TEST_F(SimulateRig, impossible_options_are_refused_and_write_nothing) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-TEST_F(SimulateRig, a_folder_that_holds_something_is_left_alone) {
+TEST_F(SimulateRig, a_folder_with_files_is_refused) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "notes.txt") << "mine";
   EXPECT_FALSE(simulate_rig(folder_, brief()));

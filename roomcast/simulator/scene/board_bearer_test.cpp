@@ -8,7 +8,7 @@
 namespace roomcast::simulator {
 namespace {
 
-TEST(BoardBearer, somebody_carries_the_board_through_the_room_and_sensor_mounts_still_with_it) {
+TEST(BoardBearer, one_person_carries_the_board_through_the_room_and_pauses_with_it) {
   Room room = build_room("livingroom", 1).value();
   ASSERT_TRUE(add_board_bearer(room));
   ASSERT_EQ(room.people.size(), 1U);
@@ -25,7 +25,7 @@ TEST(BoardBearer, somebody_carries_the_board_through_the_room_and_sensor_mounts_
   EXPECT_GT(places.diagonal().norm(), 0.8F);
 }
 
-TEST(BoardBearer, a_room_in_which_nobody_walks_stays_as_it_is) {
+TEST(BoardBearer, a_room_without_a_walking_person_stays_as_it_is) {
   Room room = build_room("livingroom", 1).value();
   room.people.clear();
   EXPECT_FALSE(add_board_bearer(room));

@@ -23,7 +23,7 @@ using DrawStands = Stands(const Eigen::Vector3f& room_size_m, Random& random);
 /// Floor plan of the empty room, with the sensors' views kept free.
 [[nodiscard]] inline FloorPlan plan_of(const Room& room, Random& random) {
   FloorPlan plan(room.size_m, random.seed());
-  for (const SensorMount& stand : room.sensor_mounts) plan.keep_view(stand);
+  for (const SensorMount& mount : room.sensor_mounts) plan.keep_view(mount);
   return plan;
 }
 

@@ -39,13 +39,13 @@ void FloorPlan::keep_way(const Vector2f& from_m, const Vector2f& to_m, float hal
   ways_.push_back(strip);
 }
 
-void FloorPlan::keep_view(const SensorMount& stand) {
-  const Vector2f eye(stand.eye_m.x(), stand.eye_m.z());
-  const Vector2f way = (Vector2f(stand.target_m.x(), stand.target_m.z()) - eye).normalized();
+void FloorPlan::keep_view(const SensorMount& mount) {
+  const Vector2f eye(mount.eye_m.x(), mount.eye_m.z());
+  const Vector2f way = (Vector2f(mount.target_m.x(), mount.target_m.z()) - eye).normalized();
   Footprint about{eye, {0.25F, 0.25F}, 0, 0};
-  views_.push_back({about, stand.eye_m.y() - 0.35F});
+  views_.push_back({about, mount.eye_m.y() - 0.35F});
   const Footprint before{eye + 0.75F * way, {0.45F, 0.75F}, std::atan2(way.x(), way.y()), 0};
-  views_.push_back({before, stand.eye_m.y() - 0.5F});
+  views_.push_back({before, mount.eye_m.y() - 0.5F});
 }
 
 bool FloorPlan::is_free(const Footprint& footprint) const {

@@ -26,7 +26,7 @@ class FloorPlan {
   /// Keeps the strip between two points free of furniture.
   void keep_way(const Eigen::Vector2f& from_m, const Eigen::Vector2f& to_m, float half_width_m);
   /// Keeps tall objects away from a sensor and from the space close in front of it.
-  void keep_view(const SensorMount& stand);
+  void keep_view(const SensorMount& mount);
 
   /// Allocates a place of this size (width, height, depth) and returns its frame on the floor, with
   /// the front towards +z. `front_m`: depth kept free in front. Nothing if there is no space.

@@ -19,8 +19,8 @@ constexpr std::array<TryBuild, kSceneNames.size()> kTryBuild = {
 
 /// Some seeds leave no space for an object that a scene requires; then a derived seed is tried.
 Room first_that_fits(TryBuild try_build, std::uint32_t seed) {
-  constexpr std::uint32_t kMaxThrows = 200;
-  for (std::uint32_t i = 0; i < kMaxThrows; ++i) {
+  constexpr std::uint32_t kMaxTries = 200;
+  for (std::uint32_t i = 0; i < kMaxTries; ++i) {
     if (auto room = try_build(i == 0 ? seed : hash_of(seed, i))) return *std::move(room);
   }
   ROOMCAST_ASSERT(false);

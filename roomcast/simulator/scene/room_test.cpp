@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Rooms, testing::ValuesIn(kSceneNames), [](const
   return name;
 });
 
-TEST_P(Rooms, triangles_name_vertices_and_surfaces_that_exist) {
+TEST_P(Rooms, triangles_have_known_vertices_and_surfaces) {
   const TriangleMesh& mesh = room_.mesh;
   ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
   ASSERT_EQ(mesh.positions.size(), mesh.uv_m.size());
@@ -76,7 +76,7 @@ TEST_P(Rooms, people_keep_clear_of_the_furniture) {
   }
 }
 
-TEST_P(Rooms, furniture_sensor_mounts_on_places_of_its_own) {
+TEST_P(Rooms, pieces_of_furniture_do_not_overlap) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Room room = build_room(GetParam(), seed).value();
     ASSERT_GE(room.footprints.size(), 3U);
@@ -105,21 +105,21 @@ TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
   EXPECT_GE(elsewhere, rows ? 0 : 3);
 }
 
-TEST_P(Rooms, no_sensor_sensor_mounts_in_something) {
+TEST_P(Rooms, no_sensor_is_inside_furniture) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Room room = build_room(GetParam(), seed).value();
-    for (const SensorMount& stand : room.sensor_mounts) {
+    for (const SensorMount& mount : room.sensor_mounts) {
       for (const auto& point : room.mesh.positions)
-        ASSERT_GT((point - stand.eye_m).norm(), 0.12F) << "seed " << seed;
+        ASSERT_GT((point - mount.eye_m).norm(), 0.12F) << "seed " << seed;
       for (const Footprint& taken : room.footprints) {
-        if (taken.height_m < stand.eye_m.y()) continue;
-        ASSERT_FALSE(contains(taken, {stand.eye_m.x(), stand.eye_m.z()})) << "seed " << seed;
+        if (taken.height_m < mount.eye_m.y()) continue;
+        ASSERT_FALSE(contains(taken, {mount.eye_m.x(), mount.eye_m.z()})) << "seed " << seed;
       }
     }
   }
 }
 
-TEST_P(Rooms, somebody_is_there_and_wears_surfaces_that_exist) {
+TEST_P(Rooms, has_people_whose_clothes_have_known_surfaces) {
   ASSERT_FALSE(room_.people.empty());
   for (const Person& person : room_.people) {
     const Outfit& worn = person.outfit;
@@ -131,11 +131,11 @@ TEST_P(Rooms, somebody_is_there_and_wears_surfaces_that_exist) {
 }
 
 TEST_P(Rooms, sensors_stand_inside_at_sensible_heights) {
-  for (const SensorMount& stand : room_.sensor_mounts) {
-    EXPECT_GE(stand.eye_m.y(), 1.2F);
-    EXPECT_LE(stand.eye_m.y(), 2.2F);
-    EXPECT_LT(std::abs(stand.eye_m.x()), 0.5F * room_.size_m.x());
-    EXPECT_LT(std::abs(stand.eye_m.z()), 0.5F * room_.size_m.z());
+  for (const SensorMount& mount : room_.sensor_mounts) {
+    EXPECT_GE(mount.eye_m.y(), 1.2F);
+    EXPECT_LE(mount.eye_m.y(), 2.2F);
+    EXPECT_LT(std::abs(mount.eye_m.x()), 0.5F * room_.size_m.x());
+    EXPECT_LT(std::abs(mount.eye_m.z()), 0.5F * room_.size_m.z());
   }
 }
 

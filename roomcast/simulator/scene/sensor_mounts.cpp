@@ -15,13 +15,13 @@ SensorMount stand_at(const Vector3f& room_size_m, const Vector2f& share, float h
   const float bracket_m = random.between(0.30F, 0.38F);
   const Vector2f half =
       0.5F * Vector2f(room_size_m.x(), room_size_m.z()) - Vector2f::Constant(bracket_m);
-  SensorMount stand;
-  stand.eye_m = {share.x() * half.x(), std::min(height_m, room_size_m.y() - 0.3F),
+  SensorMount mount;
+  mount.eye_m = {share.x() * half.x(), std::min(height_m, room_size_m.y() - 0.3F),
                  share.y() * half.y()};
-  stand.target_m = {looks_past_middle_m.x() + random.between(-0.2F, 0.2F),
+  mount.target_m = {looks_past_middle_m.x() + random.between(-0.2F, 0.2F),
                     random.between(0.7F, 0.9F),
                     looks_past_middle_m.y() + random.between(-0.2F, 0.2F)};
-  return stand;
+  return mount;
 }
 
 }  // namespace

@@ -22,15 +22,15 @@ struct Sight {
 };
 
 /// The view of a camera with a Kinect's field of view.
-Sight look_from(const SensorMount& stand, const RayScene& scene) {
+Sight look_from(const SensorMount& mount, const RayScene& scene) {
   CameraIntrinsics lens;
   lens.width = 64;
   lens.height = 53;
   lens.fx = lens.fy = 46.0;
   lens.cx = 31.5;
   lens.cy = 26.0;
-  const PlacedCamera camera(lens, world_from_optical_looking_at(stand.eye_m.cast<double>(),
-                                                                stand.target_m.cast<double>()));
+  const PlacedCamera camera(lens, world_from_optical_looking_at(mount.eye_m.cast<double>(),
+                                                                mount.target_m.cast<double>()));
   Sight sight;
   for (int y = 0; y < lens.height; ++y) {
     for (int x = 0; x < lens.width; ++x) {
@@ -46,13 +46,13 @@ Sight look_from(const SensorMount& stand, const RayScene& scene) {
   return sight;
 }
 
-TEST(Stands, every_sensor_sees_much_of_the_room_and_nothing_right_before_it) {
+TEST(SensorMounts, every_sensor_sees_much_of_the_room_and_nothing_close_up) {
   for (const std::string_view name : kSceneNames) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Room room = build_room(name, seed).value();
       const auto scene = *RayScene::build(room.mesh);
-      for (const SensorMount& stand : room.sensor_mounts) {
-        const Sight sight = look_from(stand, *scene);
+      for (const SensorMount& mount : room.sensor_mounts) {
+        const Sight sight = look_from(mount, *scene);
         EXPECT_EQ(sight.rays, 64 * 53) << name << " " << seed;
         EXPECT_LT(sight.near_rays, 64 * 53 / 4) << name << " " << seed;
         EXPECT_GT(sight.cells.size(), 150U) << name << " " << seed;
@@ -61,7 +61,7 @@ TEST(Stands, every_sensor_sees_much_of_the_room_and_nothing_right_before_it) {
   }
 }
 
-TEST(Stands, any_two_of_the_first_four_share_part_of_what_they_see) {
+TEST(SensorMounts, any_two_of_the_first_four_overlap) {
   for (const std::string_view name : kSceneNames) {
     const Room room = build_room(name, 1).value();
     const auto scene = *RayScene::build(room.mesh);
@@ -78,7 +78,7 @@ TEST(Stands, any_two_of_the_first_four_share_part_of_what_they_see) {
   }
 }
 
-TEST(Stands, those_in_corners_are_high_up_and_face_each_other) {
+TEST(SensorMounts, those_in_corners_are_high_up_and_face_each_other) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     Random random(seed);
     const Stands sensor_mounts = draw_sensor_mounts_in_corners({5.0F, 2.5F, 4.2F}, random);

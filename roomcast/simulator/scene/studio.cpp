@@ -13,9 +13,9 @@ using Eigen::Vector2f;
 void set_up_tripods(Room& room, FloorPlan& plan, SurfaceIndex metal) {
   constexpr float kBelowEye_m = 0.16F;
   for (int i = 0; i < kTripods; ++i) {
-    const SensorMount& stand = room.sensor_mounts[static_cast<std::size_t>(i)];
-    const auto at = standing_at(stand.eye_m.x(), stand.eye_m.z(), 0.7F * static_cast<float>(i));
-    const float height_m = stand.eye_m.y() - kBelowEye_m;
+    const SensorMount& mount = room.sensor_mounts[static_cast<std::size_t>(i)];
+    const auto at = standing_at(mount.eye_m.x(), mount.eye_m.z(), 0.7F * static_cast<float>(i));
+    const float height_m = mount.eye_m.y() - kBelowEye_m;
     plan.take(at, {0.62F, height_m, 0.62F});
     add_tripod(room, at, metal, height_m);
   }
@@ -54,7 +54,7 @@ std::optional<Room> try_studio(std::uint32_t seed) {
   add_plain_shell(room, FloorKind::kBoards, random);
   Furnisher furnisher(room, plan, random);
   set_up_tripods(room, plan, furnisher.palette().dark);
-  for (const SensorMount& stand : room.sensor_mounts) plan.keep_view(stand);
+  for (const SensorMount& mount : room.sensor_mounts) plan.keep_view(mount);
   plan.keep_way({-0.5F, 0.0F}, {0.5F, 0.0F}, 1.2F);
 
   furnisher.panels();

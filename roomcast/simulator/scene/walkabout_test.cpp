@@ -8,7 +8,7 @@
 namespace roomcast::simulator {
 namespace {
 
-TEST(Walkabout, somebody_goes_through_the_room_upright_and_keeps_moving) {
+TEST(Walkabout, one_person_walks_upright_through_the_room_and_keeps_moving) {
   Room room = build_room("livingroom", 1).value();
   ASSERT_TRUE(add_walkabout(room));
   ASSERT_EQ(room.people.size(), 1U);
@@ -24,10 +24,10 @@ TEST(Walkabout, somebody_goes_through_the_room_upright_and_keeps_moving) {
   }
   EXPECT_GT(places.diagonal().norm(), 1.0F);
   EXPECT_GT(way_m, 5) << "in 20 s";
-  EXPECT_LT(places.sizes().y(), 0.2F) << "nobody sits down or bends";
+  EXPECT_LT(places.sizes().y(), 0.2F) << "without sitting down or bending";
 }
 
-TEST(Walkabout, a_room_in_which_nobody_walks_stays_as_it_is) {
+TEST(Walkabout, a_room_without_a_walking_person_stays_as_it_is) {
   Room room = build_room("livingroom", 1).value();
   room.people.clear();
   EXPECT_FALSE(add_walkabout(room));

@@ -28,7 +28,7 @@ TEST(DepthReading, the_other_surface_has_its_share_its_depth_and_its_light) {
   EXPECT_NEAR(other.strength, 0.4F, 1e-5F);
 }
 
-TEST(DepthReading, what_returns_no_light_weighs_nothing_and_nothing_is_no_surface) {
+TEST(DepthReading, a_black_surface_has_no_weight_and_the_void_is_no_surface) {
   const DepthReading front{2.0F, 1.0F, 0.4F, 0.0F, {}};
   const OtherSurface black =
       other_surface(front, {{{2.0F, 0.1F}, {2.0F, 0.1F}, {3.0F, 0.0F}, {0.0F, 0.0F}}});

@@ -17,7 +17,7 @@ std::uint16_t to_mm(float value_mm) {
 }
 
 /// Approximately Gaussian, -2..2, standard deviation 1 (Irwin-Hall of three).
-float wander(std::uint32_t hash) {
+float gaussian(std::uint32_t hash) {
   return 2.0F * (nth_unit(hash, 1) + nth_unit(hash, 2) + nth_unit(hash, 3) - 1.5F);
 }
 
@@ -61,7 +61,7 @@ std::optional<float> DepthSensing::seen_at_edge(const ExpectedReading& expected,
                                                 std::uint32_t hash) const {
   const OtherSurface& other = expected.other;
   const float other_mm = 1000.0F * other.z_m;
-  const float share = other.share + expected.lateral_px * wander(hash);
+  const float share = other.share + expected.lateral_px * gaussian(hash);
   if (share <= 0.0F) return expected.mean_mm;
   if (share >= 1.0F) return other_mm;
   if (nth_unit(hash, 4) < profile_.lost_at_edge) return std::nullopt;

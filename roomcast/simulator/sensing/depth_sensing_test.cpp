@@ -108,7 +108,7 @@ TEST(DepthSensing, dark_surfaces_are_noisier_for_time_of_flight) {
   EXPECT_NEAR(dark / bright, 2.0, 0.1);  // a quarter of the light
 }
 
-TEST(DepthSensing, glass_over_black_is_lost_head_on_and_aslant_and_what_is_matt_is_not) {
+TEST(DepthSensing, glass_over_black_is_lost_head_on_and_aslant_and_matt_surfaces_are_not) {
   const Surface matt = painted(Pattern::kPlain, 0x101114, 0, 0, 1, 0.5F);
   Surface screen = glazed(matt);
   screen.infrared = 0.015F;

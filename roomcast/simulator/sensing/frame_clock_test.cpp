@@ -44,7 +44,7 @@ TEST(FrameClock, frames_come_faster_by_the_rate_it_states) {
   EXPECT_LE(std::abs(clock.rate_ppm()), 20.0);
 }
 
-TEST(FrameClock, loses_the_share_asked_for_in_ones_and_in_bursts) {
+TEST(FrameClock, loses_the_requested_share_singly_and_in_bursts) {
   TimingOptions options;
   options.lost_share = 0.04;
   const FrameClock clock(options, 30.0, 6);

@@ -12,12 +12,12 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::minutes;
 
-TEST(Interference, is_never_there_unless_asked_for) {
+TEST(Interference, is_off_by_default) {
   const Interference none(0.0, 7);
   for (nanoseconds t{}; t < minutes(5); t += milliseconds(100)) EXPECT_FALSE(none.at(t));
 }
 
-TEST(Interference, bursts_come_at_the_rate_asked_for_and_last_as_long_as_they_should) {
+TEST(Interference, bursts_have_the_requested_rate_and_length) {
   constexpr int kMinutes = 200;
   constexpr double kPerMinute = 6.0;
   const Interference bursts(kPerMinute, 7);

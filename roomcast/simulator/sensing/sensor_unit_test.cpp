@@ -25,7 +25,7 @@ TEST(SensorUnit, lenses_are_legal_and_see_their_whole_picture) {
   }
 }
 
-TEST(SensorUnit, what_a_sensor_says_of_its_lenses_is_nearly_true) {
+TEST(SensorUnit, reported_lenses_are_nearly_exact) {
   for (int index = 0; index < 8; ++index) {
     const SensorUnit unit = make_unit({}, 5, index);
     const CameraIntrinsics &exact = unit.exact.depth, &reported = unit.reported.depth;
@@ -44,7 +44,7 @@ TEST(SensorUnit, what_a_sensor_says_of_its_lenses_is_nearly_true) {
   }
 }
 
-TEST(SensorUnit, a_clean_one_knows_itself_and_has_even_colours) {
+TEST(SensorUnit, a_clean_unit_has_exact_calibration_and_even_colours) {
   const SensorUnit unit = make_unit(SensingOptions().clean(), 1, 1);
   EXPECT_EQ(unit.exact.depth, unit.reported.depth);
   EXPECT_EQ(unit.exact.color, unit.reported.color);

@@ -80,7 +80,7 @@ float summed_detour_m(const PlacedCamera& camera, const Eigen::Vector3f& point_m
   return sum_m / direct_way * 3.0F;
 }
 
-TEST(Multipath, a_corner_bends_by_what_light_from_all_of_its_other_wall_adds_up_to) {
+TEST(Multipath, a_corner_bends_by_the_summed_light_of_its_other_wall) {
   const PlacedCamera camera = camera_in_corner(1.0);
   const Image<float> detour_m = detours(corner(0.6F));
   float most_m = 0.0F;

@@ -58,7 +58,7 @@ TEST(StaticPlate, floor_and_walls_lie_where_their_planes_are) {
   }
 }
 
-TEST(StaticPlate, every_pixel_of_every_sensor_sees_something_near_enough) {
+TEST(StaticPlate, every_pixel_of_every_sensor_sees_a_surface_in_range) {
   for (const char* name : {"livingroom", "office"}) {
     const Room room = build_room(name, 1).value();
     const auto scene = *RayScene::build(room.mesh);
@@ -96,7 +96,7 @@ std::set<PlateCell> cells_seen(const Room& room, const RayScene& scene, int sens
   return cells;
 }
 
-TEST(StaticPlate, three_sensors_overlap_and_each_sees_something_alone) {
+TEST(StaticPlate, three_sensors_overlap_and_each_sees_surfaces_of_its_own) {
   for (const char* name : {"livingroom", "office"}) {
     const Room room = build_room(name, 1).value();
     const auto scene = *RayScene::build(room.mesh);

@@ -39,39 +39,39 @@ class CaptureWriterTest : public render::GlTest {
   std::vector<std::string> written;
   bool disk_is_full = false;
   std::optional<render::OffscreenTarget> picture;
-  CaptureWriter keeper{folder.path(),
+  CaptureWriter writer{folder.path(),
                        [this](const auto& file, ColorView shown) { return write(file, shown); }};
 };
 
-TEST_F(CaptureWriterTest, says_where_a_picture_is) {
-  const Toast toast = keeper.save(*picture, "lab");
+TEST_F(CaptureWriterTest, reports_where_a_screenshot_is) {
+  const Toast toast = writer.save(*picture, "lab");
   EXPECT_EQ(toast.kind, Toast::Kind::kGood);
   EXPECT_NE(toast.sentence.find("roomcast-lab-0001.png"), std::string::npos);
   EXPECT_EQ(written, std::vector<std::string>{"roomcast-lab-0001.png"});
 }
 
-TEST_F(CaptureWriterTest, says_why_there_is_none) {
+TEST_F(CaptureWriterTest, reports_why_a_screenshot_failed) {
   disk_is_full = true;
-  const Toast toast = keeper.save(*picture, "lab");
+  const Toast toast = writer.save(*picture, "lab");
   EXPECT_EQ(toast.kind, Toast::Kind::kError);
   EXPECT_EQ(toast.sentence, "the disk is full");
 }
 
 TEST_F(CaptureWriterTest, records_until_it_is_stopped) {
-  EXPECT_NE(keeper.start_video(*picture, "lab").sentence.find("ffmpeg"), std::string::npos);
-  EXPECT_TRUE(keeper.is_recording());
-  EXPECT_TRUE(keeper.record(*picture, HostTime(1h)));
-  EXPECT_TRUE(keeper.record(*picture, HostTime(1h + 34ms)));
-  EXPECT_EQ(keeper.stop_video().kind, Toast::Kind::kGood);
-  EXPECT_FALSE(keeper.is_recording());
+  EXPECT_NE(writer.start_video(*picture, "lab").sentence.find("ffmpeg"), std::string::npos);
+  EXPECT_TRUE(writer.is_recording());
+  EXPECT_TRUE(writer.record(*picture, HostTime(1h)));
+  EXPECT_TRUE(writer.record(*picture, HostTime(1h + 34ms)));
+  EXPECT_EQ(writer.stop_video().kind, Toast::Kind::kGood);
+  EXPECT_FALSE(writer.is_recording());
   EXPECT_EQ(written, (std::vector<std::string>{"frame-000001.png", "frame-000002.png"}));
 }
 
 TEST_F(CaptureWriterTest, a_video_does_not_change_its_size) {
-  keeper.start_video(*picture, "lab");
+  writer.start_video(*picture, "lab");
   auto larger = render::OffscreenTarget::create(10, 6);
-  EXPECT_FALSE(keeper.record(*larger, HostTime(1h)));
-  EXPECT_EQ(keeper.stop_video().kind, Toast::Kind::kGood);
+  EXPECT_FALSE(writer.record(*larger, HostTime(1h)));
+  EXPECT_EQ(writer.stop_video().kind, Toast::Kind::kGood);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(FramePace, is_as_steady_as_its_video) {
   EXPECT_EQ(pace.due(at(10h)), VideoRecorder::kLongestStill);
 }
 
-TEST(VideoRecorder, writes_what_it_was_offered_in_order) {
+TEST(VideoRecorder, writes_the_offered_pictures_in_order) {
   std::vector<int> levels;
   VideoRecorder recorder(std::make_unique<NotingSink>(levels));
   ASSERT_TRUE(recorder.wants_frame(at(0s)));
@@ -60,7 +60,7 @@ TEST(VideoRecorder, writes_what_it_was_offered_in_order) {
   EXPECT_EQ(levels, (std::vector<int>{1, 2, 2, 2}));
 }
 
-TEST(VideoRecorder, says_why_it_could_not_write) {
+TEST(VideoRecorder, reports_why_writing_failed) {
   std::vector<int> levels;
   auto sink = std::make_unique<NotingSink>(levels);
   sink->fails_after = 1;

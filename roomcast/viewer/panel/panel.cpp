@@ -108,7 +108,8 @@ void draw_placement(const client::RoomSensor& sensor) {
   }
 }
 
-void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures, ViewSettings& settings) {
+void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures,
+                 ViewSettings& settings) {
   ImGui::PushID(sensor.id.value);
   bool is_shown = !settings.hidden.contains(sensor.id);
   if (ImGui::Checkbox(sensor.name.c_str(), &is_shown)) {
@@ -171,7 +172,7 @@ void draw_mode(ViewSettings& settings) {
   }
   if (settings.mode == render::RenderMode::kBlend) {
     int unseen = static_cast<int>(settings.unseen);
-    ImGui::Combo("what nobody sees", &unseen, "left empty\0small holes filled\0surroundings\0");
+    ImGui::Combo("unseen areas", &unseen, "left empty\0small holes filled\0surroundings\0");
     settings.unseen = static_cast<render::Unseen>(unseen);
   }
 }

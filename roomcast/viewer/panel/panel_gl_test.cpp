@@ -89,7 +89,7 @@ TEST_F(PanelTest, grows_with_each_sensor) {
   EXPECT_GT(changed_pixels(draw(), 0, 420), before + 2000);
 }
 
-TEST_F(PanelTest, shows_as_not_available_what_the_room_does_not_let_viewers_keep) {
+TEST_F(PanelTest, disables_recording_where_viewers_may_not_record) {
   const ColorImage without = draw();
   room.rights.may_record = true;
   const ColorImage with = draw();

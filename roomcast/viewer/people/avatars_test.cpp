@@ -23,7 +23,7 @@ client::RoomSnapshot room_with(const client::PersonPose& other, const std::strin
   return room;
 }
 
-TEST(Avatars, are_the_others_who_have_said_where_they_are) {
+TEST(Avatars, show_the_other_people_with_a_known_pose) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(1)));
   ASSERT_EQ(avatars.shown().size(), 1U);
@@ -46,7 +46,7 @@ TEST(Avatars, glide_to_the_newest_pose_and_come_to_rest) {
   EXPECT_NEAR(avatars.shown()[0].shown.world_from_head.translation_m.x(), 1, 1e-3);
 }
 
-TEST(Avatars, hands_and_beams_come_and_go_at_once) {
+TEST(Avatars, hands_and_beams_appear_and_disappear_at_once) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(0)));
   client::PersonPose pointing = pose_at(0);
@@ -61,13 +61,13 @@ TEST(Avatars, hands_and_beams_come_and_go_at_once) {
   EXPECT_FALSE(avatars.shown()[0].shown.pointer);
 }
 
-TEST(Avatars, who_has_no_name_is_told_apart_by_a_number) {
+TEST(Avatars, a_person_without_a_name_gets_a_number) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(0), ""));
   EXPECT_EQ(avatars.shown()[0].name, "viewer 2");
 }
 
-TEST(Avatars, who_left_is_not_shown) {
+TEST(Avatars, a_person_who_left_is_not_shown) {
   Avatars avatars;
   avatars.follow(room_with(pose_at(0)));
   avatars.follow(client::RoomSnapshot{});

@@ -71,7 +71,7 @@ TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
   EXPECT_EQ(sensors.at(middle.x(), middle.y()), render::kDrawnByNoSensor);
 }
 
-TEST_F(PeopleViewTest, the_visor_shows_where_somebody_looks) {
+TEST_F(PeopleViewTest, the_visor_shows_the_viewing_direction) {
   room.people[0].pose->world_from_head.rotation.setIdentity();  // away: -z is forward
   const ColorImage back = draw();
   room.people[0].pose->world_from_head.rotation = Eigen::Vector3d(-1, 1, -1).asDiagonal();
@@ -97,7 +97,7 @@ TEST_F(PeopleViewTest, a_name_stands_above_the_head_and_faces_the_eye) {
   EXPECT_GT(dark, 50) << "the plate behind them";
 }
 
-TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_what_is_pointed_at) {
+TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_its_target) {
   room.people[0].pose->world_from_right_hand =
       RigidTransform{Eigen::Matrix3d::Identity(), {0.3, 1.4, -1.5}};
   room.people[0].pose->pointer = client::PointerBeam{{0.3, 1.4, -1.5}, {-0.4, 1.3, -1.5}};
@@ -112,7 +112,7 @@ TEST_F(PeopleViewTest, a_beam_goes_from_the_hand_to_what_is_pointed_at) {
   }
 }
 
-TEST_F(PeopleViewTest, the_one_who_looks_sees_hands_and_beam_but_no_head) {
+TEST_F(PeopleViewTest, the_viewer_sees_its_own_hands_and_beam_but_no_head) {
   room.people[0].id = room.self;
   client::PersonPose own;
   own.world_from_head = camera.world_from_view;

@@ -47,7 +47,7 @@ TEST(LatencyBudget, is_the_median_of_the_last_second) {
   EXPECT_DOUBLE_EQ(budget.median(at(3400ms))->drawing_ms, 11);
 }
 
-TEST(LatencyBudget, says_nothing_of_what_it_cannot_know) {
+TEST(LatencyBudget, leaves_unknown_stages_empty) {
   LatencyBudget budget;
   EXPECT_FALSE(budget.median(at(0s)));
   budget.shown(picture_at(0s), {}, at(40ms), at(55ms));

@@ -12,12 +12,12 @@ HostTime at(nanoseconds since_start) {
   return HostTime(1h + since_start);
 }
 
-TEST(RateMeter, says_how_fast_a_count_grows_now) {
+TEST(RateMeter, is_the_current_growth_per_second) {
   RateMeter meter;
   EXPECT_EQ(meter.per_second(), 0);
   std::uint64_t total = 100;
   for (int i = 0; i <= 100; ++i) meter.count(at(i * 100ms), total += i < 50 ? 1 : 3);
-  EXPECT_NEAR(meter.per_second(), 30, 1e-9) << "what was before the last 2 s does not count";
+  EXPECT_NEAR(meter.per_second(), 30, 1e-9) << "growth before the last 2 s does not count";
 }
 
 TEST(RateMeter, many_counts_in_a_moment_are_one) {

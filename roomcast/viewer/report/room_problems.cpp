@@ -50,8 +50,8 @@ std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime
   const std::string why =
       sensor.placement_note.empty() ? "." : ": " + with_full_stop(sensor.placement_note);
   return RoomProblem{Severity::kNotice, sensor.name,
-                     "Nobody knows yet where sensor " + sensor.name + " stands" + why +
-                         " It is shown at a place that was made up."};
+                     "The place of sensor " + sensor.name + " is not known yet" + why +
+                         " It is shown at a provisional place."};
 }
 
 }  // namespace

@@ -69,11 +69,11 @@ TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
   EXPECT_EQ(problems[0].sentence, "Sensor right has been silent for 5 s.");
   EXPECT_EQ(
       problems[1].sentence,
-      "Nobody knows yet where sensor left stands: it shares no surface with the others. It is "
-      "shown at a place that was made up.");
+      "The place of sensor left is not known yet: it shares no surface with the others. It is "
+      "shown at a provisional place.");
 }
 
-TEST(RoomProblems, a_sensor_that_nothing_has_confirmed_where_it_is_shown) {
+TEST(RoomProblems, a_sensor_with_an_unverified_pose_is_reported) {
   client::RoomSnapshot room = good_room();
   room.sensors[0].unverified = true;
   const auto problems = room_problems(room, kNow);
@@ -90,7 +90,7 @@ TEST(RoomProblems, a_slow_sensor_is_not_a_silent_one) {
   EXPECT_TRUE(room_problems(room, kNow).empty());
 }
 
-TEST(RoomProblems, an_empty_room_and_one_that_everybody_left_differ) {
+TEST(RoomProblems, an_empty_room_and_one_whose_sensors_all_left_differ) {
   client::RoomSnapshot room;
   room.connected = true;
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "No sensor is in the room yet.");
@@ -99,7 +99,7 @@ TEST(RoomProblems, an_empty_room_and_one_that_everybody_left_differ) {
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "All sensors are gone.");
 }
 
-TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_told) {
+TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_reported) {
   client::RoomSnapshot room = good_room();
   room.sensors[0].moved = true;
   room.sensors[1].picture.reset();

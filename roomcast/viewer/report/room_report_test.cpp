@@ -12,7 +12,7 @@ HostTime at(nanoseconds since_start) {
   return HostTime(1h + since_start);
 }
 
-TEST(RoomReport, says_what_each_sensor_sends_and_what_is_lost) {
+TEST(RoomReport, has_the_rate_and_losses_of_each_sensor) {
   RoomReport report;
   client::RoomSnapshot room;
   room.sensors.resize(1);

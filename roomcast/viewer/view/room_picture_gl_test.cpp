@@ -36,7 +36,7 @@ class RoomPictureTest : public render::GlTest {
   render::ViewCamera camera;
 };
 
-TEST_F(RoomPictureTest, follows_the_size_that_is_asked_for) {
+TEST_F(RoomPictureTest, follows_the_requested_size) {
   ASSERT_TRUE(picture->draw(*view, camera, render::RenderMode::kMesh).ok());
   EXPECT_EQ(picture->target()->width(), 80);
   camera.width = 120;
@@ -58,7 +58,7 @@ TEST_F(RoomPictureTest, the_surface_under_a_pixel_is_where_it_is_in_the_world) {
   EXPECT_NEAR(40 + focal * view_m.y() / view_m.z(), 30.5, 1e-6);
 }
 
-TEST_F(RoomPictureTest, where_nothing_is_there_is_no_surface) {
+TEST_F(RoomPictureTest, an_empty_pixel_has_no_surface) {
   camera.world_from_view = render::world_from_view_looking_at({0, 1, 0}, {0, 1, 1});
   ASSERT_TRUE(picture->draw(*view, camera, render::RenderMode::kMesh).ok());
   EXPECT_FALSE(surface_at(*picture->target(), camera, 40, 40));
@@ -75,7 +75,7 @@ TEST_F(RoomPictureTest, drawing_is_measured_when_it_is_finished) {
   const auto time = picture->take_drawing_time();
   ASSERT_TRUE(time);
   EXPECT_GT(time->count(), 0);
-  EXPECT_FALSE(picture->take_drawing_time()) << "each is told once";
+  EXPECT_FALSE(picture->take_drawing_time()) << "each time is returned once";
 }
 
 }  // namespace

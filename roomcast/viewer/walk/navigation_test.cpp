@@ -63,7 +63,7 @@ TEST(Navigation, a_machine_that_slept_does_not_walk_through_the_wall) {
   EXPECT_LT(moved_m(navigation).norm(), 0.5);
 }
 
-TEST(Navigation, forgets_keys_when_nobody_will_tell_of_their_release) {
+TEST(Navigation, forgets_held_keys_when_the_window_loses_the_keyboard) {
   Navigation navigation(start());
   navigation.hold(WalkKey::kForward, true);
   navigation.release_all();
@@ -94,7 +94,7 @@ TEST(Navigation, dragging_to_the_right_turns_the_room_to_the_right) {
   EXPECT_EQ(looking.view().position_m, start().position_m);
 }
 
-TEST(Navigation, what_lies_at_the_pivot_follows_a_panning_mouse) {
+TEST(Navigation, the_pivot_follows_a_panning_mouse) {
   Navigation navigation(start());
   navigation.drag(Drag::kPan, 0, kHeight_px / 2, kHeight_px, kFov_rad);
   EXPECT_NEAR(moved_m(navigation).y(), 2 * std::tan(kFov_rad / 2), kRounding);

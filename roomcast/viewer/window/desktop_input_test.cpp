@@ -60,7 +60,7 @@ TEST_F(DesktopInputTest, w_walks_until_it_is_released) {
   EXPECT_FALSE(navigation.is_walking());
 }
 
-TEST_F(DesktopInputTest, walking_keys_lie_where_they_lie_on_any_keyboard) {
+TEST_F(DesktopInputTest, walking_keys_are_at_the_same_place_on_any_keyboard) {
   EXPECT_FALSE(take(key_event(SDL_SCANCODE_W, SDLK_z, true)));  // a French keyboard
   EXPECT_TRUE(navigation.is_walking());
 }
@@ -77,7 +77,7 @@ TEST_F(DesktopInputTest, a_window_that_loses_the_keyboard_stands_still) {
   EXPECT_FALSE(input.is_pointing());
 }
 
-TEST_F(DesktopInputTest, keys_ask_for_what_the_help_says) {
+TEST_F(DesktopInputTest, keys_give_the_commands_in_the_help) {
   EXPECT_EQ(take(key_event(SDL_SCANCODE_R, SDLK_r, true)), ViewerCommand::kStart);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_5, SDLK_5, true)), ViewerCommand::kModeBlend);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_P, SDLK_p, true)), ViewerCommand::kScreenshot);
@@ -90,7 +90,7 @@ TEST_F(DesktopInputTest, keys_ask_for_what_the_help_says) {
   EXPECT_EQ(take(quit), ViewerCommand::kQuit);
 }
 
-TEST_F(DesktopInputTest, a_mouse_that_drags_nothing_moves_nothing_but_is_known) {
+TEST_F(DesktopInputTest, a_mouse_without_a_button_moves_nothing_but_its_place_is_known) {
   EXPECT_FALSE(take(motion_event(20, 10, 0)));
   EXPECT_EQ(navigation.view().yaw_rad, start.yaw_rad);
   EXPECT_EQ(input.mouse().x, 120);

@@ -58,7 +58,7 @@ TEST_F(ViewWindowTest, scales_a_smaller_picture_to_all_of_it) {
   EXPECT_EQ(shown.at(0, 0), (Rgb8{10, 20, 30}));
 }
 
-TEST(ViewWindow, says_what_to_do_where_there_is_no_display) {
+TEST(ViewWindow, without_a_display_the_error_gives_advice) {
   ::setenv("SDL_VIDEODRIVER", "x11", 1);
   const char* const display = std::getenv("DISPLAY");
   const std::string before = display != nullptr ? display : "";

@@ -55,7 +55,7 @@ TEST(EyePicture, of_a_larger_picture_shows_the_same) {
   EXPECT_NEAR(focal_px(larger), focal_px(*picture), 1e-9);
 }
 
-TEST(EyePicture, what_is_no_picture_is_refused) {
+TEST(EyePicture, an_empty_field_of_view_is_refused) {
   EXPECT_FALSE(eye_picture({0.5F, -0.5F, 0.5F, -0.5F}, {640, 640}).ok());
   EXPECT_FALSE(eye_picture({-1.7F, 0.5F, 0.5F, -0.5F}, {640, 640}).ok());
   EXPECT_FALSE(eye_picture({NAN, 0.5F, 0.5F, -0.5F}, {640, 640}).ok());

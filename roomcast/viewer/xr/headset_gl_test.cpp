@@ -143,7 +143,7 @@ TEST_F(HeadsetTest, each_eye_sees_from_its_own_side) {
   EXPECT_GT(share_of_other_pixels(left.color, right.color), 0.01);
 }
 
-TEST_F(HeadsetTest, the_depth_of_what_is_seen_goes_with_it) {
+TEST_F(HeadsetTest, the_pictures_depth_is_submitted_with_it) {
   runtime.head_at = [](XrTime) { return XrPosef{{0, 0, 0, 1}, {0, 1.6F, 0}}; };
   open();
   ASSERT_TRUE(draw().ok());
@@ -154,7 +154,7 @@ TEST_F(HeadsetTest, the_depth_of_what_is_seen_goes_with_it) {
   EXPECT_NEAR(2 * far * near / (far + near - ndc * (far - near)), 2, 0.01);
 }
 
-TEST_F(HeadsetTest, one_that_takes_no_depth_gets_none) {
+TEST_F(HeadsetTest, a_runtime_without_depth_layers_gets_no_depth) {
   runtime.offers_depth = false;
   open();
   ASSERT_TRUE(draw().ok());
@@ -162,7 +162,7 @@ TEST_F(HeadsetTest, one_that_takes_no_depth_gets_none) {
   EXPECT_FALSE(runtime.given[0].color.empty());
 }
 
-TEST_F(HeadsetTest, wants_no_frames_while_nobody_wears_it_and_goes_on_afterwards) {
+TEST_F(HeadsetTest, wants_no_frames_while_it_is_taken_off_and_goes_on_afterwards) {
   open();
   ASSERT_TRUE(draw().ok());
   runtime.take_off();
@@ -175,7 +175,7 @@ TEST_F(HeadsetTest, wants_no_frames_while_nobody_wears_it_and_goes_on_afterwards
   EXPECT_EQ(runtime.frames_with_layer, 2U);
 }
 
-TEST_F(HeadsetTest, says_when_the_person_ends_it_there) {
+TEST_F(HeadsetTest, reports_when_the_wearer_ends_the_session) {
   open();
   ASSERT_TRUE(draw().ok());
   runtime.ask_for_end();
@@ -214,7 +214,7 @@ TEST_F(HeadsetTest, a_head_that_is_not_tracked_sees_nothing) {
   EXPECT_EQ(runtime.frames_with_layer, 0U);
 }
 
-TEST_F(HeadsetTest, hands_are_where_they_are_and_do_what_they_do) {
+TEST_F(HeadsetTest, hands_have_their_poses_and_buttons) {
   open();
   runtime.hands.sticks["walk"] = {0.5F, 1};
   runtime.hands.buttons["point"] = true;
@@ -245,14 +245,14 @@ TEST_F(HeadsetTest, its_frames_are_timed) {
   EXPECT_GT(headset->timing().ours().count(), 0);
 }
 
-TEST_F(HeadsetTest, without_one_there_is_a_sentence) {
+TEST_F(HeadsetTest, without_a_headset_the_error_is_a_sentence) {
   runtime.is_connected = false;
   const auto none = Headset::open();
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().message, "no headset is connected: connect it, or wake it up");
 }
 
-TEST_F(HeadsetTest, without_its_software_there_is_a_sentence) {
+TEST_F(HeadsetTest, without_a_runtime_the_error_is_a_sentence) {
   ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
   const auto none = Headset::open();
   ASSERT_FALSE(none.ok());

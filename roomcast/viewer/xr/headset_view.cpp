@@ -105,7 +105,7 @@ Status HeadsetView::draw_eyes(RoomView& room, render::RenderMode mode) {
 
 std::string HeadsetView::report() const {
   const FrameTiming& timing = headset_->timing();
-  if (!is_running()) return headset_->name() + ": nobody wears it";
+  if (!is_running()) return headset_->name() + ": not worn";
   return fmt::format("{}: {:.0f} Hz, {:.1f} ms a frame, {} of {} missed", headset_->name(),
                      timing.headset_per_s(),
                      std::chrono::duration<double, std::milli>(timing.ours()).count(),

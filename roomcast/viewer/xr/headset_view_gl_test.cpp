@@ -59,7 +59,7 @@ TEST_F(HeadsetViewTest, begins_at_the_start_at_the_wearers_height) {
   EXPECT_EQ(left.at(left.width() / 2, left.height() / 2), (Rgb8{200, 200, 200})) << "the wall";
 }
 
-TEST_F(HeadsetViewTest, hands_are_told_and_seen) {
+TEST_F(HeadsetViewTest, hands_are_sent_and_drawn) {
   draw();
   ASSERT_TRUE(view->pose().world_from_left_hand);
   EXPECT_LT(
@@ -95,13 +95,13 @@ TEST_F(HeadsetViewTest, a_push_turns_and_recentring_undoes_it) {
   EXPECT_TRUE(view->pose().world_from_head.rotation.isApprox(straight, 1e-6));
 }
 
-TEST_F(HeadsetViewTest, reports_how_it_does) {
+TEST_F(HeadsetViewTest, reports_its_timing) {
   draw();
   EXPECT_NE(view->report().find("test headset (roomcast test runtime): 90 Hz"), std::string::npos)
       << view->report();
   runtime.take_off();
   ASSERT_TRUE(view->poll().ok());
-  EXPECT_NE(view->report().find("nobody wears it"), std::string::npos);
+  EXPECT_NE(view->report().find("not worn"), std::string::npos);
 }
 
 }  // namespace

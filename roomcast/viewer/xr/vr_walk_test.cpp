@@ -23,7 +23,7 @@ Eigen::Vector3d gaze(const VrWalk& walk, const VrInput& input) {
   return (walk.world_from_stage() * input.stage_from_head).rotation * Eigen::Vector3d(0, 0, -1);
 }
 
-TEST(VrWalk, stands_where_it_is_told_at_its_own_height) {
+TEST(VrWalk, stands_at_the_given_place_at_its_own_height) {
   VrWalk walk;
   const VrInput input = standing();
   walk.stand_at(look_from({2, 1.2, 3}, {2, 1.2, 0}), input.stage_from_head);
@@ -61,7 +61,7 @@ TEST(VrWalk, turns_by_one_step_for_each_push_around_the_head) {
   EXPECT_LT((gaze(walk, input) - gaze(VrWalk{}, input)).norm(), kRounding) << "and back";
 }
 
-TEST(VrWalk, turns_smoothly_for_who_wants_it) {
+TEST(VrWalk, turns_smoothly_if_chosen) {
   VrWalk walk;
   ComfortOptions comfort;
   comfort.snap_turn = false;
@@ -73,7 +73,7 @@ TEST(VrWalk, turns_smoothly_for_who_wants_it) {
   EXPECT_LT(gaze(walk, input).z(), once.z()) << "to the left of +x, on and on";
 }
 
-TEST(VrWalk, teleports_when_the_stick_is_let_go) {
+TEST(VrWalk, teleports_when_the_stick_is_released) {
   VrWalk walk;
   VrInput input = standing();
   input.stage_from_aim = world_from_view(look_from({0.4, 1.2, -0.3}, {0.4, 1.2, -2}));
@@ -91,7 +91,7 @@ TEST(VrWalk, teleports_when_the_stick_is_let_go) {
             kRounding);
 }
 
-TEST(VrWalk, the_walking_stick_teleports_who_would_not_glide) {
+TEST(VrWalk, without_smooth_walking_the_walking_stick_teleports) {
   VrWalk walk;
   ComfortOptions comfort;
   comfort.smooth_walk = false;
@@ -103,7 +103,7 @@ TEST(VrWalk, the_walking_stick_teleports_who_would_not_glide) {
   EXPECT_TRUE(walk.teleport_target_m());
 }
 
-TEST(LandingPlace, is_nearer_for_who_aims_lower_and_none_for_who_throws_too_far) {
+TEST(LandingPlace, is_nearer_for_a_lower_aim_and_missing_beyond_the_reach) {
   const auto aim = [](double pitch) {
     ViewState view;
     view.position_m = {0, 1.2, 0};

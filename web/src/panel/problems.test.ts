@@ -65,7 +65,7 @@ describe('what is wrong', () => {
 
   test('is a sensor that nobody has placed', () => {
     const lost = { ...s0, placement: Placement.UNPLACED };
-    expect(sentences(known({}, [lost]))[0]).toMatch(/Nobody knows yet where sensor s0 stands: it is shown/);
+    expect(sentences(known({}, [lost]))[0]).toMatch(/The place of sensor s0 is not known yet: it is shown/);
     const told = { ...lost, placementNote: 'turn it towards s1' };
     expect(sentences(known({}, [told]))[0]).toMatch(/stands: turn it towards s1\. It is shown/);
   });
@@ -74,7 +74,7 @@ describe('what is wrong', () => {
     const lost = { ...s0, placement: Placement.UNPLACED };
     const others = ['s1', 's2'].map((name, n) => ({ ...lost, id: n + 1, name }));
     expect(sentences(known({}, [lost, ...others]))).toEqual([
-      'Nobody knows yet where sensors s0, s1, and s2 stand: they are shown at places that were made up.',
+      'The places of sensors s0, s1, and s2 are not known yet: they are shown at provisional places.',
     ]);
     const refused = { ...lost, id: 3, name: 's3', placementNote: 'turn it towards s1' };
     expect(sentences(known({}, [lost, ...others, refused]))).toHaveLength(2);

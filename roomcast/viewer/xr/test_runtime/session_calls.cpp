@@ -11,7 +11,7 @@
 namespace roomcast::viewer::xr {
 namespace {
 
-void tell(XrSessionState state) {
+void send_state(XrSessionState state) {
   SessionRecord& session = session_record();
   session.state = state;
   session.events.push_back(
@@ -34,8 +34,8 @@ XRAPI_ATTR XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateI
   session.exists = true;
   session.display = TestRuntime::kBegin_ns;
   *made = kTheSession;
-  tell(XR_SESSION_STATE_IDLE);
-  tell(XR_SESSION_STATE_READY);
+  send_state(XR_SESSION_STATE_IDLE);
+  send_state(XR_SESSION_STATE_READY);
   return XR_SUCCESS;
 }
 
@@ -50,9 +50,9 @@ XRAPI_ATTR XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo
   if (session.state != XR_SESSION_STATE_READY)
     return violation("a session begun before it is ready", XR_ERROR_SESSION_NOT_READY);
   session.running = true;
-  tell(XR_SESSION_STATE_SYNCHRONIZED);
-  tell(XR_SESSION_STATE_VISIBLE);
-  tell(XR_SESSION_STATE_FOCUSED);
+  send_state(XR_SESSION_STATE_SYNCHRONIZED);
+  send_state(XR_SESSION_STATE_VISIBLE);
+  send_state(XR_SESSION_STATE_FOCUSED);
   return XR_SUCCESS;
 }
 

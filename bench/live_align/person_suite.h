@@ -13,7 +13,7 @@
 
 namespace roomcast::bench {
 
-struct WalkerSuiteOptions {
+struct PersonSuiteOptions {
   int rooms = 16;
   std::uint64_t seed = 1;  // of the first room; increases by one per room
   double seconds = 20;     // of walking
@@ -21,7 +21,7 @@ struct WalkerSuiteOptions {
   bool unaware = false;    // people follow the room's usual activities instead of walking about
 };
 
-[[nodiscard]] Result<std::vector<PairCase>> run_walker_suite(
-    const WalkerSuiteOptions& options, const std::function<void(std::string_view)>& progress);
+[[nodiscard]] Result<std::vector<PairCase>> run_person_suite(
+    const PersonSuiteOptions& options, const std::function<void(std::string_view)>& progress);
 
 }  // namespace roomcast::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/live_align/walker_suite.h"
+#include "bench/live_align/person_suite.h"
 
 #include <cmath>
 #include <utility>
@@ -17,11 +17,11 @@ constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are no
 struct Walk {
   RigidTransform level_from_depth;
   std::vector<alignment::HeadSighting> sightings;
-  double look_ms = 0;
+  double detector_ms = 0;
 };
 
-Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
-                        const WalkerSuiteOptions& options, nanoseconds phase) {
+Result<Walk> observe_walk(FilmedSensor& sensor, const StillView& still,
+                          const PersonSuiteOptions& options, nanoseconds phase) {
   const auto& floor = still.view.floor;
   if (!floor) return Error{ErrorCode::kUnavailable, "no floor is seen"};
   alignment::HeadDetector heads(still.bundle, *floor);
@@ -33,7 +33,7 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
     const DepthImage& depth_mm = sensor.depth_mm(time);
     const CpuStopwatch watch;
     const auto found = heads.find(depth_mm.view());
-    walk.look_ms += watch.ms() / frames;
+    walk.detector_ms += watch.ms() / frames;
     for (const auto& head : found) {
       walk.sightings.push_back(alignment::head_sighting(
           walk.level_from_depth, 1e-9 * double(time.count()), head.cast<double>()));
@@ -43,9 +43,9 @@ Result<Walk> watch_walk(FilmedSensor& sensor, const StillView& still,
 }
 
 Result<PairCase> run_case(const char* scene, std::uint64_t seed,
-                          const WalkerSuiteOptions& options) {
-  const auto room =
-      simulator::SimulatedRoom::build(scene, seed, options.unaware ? simulator::Visitor::kNone : simulator::Visitor::kWalkabout);
+                          const PersonSuiteOptions& options) {
+  const auto room = simulator::SimulatedRoom::build(
+      scene, seed, options.unaware ? simulator::Visitor::kNone : simulator::Visitor::kWalkabout);
   if (!room) return room.error();
   auto sensors = sensors_apart(*room, seed, 180);
   if (!sensors) return sensors.error();
@@ -55,18 +55,18 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
     result.reason = still.error().message;
     return result;
   }
-  const auto seen_by_a = watch_walk(sensors->first, still->first, options, {});
-  const auto seen_by_b = watch_walk(sensors->second, still->second, options, kPhase);
+  const auto seen_by_a = observe_walk(sensors->first, still->first, options, {});
+  const auto seen_by_b = observe_walk(sensors->second, still->second, options, kPhase);
   if (!seen_by_a || !seen_by_b) {
     result.reason = (seen_by_a ? seen_by_b : seen_by_a).error().message;
     return result;
   }
-  result.look_ms = (seen_by_a->look_ms + seen_by_b->look_ms) / 2;
+  result.detector_ms = (seen_by_a->detector_ms + seen_by_b->detector_ms) / 2;
   const auto match = alignment::match_walks(seen_by_a->sightings, seen_by_b->sightings);
   if (match) {
     const RigidTransform a_from_b =
         seen_by_a->level_from_depth.inverse() * match->a_from_b * seen_by_b->level_from_depth;
-    place_settled(*sensors, *still, {a_from_b, match->expected_error_mm}, result);
+    place_refined(*sensors, *still, {a_from_b, match->expected_error_mm}, result);
   } else {
     result.reason = match.error().message;
   }
@@ -75,8 +75,8 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
 
 }  // namespace
 
-Result<std::vector<PairCase>> run_walker_suite(
-    const WalkerSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
+Result<std::vector<PairCase>> run_person_suite(
+    const PersonSuiteOptions& options, const std::function<void(std::string_view)>& progress) {
   const auto run = [&options](const char* scene, std::uint64_t seed) {
     return run_case(scene, seed, options);
   };

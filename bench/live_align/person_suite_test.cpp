@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/live_align/walker_suite.h"
+#include "bench/live_align/person_suite.h"
 
 #include <gtest/gtest.h>
 
 namespace roomcast::bench {
 namespace {
 
-TEST(WalkerSuite, a_case_is_answered_about_as_well_as_expected_or_refused_with_a_reason) {
-  WalkerSuiteOptions options;
+TEST(PersonSuite, a_sensor_is_placed_about_as_well_as_expected_or_refused_with_a_reason) {
+  PersonSuiteOptions options;
   options.rooms = 1;
-  const auto cases = run_walker_suite(options, [](std::string_view) {});
+  const auto cases = run_person_suite(options, [](std::string_view) {});
   ASSERT_TRUE(cases.ok()) << cases.error().message;
   ASSERT_EQ(cases->size(), 1U);
   const PairCase& one = cases->front();
