@@ -38,7 +38,8 @@ DesktopState state_at_default_start() {
 }
 
 /// Draws and shows a picture, as DesktopViewer does.
-void draw(DesktopState& state, HostTime now, std::optional<nanoseconds> drawing_time = {}) {
+void draw_and_show(DesktopState& state, HostTime now,
+                   std::optional<nanoseconds> drawing_time = {}) {
   state.drawn({now, state.camera(kDesktopWindow), drawing_time});
   state.shown(now);
 }
@@ -90,7 +91,7 @@ TEST(DesktopState, waits_for_a_connection_before_it_goes_to_the_start) {
 TEST(DesktopState, draws_once_and_again_only_after_a_change) {
   DesktopState state = state_at_default_start();
   EXPECT_TRUE(state.must_draw(kDesktopWindow, !kIsPointing));
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_FALSE(state.must_draw(kDesktopWindow, !kIsPointing));
   state.redraw();
   EXPECT_TRUE(state.must_draw(kDesktopWindow, !kIsPointing));
@@ -99,7 +100,7 @@ TEST(DesktopState, draws_once_and_again_only_after_a_change) {
 TEST(DesktopState, draws_again_after_each_kind_of_change) {
   DesktopState state = state_at_default_start();
   const auto must_draw_after = [&](auto change) {
-    draw(state, desktop_time(0s));
+    draw_and_show(state, desktop_time(0s));
     change();
     state.advance(0);
     return state.must_draw(kDesktopWindow, !kIsPointing);
@@ -117,26 +118,26 @@ TEST(DesktopState, draws_again_after_each_kind_of_change) {
 
 TEST(DesktopState, draws_again_for_a_window_of_another_size) {
   DesktopState state = state_at_default_start();
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_TRUE(state.must_draw({800, 600}, !kIsPointing));
 }
 
 TEST(DesktopState, draws_while_the_user_points_and_once_after) {
   DesktopState state = state_at_default_start();
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_TRUE(state.must_draw(kDesktopWindow, kIsPointing));
   state.point_at(Eigen::Vector3d(0, 1, 0));
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_TRUE(state.must_draw(kDesktopWindow, !kIsPointing)) << "the beam is still in the picture";
   state.point_at(std::nullopt);
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_FALSE(state.must_draw(kDesktopWindow, !kIsPointing));
 }
 
 TEST(DesktopState, shows_the_window_after_a_change_and_ten_times_a_second) {
   DesktopState state = state_at_default_start();
   EXPECT_TRUE(state.must_show(desktop_time(0s)));
-  draw(state, desktop_time(0s));
+  draw_and_show(state, desktop_time(0s));
   EXPECT_FALSE(state.must_show(desktop_time(99ms)));
   EXPECT_TRUE(state.must_show(desktop_time(100ms)));
   state.redraw();
@@ -195,14 +196,14 @@ TEST(DesktopState, pictures_of_the_headset_change_neither_resolution_nor_window_
 TEST(DesktopState, latency_counts_each_sensor_picture_once) {
   DesktopState state = state_at_default_start();
   state.follow(desktop_room(1), desktop_time(0s));
-  draw(state, desktop_time(20ms), 4ms);
-  draw(state, desktop_time(500ms), 4ms);  // the same picture again
+  draw_and_show(state, desktop_time(20ms), 4ms);
+  draw_and_show(state, desktop_time(500ms), 4ms);  // the same picture again
   const auto stages = state.latency(desktop_time(600ms));
   ASSERT_TRUE(stages);
   EXPECT_DOUBLE_EQ(stages->waiting_ms, 20);
   EXPECT_DOUBLE_EQ(stages->drawing_ms, 4);
   state.follow(desktop_room(2, 2), desktop_time(700ms));
-  draw(state, desktop_time(700ms), 4ms);
+  draw_and_show(state, desktop_time(700ms), 4ms);
   EXPECT_GT(state.latency(desktop_time(700ms))->waiting_ms, 20);
 }
 
@@ -222,7 +223,7 @@ TEST(DesktopState, reports_problems_of_the_room_four_times_a_second) {
 TEST(DesktopState, panel_has_the_size_and_time_of_the_newest_picture) {
   DesktopState state = state_at_default_start();
   EXPECT_EQ(state.facts(desktop_time(0s)).width, 0);
-  draw(state, desktop_time(0s), 7ms);
+  draw_and_show(state, desktop_time(0s), 7ms);
   const PanelFacts facts = state.facts(desktop_time(0s));
   EXPECT_EQ(facts.width, kDesktopWindow.width);
   EXPECT_EQ(facts.height, kDesktopWindow.height);
