@@ -64,7 +64,7 @@ async function makeRoom() {
 
 const isNear = (color, wanted) => wanted.every((value, i) => Math.abs(color[i] - value) < 25);
 
-describe('mixed surfaces', () => {
+describe('blended surfaces', () => {
   let browser, page;
   before(async () => {
     browser = await startBrowser({ width: 200, height: 150 });
@@ -78,7 +78,7 @@ describe('mixed surfaces', () => {
   };
 
   test(
-    'a remembered wall fills what a sensor loses, and never shows through what stands in front of it',
+    'background fills lost readings, and never shows through an object in front of it',
     slow,
     async (t) => {
       await freshRoom(t);
@@ -99,7 +99,7 @@ describe('mixed surfaces', () => {
     },
   );
 
-  test('what was taken away is forgotten as soon as the sensor reads what was behind it', slow, async (t) => {
+  test('a removed object is forgotten as soon as the sensor reads the surface behind it', slow, async (t) => {
     await freshRoom(t);
     const color = await page.evaluate(() => {
       const { place, see, middle, red, blue } = window.room;
@@ -111,7 +111,7 @@ describe('mixed surfaces', () => {
     assert.ok(isNear(color, [20, 20, 200]), String(color));
   });
 
-  test('another sensor that looks through what one remembers takes it away', slow, async (t) => {
+  test('background that another sensor sees through is removed', slow, async (t) => {
     await freshRoom(t);
     const color = await page.evaluate(() => {
       const { place, see, middle, red, blue } = window.room;
@@ -126,7 +126,7 @@ describe('mixed surfaces', () => {
     assert.ok(isNear(color, [20, 20, 200]), String(color));
   });
 
-  test('two sensors that see one surface give the mean of their colours', slow, async (t) => {
+  test('a surface that two sensors see has the mean of their colours', slow, async (t) => {
     await freshRoom(t);
     const color = await page.evaluate(() => {
       const { place, see, middle } = window.room;
@@ -138,7 +138,7 @@ describe('mixed surfaces', () => {
     assert.ok(isNear(color, [100, 100, 100]), String(color));
   });
 
-  test('what no sensor sees takes the colour of its surroundings', slow, async (t) => {
+  test('areas that no sensor sees take the colour of their surroundings', slow, async (t) => {
     await freshRoom(t);
     const color = await page.evaluate(() => {
       const { place, see, middle, inBox, green } = window.room;

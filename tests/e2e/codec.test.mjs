@@ -76,7 +76,7 @@ describe('golden payloads in a browser', () => {
   }, slow);
   after(() => browser?.end(), slow);
 
-  test('every one decodes to the depth and the mask that the index says', slow, async () => {
+  test('every one decodes to the depth and the mask of the index', slow, async () => {
     const expected = entries.map(({ file, depth_crc32, mask_crc32 }) => ({ file, depth_crc32, mask_crc32 }));
     assert.deepEqual(await page.evaluate(decodeAll, entries), expected);
   });

@@ -45,7 +45,7 @@ describe('the console', () => {
   const open = (page) => page.getByRole('button', { name: 'Console', exact: true }).click();
   const tab = (page, name) => page.getByRole('tab', { name }).click();
 
-  test('is not offered to whoever has no admin’s token', slow, async () => {
+  test('is offered only with an admin’s token', slow, async () => {
     const page = await openPage(browser.context, `${hub.page}?${view}`);
     await untilAllShown(page, 2);
     assert.equal(await page.getByRole('button', { name: 'Console', exact: true }).count(), 0);
@@ -53,7 +53,7 @@ describe('the console', () => {
     await page.close();
   });
 
-  describe('of whoever looks after the sensors', () => {
+  describe('of an admin who places sensors', () => {
     let page;
     before(async () => {
       page = await openPage(browser.context, `${hub.page}?${view}#token=${token}`);
@@ -62,7 +62,7 @@ describe('the console', () => {
     }, slow);
     after(() => page?.close());
 
-    test('shows what each sensor sees and sends, and the token is not in the address', slow, async () => {
+    test('shows each sensor’s picture and rates, and the token is not in the address', slow, async () => {
       assert.ok(!page.url().includes('#'), page.url());
       const figures = () => page.locator('#console .card').allInnerTexts();
       const cards = await until(
@@ -83,7 +83,7 @@ describe('the console', () => {
       assert.deepEqual(await seriousFindings(page), []);
     });
 
-    test('says how well pairs agree, and moves a sensor by hand', slow, async () => {
+    test('shows the gaps of pairs, and moves a sensor by hand', slow, async () => {
       await tab(page, 'Alignment');
       await until(
         'the pair',
@@ -104,7 +104,7 @@ describe('the console', () => {
       await page.getByRole('button', { name: 'Done' }).click();
     });
 
-    test('is worked with the keyboard alone', slow, async () => {
+    test('works with the keyboard alone', slow, async () => {
       await page.getByRole('tab', { name: 'Alignment' }).focus();
       await page.keyboard.press('ArrowRight');
       assert.equal(await page.evaluate(() => document.activeElement.textContent), 'People');
@@ -137,15 +137,15 @@ describe('the console', () => {
 
     test('makes a link with its QR code, and a token that it can revoke', slow, async () => {
       await tab(page, 'Access');
-      await page.getByLabel('Whom or what it is for').fill('Ada');
+      await page.getByLabel('Name of its user').fill('Ada');
       await page.getByRole('button', { name: 'Make it' }).click();
       await page.getByRole('img', { name: 'The link as a QR code' }).waitFor();
       link = await page.getByLabel('Link', { exact: true }).inputValue();
       assert.ok(link.startsWith(`${hub.page}#room=room&code=`), link);
 
       await page.locator('.access select').first().selectOption('sensor');
-      await page.getByLabel('Whom or what it is for').fill('left');
-      await page.getByLabel('A link for one time').uncheck();
+      await page.getByLabel('Name of its user').fill('left');
+      await page.getByLabel('One-time link').uncheck();
       await page.getByRole('button', { name: 'Make it' }).click();
       const command = await until(
         'a command',
@@ -168,8 +168,8 @@ describe('the console', () => {
 
     test('changes the room’s settings and opens another room', slow, async () => {
       await tab(page, 'Room');
-      await page.getByLabel('Most viewers').fill('64');
-      await page.getByLabel('Who may look').selectOption('token');
+      await page.getByLabel('Maximum viewers').fill('64');
+      await page.getByLabel('Who may view').selectOption('token');
       await page.getByRole('button', { name: 'Save' }).click();
       await until(
         'it is saved',
@@ -193,7 +193,7 @@ describe('the console', () => {
       await until(
         'two seconds of it',
         () => bar.innerText(),
-        (text) => /The hub keeps this room/.test(text) && name.test(text),
+        (text) => /The hub is recording this room/.test(text) && name.test(text),
       );
       assert.deepEqual(await seriousFindings(page), []);
       await bar.getByRole('button', { name: 'Stop recording' }).click();
@@ -204,7 +204,7 @@ describe('the console', () => {
       assert.ok(kept.every(({ frames }) => frames >= 2), JSON.stringify(kept));
     });
 
-    test('says why the hub refuses', slow, async () => {
+    test('shows the hub’s reason for a refusal', slow, async () => {
       await page.getByLabel('New room').fill('studio');
       await page.getByRole('button', { name: 'Open it' }).click();
       await until(
@@ -221,7 +221,7 @@ describe('the console', () => {
         (text) => pattern.test(text),
       );
 
-    test('has let others in: by a link that is good for once', slow, async () => {
+    test('has admitted others by a one-time link', slow, async () => {
       const visitor = await openPage(browser.context, link);
       await panelSays(visitor, /live/);
       await visitor.reload();
@@ -232,7 +232,7 @@ describe('the console', () => {
       await late.close();
     });
 
-    test('has opened a second room: whoever names none chooses', slow, async () => {
+    test('has opened a second room, and viewers without a room’s name choose one', slow, async () => {
       await askHub('/rooms/studio', { method: 'PATCH', body: '{"view":"anyone"}' });
       const visitor = await openPage(browser.context, `${hub.page}?panel=1`);
       await panelSays(visitor, /several rooms: choose one/);

@@ -57,7 +57,7 @@ describe('the room in a headset', () => {
     return (await other.evaluate(() => window.roomcast.otherPoses())).find((pose) => pose.viewerId === viewerId);
   };
 
-  test('it is entered by a button, and both eyes look from where the person stood', slow, async () => {
+  test('a button enters it, and both eyes look from the person’s viewpoint', slow, async () => {
     await page.getByRole('button', { name: 'Enter VR' }).click();
     const { views } = await untilHeadset('two views', ({ on, views }) => on && views.length === 2);
     const [left, right] = [views.find(({ eye }) => eye === 'left'), views.find(({ eye }) => eye === 'right')];
@@ -77,7 +77,7 @@ describe('the room in a headset', () => {
     );
   });
 
-  test('the view follows the head, and so do the eyes of the avatar that others see', slow, async () => {
+  test('the view follows the head, and so do the eyes of the person’s avatar', slow, async () => {
     await page.evaluate(() => {
       window.device.position.set(0.4, 1.5, -0.3);
       window.device.quaternion.set(0, Math.sin(0.3), 0, Math.cos(0.3));
@@ -91,7 +91,7 @@ describe('the room in a headset', () => {
     );
   });
 
-  test('a stick turns the wearer about the head, and the trigger goes where it points', slow, async () => {
+  test('a stick turns the wearer about the head, and the trigger teleports', slow, async () => {
     const { head: start } = await headsetOf(page);
     await page.evaluate(() => window.device.controllers.right.updateAxes('thumbstick', 1, 0));
     const turned = await untilHeadset('a turn', ({ head }) => Math.abs(head.qy - start.qy) > 0.1);
@@ -119,7 +119,7 @@ describe('the room in a headset', () => {
     await untilHeadset('controllers again', ({ drawnHands }) => drawnHands.every((shown) => shown === 'controller'));
   });
 
-  test('the session ends cleanly, and the screen shows what the headset showed', slow, async () => {
+  test('the session ends cleanly, and the screen shows the headset’s last view', slow, async () => {
     const { head } = await headsetOf(page);
     await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click'); // covered by iwer's picture
     await untilHeadset('it is off', ({ on, presenting }) => !on && !presenting);
@@ -135,7 +135,7 @@ describe('the room in a headset', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  test('where the headset shows one’s own room, it shows between the surfaces of the other', slow, async () => {
+  test('with passthrough the wearer’s own room is visible between the surfaces', slow, async () => {
     await page.getByRole('button', { name: 'Enter with your own room around you' }).click();
     await untilHeadset('passthrough', ({ on, passthrough, views }) => on && passthrough && views.length === 2);
     await page.getByRole('button', { name: 'Leave the headset' }).dispatchEvent('click');
@@ -143,7 +143,7 @@ describe('the room in a headset', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  test('a browser without a headset says what to do', slow, async () => {
+  test('a browser without a headset gives advice', slow, async () => {
     await until(
       'the panel says so',
       () => panelText(other),

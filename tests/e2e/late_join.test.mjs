@@ -15,7 +15,7 @@ const softwareDrawing_ms = 1000; // a graphics card needs only a few millisecond
 const fewestArrivals = 3;
 const mostArrivals = 10;
 
-describe('a viewer who comes late', () => {
+describe('a late viewer', () => {
   let hub, sensors, browser;
   before(async () => {
     requireBuilt();

@@ -56,7 +56,7 @@ function answerToPageOf(origin, hub) {
 
 describe('the page of a hub beside others', () => {
   for (const [isGone, signal] of [['is gone', 'SIGKILL'], ['hangs', 'SIGSTOP']]) {
-    test(`goes on at another hub when its own ${isGone}, with its token, and stays where it is`, slowWithNats, async (t) => {
+    test(`continues at another hub when its own ${isGone}, with its token and its viewpoint`, slowWithNats, async (t) => {
       requireBuilt();
       const { hubs: [own, other], tokens } = await startTwins(t);
       const sensor = startSensor(other, 0, { fps: 4, token: tokens.sensor });
@@ -82,7 +82,7 @@ describe('the page of a hub beside others', () => {
     });
   }
 
-  test('of a site that is none of theirs may not connect', slowWithNats, async (t) => {
+  test('of a foreign site may not connect', slowWithNats, async (t) => {
     const { hubs: [own, other] } = await startTwins(t);
     await until('they know each other', () => policyOf(other), (policy) => policy.includes(`ws://127.0.0.1:${own.port};`));
     const from = (origin) => answerToPageOf(origin, other);

@@ -35,7 +35,7 @@ async function likeness(png) {
   return { same, psnr_dB: 10 * Math.log10((255 ** 2 * 3 * width * height) / squares) };
 }
 
-test('the page draws what roomcast view draws', slow, async (t) => {
+test('the page draws the same picture as roomcast view', slow, async (t) => {
   requireBuilt();
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-picture-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));

@@ -35,7 +35,7 @@ describe('a room of three sensors', () => {
     rmSync(logs, { recursive: true, force: true });
   }, slow);
 
-  test('all sensors are drawn: each one alone at pixels that only it sees', slow, async () => {
+  test('all sensors are drawn: each one at pixels that only it sees', slow, async () => {
     await untilAllShown(page, sensorCount);
     for (const { id, only } of await coverageOf(page)) {
       assert.ok(only > leastPixels, `sensor ${id} alone covers ${only} pixels`);
@@ -56,7 +56,7 @@ describe('a room of three sensors', () => {
     }
   });
 
-  test('depth in the page is bit for bit what the sources produced', slow, async () => {
+  test('depth in the page equals the sources’ depth bit for bit', slow, async () => {
     for (const { id, name } of await sensorsOf(page)) {
       const framesOf = () => page.evaluate((sensor) => window.roomcast.decodedFrames(sensor), id);
       const decoded = await until(`frames of ${name}`, framesOf, (frames) => frames.length >= comparedFrames);
@@ -173,7 +173,7 @@ describe('a room of three sensors', () => {
     );
   });
 
-  test('the page has not complained', () => {
+  test('the page has logged no errors', () => {
     const expected = /WebSocket connection to .* failed|net::ERR_CONNECTION_(RESET|REFUSED)/; // without a hub
     assert.deepEqual(
       page.complaints.filter((complaint) => !expected.test(complaint)),

@@ -34,7 +34,7 @@ describe('the page', () => {
     await hub?.end();
   }, slow);
 
-  test('asks nobody but its hub, runs isolated, and keeps to its own policy', slow, async () => {
+  test('connects to its hub only, runs isolated, and obeys its own policy', slow, async () => {
     browser.context.on('request', (request) => asked.push(new URL(request.url())));
     const page = await openPage(browser.context, `${hub.page}?panel=1`);
     await untilAllShown(page, 1);
@@ -48,7 +48,7 @@ describe('the page', () => {
     assert.deepEqual(page.complaints, [], 'a breach of the policy would be one');
   });
 
-  test('lets no script in from elsewhere or from its own text', slow, async () => {
+  test('runs no foreign or inline scripts', slow, async () => {
     const page = await openPage(browser.context, `${hub.page}?panel=0`);
     const ran = await page.evaluate(async () => {
       const script = document.createElement('script');

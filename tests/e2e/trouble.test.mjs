@@ -30,7 +30,7 @@ describe('a room of one sensor, or none', () => {
       (text) => pattern.test(text),
     );
 
-  test('a room without sensors says how to add one, and shows the first one that comes', slow, async () => {
+  test('a room without sensors shows how to add one, and then the first one that joins', slow, async () => {
     const page = await openPage(browser.context, `${hub.page}?panel=1`);
     await untilPanelSays(page, new RegExp(`No sensor is in the room yet.*--hub ws://127.0.0.1:${hub.port}`));
     sensor = startSensor(hub, 0, { fps: 4 });
@@ -41,7 +41,7 @@ describe('a room of one sensor, or none', () => {
     await page.close();
   });
 
-  test('a decoder that cannot be loaded is reported, and nothing is pretended', slow, async () => {
+  test('a decoder that cannot be loaded is reported, and nothing is drawn', slow, async () => {
     const page = await browser.context.newPage();
     await browser.context.route('**/*.wasm', (route) => route.abort());
     await page.goto(`${hub.page}?panel=1`);

@@ -13,7 +13,7 @@ const nothing = { room: '', code: '', token: '' };
 describe('access', () => {
   beforeEach(() => kept.clear());
 
-  test('is nothing without a link', () => expect(readAccess('', store)).toEqual(nothing));
+  test('is empty without a link', () => expect(readAccess('', store)).toEqual(nothing));
 
   test("comes in the address's fragment", () => {
     expect(readAccess('#room=lab&code=abc', store)).toEqual({ ...nothing, room: 'lab', code: 'abc' });
@@ -21,7 +21,7 @@ describe('access', () => {
     expect(readAccess(`#token=${'x'.repeat(5000)}`, store)).toEqual(nothing);
   });
 
-  test('is kept for the tab, but for codes, and a new link counts more', () => {
+  test('is kept for the tab except for codes, and a new link takes precedence', () => {
     rememberAccess({ room: 'lab', code: 'abc', token: 't1' }, store);
     expect(readAccess('', store)).toEqual({ ...nothing, room: 'lab', token: 't1' });
     expect(readAccess('#token=t2', store).token).toBe('t2');
@@ -29,12 +29,12 @@ describe('access', () => {
     expect([...kept.values()].join()).not.toContain('abc');
   });
 
-  test('survives a store with nonsense in it', () => {
+  test('survives a store with invalid content', () => {
     kept.set('roomcast.access', '{"token":7');
     expect(readAccess('', store)).toEqual(nothing);
   });
 
-  test('is not shown to another room', () => {
+  test('is not sent to another room', () => {
     const access = { ...nothing, room: 'lab', token: 't' };
     expect(accessTo('lab', access)).toEqual(access);
     expect(accessTo('', access)).toEqual(access);

@@ -12,7 +12,7 @@ import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { Progress } from './panel/progress';
 import { RoomState } from './room_state';
-import { SensorGuesses } from './sensor_guesses';
+import { SensorNudges } from './sensor_nudges';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
@@ -45,7 +45,7 @@ class Page {
   private readonly stage: Stage;
   private readonly navigation: Navigation;
   private readonly headset: Headset;
-  private readonly guesses = new SensorGuesses();
+  private readonly nudges = new SensorNudges();
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
   private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
@@ -94,19 +94,19 @@ class Page {
     return {
       push: (sensor, step) => {
         const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
-        if (entry) this.guesses.push(entry, alongView(step, this.navigation.current.yaw));
+        if (entry) this.nudges.push(entry, alongView(step, this.navigation.current.yaw));
         this.showRoster();
       },
       putHere: (sensor) => {
-        this.guesses.put(sensor, standingLike(this.navigation.current));
+        this.nudges.put(sensor, standingLike(this.navigation.current));
         this.showRoster();
       },
       tryIt: (sensor) => {
-        const guess = this.guesses.of(sensor);
-        if (guess) this.link.nudge(sensor, guess);
+        const nudge = this.nudges.of(sensor);
+        if (nudge) this.link.nudge(sensor, nudge);
       },
       putBack: (sensor) => {
-        this.guesses.forget(sensor);
+        this.nudges.forget(sensor);
         this.showRoster();
       },
     };
@@ -114,7 +114,7 @@ class Page {
 
   private showRoster(): void {
     const { roster, welcome } = this.state;
-    if (roster) this.stage.follow(this.guesses.applyTo(roster), welcome?.viewerId ?? -1);
+    if (roster) this.stage.follow(this.nudges.applyTo(roster), welcome?.viewerId ?? -1);
   }
 
   private openStage(): Stage {
@@ -235,7 +235,7 @@ class Page {
   private followRoster(roster: Roster): void {
     const before = this.state.roster;
     if (!before) this.hubKnewSensors = roster.sensors.length > 0;
-    this.guesses.forgetAnswered(before, roster);
+    this.nudges.forgetAnswered(before, roster);
     this.state.follow(roster);
     this.showRoster();
     if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();

@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { parseOptions, parsePoint, socketUrl } from './page_options';
 
 describe("the page's URL", () => {
-  test('may say nothing', () => {
+  test('may be without options', () => {
     expect(parseOptions('')).toEqual({
       mode: 'blend',
       view: undefined,
@@ -15,7 +15,7 @@ describe("the page's URL", () => {
       record: false,
     });
   });
-  test('says mode, place, panel, name and room', () => {
+  test('has mode, place, panel, name and room', () => {
     const options = parseOptions(
       '?mode=points&at=1,1.6,-2&look=1,1.6,-5&panel=0&name=Ada&room=lab&quality=best&record=1',
     );
@@ -24,13 +24,13 @@ describe("the page's URL", () => {
     expect(options.view!.position).toEqual(new Vector3(1, 1.6, -2));
     expect(options.view!.distance).toBeCloseTo(3);
   });
-  test('with nonsense counts as without', () => {
+  test('with invalid values gives the defaults', () => {
     for (const at of ['', '1,2', '1,2,x', '1,,3', '1,2,Infinity', '1,2,3,4']) expect(parsePoint(at)).toBeUndefined();
     expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('blend');
     expect(parseOptions('?name=%00a').name).toBe('a');
     expect(parseOptions('?panel=1').panelOpen).toBe(true);
   });
-  test('leads to the socket of the same host', () => {
+  test('gives the socket of the same host', () => {
     expect(socketUrl({ protocol: 'http:', host: '127.0.0.1:7600' })).toBe('ws://127.0.0.1:7600/ws');
     expect(socketUrl({ protocol: 'https:', host: 'room.example' })).toBe('wss://room.example/ws');
   });

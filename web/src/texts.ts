@@ -11,13 +11,13 @@ export const headsetTexts = {
   obstacles: {
     none: '',
     insecure:
-      'Browsers keep headsets from pages that did not come over HTTPS. Start the hub with --tls-self-signed (or put it behind ' +
+      'Browsers allow headsets only on pages loaded over HTTPS. Start the hub with --tls-self-signed (or put it behind ' +
       'an HTTPS proxy) and open its https:// address; on the hub’s own computer http://localhost works, too.',
     'no-webxr':
-      'This browser does not know WebXR. The browser of a headset does, and so do Chrome and Edge on a computer.',
+      'This browser does not support WebXR. Use the browser of a headset, or Chrome or Edge on a computer.',
     'no-headset': 'No headset is connected to this browser. Open this page in a headset’s own browser, or connect one.',
   },
-  help: 'Left stick: walk. Right stick: turn, or forward to aim at the floor and let go. Trigger or pinch: aim and go there.',
+  help: 'Left stick: walk. Right stick: turn, or push forward to aim at the floor and release to go there. Trigger or pinch: aim and go there.',
 };
 
 export const consoleTexts = {
@@ -25,51 +25,51 @@ export const consoleTexts = {
   title: 'Console',
   close: 'Close the console',
   tabs: { sensors: 'Sensors', alignment: 'Alignment', people: 'People', access: 'Access', room: 'Room' },
-  noSensors: 'No sensor has come in yet. Each one that does appears here, with what it sees.',
+  noSensors: 'No sensor has joined yet. Each one appears here with its picture.',
   gone: 'gone',
   forget: 'Forget',
   noPicture: 'no picture yet',
-  charts: { fps: 'frames', rate: 'bandwidth', latency: 'age', leftOut: 'left out' },
+  charts: { fps: 'frames', rate: 'bandwidth', latency: 'age', leftOut: 'skipped' },
   clock: (error_ms: number) => `clock known to ±${Math.max(0.1, error_ms).toFixed(error_ms < 10 ? 1 : 0)} ms`,
   clockUnknown: 'clock not known yet',
   mapLabel: (sensors: number) => `The room from above with ${sensors} sensors and the pairs that see the same surfaces`,
   pairsTitle: 'Pairs',
   pairsHelp:
-    'How far apart two sensors say that the surfaces lie which both see now: the median over what they share. The sensors’ own ' +
-    'noise is in it.',
+    'The distance between the surfaces that two sensors see in common: the median over all common points. It includes the ' +
+    'sensors’ own noise.',
   pair: (a: string, b: string) => `${a} and ${b}`,
   gap: (gap_mm: number, points: number) => `${gap_mm.toFixed(0)} mm over ${points} points`,
-  noPairs: 'No two sensors see enough of the same surfaces to compare them.',
+  noPairs: 'No two sensors see enough common surface to compare them.',
   placesTitle: 'Places',
   placed: (error_mm: number) => `placed, expected error ${Math.max(1, Math.round(error_mm))} mm at 2.5 m`,
-  given: 'where it was said to be',
+  given: 'pose supplied by the sensor',
   unplaced: 'not placed',
   moved: 'was moved',
-  unverified: 'where it stood before it was away, not verified',
+  unverified: 'stored pose, not verified yet',
   advice:
-    'What helps: let it see more of what another sensor sees, with furniture rather than bare walls; let somebody walk ' +
-    'through both views; hold a printed board in front of both; or put it about right by hand.',
+    'What helps: more overlap with another sensor, with furniture rather than bare walls; a person who walks through both ' +
+    'views; a printed board held in front of both; or a pose proposed by hand.',
   move: 'Move by hand',
   moving: 'Done',
-  nudgeNeedsAdmin: 'Whoever opens the page with an admin’s token may move sensors by hand.',
+  nudgeNeedsAdmin: 'To move sensors by hand, open the page with an admin’s token.',
   people: {
     name: 'Name',
     fps: 'Shown',
     latency: 'Latency',
-    dropped: 'Left out',
+    dropped: 'Skipped',
     sendAway: 'Send away',
     you: ' (you)',
-    nobody: 'Nobody is here.',
+    nobody: 'No viewers are here.',
   },
   access: {
     intro:
-      'A link lets somebody in, as what you choose and for as long as you choose. A link for one time stops working once it was used.',
+      'A link gives access in the chosen role, for the chosen time. A one-time link works once.',
     role: 'For',
-    roles: { viewer: 'a viewer', sensor: 'a sensor', hub: 'a hub that serves this room on', admin: 'an admin of this room' },
-    name: 'Whom or what it is for',
-    span: 'Good for',
+    roles: { viewer: 'a viewer', sensor: 'a sensor', hub: 'a hub that relays this room', admin: 'an admin of this room' },
+    name: 'Name of its user',
+    span: 'Valid for',
     spans: { 3600: 'an hour', 28800: 'eight hours', 604800: 'a week', 31536000: 'a year' },
-    once: 'A link for one time',
+    once: 'One-time link',
     make: 'Make it',
     link: 'Link',
     token: 'Token',
@@ -77,36 +77,36 @@ export const consoleTexts = {
     copy: 'Copy',
     copied: 'Copied',
     qr: 'The link as a QR code',
-    shownOnce: 'It is shown this once.',
+    shownOnce: 'It is shown only now.',
     listTitle: 'Made so far',
     none: 'None yet.',
     revoke: 'Revoke',
     revoked: 'revoked',
-    unusedLink: 'a link that nobody has used',
+    unusedLink: 'an unused link',
     until: (date: string) => `until ${date}`,
     signIn: 'Token',
-    signInHelp: 'A token from whoever runs this hub. It stays in this tab.',
+    signInHelp: 'A token from the hub’s operator. It is kept for this tab only.',
     enter: 'Use it',
   },
   recording: {
     start: 'Start recording',
     stop: 'Stop recording',
-    states: { off: '', starting: 'It begins …', on: 'The hub keeps this room.', stopping: 'It ends …' },
+    states: { off: '', starting: 'Starting …', on: 'The hub is recording this room.', stopping: 'Stopping …' },
     failed: (problem: string) => `The recording has ended: ${problem}`,
     file: (name: string, length: string, megabytes: string) => `${name}, ${length}, ${megabytes} MB`,
   },
   room: {
     title: 'Shown name',
-    maxViewers: 'Most viewers',
-    maxSensors: 'Most sensors',
-    listed: 'Listed: people without a token may know of it',
-    view: 'Who may look',
+    maxViewers: 'Maximum viewers',
+    maxSensors: 'Maximum sensors',
+    listed: 'Listed: shown to people without a token',
+    view: 'Who may view',
     send: 'Who may send',
     record: 'Who may record',
     export: 'Who may export',
-    who: { anyone: 'anyone', token: 'who has a token', admin: 'admins', nobody: 'nobody' },
+    who: { anyone: 'anyone', token: 'clients with a token', admin: 'admins', nobody: 'nobody' },
     save: 'Save',
-    saved: 'Saved. It holds for who comes from now on.',
+    saved: 'Saved. It applies to clients that join from now on.',
     rooms: 'Rooms of this hub',
     counts: (sensors: number, viewers: number) => `${sensors} sensors, ${viewers} people`,
     newRoom: 'New room',
@@ -121,23 +121,23 @@ export const connectionTexts = {
   stopped: 'The hub has stopped.',
   gone: (host: string, reason: string) =>
     `The connection to the hub at ${host} is gone.${reason ? ` It said: ${reason}` : ''}`,
-  elsewhere: 'Going on at another hub.',
-  hungUp: (sentence: string) => `The hub hung up: ${sentence || 'it gave no reason.'}`,
-  tooSlow: 'This computer or its connection was too slow, and the hub hung up.',
+  elsewhere: 'Continuing at another hub.',
+  hungUp: (sentence: string) => `The hub closed the connection: ${sentence || 'it gave no reason.'}`,
+  tooSlow: 'This computer or its connection was too slow, so the hub closed the connection.',
   roomFull: 'The room is full.',
   busy: 'This hub is busy.',
   noSuchRoom: 'The hub has no room of that name, or you have no link to it.',
   severalRooms: 'This hub has several rooms: choose one.',
-  needsToken: 'This room asks for a token. Whoever runs it can make a link for you.',
-  tokenExpired: 'The time of your token is over. Ask whoever runs the room for another link.',
+  needsToken: 'This room requires a token. Ask its owner for a link.',
+  tokenExpired: 'Your token has expired. Ask the room’s owner for another link.',
   wrongRoom: 'Your token is for another room.',
-  codeUsed: 'This link was good for one time, and it has been used. Ask for another one.',
-  tokenInvalid: 'The hub does not accept this token: it was not made by it, or not for this.',
-  tokenRevoked: 'Your token was revoked by whoever runs the room.',
+  codeUsed: 'This one-time link has been used. Ask for another one.',
+  tokenInvalid: 'The hub does not accept this token: another hub made it, or it is for another role.',
+  tokenRevoked: 'Your token was revoked by the room’s owner.',
 };
 
 export const panelTexts = {
-  wrong: 'What is wrong',
+  wrong: 'Problems',
   closePanel: 'Close the panel',
   openPanel: 'Open the panel',
   phases: { joined: 'live', connecting: 'connecting', waiting: 'not connected', broken: 'stopped' },
@@ -190,10 +190,10 @@ export const placementTexts = {
   unplaced: 'not placed',
   unplacedTitle: 'being aligned',
   unverified: 'not verified',
-  unverifiedTitle: 'Shown where it stood before it was away; nothing has confirmed yet that it still does.',
+  unverifiedTitle: 'Shown at its stored pose, which has not been confirmed yet.',
   aligned: 'aligned',
   error: (error_mm: number) => `± ${error_mm} mm`,
-  alignedTitle: 'Aligned by what it sees. Expected error 2.5 m in front of it.',
+  alignedTitle: 'Aligned automatically. Expected error 2.5 m in front of it.',
 };
 
 export const problemTexts = {
@@ -204,7 +204,7 @@ export const problemTexts = {
   decoderStopped: (reason: string) => `The decoder has stopped (${reason}). Load the page again.`,
   noColor: 'This browser cannot decode VP9 (WebCodecs): depth is shown without colour.',
   noColorInsecure:
-    'Browsers decode colour only on pages that came over HTTPS: depth is shown without it. Start the hub with ' +
+    'Browsers decode colour only on pages loaded over HTTPS: depth is shown without it. Start the hub with ' +
     '--tls-self-signed and open its https:// address; on the hub’s own computer http://localhost works, too.',
   connecting: (hub: string) => `Connecting to ${hub} …`,
   tryingIn: (seconds: number) => `Trying again in ${seconds} s.`,
@@ -217,11 +217,11 @@ export const problemTexts = {
   moved: (name: string, why: string) =>
     `Sensor ${name} was moved: it is shown where it was until it is aligned again.${why}`,
   unverified: (name: string, why: string) =>
-    `Sensor ${name} is shown where it stood before it was away; nothing has confirmed yet that it still does.${why}`,
+    `Sensor ${name} is shown at its stored pose, which has not been confirmed yet.${why}`,
   unplaced: (name: string, why: string) =>
-    `The place of sensor ${name} is not known yet: ${why} is shown at a provisional place.`,
+    `Sensor ${name} is not placed yet: ${why} is shown at a provisional place.`,
   unplacedOnes: (names: string[]) =>
-    `The places of sensors ${new Intl.ListFormat('en').format(names)} are not known yet: they are shown at provisional places.`,
+    `Sensors ${new Intl.ListFormat('en').format(names)} are not placed yet: they are shown at provisional places.`,
 };
 
 export const nudgeTexts = {
@@ -240,5 +240,5 @@ export const nudgeTexts = {
   putHere: 'Where I stand and look',
   tryIt: 'Try (Enter)',
   putBack: 'Put back (Esc)',
-  hint: '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the rest is found by itself.',
+  hint: '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the hub refines the pose.',
 };

@@ -18,7 +18,7 @@ describe('the room clock', () => {
     expect(clock.estimate()).toEqual({ offset_ms: -5000, error_ms: 8 });
   });
 
-  test('believes the quickest exchange, and its error bound holds', () => {
+  test('uses the quickest exchange, and its error bound holds', () => {
     const clock = new RoomClock();
     exchange(clock, 1234, 0, 80, 2);
     exchange(clock, 1234, 500, 3, 1);

@@ -29,7 +29,7 @@ describe.skipIf(!built)(`golden payloads${reason}`, () => {
   // A stream's frames depend on each other: one decoder from each key frame to the next.
   let decoder: PayloadDecoder;
   for (const entry of entries) {
-    test(`${entry.file} decodes to the depth, mask and colour that the index says`, async () => {
+    test(`${entry.file} decodes to the depth, mask and colour of the index`, async () => {
       const payload = read(entry.file);
       if (entry.key) decoder = new PayloadDecoder(await loadCodec(), entry.width, entry.height);
       const { depth_mm, color } = decoder.decode(payload);

@@ -9,7 +9,7 @@ test('a history keeps the newest readings only', () => {
   expect(history.readings.at(-1)).toBe(keptReadings + 4);
 });
 
-test('a chart ends at the right edge and breaks where nothing was read', () => {
+test('a chart ends at the right edge and breaks at missing readings', () => {
   const path = chartPath([1, undefined, 2, 1], 2, keptReadings - 1, 10);
   expect(path).toBe(
     `M${(keptReadings - 4).toFixed(1)} 5.0M${(keptReadings - 2).toFixed(1)} 0.0L${(keptReadings - 1).toFixed(1)} 5.0`,

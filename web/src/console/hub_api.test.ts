@@ -15,40 +15,40 @@ function answering(status: number, body: unknown) {
 }
 
 describe("the hub's interface", () => {
-  test('is asked with the token in a header and never in the address', async () => {
+  test('gets the token in a header and never in the address', async () => {
     const { api, asked } = answering(200, { sensors: [] });
     await api.sensors('living room');
     expect(asked[0]!.address).toBe('api/v1/rooms/living%20room/sensors');
     expect(asked[0]!.init.headers).toEqual({ Authorization: 'Bearer secret' });
   });
 
-  test('is told what to make', async () => {
+  test('gets the new token’s settings', async () => {
     const { api, asked } = answering(201, { code: 'c', fragment: '#room=lab&code=c', expires_at: 1 });
     expect((await api.makeToken({ room: 'lab', role: 'viewer', once: true })).fragment).toBe('#room=lab&code=c');
     expect(asked[0]!.init.method).toBe('POST');
     expect(asked[0]!.init.body).toBe('{"room":"lab","role":"viewer","once":true}');
   });
 
-  test('refuses with its own sentence', async () => {
+  test('shows the hub’s sentence for a refusal', async () => {
     const { api } = answering(403, { error: { code: 'wrong_role', sentence: 'That takes an admin.' } });
     const refusal = await api.tokens().catch((error: unknown) => error);
     expect(refusal).toBeInstanceOf(HubRefusal);
     expect(refusal).toMatchObject({ message: 'That takes an admin.', code: 'wrong_role' });
   });
 
-  test('that answers something else is said to', async () => {
+  test('with an invalid answer is reported', async () => {
     const { api } = answering(404, 'not JSON of ours');
     await expect(api.rooms()).rejects.toThrow('The hub answered 404.');
   });
 
-  test('is asked to forget a sensor by its name', async () => {
+  test('forgets a sensor by its name', async () => {
     const { api, asked } = answering(204, undefined);
     await api.forgetSensor('lab', 'left/right');
     expect(asked[0]!.address).toBe('api/v1/rooms/lab/sensors/left%2Fright');
     expect(asked[0]!.init.method).toBe('DELETE');
   });
 
-  test('has nothing to say after deleting', async () => {
+  test('has an empty answer after deleting', async () => {
     const { api, asked } = answering(204, undefined);
     await api.revoke('a/b');
     expect(asked[0]!.address).toBe('api/v1/tokens/a%2Fb');

@@ -13,17 +13,17 @@ function sensorAt(x: number, wall_mm = 2000): DepthPicture {
 }
 
 describe('the gap of a pair', () => {
-  test('is nought where both say the same of a wall', () => {
+  test('is zero where both agree on a wall', () => {
     const gap = pairGap(sensorAt(0), sensorAt(0.3))!;
     expect(gap.gap_mm).toBeLessThan(0.01);
     expect(gap.points).toBeGreaterThan(100);
   });
 
-  test('is as large as what they differ by', () => {
+  test('equals their difference', () => {
     expect(pairGap(sensorAt(0), sensorAt(0.3, 2015))!.gap_mm).toBeCloseTo(15);
   });
 
-  test('leaves out what one of them does not see', () => {
+  test('ignores surfaces that only one of them sees', () => {
     const halfHidden = sensorAt(0);
     halfHidden.depth_mm.fill(1000, 0, halfHidden.depth_mm.length / 2);
     expect(pairGap(sensorAt(0), halfHidden)!.gap_mm).toBeLessThan(0.01);

@@ -32,55 +32,55 @@ function known(change: Partial<Known>, sensors: object[] = [s0], counts: SensorT
 
 const sentences = (facts: Known, room_ms = 10_100) => problems(facts, room_ms, 0).map((problem) => problem.sentence);
 
-describe('what is wrong', () => {
-  test('is nothing when all is well', () => expect(sentences(known({}))).toEqual([]));
+describe('the list of problems', () => {
+  test('is empty when all is well', () => expect(sentences(known({}))).toEqual([]));
 
-  test('is what broke, before all else', () => {
+  test('begins with failures', () => {
     expect(
       sentences(known({ broken: 'No WebGL.', connection: { ...joined, phase: 'waiting', sentence: 'x' } })),
     ).toEqual(['No WebGL.']);
   });
 
-  test('is a hub that is gone, with the time to the next try', () => {
+  test('has a hub that is gone, with the time to the next try', () => {
     const connection = { ...joined, phase: 'waiting' as const, sentence: 'The hub has stopped.', retryAt_ms: 2900 };
     expect(sentences(known({ connection }))).toEqual(['The hub has stopped. Trying again in 3 s.']);
     expect(sentences(known({ connection: { ...connection, reload: true } }))).toEqual(['The hub has stopped.']);
   });
 
-  test('is a room without sensors, with the command that adds one', () => {
+  test('has a room without sensors, with the command that adds one', () => {
     expect(sentences(known({}, []))[0]).toMatch(/roomcast sensor --source sim --hub ws:\/\/lab:7600/);
   });
 
-  test('is a sensor that is gone, or all of them', () => {
+  test('has a sensor that is gone, or all of them', () => {
     const gone = { ...s0, id: 1, name: 's1', online: false };
     expect(sentences(known({}, [s0, gone]))).toEqual(['Sensor s1 is gone; its last picture is shown in grey.']);
     expect(sentences(known({}, [gone]))[0]).toMatch(/All sensors are gone/);
   });
 
-  test('is a sensor that has been silent for more than three seconds', () => {
+  test('has a sensor that has been silent for more than three seconds', () => {
     expect(sentences(known({}), 12_900)).toEqual([]);
     expect(sentences(known({}), 15_000)).toEqual(['Sensor s0 has been silent for 5 s.']);
     expect(sentences(known({}, [{ ...s0, fps: 0.5 }]), 15_000)).toEqual([]);
   });
 
-  test('is a sensor that nobody has placed', () => {
+  test('has an unplaced sensor', () => {
     const lost = { ...s0, placement: Placement.UNPLACED };
-    expect(sentences(known({}, [lost]))[0]).toMatch(/The place of sensor s0 is not known yet: it is shown/);
+    expect(sentences(known({}, [lost]))[0]).toMatch(/Sensor s0 is not placed yet: it is shown/);
     const told = { ...lost, placementNote: 'turn it towards s1' };
-    expect(sentences(known({}, [told]))[0]).toMatch(/stands: turn it towards s1\. It is shown/);
+    expect(sentences(known({}, [told]))[0]).toMatch(/placed yet: turn it towards s1\. It is shown/);
   });
 
-  test('are several of which nobody knows anything yet, in one sentence', () => {
+  test('has several unplaced sensors without a reason in one sentence', () => {
     const lost = { ...s0, placement: Placement.UNPLACED };
     const others = ['s1', 's2'].map((name, n) => ({ ...lost, id: n + 1, name }));
     expect(sentences(known({}, [lost, ...others]))).toEqual([
-      'The places of sensors s0, s1, and s2 are not known yet: they are shown at provisional places.',
+      'Sensors s0, s1, and s2 are not placed yet: they are shown at provisional places.',
     ]);
     const refused = { ...lost, id: 3, name: 's3', placementNote: 'turn it towards s1' };
     expect(sentences(known({}, [lost, ...others, refused]))).toHaveLength(2);
   });
 
-  test('is a sensor that was moved, with what keeps it from being aligned again', () => {
+  test('has a moved sensor, with the reason why it is not aligned again', () => {
     const moved = { ...s0, placement: Placement.ALIGNED, moved: true };
     expect(sentences(known({}, [moved]))).toEqual([
       'Sensor s0 was moved: it is shown where it was until it is aligned again.',
@@ -89,12 +89,12 @@ describe('what is wrong', () => {
     expect(sentences(known({}, [told]))[0]).toMatch(/again\. Turn it towards s1\.$/);
   });
 
-  test('is a sensor that was away and that nothing has confirmed where it is shown', () => {
+  test('has a sensor with an unconfirmed pose', () => {
     const remembered = { ...s0, placement: Placement.ALIGNED, unverified: true, placementNote: 'nothing is shared' };
-    expect(sentences(known({}, [remembered]))[0]).toMatch(/^Sensor s0 is shown where .*does\. Nothing is shared\.$/);
+    expect(sentences(known({}, [remembered]))[0]).toMatch(/^Sensor s0 is shown at its stored pose, .*confirmed yet\. Nothing is shared\.$/);
   });
 
-  test('is a decoder that gave up, or colour that cannot be decoded', () => {
+  test('has a failed decoder, or colour that cannot be decoded', () => {
     expect(sentences(known({}, [s0], [{ ...traffic, problem: 'it gave up.' }]))).toEqual(['Sensor s0: it gave up.']);
     const facts = known({});
     facts.status!.colorProblem = 'No VP9.';

@@ -7,7 +7,7 @@ const plain: Ending = { opened: true, closeCode: 1006, closeReason: '', error: u
 const sentenceFor = (change: Partial<Ending>) => explain({ ...plain, ...change }, 'lab:7600', 'lab').sentence;
 
 describe('the end of a connection is explained', () => {
-  test('when nobody answered', () => {
+  test('when no hub answered', () => {
     expect(sentenceFor({ opened: false })).toBe('The hub at lab:7600 does not answer.');
   });
   test('when it broke', () => {
@@ -24,18 +24,18 @@ describe('the end of a connection is explained', () => {
     );
     expect(sentenceFor({ closeReason: 'limits' })).toMatch(/limits/);
   });
-  test('by a wrong version, which only a reload can mend', () => {
+  test('by a wrong version, which only a reload can fix', () => {
     const error = { code: ErrorCode.ERROR_UNSUPPORTED, sentence: '' };
     expect(explain({ ...plain, error }, 'h', 'lab')).toMatchObject({ reload: true });
     expect(explain({ ...plain, ownFault: { sentence: 'x', unsupported: true } }, 'h', 'lab')).toMatchObject({ reload: true });
     expect(explain(plain, 'h', 'lab').reload).toBe(false);
   });
-  test('by rooms to choose from, where none was asked for', () => {
+  test('by a choice of rooms where none was requested', () => {
     const error = { code: ErrorCode.ERROR_NO_SUCH_ROOM, sentence: '' };
     expect(explain({ ...plain, error }, 'h', 'lab').sentence).toMatch(/no room of that name/);
     expect(explain({ ...plain, error }, 'h', '').sentence).toMatch(/several rooms/);
   });
-  test('by what this side found wrong', () => {
+  test('by a fault that this side found', () => {
     expect(sentenceFor({ ownFault: { sentence: 'The hub has gone silent.', unsupported: false } })).toBe(
       'The hub has gone silent.',
     );
@@ -49,7 +49,7 @@ test('the wait before the next try doubles up to five seconds and is spread', ()
   expect(reconnectDelay_ms(6, 0)).toBe(3750);
 });
 
-test('who shows a bad token does not ask again and again', () => {
+test('a client with a bad token does not try again', () => {
   expect(isHopeless(plain)).toBe(false);
   expect(isHopeless({ ...plain, error: { code: ErrorCode.ERROR_CODE_USED, sentence: '' } })).toBe(true);
   expect(reconnectDelay_ms(1, 0, true)).toBe(45_000);

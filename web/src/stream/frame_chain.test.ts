@@ -26,7 +26,7 @@ describe('a frame chain', () => {
   test('stops where a base frame is missing, until the next key frame', () => {
     expect(decoded([key(0), droppable(3, 2), base(4, 2), droppable(5, 4), key(6), base(8, 6)])).toEqual([0, 6, 8]);
   });
-  test('refuses a frame that counts on an older base than the newest', () => {
+  test('refuses a frame with an older base than the newest', () => {
     expect(decoded([key(0), base(2, 0), droppable(3, 0)])).toEqual([0, 2]);
   });
   test('goes on where the sequence number wraps', () => {

@@ -43,7 +43,7 @@ test('a busy page gets the newest frame of each sensor when it is free again', (
   expect(discarded).toEqual([{ sensor: 0, seq: 1 }]);
 });
 
-test('a page that is free with nothing waiting gets nothing', () => {
+test('a free page gets nothing while no frame waits', () => {
   const { box, sent } = mailbox();
   box.pageIsFree();
   expect(sent).toEqual([]);

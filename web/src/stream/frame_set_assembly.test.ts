@@ -35,7 +35,7 @@ describe('a frame set', () => {
     expect(sets[0]!.frames).toEqual(['b', 'a']);
   });
 
-  test('does without a frame that was given up', () => {
+  test('is delivered without a frame that was given up', () => {
     assembly.arrive(7n, false);
     assembly.arrive(7n, true);
     assembly.settle(7n, undefined);
@@ -43,7 +43,7 @@ describe('a frame set', () => {
     expect(sets).toEqual([{ setId: 7n, frames: ['a'] }]);
   });
 
-  test('of which nothing could be decoded is not delivered', () => {
+  test('without a decoded frame is not delivered', () => {
     assembly.arrive(7n, true);
     assembly.settle(7n, undefined);
     expect(sets).toEqual([]);
@@ -68,7 +68,7 @@ describe('a frame set', () => {
     expect(sets.map((set) => set.frames)).toEqual([['a7', 'b7'], ['a8']]);
   });
 
-  test('that keeps four others waiting is delivered as it is, and what comes too late for it is discarded', () => {
+  test('that delays four others is delivered incomplete, and its late frames are discarded', () => {
     for (const set of [1n, 2n, 3n, 4n, 5n]) {
       assembly.arrive(set, false);
       assembly.arrive(set, true);

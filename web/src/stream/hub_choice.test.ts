@@ -35,7 +35,7 @@ describe('the choice of a hub', () => {
     expect(choice.toTry()).toEqual([own, b]);
   });
 
-  test('of who is refused everywhere is a pause', () => {
+  test('of a client that every hub refuses is a pause', () => {
     const choice = new HubChoice(own);
     choice.learn([b]);
     expect(choice.failed(false)).toBe(true);
@@ -43,7 +43,7 @@ describe('the choice of a hub', () => {
     expect(choice.failed(false)).toBe(false);
   });
 
-  test('is never again a hub that will not have us, but for our own', () => {
+  test('excludes hubs that refused this client, except its own', () => {
     const choice = new HubChoice(own);
     choice.learn([b]);
     choice.failed(false);
@@ -55,7 +55,7 @@ describe('the choice of a hub', () => {
     expect(choice.toTry()).toEqual([own]);
   });
 
-  test('is no hub without encryption for a page that came with it', () => {
+  test('excludes unencrypted hubs for an encrypted page', () => {
     const choice = new HubChoice(own);
     choice.learn(['ws://b:7600', 'http://c:7600']);
     expect(choice.hasOthers).toBe(false);
@@ -63,12 +63,12 @@ describe('the choice of a hub', () => {
 });
 
 describe('the socket of a hub', () => {
-  test('is where its address says', () => {
+  test('is at its address', () => {
     expect(socketOf('wss://B/ws#sha256=00')).toBe('wss://b:7600/ws');
     expect(socketOf('https://b:443/')).toBe('wss://b:443/ws');
     expect(socketOf('ws://[::1]:7601/hub/ws')).toBe('ws://[::1]:7601/hub/ws');
   });
-  test('is nowhere where that is none', () => {
+  test('is undefined for an invalid address', () => {
     for (const url of ['', 'b:7600', 'javascript:alert(1)', 'wss://b c', 'wss://user@b', 'wss://b/ws?x']) {
       expect(socketOf(url)).toBeUndefined();
     }

@@ -108,7 +108,7 @@ describe('a hub connection', () => {
     expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined']);
   });
 
-  test('comes back with the token that its code has brought', () => {
+  test('reconnects with the token that it got for its code', () => {
     start();
     socket().open();
     socket().say({ case: 'welcome', value: { token: 'signed' } });
@@ -132,7 +132,7 @@ describe('a hub connection', () => {
     expect(Math.abs(offset_ms - 5000)).toBeLessThanOrEqual(error_ms + 1e-3);
   });
 
-  test('that nobody answers tries again, and says so', () => {
+  test('without an answer tries again, and reports that', () => {
     start();
     socket().end(1006);
     expect(sentence()).toBe('The hub at hub:7600 does not answer.');
@@ -142,13 +142,13 @@ describe('a hub connection', () => {
     expect(states.at(-1)!.phase).toBe('connecting');
   });
 
-  test('that breaks goes on at the hub that answers first of those where the room is, too', () => {
+  test('that breaks continues at the first other hub of the room that answers', () => {
     start();
     socket().open();
     socket().say({ case: 'welcome', value: { token: 'signed' } });
     socket().say({ case: 'otherHubs', value: { urls: ['ws://b:7600/ws', 'ws://c:7600'] } });
     socket().end(1006);
-    expect(sentence()).toMatch(/hub:7600 is gone\. Going on at another hub\.$/);
+    expect(sentence()).toMatch(/hub:7600 is gone\. Continuing at another hub\.$/);
     vi.advanceTimersByTime(0);
     expect(FakeSocket.all.slice(1).map(({ url }) => url)).toEqual(['ws://b:7600/ws', 'ws://c:7600/ws']);
     FakeSocket.all[1]!.open();
@@ -161,14 +161,14 @@ describe('a hub connection', () => {
     expect(FakeSocket.all.slice(3).map(({ url }) => url)).toEqual(['ws://hub:7600/ws', 'ws://c:7600/ws']);
   });
 
-  test('goes on where a busy hub sends it, and says that it was sent', () => {
+  test('follows the redirect of a busy hub, and says so in its Join', () => {
     start();
     socket().open();
     expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { redirected: false } });
     socket().say({ case: 'otherHubs', value: { urls: ['ws://b:7600'] } });
     socket().say({ case: 'error', value: { code: ErrorCode.ERROR_BUSY, sentence: 'busy' } });
     socket().end(1013, 'busy');
-    expect(sentence()).toBe('This hub is busy. Going on at another hub.');
+    expect(sentence()).toBe('This hub is busy. Continuing at another hub.');
     vi.advanceTimersByTime(0);
     expect(FakeSocket.all[1]!.url).toBe('ws://b:7600/ws');
     FakeSocket.all[1]!.open();
@@ -239,7 +239,7 @@ describe('a hub connection', () => {
     expect(socket().url).toBe('ws://b:7600/ws');
   });
 
-  test('that has nothing to say is asked, and is not left while it answers', () => {
+  test('that is idle is pinged, and is not left while it answers', () => {
     vi.spyOn(Math, 'random').mockReturnValue(0.999); // the longest possible delay between pings
     const first = welcomedBesideAnother();
     const pings = () => first.sent.filter(({ message }) => message.case === 'clockPing').length;
@@ -251,7 +251,7 @@ describe('a hub connection', () => {
     expect(first.closedWith).toBeUndefined();
   });
 
-  test('is given the time that its answers take from far away', () => {
+  test('waits longer for answers from far away', () => {
     const first = welcomedBesideAnother();
     vi.advanceTimersByTime(600);
     first.say({ case: 'clockPong', value: { clientNs: BigInt(Math.round((performance.now() - 600) * 1e6)) } });
@@ -261,7 +261,7 @@ describe('a hub connection', () => {
     expect(first.closedWith).toBe(4000);
   });
 
-  test('is not left by who was kept from listening', () => {
+  test('is not left by a page that was paused', () => {
     const first = welcomedBesideAnother();
     const woken_ms = performance.now() + 5000; // after a sleep: no timer ran, and no message was processed
     vi.spyOn(performance, 'now').mockReturnValue(woken_ms);

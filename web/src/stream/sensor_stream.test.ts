@@ -140,7 +140,7 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect([...rgba.subarray(0, 3)]).toEqual([130, 130, 130]);
   });
 
-  test('that misses a base frame skips what counts on it and asks for a key frame', async () => {
+  test('that misses a base frame skips dependent frames and asks for a key frame', async () => {
     const stream = await streamWith(false);
     stream.push(headerOf(0), payloads[0]!);
     stream.push(headerOf(3), payloads[3]!);
@@ -168,7 +168,7 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(stream.traffic.problem).toMatch(/Codec 9/);
   });
 
-  test('whose colour decoder fails shows depth, asks for a key frame, and begins anew', async () => {
+  test('with a failed colour decoder shows depth, asks for a key frame, and begins anew', async () => {
     const stream = await streamWith(true);
     stream.push(headerOf(0), payloads[0]!);
     const failed = FakeVideoDecoder.last;
@@ -185,7 +185,7 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(settled.at(-1)!.rgba).toBeDefined();
   });
 
-  test('of a lost connection settles what waits and begins with a key frame', async () => {
+  test('of a lost connection completes waiting frames and begins with a key frame', async () => {
     const stream = await streamWith(true);
     stream.push(headerOf(0), payloads[0]!);
     stream.restart();

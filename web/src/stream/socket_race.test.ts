@@ -52,7 +52,7 @@ describe('a race of sockets', () => {
     b!.onclose!(gone);
     expect(heard).toEqual(['lost 1006']);
   });
-  test('is lost when nobody answers', () => {
+  test('is lost when no hub answers', () => {
     const [a, b] = race('a', 'b');
     vi.advanceTimersByTime(5000);
     expect(heard).toEqual(['lost 1006']);

@@ -11,7 +11,7 @@ function expectClose(found: readonly number[], expected: readonly number[]): voi
   expected.forEach((number, i) => expect(found[i]).toBeCloseTo(number, 9));
 }
 
-describe('a push', () => {
+describe('a nudge step', () => {
   test('shifts along the world', () => {
     const shifted = pushed(standing, { x: 0.1, y: 0.2, z: -0.3, turn: 0, tilt: 0 });
     expectClose([shifted[3]!, shifted[7]!, shifted[11]!], [2.1, 1.7, 2.7]);
@@ -19,7 +19,7 @@ describe('a push', () => {
     expect(shifted.slice(12)).toEqual([0, 0, 0, 1]);
   });
 
-  test('turns the sensor where it stands, counter-clockwise from above', () => {
+  test('turns the sensor in place, counter-clockwise from above', () => {
     const turned = pushed(standing, { x: 0, y: 0, z: 0, turn: Math.PI / 2, tilt: 0 });
     expectClose([turned[3]!, turned[7]!, turned[11]!], [2, 1.5, 3]);
     expectClose([turned[2]!, turned[6]!, turned[10]!], [-1, 0, 0]); // it looked along -z, now along -x
@@ -32,7 +32,7 @@ describe('a push', () => {
     expectClose([up[3]!, up[7]!, up[11]!], [2, 1.5, 3]);
   });
 
-  test('follows the view of whoever pushes', () => {
+  test('follows the user’s view', () => {
     const ahead = alongView({ ...nothing, forward: 1 }, 0);
     expectClose([ahead.x, ahead.z], [0, -1]);
     const aheadTurnedLeft = alongView({ ...nothing, forward: 1 }, Math.PI / 2);
@@ -42,7 +42,7 @@ describe('a push', () => {
   });
 });
 
-test('a sensor can be put where somebody stands', () => {
+test('a sensor can be put at the user’s viewpoint', () => {
   const position = new Vector3(2, 1.5, 3);
   expectClose(standingLike({ position, yaw: 0, pitch: 0 }), standing);
   const turned = standingLike({ position, yaw: Math.PI / 2, pitch: -Math.PI / 6 });

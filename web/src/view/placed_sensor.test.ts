@@ -12,7 +12,7 @@ function sensor(placement: Placement): PlacedSensor {
   return placed;
 }
 
-test('a sensor that nobody has placed is drawn by itself while the others are mixed', () => {
+test('an unplaced sensor is drawn alone while the others are blended', () => {
   const lost = sensor(Placement.UNPLACED);
   lost.updateVisible(true);
   expect(lost.surface.root.visible).toBe(true);

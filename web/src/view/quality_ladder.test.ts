@@ -25,14 +25,14 @@ describe('the quality ladder', () => {
     expect(ladder.quality).toEqual(qualities[0]);
   });
 
-  test('comes down to what a slow machine can draw', () => {
+  test('coarsens the grid on a slow machine', () => {
     const ladder = new QualityLadder();
     draw(ladder, 10, software);
     const { step, pixelRatio } = ladder.quality;
     expect(software(step, pixelRatio)).toBeLessThan(60);
   });
 
-  test('stays at the finest when told to, however slow', () => {
+  test('stays at the finest grid on request, however slow', () => {
     const ladder = new QualityLadder();
     ladder.pinToBest();
     draw(ladder, 10, () => 500);
@@ -54,7 +54,7 @@ describe('the quality ladder', () => {
     expect(ladder.quality).toEqual(qualities.at(-1));
   });
 
-  test('tries less and less often to go up where that is a mistake', () => {
+  test('tries finer grids less and less often after failures', () => {
     const ladder = new QualityLadder();
     const history = draw(ladder, 120, (step) => (step >= 4 ? 10 : 100));
     const mistakes = history.filter((quality, i) => quality.step < 4 && history[i - 1]?.step === 4).length;

@@ -24,7 +24,7 @@ describe('a ray table', () => {
     }
   });
 
-  test('says which pixels look nowhere: beyond the fold of a strong distortion', () => {
+  test('marks pixels without a ray, beyond the fold of a strong distortion', () => {
     const { rays, blind } = rayTable({ ...straight, k1: -0.9 }, 512, 424);
     expect(blind.length).toBeGreaterThan(0);
     expect(blind.includes(210 * 512 + 254)).toBe(false);

@@ -20,26 +20,26 @@ function sensor(position: [number, number, number], target: [number, number, num
 describe('the start view', () => {
   test('needs a sensor', () => expect(startView([])).toBeUndefined());
 
-  test('of one sensor looks where it looks, from eye height', () => {
+  test('of one sensor has its direction, from eye height', () => {
     const view = startView([sensor([1, 1.2, 2], [1, 1.2, -2])])!;
     expect(view.position.y).toBeCloseTo(1.6);
     expect(direction(view).z).toBeLessThan(-0.9);
   });
 
-  test('of sensors in an arc stands on their side', () => {
+  test('of sensors in an arc is on their side', () => {
     const view = startView([sensor([-2, 1.5, 2], [0, 1, 0]), sensor([2, 1.5, 2], [0, 1, 0])])!;
     expect(view.position.z).toBeGreaterThan(1);
     expect(direction(view).z).toBeLessThan(-0.8);
   });
 
-  test('leaves out those that nobody has placed, unless there are no others', () => {
+  test('ignores unplaced sensors unless there are no others', () => {
     const placed = { placement: Placement.ALIGNED };
     const unplaced = { placement: Placement.UNPLACED };
     expect(placedOrAll([unplaced, placed])).toEqual([placed]);
     expect(placedOrAll([unplaced])).toEqual([unplaced]);
   });
 
-  test('of sensors all around stands at a distance and looks at the middle', () => {
+  test('of sensors all around is at a distance and looks at the middle', () => {
     const ring = [
       [2, 2],
       [-2, 2],

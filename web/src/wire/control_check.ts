@@ -20,28 +20,28 @@ const unitQuaternionTolerance = 0.01;
 const maxSensorId = 0xffff;
 
 function checkFps(fps: number): void {
-  if (!(fps > 0 && fps <= maxFps)) throw malformed(`a frame rate is more than 0 and at most ${maxFps} per second`);
+  if (!(fps > 0 && fps <= maxFps)) throw malformed(`a frame rate must be above 0 and at most ${maxFps} per second`);
 }
 
 /** Row-major 4x4. */
 export function checkRigid(m: readonly number[], what: string): void {
-  if (m.length !== 16) throw malformed(`${what} has to have 16 numbers`);
-  if (!m.every((n) => Math.abs(n) <= maxPosition_m)) throw malformed(`${what} holds a number that makes no sense`);
+  if (m.length !== 16) throw malformed(`${what} must have 16 numbers`);
+  if (!m.every((n) => Math.abs(n) <= maxPosition_m)) throw malformed(`${what} has a number out of range`);
   if (m[12] !== 0 || m[13] !== 0 || m[14] !== 0 || m[15] !== 1) {
-    throw malformed(`${what} has to end with the row 0 0 0 1`);
+    throw malformed(`${what} must end with the row 0 0 0 1`);
   }
   const at = (row: number, column: number) => m[4 * row + column]!;
   const dot = (a: number, b: number) => at(0, a) * at(0, b) + at(1, a) * at(1, b) + at(2, a) * at(2, b);
   for (let a = 0; a < 3; a++) {
     for (let b = a; b < 3; b++) {
       if (Math.abs(dot(a, b) - (a === b ? 1 : 0)) > rigidTolerance) {
-        throw malformed(`${what} is not a rotation and a translation`);
+        throw malformed(`${what} must be a rotation and a translation`);
       }
     }
   }
   const minor = (a: number, b: number) => at(1, a) * at(2, b) - at(1, b) * at(2, a);
   const determinant = at(0, 0) * minor(1, 2) - at(0, 1) * minor(0, 2) + at(0, 2) * minor(0, 1);
-  if (determinant < 0) throw malformed(`${what} mirrors: a rotation does not`);
+  if (determinant < 0) throw malformed(`${what} must not mirror`);
 }
 
 function checkIntrinsics(camera: Intrinsics | undefined, minSide: number, maxSide: number, what: string): void {
@@ -63,10 +63,10 @@ function checkCalibration(calibration: Calibration | undefined): void {
 
 function checkRoster(roster: Roster): void {
   if (roster.sensors.length > maxSensors || roster.viewers.length > maxViewers) {
-    throw tooLarge('a roster lists more sensors or viewers than a room holds');
+    throw tooLarge('a roster lists more sensors or viewers than a room may have');
   }
   for (const sensor of roster.sensors) {
-    if (sensor.id > maxSensorId) throw malformed("a sensor's id has 16 bits");
+    if (sensor.id > maxSensorId) throw malformed("a sensor's ID must have at most 16 bits");
     checkName(sensor.name, 'sensor');
     checkCalibration(sensor.calibration);
     checkRigid(sensor.worldFromDepth, 'world_from_depth');
@@ -87,12 +87,12 @@ function checkPose(pose: Pose): void {
   if (!isWithinReach(pose)) throw malformed('a pose is out of range');
   const norm2 = pose.qx ** 2 + pose.qy ** 2 + pose.qz ** 2 + pose.qw ** 2;
   if (!(Math.abs(norm2 - 1) < unitQuaternionTolerance)) {
-    throw malformed("a pose's quaternion has to have unit length");
+    throw malformed("a pose's quaternion must have unit length");
   }
 }
 
 function checkViewerPose(pose: ViewerPose): void {
-  if (!pose.head) throw malformed("a viewer's pose has a head");
+  if (!pose.head) throw malformed("a viewer's pose needs a head");
   for (const part of [pose.head, pose.leftHand, pose.rightHand]) {
     if (part) checkPose(part);
   }
@@ -102,7 +102,7 @@ function checkViewerPose(pose: ViewerPose): void {
 }
 
 function checkViewerPoses(message: ViewerPoses): void {
-  if (message.poses.length > maxViewers) throw tooLarge('more poses than a room holds viewers');
+  if (message.poses.length > maxViewers) throw tooLarge('there are more poses than viewers in a room');
   message.poses.forEach(checkViewerPose);
 }
 

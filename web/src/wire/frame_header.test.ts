@@ -67,7 +67,7 @@ describe('a frame header', () => {
   test('shorter than 48 bytes is refused', () => {
     expect(faultOf(() => parseFrameHeader(frame((v) => v.setUint16(4, 47, true))))).toBe('malformed');
   });
-  test('whose payload length is too small or too large is refused', () => {
+  test('with a too small or too large payload length is refused', () => {
     for (const length of [0, 2, 4, 0xffffffff]) {
       expect(faultOf(() => parseFrameHeader(frame((v) => v.setUint32(40, length, true))))).toBe('malformed');
     }
@@ -83,7 +83,7 @@ describe('a frame header', () => {
     expect(faultOf(() => parseFrameHeader(frame(undefined, maxFrameBytes)))).toBe('none');
     expect(faultOf(() => parseFrameHeader(frame(undefined, maxFrameBytes + 1)))).toBe('too-large');
   });
-  test('of a later version may be longer: what is unknown is skipped', () => {
+  test('of a later version may be longer, and its unknown part is skipped', () => {
     const longer = frame((v) => {
       v.setUint16(4, 50, true);
       v.setUint32(40, 1, true);

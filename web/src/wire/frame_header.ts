@@ -38,7 +38,7 @@ export function messageType(message: DataView): MessageType {
     throw malformed('this is not a roomcast message');
   }
   const found = message.getUint8(2);
-  if (found !== version) throw unsupported(`roomcast version ${found} is not understood here, only version ${version}`);
+  if (found !== version) throw unsupported(`roomcast version ${found} is not supported, only version ${version}`);
   const type = message.getUint8(3);
   if (type !== MessageType.Frame && type !== MessageType.Control) throw unsupported(`message type ${type} is unknown`);
   return type;

@@ -62,11 +62,11 @@ describe('golden messages', () => {
   for (const entry of entries) {
     const bytes = read(entry);
     if (entry.frame) {
-      test(`${entry.file} reads as the header the index says`, () => {
+      test(`${entry.file} reads as the header of the index`, () => {
         expect(meaningOfFrame(bytes)).toEqual(entry.frame);
       });
     } else if (entry.control) {
-      test(`${entry.file} reads as the message the index says`, () => {
+      test(`${entry.file} reads as the message of the index`, () => {
         expect(toJson(ControlSchema, decodeControl(bytes))).toEqual(entry.control);
       });
     } else {

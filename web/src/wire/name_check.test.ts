@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import { asName, checkName } from './name_check';
 
-test('what a person typed becomes a legal name', () => {
+test('typed text becomes a legal name', () => {
   expect(asName('  Émilie\u0000 ')).toBe('Émilie');
   expect(asName('é'.repeat(40))).toBe('é'.repeat(32));
   for (const typed of ['😀'.repeat(30), '\u0085', 'x'.repeat(1000), '']) {

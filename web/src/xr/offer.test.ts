@@ -6,16 +6,16 @@ const offering = (...modes: string[]) => ({
   isSessionSupported: (mode: string) => Promise.resolve(modes.includes(mode)),
 });
 
-test('a page that did not come over HTTPS is told so before all else', async () => {
+test('a page without HTTPS gets that reason first', async () => {
   expect(await headsetOffer(false, offering('immersive-vr'))).toEqual({ modes: [], obstacle: 'insecure' });
 });
 
-test('a browser without WebXR and one without a headset are told apart', async () => {
+test('a browser without WebXR and one without a headset get different reasons', async () => {
   expect((await headsetOffer(true, undefined)).obstacle).toBe('no-webxr');
   expect((await headsetOffer(true, offering())).obstacle).toBe('no-headset');
 });
 
-test('VR and passthrough are offered as they are there', async () => {
+test('VR and passthrough are offered where they are supported', async () => {
   expect(await headsetOffer(true, offering('immersive-vr'))).toEqual({ modes: ['immersive-vr'], obstacle: 'none' });
   expect((await headsetOffer(true, offering('immersive-vr', 'immersive-ar'))).modes).toHaveLength(2);
 });

@@ -7,7 +7,7 @@ const place = { x: 1, y: 0, z: -2, yaw: 0.7 };
 const headOnFloor = new Vector3(0.3, 1.65, 0.2); // in the wearer's physical floor frame
 const near = (a: Vector3, b: Vector3) => expect(a.distanceTo(b)).toBeLessThan(1e-9);
 
-describe('the place where a wearer stands', () => {
+describe('the place of a wearer', () => {
   test('and the offset of its reference space undo each other', () => {
     const { position, orientation } = originOffset(place);
     near(inWorld(place, headOnFloor).applyQuaternion(orientation).add(position), headOnFloor);
@@ -26,13 +26,13 @@ describe('the place where a wearer stands', () => {
     near(inWorld(after, headOnFloor), new Vector3(-1, 1.65, 4));
   });
 
-  test('walks where the head looks', () => {
+  test('walks in the direction of the head', () => {
     expect(walked(place, 0, 0, 1)).toMatchObject({ x: 1, z: -3 });
     expect(walked(place, Math.PI / 2, 0, 1).x).toBeCloseTo(0); // looking along -x
     expect(walked(place, 0, 1, 0)).toMatchObject({ x: 2, z: -2 });
   });
 
-  test('knows which way a head looks', () => {
+  test('gives the direction of a head', () => {
     expect(yawOf(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.4))).toBeCloseTo(0.4);
   });
 });

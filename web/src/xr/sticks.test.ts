@@ -5,7 +5,7 @@ import { Sticks } from './sticks';
 const still = { x: 0.05, y: -0.1 };
 
 describe('thumbsticks', () => {
-  test('at rest want nothing', () => {
+  test('at rest do nothing', () => {
     expect(new Sticks().read(still, still)).toEqual({ right: 0, forward: -0, turn_rad: 0, aims: false, letsGo: false });
     expect(new Sticks().read(undefined, undefined)).toMatchObject({ turn_rad: 0, aims: false });
   });
@@ -25,7 +25,7 @@ describe('thumbsticks', () => {
     expect(sticks.read(still, { x: -0.9, y: 0 }).turn_rad).toBeCloseTo(Math.PI / 6);
   });
 
-  test('the right one aims while it is pushed forward, and teleports when it is let go', () => {
+  test('the right one aims while it is pushed forward, and teleports when it is released', () => {
     const sticks = new Sticks();
     expect(sticks.read(still, { x: 0.5, y: -0.9 })).toMatchObject({ aims: true, letsGo: false, turn_rad: 0 });
     expect(sticks.read(still, { x: 0.9, y: -0.6 })).toMatchObject({ aims: true, turn_rad: 0 });

@@ -29,7 +29,7 @@ function target(width: number, height: number, ...layouts: Layout[]): THREE.WebG
 }
 
 /** Textures of the full picture size. */
-export class Remembered {
+export class BackgroundTextures {
   readonly target: THREE.WebGLRenderTarget;
 
   constructor(width: number, height: number) {
@@ -87,16 +87,16 @@ export class Grids {
 }
 
 export class BackgroundModel {
-  remembered: Remembered;
-  spare: Remembered; // target of the next update
+  current: BackgroundTextures;
+  spare: BackgroundTextures; // target of the next update
   grids: Grids;
   isBlank = true; // contains no background
   pictures = 0;
 
   constructor(readonly sensor: SensorPictures) {
     const { width, height } = sensor.lens;
-    this.remembered = new Remembered(width, height);
-    this.spare = new Remembered(width, height);
+    this.current = new BackgroundTextures(width, height);
+    this.spare = new BackgroundTextures(width, height);
     this.grids = new Grids(4, width, height);
   }
 
@@ -114,11 +114,11 @@ export class BackgroundModel {
   }
 
   swap(): void {
-    [this.remembered, this.spare] = [this.spare, this.remembered];
+    [this.current, this.spare] = [this.spare, this.current];
   }
 
   dispose(): void {
-    this.remembered.target.dispose();
+    this.current.target.dispose();
     this.spare.target.dispose();
     this.grids.dispose();
   }

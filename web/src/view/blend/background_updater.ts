@@ -52,12 +52,12 @@ export class BackgroundUpdater {
   remember(memory: BackgroundModel): void {
     const { renderer, rememberIn } = this;
     withoutHeadset(renderer, () => {
-      if (memory.isBlank) this.clear(memory.remembered.target);
+      if (memory.isBlank) this.clear(memory.current.target);
       memory.isBlank = false;
       rememberIn.uDepth.value = memory.sensor.depth;
       rememberIn.uColor.value = memory.sensor.color;
-      rememberIn.uReadings.value = memory.remembered.readings;
-      rememberIn.uMeanColor.value = memory.remembered.meanColor;
+      rememberIn.uReadings.value = memory.current.readings;
+      rememberIn.uMeanColor.value = memory.current.meanColor;
       this.passes.remember.run(renderer, memory.spare.target);
     });
     memory.swap();
@@ -67,15 +67,15 @@ export class BackgroundUpdater {
   /** Prepares the surfaces for drawing. */
   refresh(memory: BackgroundModel): void {
     const { renderer, passes } = this;
-    const { grids, remembered, sensor } = memory;
+    const { grids, current, sensor } = memory;
     for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
-    this.repairIn.uDepth_m.value = remembered.newest;
+    this.repairIn.uDepth_m.value = current.newest;
     this.smoothIn.uDepth_m.value = grids.repaired.texture;
     this.edgeIn.uDepth_m.value = this.qualityIn.uDepth_m.value = grids.live.texture;
     this.qualityIn.uInRow.value = grids.inRow.texture;
     this.qualityIn.uRays.value = sensor.rays;
     this.backgroundIn.uDepth.value = sensor.depth;
-    this.backgroundIn.uReadings.value = remembered.readings;
+    this.backgroundIn.uReadings.value = current.readings;
     this.backgroundIn.uLive_m.value = grids.live.texture;
     this.backgroundIn.uCarved.value = grids.carved.texture;
     withoutHeadset(renderer, () => {
@@ -92,8 +92,8 @@ export class BackgroundUpdater {
   /** Removes surfaces that other sensors see through, until the next call. */
   carve(memory: BackgroundModel, others: readonly OtherSensor[]): void {
     const { renderer, carveIn } = this;
-    const { grids, remembered, sensor } = memory;
-    carveIn.uReadings.value = remembered.readings;
+    const { grids, current, sensor } = memory;
+    carveIn.uReadings.value = current.readings;
     carveIn.uRays.value = sensor.rays;
     carveIn.uStep.value = grids.step;
     withoutHeadset(renderer, () => {

@@ -79,12 +79,12 @@ export class BlendLayer {
 
   /** Takes over the memory's current textures. */
   refresh(): void {
-    const { grids, remembered, sensor } = this.memory;
+    const { grids, current, sensor } = this.memory;
     const { uniforms } = this;
     const live = this.kind === 'live';
     uniforms.uDepth_m!.value = (live ? grids.live : grids.background).texture;
     uniforms.uQuality!.value = grids.quality.texture;
-    uniforms.uColor!.value = live ? sensor.color : remembered.meanColor;
+    uniforms.uColor!.value = live ? sensor.color : current.meanColor;
     uniforms.uStep!.value = grids.step;
     const squares = (grids.live.width - 1) * (grids.live.height - 1);
     for (const mesh of [this.nearest, this.mixed]) mesh.geometry.setDrawRange(0, 6 * squares);

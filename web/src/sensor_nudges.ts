@@ -3,7 +3,7 @@
 import type { Roster, SensorEntry } from './gen/control_pb';
 import { pushed, type Push } from './view/nudge';
 
-export class SensorGuesses {
+export class SensorNudges {
   private readonly bySensor = new Map<number, number[]>(); // world_from_depth
 
   push(entry: SensorEntry, push: Push): void {
@@ -34,8 +34,8 @@ export class SensorGuesses {
   /** The hub's roster with the user's poses for sensors that are being moved. */
   applyTo(roster: Roster): Roster {
     const sensors = roster.sensors.map((entry) => {
-      const guess = this.bySensor.get(entry.id);
-      return guess ? { ...entry, worldFromDepth: guess } : entry;
+      const nudge = this.bySensor.get(entry.id);
+      return nudge ? { ...entry, worldFromDepth: nudge } : entry;
     });
     return { ...roster, sensors };
   }
