@@ -101,8 +101,8 @@ test('stranger_walks_from_nothing_to_a_shared_room', { skip: whyNot(), timeout: 
   const walk = new Walk(t, folder, [
     ['0.0.0.0:7600', `${hubAddress}:${port}`],
     ['192.0.2.10:7600', `${hubAddress}:${port}`],
-    ['--source sim --name left', `--source rig:${rig}#s0 --name left --verbose`],
-    ['--source sim --name right', `--source rig:${rig}#s1 --name right --verbose`],
+    ['--source sim#0 --name left', `--source rig:${rig}#s0 --name left --verbose`],
+    ['--source sim#1 --name right', `--source rig:${rig}#s1 --name right --verbose`],
     ['roomcast view', 'roomcast view --headless --size 64,48'],
   ]);
   const { hub, fingerprint } = await startHub(walk);
