@@ -87,7 +87,8 @@ class MetricsWriter {
 
 void write_hub(const HubStats& hub, MetricsWriter& out) {
   out.of_hub("connections", "gauge", "Open connections of all kinds.", hub.connections);
-  out.of_hub("refused_joins_total", "counter", "Joins that were refused for want of a good token.",
+  out.of_hub("refused_joins_total", "counter",
+             "Joins refused because of their token, their rights or an unknown room.",
              hub.refused_joins);
   out.of_hub("banned_peers", "gauge", "Addresses that are not listened to for a while.",
              hub.banned_peers);
