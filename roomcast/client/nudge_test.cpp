@@ -103,10 +103,10 @@ TEST_F(NudgeTest, a_guess_that_is_taken_gives_the_refined_pose) {
 
 TEST_F(NudgeTest, a_guess_that_is_refused_gives_the_reason) {
   show_roster();
-  const auto aligner = answering(roster(at(1), "Not where it was put: nothing fits"));
+  const auto aligner = answering(roster(at(1), "The proposed pose was refused: nothing fits"));
   const auto answer = nudge_sensor(options);
   ASSERT_FALSE(answer.ok());
-  EXPECT_EQ(answer.error().message, "Not where it was put: nothing fits");
+  EXPECT_EQ(answer.error().message, "The proposed pose was refused: nothing fits");
 }
 
 TEST_F(NudgeTest, an_unknown_sensor_is_named) {
@@ -121,7 +121,7 @@ TEST_F(NudgeTest, without_an_aligner_the_wait_ends) {
   EXPECT_EQ(nudge_sensor(options).error().code, ErrorCode::kUnavailable);
 }
 
-TEST(Nudged, a_sensor_turns_where_it_stands_and_is_then_shifted) {
+TEST(Nudged, a_sensor_is_turned_in_place_and_then_shifted) {
   NudgeOptions by;
   by.shift_m = {0, 0, 2};
   by.turn_rad = std::numbers::pi / 2;

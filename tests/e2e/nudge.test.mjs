@@ -15,7 +15,7 @@ const off_m = 0.08; // error of the pose that the user sets
 const exact_m = 0.04;
 const aligned = 2; // PLACEMENT_ALIGNED of control.proto
 
-describe('a sensor without a place', () => {
+describe('an unplaced sensor', () => {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-nudge-'));
   let hub, sensors, browser, page, truth;
 
@@ -53,21 +53,21 @@ describe('a sensor without a place', () => {
   const lone = async () => (await sensorsOf(page)).find(({ name }) => name === 's1');
   const fromTruth_m = ({ worldFromDepth: m }) => Math.hypot(...[3, 7, 11].map((i) => m[i] - truth[i]));
 
-  test('the console says that it has none, and what helps', slow, async () => {
+  test('the console shows it as unplaced, and advice', slow, async () => {
     await button('Console').click();
     await page.getByRole('tab', { name: 'Alignment' }).click();
     const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said));
     assert.match(text, /What helps/);
   });
 
-  test('a guess that does not fit is refused with a reason', slow, async () => {
+  test('a nudge that does not fit is refused with a reason', slow, async () => {
     await page.locator('.places li', { hasText: 's1' }).getByRole('button', { name: 'Move by hand' }).click();
     await button('Tilt up (Y)').click();
     await button('Try (Enter)').click();
-    await until('the refusal', places, (said) => /Not where it was put/.test(said));
+    await until('the refusal', places, (said) => /The proposed pose was refused/.test(said));
   });
 
-  test('where somebody stands that is about right, it finds its place', slow, async () => {
+  test('a nudge to a viewpoint near its pose places it', slow, async () => {
     await button('Where I stand and look').click();
     assert.ok(distance((await lone()).drawnAt, [truth[3] + off_m, truth[7], truth[11]]) < 1e-3, 'shown there at once');
     await button('Try (Enter)').click();

@@ -130,7 +130,7 @@ double expected_error_ahead_m(std::span<const Pose* const> poses, const RigidTra
 Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const TagSighting> b) {
   const auto poses = common_poses(a, b);
   if (poses.empty())
-    return unavailable("no board was held still where it and another sensor see it yet");
+    return unavailable("no board was held still in its view and another sensor's yet");
   std::vector<const Pose*> best;
   constexpr std::size_t kTried = 40;
   const std::size_t step = std::max<std::size_t>(1, poses.size() / kTried);
@@ -155,8 +155,7 @@ Result<BoardMatch> match_boards(std::span<const TagSighting> a, std::span<const 
   if (places.count < kMinPlaces || places.spread_m < kMinSpread_m)
     return unavailable("hold the board still at four places or more, well apart");
   if (2 * best.size() < poses.size())
-    return unavailable(
-        "the board's places do not fit together; is it flat, and is there only one?");
+    return unavailable("the board's places do not fit together; use a single, flat board");
   const BoardMatch match{a_from_b, 1000 * expected_error_ahead_m(best, a_from_b, places),
                          static_cast<int>(best.size())};
   if (match.expected_error_mm > kMaxBoardError_mm)

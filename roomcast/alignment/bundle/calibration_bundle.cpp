@@ -42,8 +42,8 @@ Status check_cameras(const CalibrationBundle& bundle) {
       {"depth", &calibration.depth}, {"colour", &calibration.color}};
   for (const auto& [name, camera] : cameras) {
     if (const Status status = camera->check(); !status) {
-      return invalid(
-          bundle, std::string("has a ") + name + " camera that is none: " + status.error().message);
+      return invalid(bundle, std::string("has a ") + name +
+                                 " camera that is invalid: " + status.error().message);
     }
   }
   const RigidTransform& color_from_depth = calibration.color_from_depth;
@@ -82,8 +82,7 @@ Status check(const CalibrationBundle& bundle) {
     return invalid(bundle, "gave a direction of gravity that is no unit vector");
   }
   if (share_with_depth(bundle.depth_mm) < kMinDepthShare) {
-    return invalid(bundle,
-                   "sees almost no depth; look whether something covers it, or stands too near");
+    return invalid(bundle, "sees almost no depth; check that nothing covers it or is too close");
   }
   if (contrast(bundle.color) < kMinContrast) {
     return invalid(bundle,

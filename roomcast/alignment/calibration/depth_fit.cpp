@@ -169,7 +169,7 @@ Result<DepthFit> fit_depth(const CharucoBoard& board, const std::vector<BoardDep
     }
     if (seen < kFewestDepthViews) {
       return Error{ErrorCode::kNotFound,
-                   "depth was read on the board in " + std::to_string(seen) + " views; it takes " +
+                   "depth was read on the board in " + std::to_string(seen) + " views; it needs " +
                        std::to_string(kFewestDepthViews) + ", within the depth camera's range"};
     }
     for (int step = 0; step < kStepsPerRound; ++step) {

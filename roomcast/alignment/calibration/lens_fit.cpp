@@ -102,11 +102,12 @@ Result<LensFit> fit_lens(const CharucoBoard& board,
                          const CameraIntrinsics& start, bool keep_lens) {
   if (views.size() < (keep_lens ? 1 : kFewestViews)) {
     return Error{ErrorCode::kNotFound, "the board was seen " + std::to_string(views.size()) +
-                                           " times; a lens takes " + std::to_string(kFewestViews) +
+                                           " times; a lens needs " + std::to_string(kFewestViews) +
                                            " views at least"};
   }
-  const Error no_board{ErrorCode::kMalformed,
-                       "the corners do not fit one flat board: is it the right size, and flat?"};
+  const Error no_board{
+      ErrorCode::kMalformed,
+      "the corners do not fit the board; check its size, and glue it on something flat"};
   LensFit fit;
   fit.camera = start;
   if (!keep_lens) fit.camera.k3 = 0;

@@ -41,14 +41,14 @@ Result<CameraIntrinsics> parse_camera_info(const std::string& yaml) {
     const auto model = file["distortion_model"].as<std::string>("plumb_bob");
     if (model != "plumb_bob") {
       return Error{ErrorCode::kUnsupported,
-                   "the lens model " + model.substr(0, 40) + " is not known, only plumb_bob"};
+                   "the lens model " + model.substr(0, 40) + " is not supported, only plumb_bob"};
     }
     const CameraIntrinsics camera = camera_of(file);
     if (Status status = camera.check(); !status) return status.error();
     return camera;
   } catch (const YAML::Exception&) {
     return Error{ErrorCode::kMalformed,
-                 "it is no camera_info of ROS: image_width, image_height, 9 numbers in "
+                 "it is not a camera_info of ROS: image_width, image_height, 9 numbers in "
                  "camera_matrix.data and 5 in distortion_coefficients.data are needed"};
   }
 }

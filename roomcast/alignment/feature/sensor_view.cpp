@@ -28,7 +28,7 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
   if (surface.samples.size() < kMinSurfaceSamples) {
     return Error{ErrorCode::kInvalidArgument,
                  "sensor " + bundle.name +
-                     " sees no surface to hold on to; turn it towards walls, floor or furniture "
+                     " sees too few surfaces; turn it towards walls, floor or furniture "
                      "between 0.5 and 5 m away"};
   }
   ColorPicture picture = color_picture(bundle.color, bundle.calibration, surface);
@@ -37,7 +37,7 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle) {
   if (sees_one_plane_only(planes, surface.samples.size())) {
     return Error{ErrorCode::kInvalidArgument,
                  "sensor " + bundle.name +
-                     " sees nothing but one flat surface; turn it so that a corner or furniture "
+                     " sees only one flat surface; turn it so that a corner or furniture "
                      "comes into its view"};
   }
   flatten_normals(planes, surface);

@@ -149,8 +149,8 @@ PairReport report_of(const SensorView& a, const SensorView& b) {
     report.accepted = true;
     report.b_from_a = pose->a_from_b.inverse();
     report.inliers = pose->inliers;
-    report.reason = fmt::format("{} corners follow a homography; whether it is right is not known",
-                                pose->inliers);
+    report.reason =
+        fmt::format("{} corners follow a homography; its correctness is unknown", pose->inliers);
   }
   return report;
 }

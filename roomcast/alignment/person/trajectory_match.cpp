@@ -254,34 +254,36 @@ Result<TrajectoryMatch> match_walks(std::span<const HeadSighting> a,
   const auto moments = common_moments(a, b, 0);
   const std::size_t times = times_in(moments);
   if (times < std::size_t{kMinMoments})
-    return unavailable("nobody has walked through its view and another one's at the same time yet");
+    return unavailable(
+        "no person has walked through its view and another sensor's at the same time yet");
   std::size_t most = 0;
   const auto motion = most_agreed(moments, most);
   if (!motion || most < std::size_t{kMinMoments})
-    return unavailable("whoever was seen hardly moved; walk about where both sensors see you");
+    return unavailable("the person hardly moved; walk around where both sensors see you");
   if (static_cast<double>(most) < kMinShare * static_cast<double>(times))
-    return unavailable("the sensors saw different people; let one person walk about alone");
+    return unavailable("the sensors saw different people; let one person walk around alone");
   for (const double late_s : kOtherTimes_s) {
     std::size_t rival = 0;
     (void)most_agreed(common_moments(a, b, late_s), rival);
     if (static_cast<double>(rival) > kMaxRivalShare * static_cast<double>(most))
-      return unavailable("the walk was too simple to tell; walk a curve, stop, and turn");
+      return unavailable(
+          "the walk was too simple for one clear pose; walk a curve, stop, and turn");
   }
   Fit fit{*motion};
   std::vector<Moment> agree;
   for (int step = 0; step < 8; ++step) {
     agree = agreeing(moments, fit.motion);
     if (agree.size() < std::size_t{kMinMoments})
-      return unavailable("the walk does not fit together");
+      return unavailable("the trajectories do not match; walk again");
     const double independent = seconds_of(agree) / kIndependent_s;
     fit = improved(agree, fit, std::min(1.0, independent / static_cast<double>(agree.size())));
   }
   TrajectoryMatch match{transform_of(fit.motion), 1000 * walk_error_m(fit, agree),
                         seconds_of(agree), static_cast<int>(agree.size())};
   if (match.seconds < kMinSeconds)
-    return unavailable("whoever was seen did not stay long enough; walk about for 20 s");
+    return unavailable("the person was seen too briefly; walk around for 20 s");
   if (match.expected_error_mm > kMaxWalkError_mm)
-    return unavailable("the walk was too short to tell; walk about more widely");
+    return unavailable("the walk was too short; walk around more widely");
   return match;
 }
 

@@ -81,17 +81,17 @@ Result<NudgedPose> refined_prior(const PairCandidates& pair, const RigidTransfor
   const PoseEvidence& best = ends.front();
   const Contradiction contradicts = contradiction(best);
   if (contradicts == Contradiction::kShapes) {
-    return unavailable("what it sees does not fit what " + pair.a().name +
-                       " sees there; bring it within 20 cm and 5 degrees");
+    return unavailable("its surfaces do not fit those of " + pair.a().name +
+                       " there; bring it within 20 cm and 5 degrees");
   }
   if (contradicts == Contradiction::kColors)
-    return unavailable("the shapes fit there, but not the colours");
+    return unavailable("the surfaces fit there, but the colours do not");
   if (ends.size() > 1 && best.score - ends[1].score < kMinLead)
     return unavailable(
-        "two places near the guess fit equally well; bring it nearer to the right one");
+        "two poses near the guess fit equally well; bring it nearer to the right one");
   const RigidTransform world_from_depth = world_from_a * best.a_from_b;
   if (!is_near(world_from_depth, guess))
-    return unavailable("what fits lies far from the guess; bring it nearer");
+    return unavailable("the best fit is far from the guess; bring it nearer");
   return NudgedPose{world_from_depth,
                     1000 * expected_error_ahead_m(pair.a(), pair.b(), best.a_from_b),
                     pair.a().name};
@@ -102,7 +102,7 @@ Result<NudgedPose> refined_prior(const SensorView& view, const RigidTransform& g
   const auto partner = best_partner(view, guess, others);
   if (!partner)
     return unavailable(
-        "there it would see nothing that a placed sensor sees; nothing tells whether it is right");
+        "there it has no overlap with a placed sensor, so the pose cannot be checked");
   return refined_prior(candidates_of(*partner->view, view), partner->world_from_depth, guess);
 }
 

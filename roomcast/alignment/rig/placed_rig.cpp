@@ -120,7 +120,7 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
                             "{} and {} fit together, but neither fits the sensors that are placed; "
                             "turn one of them so that it shares more with those",
                             report.a, report.b)
-                      : fmt::format("what {} and {} see of each other contradicts other pairs",
+                      : fmt::format("the relative pose of {} and {} contradicts other pairs",
                                     report.a, report.b);
   return report;
 }

@@ -35,15 +35,15 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
   }
   if (pair.ranked().empty() || pair.ranked()[0].score < kMinMargin) {
     return fmt::format(
-        "nothing that {} both see could be found; turn them towards each other's view until at "
+        "no overlap of {} was found; turn them towards each other's view until at "
         "least a tenth is common, or {}",
         names(pair), kAlternativeHint);
   }
   const PoseEvidence& best = pair.ranked()[0];
   if (pair.margin() < kMinMargin) {
     return fmt::format(
-        "several poses of {} fit about as well (something repeats); put something unmistakable "
-        "where both see it",
+        "several poses of {} fit about equally well (something repeats); put something unique into "
+        "both views",
         names(pair));
   }
   if (is_strong(best)) return {};
@@ -54,7 +54,7 @@ std::string why_pair_is_refused(const PairCandidates& pair) {
   }
   return fmt::format(
       "too few places agree between {} ({} found); turn them towards each other, or put something "
-      "with a pattern where both see it",
+      "with a pattern into both views",
       names(pair), best.matches.cells);
 }
 

@@ -72,7 +72,7 @@ bool RigAligner::add_affine_matches_to_refused(const AlignmentReport& report,
     if (is_settled || pair.has_affine_matches || pair.candidates->same_pictures() ||
         pair.candidates->has_plausible())
       return;
-    if (progress) progress(fmt::format("looking closer at {} and {}", a.name, b.name), kPlacing);
+    if (progress) progress(fmt::format("matching {} and {} again", a.name, b.name), kPlacing);
     pair.candidates->add_affine_matches(
         affine_matches(affine_features_of(a), affine_features_of(b)));
     any = pair.has_affine_matches = true;
@@ -100,7 +100,7 @@ void RigAligner::find_new_candidates(const AlignProgress& progress) {
   for_each_two(views_.size(), [&](std::size_t i, std::size_t j, double done) {
     const SensorView &a = *views_[i], &b = *views_[j];
     if (progress) {
-      progress(fmt::format("seeking how {} and {} stand to each other", a.name, b.name),
+      progress(fmt::format("estimating the pose between {} and {}", a.name, b.name),
                kFinding + (kPlacing - kFinding) * done);
     }
     Pair& pair = pairs_.at({a.name, b.name});

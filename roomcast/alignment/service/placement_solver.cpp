@@ -25,7 +25,7 @@ Placement placed_at(const std::string& sensor, const RigidTransform& world_from_
 }
 
 std::string not_there(const Error& why) {
-  return "Not where it was put: " + why.message;
+  return "The proposed pose was refused: " + why.message;
 }
 
 }  // namespace

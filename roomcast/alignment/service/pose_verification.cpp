@@ -93,10 +93,10 @@ class Recollecting {
     Placement& placement = told_.contradicted[sensor];
     placement.sensor = sensor;
     placement.withdrawn = true;
-    placement.note = std::string("It was moved while it was away: ") +
-                     (verdict.contradiction == alignment::Contradiction::kColors ? "the colours"
-                                                                                 : "what it sees") +
-                     " would not fit what " + verdict.by + " sees where it stood.";
+    placement.note =
+        std::string("It was moved while it was away: its ") +
+        (verdict.contradiction == alignment::Contradiction::kColors ? "colours" : "surfaces") +
+        " do not fit those of " + verdict.by + " at its stored pose.";
     told_.untold.erase(sensor);
   }
 

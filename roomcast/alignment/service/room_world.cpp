@@ -10,8 +10,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr auto kNotConnected =
-    "what it sees is not connected yet with what a sensor sees whose place is known";
+constexpr auto kNotConnected = "no overlap yet with a placed sensor";
 constexpr auto kAlone = "there is no other sensor to compare it with";
 
 /// The transform of a report into the room.
