@@ -9,21 +9,21 @@ namespace {
 const AllowedNames kNames{
     .any_host = false, .hosts = {"hub.example.org"}, .origins = {"https://rooms.example.org"}};
 
-TEST(AllowedNames, addresses_localhost_and_own_names_are_answered) {
+TEST(AllowedNames, addresses_localhost_and_own_names_are_accepted) {
   for (const char* host : {"127.0.0.1:7600", "[::1]:7600", "192.0.2.7", "localhost:7600",
                            "LocalHost", "hub.example.org", "HUB.example.org:443"}) {
     EXPECT_TRUE(kNames.allows_host(host)) << host;
   }
 }
 
-TEST(AllowedNames, a_name_that_was_made_to_point_here_is_not) {
+TEST(AllowedNames, a_rebound_name_is_refused) {
   for (const char* host : {"evil.example", "evil.example:7600", "", "127.0.0.1.evil.example",
                            "hub.example.org.evil.example", "["}) {
     EXPECT_FALSE(kNames.allows_host(host)) << host;
   }
 }
 
-TEST(AllowedNames, with_a_certificate_that_proves_the_name_all_are) {
+TEST(AllowedNames, with_a_certificate_every_name_is_accepted) {
   EXPECT_TRUE(AllowedNames{}.allows_host("whatever.example"));
 }
 

@@ -28,7 +28,7 @@ TEST_F(HttpServerTest, refuses_garbage_in_one_sentence_after_a_while) {
   EXPECT_GE(std::chrono::steady_clock::now() - begin, 50ms);
 }
 
-TEST_F(HttpServerTest, whoever_waits_for_the_answer_to_garbage_does_not_outlive_the_server) {
+TEST_F(HttpServerTest, connections_that_sent_garbage_do_not_outlive_the_server) {
   auto patient = options();
   patient.malformed_reply_delay = 1h;
   listen(std::move(patient));
@@ -104,7 +104,7 @@ TEST_F(HttpServerTest, a_flood_after_the_answer_gains_no_time) {
   EXPECT_LT(time_until_closed(io_, socket, std::string(10'000, 'x'), 0ms), 5s);
 }
 
-TEST_F(HttpServerTest, turns_away_more_connections_than_allowed) {
+TEST_F(HttpServerTest, refuses_connections_above_the_limit) {
   auto few = options();
   few.max_connections = 2;
   listen(std::move(few));
@@ -140,13 +140,13 @@ class EncryptedServerTest : public HttpServerTest {
   Certificate certificate_ = self_signed();
 };
 
-TEST_F(EncryptedServerTest, tells_who_forgets_the_s) {
+TEST_F(EncryptedServerTest, answers_unencrypted_requests_with_the_encrypted_scheme) {
   EXPECT_THAT(exchange(request("GET", "/page")),
               AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("https://")));
   EXPECT_EQ(times_asked_, 0);
 }
 
-TEST_F(EncryptedServerTest, drops_who_never_shakes_hands) {
+TEST_F(EncryptedServerTest, drops_connections_that_never_finish_the_handshake) {
   auto silent = raw_connection(server_->port());
   auto noise = raw_connection(server_->port());
   send(noise, std::string(500, '\x5a'));
@@ -167,14 +167,14 @@ TEST_F(HttpServerTest, a_body_beyond_the_limit_is_refused) {
               StartsWith("HTTP/1.1 413 "));
 }
 
-TEST_F(HttpServerTest, whoever_may_not_connect_is_dropped_without_a_word) {
+TEST_F(HttpServerTest, refused_peers_are_dropped_without_an_answer) {
   auto closed = options();
   closed.may_connect = [](const std::string& peer) { return peer != "127.0.0.1"; };
   listen(std::move(closed));
   EXPECT_EQ(exchange(request("GET", "/page")), "");
 }
 
-TEST_F(HttpServerTest, pages_of_sites_that_it_knows_by_now_may_connect_and_no_others) {
+TEST_F(HttpServerTest, only_pages_of_currently_known_sites_may_connect) {
   auto beside_others = options();
   std::string known;
   beside_others.allows_origin = [&known](std::string_view origin) { return origin == known; };
@@ -189,7 +189,7 @@ TEST_F(HttpServerTest, pages_of_sites_that_it_knows_by_now_may_connect_and_no_ot
   EXPECT_THAT(exchange(knock), StartsWith("HTTP/1.1 403 "));
 }
 
-TEST_F(HttpServerTest, a_name_that_is_not_its_own_is_not_answered) {
+TEST_F(HttpServerTest, requests_for_a_foreign_name_are_refused) {
   auto strict = options();
   strict.names = {.any_host = false, .hosts = {"hub.example"}, .origins = {}};
   listen(std::move(strict));

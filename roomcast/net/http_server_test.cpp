@@ -53,7 +53,7 @@ TEST_F(HttpServerTest, answers_404_405_and_400) {
   EXPECT_EQ(times_asked_, 1);
 }
 
-TEST_F(HttpServerTest, gives_the_compressed_page_to_who_takes_it) {
+TEST_F(HttpServerTest, sends_the_compressed_page_to_clients_that_accept_it) {
   listen();
   const std::string takes = "Accept-Encoding: gzip, br\r\nConnection: close\r\n";
   EXPECT_THAT(exchange(request("GET", "/squeezed", takes)),
@@ -66,7 +66,7 @@ TEST_F(HttpServerTest, gives_the_compressed_page_to_who_takes_it) {
                     EndsWith("\r\n\r\na long page")));
 }
 
-TEST_F(HttpServerTest, answers_304_to_who_has_it) {
+TEST_F(HttpServerTest, answers_304_for_an_unchanged_page) {
   listen();
   const auto known =
       exchange(request("GET", "/page", "If-None-Match: \"v0\", \"v1\"\r\nConnection: close\r\n"));
@@ -101,7 +101,7 @@ TEST_F(HttpServerTest, upgrades_a_good_request) {
   EXPECT_EQ(server_->connection_count(), 1U);
 }
 
-TEST_F(HttpServerTest, pages_are_answered_at_the_door_and_websockets_by_the_workers) {
+TEST_F(HttpServerTest, the_accepting_thread_serves_pages_and_workers_serve_websockets) {
   boost::asio::io_context first, second;
   auto server = HttpServer::listen(io_, std::array{&first, &second}, options());
   ASSERT_TRUE(server.ok()) << server.error().message;
@@ -164,18 +164,19 @@ TEST_F(HttpServerTest, refuses_websockets_that_are_not_ours) {
   EXPECT_TRUE(handlers_.empty());
 }
 
-TEST_F(HttpServerTest, a_websocket_that_nobody_wants_is_closed_with_1013) {
+TEST_F(HttpServerTest, a_refused_websocket_is_closed_with_1013) {
   auto full = options();
   full.on_websocket = [](auto, auto) { return nullptr; };
   listen(std::move(full));
   auto socket = raw_connection(server_->port());
   send(socket, upgrade_request());
-  EXPECT_THAT(receive(socket, [](const auto& all) { return all.find("taken.") != all.npos; }),
-              HasSubstr("\x03\xF5"
-                        "No more connections are taken."));
+  EXPECT_THAT(
+      receive(socket, [](const auto& all) { return all.find("more connections.") != all.npos; }),
+      HasSubstr("\x03\xF5"
+                "The hub accepts no more connections."));
 }
 
-TEST_F(HttpServerTest, says_when_its_port_is_taken) {
+TEST_F(HttpServerTest, reports_a_port_in_use) {
   listen();
   auto same = options();
   same.port = server_->port();
@@ -187,7 +188,7 @@ TEST_F(HttpServerTest, says_when_its_port_is_taken) {
                     HasSubstr("choose another port")));
 }
 
-TEST_F(HttpServerTest, says_when_its_address_makes_no_sense) {
+TEST_F(HttpServerTest, reports_an_invalid_address) {
   auto wrong = options();
   wrong.address = "everywhere";
   const auto named = HttpServer::listen(io_, wrong);
@@ -236,7 +237,7 @@ TEST_F(HttpServerTest, destroying_it_while_requests_are_under_way_is_fine) {
   EXPECT_TRUE(handlers_.empty());
 }
 
-TEST_F(HttpServerTest, what_programs_ask_may_have_a_body_and_is_answered_later) {
+TEST_F(HttpServerTest, requests_to_the_interface_may_have_a_body_and_are_answered_later) {
   auto with_program = options();
   std::optional<HttpRequest> asked;
   Respond respond;
@@ -270,7 +271,7 @@ TEST_F(HttpServerTest, an_answer_without_content_has_none) {
   EXPECT_THAT(answer, Not(HasSubstr("Content-Length")));
 }
 
-TEST_F(HttpServerTest, a_renewed_certificate_is_shown_to_who_comes_after) {
+TEST_F(HttpServerTest, later_connections_get_a_renewed_certificate) {
   const auto before = self_signed(), after = self_signed();
   auto encrypted = options();
   encrypted.tls = server_context(before);

@@ -184,12 +184,12 @@ void HttpSession::answer_request() {
   const auto host = request[http::field::host];
   if (!options_->names.allows_host({host.data(), host.size()})) {
     return send(
-        text_response(421, "This server has another name than the one that was asked for.\n"),
+        text_response(421, "This server does not have the requested name; use its own address.\n"),
         false);
   }
   if (is_api_path(path_of(request.target()))) return read_body();
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
-    HttpResponse response = text_response(405, "Only GET and HEAD are answered here.\n");
+    HttpResponse response = text_response(405, "Only GET and HEAD are allowed here.\n");
     response.headers = {{"Allow", "GET, HEAD"}};
     return send(std::move(response), false);
   }
@@ -223,7 +223,7 @@ void HttpSession::read_body() {
 }
 
 void HttpSession::refuse_body() {
-  send(text_response(413, "A request's body has at most " +
+  send(text_response(413, "A request's body must have at most " +
                               std::to_string(options_->max_body_bytes) + " bytes here.\n"),
        false);
 }
@@ -263,7 +263,7 @@ HttpResponse HttpSession::response_for(std::string_view path) const {
   if (options_->on_get) {
     if (auto response = options_->on_get(path)) return *std::move(response);
   }
-  return text_response(404, "There is nothing at this address.\n");
+  return text_response(404, "This address does not exist.\n");
 }
 
 void HttpSession::send(HttpResponse response, bool keep_alive) {

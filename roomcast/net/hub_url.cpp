@@ -23,7 +23,7 @@ Error not_a_pin(std::string_view text) {
   return {ErrorCode::kInvalidArgument,
           "'" + std::string(text) +
               "' does not end in a fingerprint; write wss://host:port#sha256= and the 64 digits "
-              "that the hub shows when it starts."};
+              "that the hub prints when it starts."};
 }
 
 std::optional<Fingerprint> parse_pin(std::string_view fragment) {

@@ -13,7 +13,7 @@ std::string parsed(std::string_view text) {
   return url ? to_string(*url) : "refused";
 }
 
-TEST(HubUrl, fills_in_what_is_left_out) {
+TEST(HubUrl, fills_in_omitted_parts) {
   EXPECT_EQ(parsed("ws://hub.example:80/ws"), "ws://hub.example:80/ws");
   EXPECT_EQ(parsed("ws://hub.example"), "ws://hub.example:7600/ws");
   EXPECT_EQ(parsed("http://hub.example:7601"), "ws://hub.example:7601/ws");
@@ -30,7 +30,7 @@ TEST(HubUrl, reads_ipv6_addresses_in_brackets) {
   EXPECT_EQ(parse_hub_url("[::1]")->host, "::1");
 }
 
-TEST(HubUrl, refuses_what_is_no_address) {
+TEST(HubUrl, refuses_invalid_addresses) {
   for (const std::string_view text :
        {"",           "ws://",     "ws://:7600",  "host:",  "host:0",
         "host:65536", "host:-1",   "host:76x",    "a b",    "ws://user@host",

@@ -18,7 +18,7 @@ Result<ListenAddress> parse_listen_address(const std::string& text) {
   const auto [end, fault] =
       std::from_chars(port_text.data(), port_text.data() + port_text.size(), port);
   if (fault != std::errc() || end != port_text.data() + port_text.size() || port > 65'535) {
-    return wrong("the port has to be a number from 0 to 65535");
+    return wrong("the port must be a number from 0 to 65535");
   }
   std::string host = text.substr(0, colon);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']')

@@ -19,7 +19,7 @@ TEST(ListenAddress, both_kinds_of_addresses_are_read) {
   EXPECT_FALSE(parse_listen_address("0.0.0.0:7600")->loopback);
 }
 
-TEST(ListenAddress, what_is_no_address_is_refused) {
+TEST(ListenAddress, invalid_addresses_are_refused) {
   for (const char* text : {"", "7600", "127.0.0.1", "127.0.0.1:", "127.0.0.1:x", "127.0.0.1:70000",
                            "127.0.0.1:-1", "localhost:7600", ":7600", "127.0.0.1:76 00"}) {
     const auto address = parse_listen_address(text);

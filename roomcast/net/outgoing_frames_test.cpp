@@ -47,7 +47,7 @@ TEST(OutgoingFrames, goes_on_where_a_partial_write_ended) {
   EXPECT_EQ(frames.unwritten_bytes(), 0U);
 }
 
-TEST(OutgoingFrames, lets_go_of_a_frame_as_soon_as_it_is_written) {
+TEST(OutgoingFrames, releases_a_frame_as_soon_as_it_is_written) {
   OutgoingFrames frames;
   auto frame = frame_of(10);
   const std::weak_ptr<const FramedMessage> watched = frame;

@@ -11,12 +11,12 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(PagePolicy, alone_a_page_may_ask_its_own_server_only) {
+TEST(PagePolicy, the_page_of_a_lone_hub_may_connect_to_its_own_server_only) {
   EXPECT_EQ(page_policy({}), kPagePolicy);
   EXPECT_THAT(page_policy({}), HasSubstr("connect-src 'self';"));
 }
 
-TEST(PagePolicy, servers_beside_it_are_those_that_were_named_and_their_sockets_only) {
+TEST(PagePolicy, a_page_may_connect_only_to_sockets_of_named_servers) {
   const std::array others = {*parse_hub_url("wss://B.example:7600/ws"),
                              *parse_hub_url("ws://[::1]:80")};
   EXPECT_THAT(page_policy(others),

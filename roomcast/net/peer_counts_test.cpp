@@ -6,7 +6,7 @@
 namespace roomcast::net {
 namespace {
 
-TEST(PeerCounts, an_address_has_so_many_places_and_others_have_theirs) {
+TEST(PeerCounts, the_limit_applies_to_each_address_separately) {
   PeerCounts counts;
   const auto first = counts.enter("10.0.0.1", 2), second = counts.enter("10.0.0.1", 2);
   EXPECT_NE(second, nullptr);

@@ -10,7 +10,7 @@ std::string name_of(const char* address) {
   return peer_name(boost::asio::ip::make_address(address));
 }
 
-TEST(PeerName, an_ipv4_address_is_itself_however_it_comes) {
+TEST(PeerName, an_ipv4_address_has_one_name_in_every_notation) {
   EXPECT_EQ(name_of("192.0.2.7"), "192.0.2.7");
   EXPECT_EQ(name_of("::ffff:192.0.2.7"), "192.0.2.7");
 }

@@ -87,7 +87,7 @@ Error ServerState::listen_error(ErrorCode error) const {
   if (error == asio::error::address_in_use) {
     return {roomcast::ErrorCode::kUnavailable,
             "Port " + std::to_string(options_->port) + " is in use at " + options_->address +
-                "; end the program that listens there or choose another port."};
+                "; end the program that uses it or choose another port."};
   }
   if (error == asio::error::access_denied) {
     return {roomcast::ErrorCode::kUnavailable,

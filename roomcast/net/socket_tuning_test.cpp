@@ -23,7 +23,7 @@ class SocketTuningTest : public LoopbackTest {
   }
 };
 
-TEST_F(SocketTuningTest, sets_what_live_streams_need) {
+TEST_F(SocketTuningTest, sets_the_options_of_live_streams) {
   auto sockets = connected_sockets();
   tune_for_live_streams(sockets.ours);
   EXPECT_TRUE(sockets.ours.non_blocking());
@@ -37,7 +37,7 @@ TEST_F(SocketTuningTest, a_closed_socket_is_left_alone) {
   EXPECT_FALSE(closed.is_open());
 }
 
-TEST_F(SocketTuningTest, a_socket_is_writable_until_the_peer_leaves_its_bytes_lying) {
+TEST_F(SocketTuningTest, a_socket_is_writable_until_the_peer_stops_reading) {
   auto sockets = connected_sockets();
   tune_for_live_streams(sockets.ours);
   EXPECT_TRUE(is_writable_now(sockets.ours));

@@ -92,8 +92,8 @@ Result<StaticSite> StaticSite::load(const fs::path& directory) {
   }
   site.join_compressed();
   if (!site.find("/")) {
-    return Error{ErrorCode::kNotFound,
-                 "There is no index.html in " + directory.string() + "; build the page first."};
+    return Error{ErrorCode::kNotFound, "There is no index.html in " + directory.string() +
+                                           "; build the page with scripts/build first."};
   }
   return site;
 }

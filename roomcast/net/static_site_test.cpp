@@ -52,7 +52,7 @@ TEST_F(StaticSiteTest, a_folder_is_its_index) {
   EXPECT_FALSE(site->find("/console"));
 }
 
-TEST_F(StaticSiteTest, a_compressed_file_is_another_form_of_the_one_beside_it) {
+TEST_F(StaticSiteTest, a_compressed_file_is_served_in_place_of_its_original) {
   write("index.html", "top");
   write("index.html.gz", "squeezed");
   write("archive.gz", "on its own");
@@ -85,7 +85,7 @@ TEST_F(StaticSiteTest, etags_follow_the_content) {
   EXPECT_TRUE(site->find("/")->etag.starts_with('"'));
 }
 
-TEST_F(StaticSiteTest, nothing_outside_the_folder_can_be_named) {
+TEST_F(StaticSiteTest, files_outside_the_folder_are_not_served) {
   write("index.html", "top");
   const fs::path secret = folder_.string() + "_secret";
   std::ofstream(secret) << "secret";
@@ -103,7 +103,7 @@ TEST_F(StaticSiteTest, nothing_outside_the_folder_can_be_named) {
   }
 }
 
-TEST_F(StaticSiteTest, says_what_is_missing) {
+TEST_F(StaticSiteTest, names_a_missing_file) {
   const auto nowhere = StaticSite::load(folder_ / "nowhere");
   ASSERT_FALSE(nowhere.ok());
   EXPECT_EQ(nowhere.error().code, ErrorCode::kNotFound);

@@ -18,7 +18,7 @@ TEST(Utf8, accepts_the_first_and_last_character_of_every_length) {
   }
 }
 
-TEST(Utf8, refuses_what_unicode_forbids) {
+TEST(Utf8, refuses_sequences_that_unicode_forbids) {
   EXPECT_FALSE(is_utf8("\x80")) << "continuation without a beginning";
   EXPECT_FALSE(is_utf8("\xC3")) << "cut off";
   EXPECT_FALSE(is_utf8("\xC3z")) << "not continued";

@@ -110,8 +110,7 @@ void Attempt::resolve() {
 
 void Attempt::on_resolved(SystemError error, const Tcp::resolver::results_type& endpoints) {
   if (!error) return connect_to(endpoints);
-  fail(ErrorCode::kNotFound,
-       "There is no host called '" + url_.host + "'; check the hub's address.");
+  fail(ErrorCode::kNotFound, "There is no host '" + url_.host + "'; check the hub's address.");
 }
 
 void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
@@ -121,7 +120,8 @@ void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
 
 void Attempt::on_connected(SystemError error) {
   if (error == asio::error::connection_refused) {
-    return fail(ErrorCode::kUnavailable, "Nobody listens at " + where_ + "; is the hub running?");
+    return fail(ErrorCode::kUnavailable,
+                "No program listens at " + where_ + "; is the hub running?");
   }
   if (error) {
     return fail(ErrorCode::kUnavailable, where_ + " cannot be reached: " + error.message() + ".");
@@ -148,7 +148,7 @@ void Attempt::on_encrypted(SystemError error) {
     return fail(ErrorCode::kUnavailable, where_ + " closed the connection without an answer.");
   }
   fail(ErrorCode::kUnsupported,
-       where_ + " " + fault + "; check its address with whoever runs the hub.");
+       where_ + " " + fault + "; ask the hub's operator for its address and fingerprint.");
 }
 
 void Attempt::ask() {

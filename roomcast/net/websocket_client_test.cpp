@@ -99,7 +99,7 @@ TEST_F(WebSocketClientTest, messages_sent_before_start_are_kept) {
   ASSERT_TRUE(run_until([&] { return client->messages.size() == 1; }));
 }
 
-TEST_F(WebSocketClientTest, says_when_nobody_listens) {
+TEST_F(WebSocketClientTest, reports_that_no_program_listens) {
   std::uint16_t port = 0;
   {
     const Tcp::acceptor gone(io_, Tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
@@ -108,13 +108,13 @@ TEST_F(WebSocketClientTest, says_when_nobody_listens) {
   expect_error(outcome_of(url(port)), ErrorCode::kUnavailable, "is the hub running?");
 }
 
-TEST_F(WebSocketClientTest, says_when_there_is_no_such_host) {
+TEST_F(WebSocketClientTest, reports_an_unknown_host) {
   // A label of a name has at most 63 characters (RFC 1035), so this fails without a network query.
   const std::string name = std::string(64, 'a') + ".invalid";
   expect_error(outcome_of({name, 7600, "/ws"}), ErrorCode::kNotFound, name);
 }
 
-TEST_F(WebSocketClientTest, says_when_it_is_no_hub) {
+TEST_F(WebSocketClientTest, reports_a_server_that_is_no_hub) {
   expect_error(outcome_when_answered("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi", false),
                ErrorCode::kUnsupported, "HTTP status 200");
   expect_error(outcome_when_answered("SSH-2.0-OpenSSH_9.2\r\n", false), ErrorCode::kUnsupported,
@@ -133,24 +133,24 @@ TEST_F(WebSocketClientTest, survives_an_endless_answer) {
       ErrorCode::kUnsupported, "HTTP status 200");
 }
 
-TEST_F(WebSocketClientTest, gives_up_on_a_server_that_says_nothing) {
+TEST_F(WebSocketClientTest, gives_up_on_a_silent_server) {
   const auto begin = std::chrono::steady_clock::now();
   expect_error(outcome_when_answered("", false), ErrorCode::kUnavailable, "in time");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
 }
 
-TEST_F(WebSocketClientTest, repeats_what_the_hub_says_when_it_refuses) {
+TEST_F(WebSocketClientTest, repeats_the_hubs_reason_for_a_refusal) {
   const auto server = listen({.subprotocol = "roomcast.v2"});
   expect_error(outcome_of(url(server->port())), ErrorCode::kUnsupported,
-               "The WebSocket subprotocol spoken here is roomcast.v2.");
+               "The WebSocket subprotocol must be roomcast.v2.");
 }
 
-TEST_F(WebSocketClientTest, says_when_the_hub_is_full) {
+TEST_F(WebSocketClientTest, reports_a_full_hub) {
   const auto server = listen({.max_connections = 0});
   expect_error(outcome_of(url(server->port())), ErrorCode::kUnavailable, "full");
 }
 
-TEST_F(WebSocketClientTest, a_proxy_without_its_hub_is_worth_another_try) {
+TEST_F(WebSocketClientTest, a_proxy_without_its_hub_may_be_tried_again) {
   for (const std::string status : {"502 Bad Gateway", "504 Gateway Timeout"}) {
     expect_error(
         outcome_when_answered("HTTP/1.1 " + status + "\r\nContent-Length: 0\r\n\r\n", false),
@@ -181,7 +181,7 @@ class EncryptedClientTest : public WebSocketClientTest {
   std::unique_ptr<HttpServer> server_ = listen({.tls = server_context(certificate_)});
 };
 
-TEST_F(EncryptedClientTest, exchanges_messages_with_the_server_it_was_told_of) {
+TEST_F(EncryptedClientTest, exchanges_messages_with_a_server_of_the_given_fingerprint) {
   auto connection = outcome_of(pinned_url());
   ASSERT_TRUE(connection.ok()) << connection.error().message;
   const auto client = std::make_shared<RecordingHandler>();
@@ -205,14 +205,14 @@ TEST_F(EncryptedClientTest, refuses_a_server_with_another_certificate) {
   EXPECT_EQ(served_, nullptr);
 }
 
-TEST_F(EncryptedClientTest, refuses_a_server_that_nobody_vouches_for) {
+TEST_F(EncryptedClientTest, refuses_a_server_with_an_untrusted_certificate) {
   HubUrl url = pinned_url();
   url.pinned.reset();
-  expect_error(outcome_of(url), ErrorCode::kUnsupported, "cannot be trusted");
+  expect_error(outcome_of(url), ErrorCode::kUnsupported, "untrusted certificate");
   EXPECT_EQ(served_, nullptr);
 }
 
-TEST_F(EncryptedClientTest, says_when_only_one_side_encrypts) {
+TEST_F(EncryptedClientTest, reports_that_only_one_side_encrypts) {
   expect_error(outcome_of(url(server_->port())), ErrorCode::kUnsupported, "wss://");
   HubUrl to_plain = pinned_url();
   const auto plain = listen();

@@ -291,8 +291,7 @@ void WebSocketConnection::on_silence_timer() {
     last_heard_ = std::min(now, last_heard_ + late);
   const auto silence = now - last_heard_;
   if (silence >= options_.timings.give_up_after) {
-    return shut(
-        {close_code::kAbnormal, "Nothing was heard from the other side for too long.", false});
+    return shut({close_code::kAbnormal, "The other side was silent for too long.", false});
   }
   if (silence >= options_.timings.ping_after && !ping_sent_) {
     ping_sent_ = true;
@@ -331,7 +330,7 @@ void WebSocketConnection::on_all_written() {
 void WebSocketConnection::on_broken(ErrorCode error) {
   if (stage_ != Stage::kOpen) return shut(reason_);
   shut({close_code::kAbnormal,
-        error == asio::error::eof ? "The connection ended without a goodbye."
+        error == asio::error::eof ? "The connection ended without a close frame."
                                   : "The connection was lost: " + error.message() + ".",
         true});
 }

@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 
 using WebSocketConnectionEnd = WebSocketPairTest;
 
-TEST_F(WebSocketConnectionEnd, both_sides_learn_why_one_closed) {
+TEST_F(WebSocketConnectionEnd, both_sides_get_the_reason_for_closing) {
   open_both();
   server_.connection->close(close_code::kPolicy, "Too many poses.");
   ASSERT_TRUE(run_until([&] { return server_.closed() && client_.closed(); }));
@@ -138,10 +138,10 @@ TEST_F(WebSocketConnectionEnd, too_large_and_text_messages_have_their_own_codes)
   open_server();
   peer_sends(Opcode::kText, "hello");
   EXPECT_THAT(peer_receives(1),
-              ElementsAre("close 1003 Text messages are not understood here; send binary ones."));
+              ElementsAre("close 1003 Text messages are not accepted; send binary ones."));
 }
 
-TEST_F(WebSocketConnectionEnd, a_lost_connection_is_told_apart_from_a_goodbye) {
+TEST_F(WebSocketConnectionEnd, distinguishes_a_lost_connection_from_a_close) {
   open_server();
   peer_->close();
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));
@@ -149,7 +149,7 @@ TEST_F(WebSocketConnectionEnd, a_lost_connection_is_told_apart_from_a_goodbye) {
   EXPECT_TRUE(server_.handler->closed->by_peer);
 }
 
-TEST_F(WebSocketConnectionEnd, what_the_peer_said_before_it_vanished_is_still_heard) {
+TEST_F(WebSocketConnectionEnd, messages_sent_before_the_connection_was_lost_are_delivered) {
   open_both();
   // The server sends a reason and disconnects at once, while the client is writing.
   server_.connection->close_after(message_of("why"), close_code::kPolicy, "because");
@@ -159,7 +159,7 @@ TEST_F(WebSocketConnectionEnd, what_the_peer_said_before_it_vanished_is_still_he
   EXPECT_EQ(client_.handler->closed->code, close_code::kPolicy);
 }
 
-TEST_F(WebSocketConnectionEnd, silence_is_asked_about_and_then_ended) {
+TEST_F(WebSocketConnectionEnd, a_silent_peer_is_pinged_and_then_disconnected) {
   open_server({.ping_after = 20ms, .give_up_after = 600ms});
   EXPECT_THAT(peer_receives(1), ElementsAre("ping "));
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));
@@ -174,7 +174,7 @@ TEST_F(WebSocketConnectionEnd, timings_can_be_changed_while_it_is_open) {
   EXPECT_EQ(server_.handler->closed->code, close_code::kAbnormal);
 }
 
-TEST_F(WebSocketConnectionEnd, who_could_not_listen_does_not_take_that_for_silence) {
+TEST_F(WebSocketConnectionEnd, a_side_that_could_not_read_does_not_count_that_as_silence) {
   open_server({.ping_after = 150ms, .give_up_after = 300ms});
   run_ready();
   std::this_thread::sleep_for(400ms);
@@ -184,7 +184,7 @@ TEST_F(WebSocketConnectionEnd, who_could_not_listen_does_not_take_that_for_silen
   ASSERT_TRUE(run_until([&] { return server_.closed(); })) << "it is silent all the same";
 }
 
-TEST_F(WebSocketConnectionEnd, two_quiet_ends_keep_each_other_open) {
+TEST_F(WebSocketConnectionEnd, pings_keep_a_quiet_connection_open) {
   open_both({.ping_after = 10ms, .give_up_after = 200ms});
   const auto standstill = run_for(450ms);
   if (standstill > 100ms) GTEST_SKIP() << "The machine stood still for too long to tell.";
@@ -193,7 +193,7 @@ TEST_F(WebSocketConnectionEnd, two_quiet_ends_keep_each_other_open) {
   EXPECT_GE(server_.connection->counters().bytes_in, 2U) << "pings and pongs went to and fro";
 }
 
-TEST_F(WebSocketConnectionEnd, a_peer_that_takes_nothing_and_says_nothing_is_ended) {
+TEST_F(WebSocketConnectionEnd, a_peer_that_neither_reads_nor_writes_is_disconnected) {
   open_server({.ping_after = 20ms, .give_up_after = 60ms});
   for (int i = 0; i < 20; ++i) server_.send(frame_message(MessageBuffer(pattern(kTwoMiB))));
   ASSERT_TRUE(run_until([&] { return server_.closed(); }));

@@ -34,7 +34,7 @@ TEST_F(WebSocketConnectionTest, carries_messages_both_ways_in_order) {
   EXPECT_EQ(server_.connection->counters().bytes_in, 3U * (6U + 1U));
 }
 
-TEST_F(WebSocketConnectionTest, says_when_all_that_came_with_a_read_was_handed_over) {
+TEST_F(WebSocketConnectionTest, reports_the_end_of_the_messages_of_each_read) {
   open_server();
   const auto message =
       frame_message(MessageBuffer(bytes_of("part")), Opcode::kBinary, MaskKey{1, 2, 3, 4});
@@ -80,7 +80,7 @@ TEST_F(WebSocketConnectionTest, bytes_that_came_with_the_handshake_are_not_lost)
   EXPECT_THAT(client_.handler->messages, ElementsAre(bytes_of("early")));
 }
 
-TEST_F(WebSocketConnectionTest, a_peer_that_does_not_read_stops_the_asking_not_the_program) {
+TEST_F(WebSocketConnectionTest, a_peer_that_does_not_read_does_not_block_the_program) {
   open_server();
   const auto large = frame_message(MessageBuffer(pattern(64 * 1024)));
   constexpr int kOffered = 1000;  // 64 MB: more than any socket buffer

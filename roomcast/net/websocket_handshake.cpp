@@ -72,7 +72,7 @@ std::string all_of(const http::fields& fields, http::field name) {
 
 HttpResponse upgrade_required() {
   HttpResponse response =
-      text_response(426, "This address speaks WebSocket, version 13 (RFC 6455).\n");
+      text_response(426, "This address accepts only WebSocket, version 13 (RFC 6455).\n");
   response.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", std::string(kVersion)}};
   return response;
 }
@@ -123,8 +123,8 @@ std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
     return text_response(403, "Pages of other sites may not connect here.\n");
   }
   if (!offers(all_of(request, http::field::sec_websocket_protocol), subprotocol)) {
-    return text_response(
-        400, "The WebSocket subprotocol spoken here is " + std::string(subprotocol) + ".\n");
+    return text_response(400,
+                         "The WebSocket subprotocol must be " + std::string(subprotocol) + ".\n");
   }
   return std::nullopt;
 }
@@ -166,7 +166,7 @@ std::optional<std::string> fault_in_upgrade(const ResponseHeader& response, std:
     return "does not speak " + std::string(subprotocol);
   }
   if (response.count(http::field::sec_websocket_extensions) != 0) {
-    return "insists on a WebSocket extension";
+    return "requires a WebSocket extension";
   }
   return std::nullopt;
 }

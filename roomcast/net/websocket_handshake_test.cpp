@@ -57,7 +57,7 @@ TEST(WebSocketHandshake, reads_a_subprotocol_list_spread_over_fields) {
   EXPECT_EQ(refusal_of(request), 0);
 }
 
-TEST(WebSocketHandshake, refuses_what_is_no_upgrade_with_426) {
+TEST(WebSocketHandshake, refuses_requests_without_an_upgrade_with_426) {
   auto no_upgrade = good_request();
   no_upgrade.erase(http::field::upgrade);
   EXPECT_EQ(refusal_of(no_upgrade), 426);

@@ -97,13 +97,13 @@ std::optional<Violation> WebSocketReader::fault_in_order(Opcode opcode, bool fin
   }
   if (opcode == Opcode::kText) {
     return Violation{close_code::kUnsupportedData,
-                     "Text messages are not understood here; send binary ones."};
+                     "Text messages are not accepted; send binary ones."};
   }
   if (opcode == Opcode::kContinuation && !in_message_) {
-    return protocol_error("A WebSocket message was continued that had not begun.");
+    return protocol_error("A continuation came without the start of its WebSocket message.");
   }
   if (opcode == Opcode::kBinary && in_message_) {
-    return protocol_error("A WebSocket message began before the last one had ended.");
+    return protocol_error("A new WebSocket message began before the end of the last one.");
   }
   return std::nullopt;
 }
@@ -122,7 +122,7 @@ std::optional<Violation> WebSocketReader::begin_frame() {
   const std::uint64_t length = announced_length();
   const std::uint8_t form = header_[1] & kLengthBits;
   if ((form == kLength16 && length < kLength16) || (form == kLength64 && length <= 0xFFFF)) {
-    return protocol_error("A WebSocket frame's length is written longer than it need be.");
+    return protocol_error("A WebSocket frame's length is not in its shortest form.");
   }
   if ((length >> 63) != 0) return protocol_error("A WebSocket frame's length has its top bit set.");
 
@@ -190,7 +190,7 @@ std::optional<ReaderEvent> WebSocketReader::end_frame() {
 }
 
 ReaderEvent WebSocketReader::end_close(std::string_view payload) {
-  if (payload.size() == 1) return refuse(protocol_error("A close frame holds half a close code."));
+  if (payload.size() == 1) return refuse(protocol_error("A close frame has half a close code."));
   state_ = State::kDone;
   if (payload.empty()) return PeerClose{};
   const auto code = static_cast<std::uint16_t>(control_[0] << 8 | control_[1]);

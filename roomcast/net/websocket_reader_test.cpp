@@ -200,9 +200,9 @@ TEST(WebSocketReader, refuses_a_long_or_fragmented_control_frame) {
 
 TEST(WebSocketReader, refuses_fragments_out_of_order) {
   EXPECT_THAT(read_as_client(from_server(0x80, "x")),
-              ElementsAre(StartsWith("violation 1002 A WebSocket message was continued")));
+              ElementsAre(StartsWith("violation 1002 A continuation came")));
   EXPECT_THAT(read_as_client(from_server(0x02, "x") + from_server(0x82, "y")),
-              ElementsAre(StartsWith("violation 1002 A WebSocket message began")));
+              ElementsAre(StartsWith("violation 1002 A new WebSocket message began")));
   EXPECT_THAT(read_as_client(from_server(0x82, "x") + from_server(0x80, "y")),
               ElementsAre("message x", StartsWith("violation 1002")));
 }

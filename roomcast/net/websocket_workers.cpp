@@ -82,7 +82,7 @@ void WebSocketWorkers::serve(Upgraded upgraded, std::size_t thread,
 
   auto handler = options.on_websocket ? options.on_websocket(connection, thread) : nullptr;
   if (handler != nullptr) return connection->start(std::move(handler));
-  connection->close(close_code::kTryAgainLater, "No more connections are taken.");
+  connection->close(close_code::kTryAgainLater, "The hub accepts no more connections.");
   connection->start(std::make_shared<TurnedAway>());
 }
 

@@ -105,20 +105,19 @@ Result<Certificate> Certificate::load(const std::filesystem::path& certificate,
   auto chain = read_chain(certificate_pem->get());
   if (chain.empty()) {
     return Error{ErrorCode::kMalformed,
-                 "'" + certificate.string() + "' holds no certificate in PEM form"};
+                 "'" + certificate.string() + "' has no certificate in PEM form"};
   }
   SharedKey private_key(PEM_read_bio_PrivateKey(key_pem->get(), nullptr, &no_passphrase, nullptr),
                         &EVP_PKEY_free);
   ERR_clear_error();
   if (private_key == nullptr) {
-    return Error{ErrorCode::kMalformed, "'" + key.string() +
-                                            "' holds no private key in PEM form without a "
-                                            "passphrase"};
+    return Error{ErrorCode::kMalformed,
+                 "'" + key.string() + "' has no private key in PEM form without a passphrase"};
   }
   if (X509_check_private_key(chain.front().get(), private_key.get()) != 1) {
     ERR_clear_error();
     return Error{ErrorCode::kMalformed, "the key in '" + key.string() +
-                                            "' is not that of the certificate in '" +
+                                            "' does not belong to the certificate in '" +
                                             certificate.string() + "'"};
   }
   return Certificate(std::move(chain), std::move(private_key));

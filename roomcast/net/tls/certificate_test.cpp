@@ -43,7 +43,7 @@ TEST_F(CertificateTest, self_signed_is_for_its_hosts_only) {
   EXPECT_EQ(X509_check_ip_asc(leaf, "192.168.1.6", 0), 0);
 }
 
-TEST_F(CertificateTest, each_self_signed_one_is_another) {
+TEST_F(CertificateTest, every_self_signed_one_is_different) {
   EXPECT_NE(self_signed().fingerprint(), self_signed().fingerprint());
 }
 
@@ -63,7 +63,7 @@ TEST_F(CertificateTest, comes_back_from_a_file_that_only_its_owner_may_read) {
   EXPECT_EQ(loaded->fingerprint(), certificate.fingerprint());
 }
 
-TEST_F(CertificateTest, says_what_is_wrong_with_the_files) {
+TEST_F(CertificateTest, names_the_fault_of_each_file) {
   ASSERT_TRUE(self_signed().save(directory_ / "one.pem").ok());
   ASSERT_TRUE(self_signed().save(directory_ / "other.pem").ok());
   const auto one = directory_ / "one.pem", other = directory_ / "other.pem";

@@ -36,8 +36,7 @@ Status trust_authorities(SSL_CTX* context, const std::string& file) {
   SSL_CTX_set_cert_store(context, X509_STORE_new());
   if (SSL_CTX_load_verify_file(context, file.c_str()) == 1) return {};
   ERR_clear_error();
-  return Error{ErrorCode::kInvalidArgument,
-               file + " holds no certificates in PEM that a server's can be checked with"};
+  return Error{ErrorCode::kInvalidArgument, file + " has no certificates of issuers in PEM form"};
 }
 
 /// Sets the certificate with its key and its signers' certificates.

@@ -54,7 +54,7 @@ Result<TlsSession> TlsSession::connect(int fd, const TlsClientContext& context, 
   const TlsTrust& whom = session->trust_;
   if (!whom.pinned && !demand_authority(ssl, whom.host)) {
     ERR_clear_error();
-    return Error{ErrorCode::kInvalidArgument, "'" + whom.host + "' cannot be a host's name"};
+    return Error{ErrorCode::kInvalidArgument, "'" + whom.host + "' cannot be a host name"};
   }
   return session;
 }
@@ -101,7 +101,7 @@ bool TlsSession::is_trusted() {
   if (!trust_.pinned) return true;
   const X509* certificate = SSL_get0_peer_certificate(ssl_.get());
   if (certificate != nullptr && fingerprint_of(certificate) == *trust_.pinned) return true;
-  fault_ = "shows another certificate than the one that was agreed on";
+  fault_ = "has a certificate with another fingerprint than the given one";
   if (certificate != nullptr) fault_ += " (sha256=" + to_string(fingerprint_of(certificate)) + ")";
   return false;
 }
@@ -132,13 +132,13 @@ void TlsSession::explain() {
   const long verification = SSL_get_verify_result(ssl_.get());
   plain_http_ = reason == SSL_R_HTTP_REQUEST;
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED && verification != X509_V_OK) {
-    fault_ = std::string("shows a certificate that cannot be trusted (") +
+    fault_ = std::string("has an untrusted certificate (") +
              X509_verify_cert_error_string(verification) + ")";
   } else if (reason == SSL_R_WRONG_VERSION_NUMBER) {
     fault_ = "does not speak TLS";
   } else {
     const char* text = ERR_reason_error_string(error);
-    fault_ = std::string("and this side do not agree in TLS (") +
+    fault_ = std::string("and this program found no common TLS settings (") +
              (text == nullptr ? "unknown reason" : text) + ")";
   }
 }

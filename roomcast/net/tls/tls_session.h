@@ -44,8 +44,8 @@ class TlsSession {
   /// Sends the TLS close notification, if that is possible without waiting.
   void say_goodbye();
 
-  /// The failure, as a sentence without its subject ("... shows a certificate that nobody vouches
-  /// for"); empty without a failure.
+  /// The failure, as a sentence without its subject ("... has an untrusted
+  /// certificate"); empty without a failure.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   /// The peer has sent a plain HTTP request instead of TLS.
   [[nodiscard]] bool peer_speaks_plain_http() const { return plain_http_; }

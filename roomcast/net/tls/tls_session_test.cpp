@@ -91,7 +91,7 @@ TEST_F(TlsSessionTest, without_a_pin_only_authorities_are_trusted) {
   auto server = this->server();
   auto client = this->client({"localhost", {}});
   EXPECT_EQ(shake_hands(server, client), HandshakeOutcome::kFailed);
-  EXPECT_NE(client.fault().find("cannot be trusted"), std::string::npos) << client.fault();
+  EXPECT_NE(client.fault().find("untrusted certificate"), std::string::npos) << client.fault();
 }
 
 TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
@@ -118,7 +118,7 @@ TEST_F(TlsSessionTest, a_full_socket_makes_the_writer_wait_and_loses_nothing) {
   EXPECT_EQ(received, sent);
 }
 
-TEST_F(TlsSessionTest, authorities_of_a_file_are_believed_and_no_others) {
+TEST_F(TlsSessionTest, only_authorities_of_the_given_file_are_trusted) {
   const TemporaryFolder folder;
   const auto file = [&](const char* name) { return (folder.path() / name).string(); };
   ASSERT_TRUE(certificate_.save(file("own")).ok() && self_signed().save(file("another")).ok());
@@ -162,7 +162,7 @@ TEST(TlsClientContext, files_that_hold_something_else_are_named) {
   }
 }
 
-TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing) {
+TEST_F(TlsSessionTest, a_close_and_a_lost_connection_are_no_failures) {
   auto server = this->server();
   auto client = this->client(pinned());
   ASSERT_EQ(shake_hands(server, client), HandshakeOutcome::kDone);
@@ -174,7 +174,7 @@ TEST_F(TlsSessionTest, tells_a_goodbye_from_a_lost_connection_by_neither_failing
   EXPECT_NE(server.write(bytes_of("x")).outcome, HandshakeOutcome::kDone);  // without SIGPIPE
 }
 
-TEST_F(TlsSessionTest, recognises_who_does_not_speak_tls) {
+TEST_F(TlsSessionTest, recognises_peers_that_do_not_speak_tls) {
   auto server = this->server();
   constexpr std::string_view kRequest = "GET / HTTP/1.1\r\n\r\n";
   ASSERT_EQ(::send(fds_[1], kRequest.data(), kRequest.size(), 0),
